@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// What one decision costs. Every decision is drawn at random from frozen situations: repeated in order,
+// the branch predictor would learn them; whole runs would differ between versions.
+#include <benchmark/benchmark.h>
+
+#include <vector>
+
+#include "fairway/avoidance/catalog.hpp"
+#include "fairway/avoidance/orca3d/orca3d.hpp"
+#include "fairway/avoidance/testing/encounters.hpp"
+
+namespace fairway {
+namespace {
+
+using encounters::Encounter;
+using Scene = Encounter (*)(int, Rng);
+
+std::vector<Encounter> frozen(Scene scene, int neighbours) {
+  // about 1 MB in all, so that the caches hold it
+  const int count = std::max(16, 8000 / std::max(neighbours, 1));
+  std::vector<Encounter> scenes;
+  for (int i = 0; i < count; ++i)
+    scenes.push_back(scene(neighbours, Rng{1}.stream("frozen", static_cast<std::uint64_t>(i))));
+  return scenes;
+}
+
+template <class Decide>
+void run(benchmark::State& bench, Scene scene, Decide decide) {
+  const std::vector<Encounter> scenes = frozen(scene, static_cast<int>(bench.range(0)));
+  const std::vector<Situation> situations(scenes.begin(), scenes.end());
+
+  double infeasible = 0.0;
+  for (const Situation& s : situations) infeasible += decide(s).mode == Mode::infeasible ? 1.0 : 0.0;
+  bench.counters["infeasible"] = infeasible / static_cast<double>(situations.size());
+
+  Rng rng{2};
+  for (auto _ : bench) {
+    Command command = decide(situations[rng.index(situations.size())]);
+    benchmark::DoNotOptimize(command);
+  }
+}
+
+/// The algorithm alone.
+void orca3d(benchmark::State& bench, Scene scene) {
+  const Orca3d orca{{}};
+  Rng rng{3};
+  Context context{rng};
+  NoMemory memory;
+  run(bench, scene, [&](const Situation& s) { return orca.decide(s, memory, context); });
+}
+
+/// Through the public interface: input checked, limits kept.
+void avoider(benchmark::State& bench, const char* name, Scene scene) {
+  Avoider avoider = builtin_avoiders().make(name);
+  run(bench, scene, [&](const Situation& s) { return avoider.decide(s); });
+}
+
+BENCHMARK_CAPTURE(orca3d, crowd, encounters::crowd)->Arg(7);
+BENCHMARK_CAPTURE(orca3d, congested, encounters::congested)->Arg(7);
+BENCHMARK_CAPTURE(avoider, orca3d_crowd, "orca3d", encounters::crowd)->Arg(7)->Arg(20)->Arg(100)->Arg(500);
+BENCHMARK_CAPTURE(avoider, orca3d_congested, "orca3d", encounters::congested)
+    ->Arg(7)
+    ->Arg(20)
+    ->Arg(100)
+    ->Arg(500);
+BENCHMARK_CAPTURE(avoider, apf_crowd, "apf", encounters::crowd)->Arg(7)->Arg(20)->Arg(100)->Arg(500);
+BENCHMARK_CAPTURE(avoider, stop_and_wait_crowd, "orca3d+stop_and_wait", encounters::crowd)->Arg(7);
+BENCHMARK_CAPTURE(avoider, direct_crowd, "direct", encounters::crowd)->Arg(7);
+
+}  // namespace
+}  // namespace fairway

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <benchmark/benchmark.h>
+
+#include "fairway/control/autopilot.hpp"
+#include "fairway/dynamics/catalog.hpp"
+#include "fairway/dynamics/kinematic/kinematic.hpp"
+#include "fairway/dynamics/sparus2/sparus2.hpp"
+
+namespace fairway {
+namespace {
+
+constexpr double h = 0.05;  // [s]
+const Water sea{.current_n = {0.1, -0.2, 0.0}, .density = 1000.0};
+
+/// One RK4 step of the equations alone.
+template <class M>
+void rk4_step(benchmark::State& bench) {
+  const M model{typename M::Params{}};
+  VehicleState x;
+  ActuatorValues u(3);
+  u << 2.0, 3.0, 1.0;
+  for (auto _ : bench) {
+    x = rk4(model, x, u, sea, h);
+    benchmark::DoNotOptimize(x);
+  }
+}
+BENCHMARK(rk4_step<Sparus2>);
+BENCHMARK(rk4_step<Kinematic>);
+
+/// One step of a vehicle of the catalog: limits, lag and RK4.
+void vehicle_step(benchmark::State& bench, std::string_view name) {
+  Vehicle vehicle = builtin_vehicles().make(name);
+  ActuatorValues command(3);
+  command << 2.0, 3.0, 1.0;
+  for (auto _ : bench) {
+    vehicle.step(command, sea, h);
+    benchmark::DoNotOptimize(vehicle);
+  }
+}
+BENCHMARK_CAPTURE(vehicle_step, sparus2, "sparus2");
+BENCHMARK_CAPTURE(vehicle_step, kinematic, "kinematic");
+
+/// One call of the autopilot, the request below (0.5 m/s) or far above (5 m/s) what thrusters give.
+void autopilot_call(benchmark::State& bench, std::string_view name, double surge_mps) {
+  const Vehicle vehicle = builtin_vehicles().make(name);
+  Autopilot autopilot{vehicle};
+  const BodyRequest request{.surge_mps = surge_mps, .heave_mps = 0.2, .yaw_rate_radps = 0.2};
+  const Vec3 v_b{0.3, 0.01, 0.1}, omega_b{0.0, 0.0, 0.1};
+  for (auto _ : bench) benchmark::DoNotOptimize(autopilot.control(request, v_b, omega_b, h));
+}
+BENCHMARK_CAPTURE(autopilot_call, sparus2, "sparus2", 0.5);
+BENCHMARK_CAPTURE(autopilot_call, sparus2_saturated, "sparus2", 5.0);
+BENCHMARK_CAPTURE(autopilot_call, kinematic, "kinematic", 0.5);
+
+}  // namespace
+}  // namespace fairway

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <concepts>
+#include <string_view>
+
+#include "fairway/avoidance/command.hpp"
+#include "fairway/avoidance/situation.hpp"
+#include "fairway/avoidance/sketch.hpp"
+#include "fairway/core/params.hpp"
+#include "fairway/core/rng.hpp"
+
+namespace fairway {
+
+/// What decide() may use besides its arguments.
+struct Context {
+  Rng& rng;
+  Sketch* sketch = nullptr;  ///< null unless someone is looking
+};
+
+/// What to print about an algorithm, and where it comes from.
+struct AlgorithmInfo {
+  std::string_view name;    ///< as written in a scenario: "orca3d"
+  std::string_view title;   ///< "Optimal reciprocal collision avoidance in three dimensions"
+  std::string_view source;  ///< the paper and the equations implemented
+  bool planar = false;      ///< thinks in the horizontal plane: reads and writes d = 0
+  bool allocates = false;   ///< true only for planners that must
+  bool isotropic = true;    ///< turning the scene about the vertical turns the answer
+};
+
+/// For algorithms that remember nothing.
+struct NoMemory {
+  friend constexpr bool operator==(const NoMemory&, const NoMemory&) = default;
+};
+
+/// A collision avoidance algorithm: a function of the situation, its own memory and the given
+/// randomness. Nothing else may influence it, no clock, no globals, no I/O, so a copied Memory
+/// replays exactly, and a run can be resumed at any step.
+template <class A>
+concept AvoidanceAlgorithm =
+    requires(const A& a, const Situation& situation, typename A::Memory& memory, Context& context) {
+      requires Reflected<typename A::Params> && std::copyable<typename A::Memory>;
+      { A::info } -> std::convertible_to<AlgorithmInfo>;
+      { A{typename A::Params{}} } -> std::copyable;
+      { a.params } -> std::convertible_to<const typename A::Params&>;
+      { a.decide(situation, memory, context) } noexcept -> std::same_as<Command>;
+    };
+
+class Avoider;
+
+/// A strategy around another avoider, such as stop-and-wait: it may ask the inner one, change what
+/// it is shown or what it answered.
+template <class W>
+concept AvoidanceWrapper = requires(const W& w, const Situation& situation, Avoider& inner, typename W::Memory& memory,
+                                    Context& context) {
+  requires Reflected<typename W::Params> && std::copyable<typename W::Memory>;
+  { W::info } -> std::convertible_to<AlgorithmInfo>;
+  { w.decide(situation, inner, memory, context) } noexcept -> std::same_as<Command>;
+};
+
+}  // namespace fairway

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <utility>
+
+#include "fairway/avoidance/algorithm.hpp"
+
+namespace fairway {
+
+/// Any algorithm together with its memory and its randomness. A value: a copy is a snapshot, and two
+/// equal avoiders shown the same situations give the same commands for ever.
+class Avoider {
+ public:
+  template <AvoidanceAlgorithm A>
+  explicit Avoider(A algorithm, Rng rng = Rng{0}) : self_{std::make_unique<Model<A>>(std::move(algorithm))}, rng_{rng} {}
+
+  /// `wrapper` around `inner`. Wrappers nest.
+  template <AvoidanceWrapper W>
+  Avoider(W wrapper, Avoider inner, Rng rng = Rng{0})
+      : self_{std::make_unique<Wrapped<W>>(std::move(wrapper), std::move(inner))}, rng_{rng} {}
+
+  Avoider(const Avoider& other) : self_{other.self_->clone()}, rng_{other.rng_} {}
+  Avoider(Avoider&&) noexcept = default;
+  Avoider& operator=(Avoider other) noexcept {
+    std::swap(self_, other.self_);
+    rng_ = other.rng_;
+    return *this;
+  }
+  ~Avoider() = default;
+
+  const AlgorithmInfo& info() const { return self_->info(); }
+
+  /// Decides, then holds the decision to the limits, so that no algorithm has to. A situation that is
+  /// not usable (NaN, no period) is answered with zero velocity and Mode::infeasible. Never throws.
+  [[nodiscard]] Command decide(const Situation& situation, Sketch* sketch = nullptr) noexcept {
+    if (!is_usable(situation)) return {.mode = Mode::infeasible};
+    Context context{rng_, sketch};
+    Command command = self_->decide(situation, context);
+    command.velocity = within(situation, command.velocity);
+    return command;
+  }
+
+ private:
+  struct Interface {
+    Interface() = default;
+    Interface(const Interface&) = default;
+    Interface& operator=(const Interface&) = delete;
+    virtual ~Interface() = default;
+    virtual Command decide(const Situation&, Context&) noexcept = 0;
+    virtual std::unique_ptr<Interface> clone() const = 0;
+    virtual const AlgorithmInfo& info() const = 0;
+  };
+
+  template <AvoidanceAlgorithm A>
+  struct Model final : Interface {
+    explicit Model(A a) : algorithm{std::move(a)} {}
+    Command decide(const Situation& s, Context& c) noexcept override { return algorithm.decide(s, memory, c); }
+    std::unique_ptr<Interface> clone() const override { return std::make_unique<Model>(*this); }
+    const AlgorithmInfo& info() const override { return A::info; }
+
+    A algorithm;
+    typename A::Memory memory{};
+  };
+
+  template <AvoidanceWrapper W>
+  struct Wrapped;
+
+  /// `v` within speed and climb limits, and not through floor or ceiling before the next decision.
+  static Vec3 within(const Situation& s, Vec3 v) noexcept;
+
+  std::unique_ptr<Interface> self_;
+  Rng rng_;
+};
+
+template <AvoidanceWrapper W>
+struct Avoider::Wrapped final : Avoider::Interface {
+  Wrapped(W w, Avoider a) : wrapper{std::move(w)}, inner{std::move(a)} {}
+  Command decide(const Situation& s, Context& c) noexcept override { return wrapper.decide(s, inner, memory, c); }
+  std::unique_ptr<Interface> clone() const override { return std::make_unique<Wrapped>(*this); }
+  const AlgorithmInfo& info() const override { return W::info; }
+
+  W wrapper;
+  Avoider inner;
+  typename W::Memory memory{};
+};
+
+}  // namespace fairway

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/avoidance/catalog.hpp"
+
+#include <algorithm>
+
+namespace fairway {
+
+const Catalog::Entry& Catalog::find(std::string_view name) const {
+  for (const auto& [alias, target] : aliases_) {
+    if (alias == name) return find(target);
+  }
+  std::vector<std::string_view> known;
+  for (const Entry& entry : entries_) {
+    if (entry.info.name == name) return entry;
+    known.push_back(entry.info.name);
+  }
+  throw InputError("unknown algorithm \"" + std::string(name) + "\"" + suggestion(name, known));
+}
+
+std::vector<const Catalog::Entry*> Catalog::layers(std::string_view name) const {
+  std::vector<const Entry*> found;
+  for (std::size_t from = 0;;) {
+    const std::size_t plus = name.find('+', from);
+    const Entry& entry = find(name.substr(from, plus == std::string_view::npos ? plus : plus - from));
+    if (from > 0 && !entry.wraps) {
+      throw InputError("algorithm \"" + std::string(entry.info.name) + "\" cannot stand behind a '+': it wraps nothing");
+    }
+    found.push_back(&entry);
+    if (plus == std::string_view::npos) return found;
+    from = plus + 1;
+  }
+}
+
+std::vector<ParamInfo> Catalog::params(std::string_view name) const {
+  std::vector<ParamInfo> all;
+  for (const Entry* layer : layers(name)) {
+    for (const ParamInfo& param : layer->params) {
+      if (std::ranges::none_of(all, [&](const ParamInfo& p) { return p.name == param.name; })) all.push_back(param);
+    }
+  }
+  return all;
+}
+
+Avoider Catalog::make(std::string_view name, const ParamValues& values, Rng rng) const {
+  const std::vector<ParamInfo> accepted = params(name);
+  std::vector<std::string_view> known;
+  for (const ParamInfo& param : accepted) known.push_back(param.name);
+  for (const auto& [param, value] : values) {
+    if (std::ranges::find(known, param) == known.end()) {
+      throw InputError({}, param, "unknown parameter of " + std::string(name) + suggestion(param, known));
+    }
+  }
+
+  const std::vector<const Entry*> stack = layers(name);
+  Avoider avoider = stack.front()->make(values, rng);
+  for (std::size_t i = 1; i < stack.size(); ++i) {
+    avoider = stack[i]->make_around(std::move(avoider), values, rng.stream("wrapper", i));
+  }
+  return avoider;
+}
+
+}  // namespace fairway

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fairway/avoidance/avoider.hpp"
+
+namespace fairway {
+
+/// The algorithms a program offers, by name. An ordinary value: nothing registers itself.
+///
+/// A wrapper is written behind what it wraps: "orca3d+stop_and_wait". A parameter goes to every
+/// layer that has one of that name, so "apf+stop_and_wait" takes one `crit_dist_m` for both.
+class Catalog {
+ public:
+  struct Entry {
+    AlgorithmInfo info;
+    std::vector<ParamInfo> params;
+    bool wraps = false;
+    std::function<Avoider(const ParamValues&, Rng)> make;                ///< of an algorithm
+    std::function<Avoider(Avoider, const ParamValues&, Rng)> make_around;  ///< of a wrapper
+  };
+
+  template <AvoidanceAlgorithm A>
+  Catalog& add() {
+    entries_.push_back({.info = A::info,
+                        .params = describe_params<typename A::Params>(),
+                        .make = [](const ParamValues& values, Rng rng) {
+                          return Avoider{A{chosen<typename A::Params>(values)}, rng};
+                        },
+                        .make_around = {}});
+    return *this;
+  }
+
+  /// `alone` is the algorithm wrapped when the wrapper's name stands by itself.
+  template <AvoidanceWrapper W, AvoidanceAlgorithm Alone>
+  Catalog& add_wrapper() {
+    entries_.push_back({.info = W::info,
+                        .params = describe_params<typename W::Params>(),
+                        .wraps = true,
+                        .make = [](const ParamValues& values, Rng rng) {
+                          return Avoider{W{chosen<typename W::Params>(values)},
+                                         Avoider{Alone{chosen<typename Alone::Params>(values)}, rng}, rng};
+                        },
+                        .make_around = [](Avoider inner, const ParamValues& values, Rng rng) {
+                          return Avoider{W{chosen<typename W::Params>(values)}, std::move(inner), rng};
+                        }});
+    return *this;
+  }
+
+  /// A short name for another: "saw" for "stop_and_wait".
+  Catalog& alias(std::string_view name, std::string_view target) {
+    aliases_.emplace_back(name, target);
+    return *this;
+  }
+
+  /// Throws InputError for a name that is not in the catalog or a parameter that none of the layers has.
+  Avoider make(std::string_view name, const ParamValues& values = {}, Rng rng = Rng{0}) const;
+
+  /// The parameters of "inner+wrapper", each name once. Throws InputError as make().
+  std::vector<ParamInfo> params(std::string_view name) const;
+
+  /// Throws InputError with the nearest known name.
+  const Entry& find(std::string_view name) const;
+
+  std::span<const Entry> entries() const { return entries_; }
+
+ private:
+  template <Reflected P>
+  static P chosen(const ParamValues& values) {
+    P params;
+    for (const auto& [name, value] : values) set_param(params, name, value, /*optional=*/true);
+    return params;
+  }
+
+  std::vector<const Entry*> layers(std::string_view name) const;
+
+  std::vector<Entry> entries_;
+  std::vector<std::pair<std::string, std::string>> aliases_;
+};
+
+/// Every algorithm that comes with fairway.
+Catalog builtin_avoiders();
+
+}  // namespace fairway

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "fairway/core/ids.hpp"
+#include "fairway/core/limits.hpp"
+#include "fairway/core/shapes.hpp"
+#include "fairway/core/vec.hpp"
+
+namespace fairway {
+
+/// Own state as estimated on board. Never the simulator's truth.
+struct Ownship {
+  VehicleId id{};
+  Vec3 position = Vec3::Zero();  ///< [m, NED]
+  Vec3 velocity = Vec3::Zero();  ///< over ground [m/s, NED]
+  double yaw{};                  ///< [rad], 0 north, positive to starboard
+  double radius{1.0};            ///< of the enclosing sphere [m]
+  std::int32_t priority{};       ///< the smaller number has the right of way
+};
+
+/// Another vehicle as perceived: possibly late, noisy, or no longer there.
+struct Track {
+  TrackId id{};
+  Vec3 position = Vec3::Zero();     ///< extrapolated to the situation's time [m, NED]
+  Vec3 velocity = Vec3::Zero();     ///< over ground [m/s, NED]
+  double yaw{};                     ///< as reported [rad]
+  double radius{1.0};               ///< of the enclosing sphere, grown by the position uncertainty [m]
+  double age{};                     ///< since the last measurement or message [s]
+  std::int32_t priority{};          ///< the smaller number has the right of way
+  std::optional<Vec3> destination;  ///< where it says it is going [m, NED]
+};
+
+/// Where the mission wants to be, and how fast.
+struct Goal {
+  Vec3 position = Vec3::Zero();  ///< [m, NED]
+  double cruise_speed{};         ///< [m/s]
+  std::optional<Vec3> velocity;  ///< wanted instead of heading straight for the position [m/s, NED]
+};
+
+/// All that an avoider may know at one instant. Immutable; the spans are valid only during the call
+/// to decide().
+struct Situation {
+  double time{};    ///< since the start of the mission [s]
+  double period{};  ///< until the next decision [s], > 0
+  Ownship own;
+  Goal goal;
+  Limits limits;  ///< `Avoider` holds every command to these
+  std::span<const Track> tracks;        ///< nearest first; equal ranges by id
+  std::span<const Obstacle> obstacles;  ///< what does not move
+
+  /// The velocity that ignores everyone: as the mission wants it, or straight to the goal, slowing
+  /// down to stop on it; never above the speed limit. [m/s, NED]
+  Vec3 preferred_velocity() const {
+    if (goal.velocity) return clamp_norm(*goal.velocity, limits.max_speed);
+    const Vec3 to_goal = goal.position - own.position;
+    const double distance = to_goal.norm();
+    const double wanted = std::fmin(std::fmin(goal.cruise_speed, limits.max_speed), distance / period);
+    return distance > 0.0 ? Vec3{(wanted / distance) * to_goal} : Vec3{Vec3::Zero()};
+  }
+};
+
+/// True if no number in the situation is NaN or infinite where it must not be, the period is
+/// positive and no radius negative. `Avoider` answers anything else with `Mode::infeasible`.
+bool is_usable(const Situation& situation) noexcept;
+
+}  // namespace fairway

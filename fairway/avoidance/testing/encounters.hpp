@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "fairway/avoidance/situation.hpp"
+#include "fairway/core/angles.hpp"
+#include "fairway/core/rng.hpp"
+
+/// Situations with names a mariner would use, for tests, benchmarks and examples. Own ship has id 0,
+/// radius 1 m, makes 1 m/s of at most 1.5 m/s, and decides every 0.1 s, unless said otherwise.
+namespace fairway::encounters {
+
+/// A situation that owns what it shows.
+struct Encounter {
+  std::vector<Track> tracks;
+  std::vector<Obstacle> obstacles;
+  Situation situation;
+
+  operator Situation() const {  // NOLINT(google-explicit-constructor): read as a situation
+    Situation s = situation;
+    s.tracks = tracks;
+    s.obstacles = obstacles;
+    return s;
+  }
+
+  /// Tracks nearest first, equal ranges by id, as every Situation has them.
+  Encounter& sorted() {
+    const auto rank = [&](const Track& t) {
+      return std::pair{(t.position - situation.own.position).squaredNorm(), number(t.id)};
+    };
+    std::ranges::sort(tracks, {}, rank);
+    return *this;
+  }
+};
+
+inline Track track(std::uint32_t id, const Vec3& position, const Vec3& velocity, double radius = 1.0) {
+  return {.id = TrackId{id},
+          .position = position,
+          .velocity = velocity,
+          .radius = radius,
+          .priority = static_cast<std::int32_t>(id)};
+}
+
+/// Northbound at 50 m depth, goal far ahead, nobody around.
+inline Encounter open_water(double speed = 1.0) {
+  Encounter e;
+  e.situation = {.time = 0.0,
+                 .period = 0.1,
+                 .own = {.id = VehicleId{0}, .position = {0, 0, 50}, .velocity = {speed, 0, 0}},
+                 .goal = {.position = {1000, 0, 50}, .cruise_speed = speed},
+                 .limits = {.max_speed = 1.5}};
+  return e;
+}
+
+/// Somebody dead ahead on the reciprocal course.
+inline Encounter head_on(double range = 8.0, double speed = 1.0) {
+  Encounter e = open_water(speed);
+  e.tracks = {track(1, {range, 0, 50}, {-speed, 0, 0})};
+  return e;
+}
+
+/// Somebody from starboard, to meet after `time` seconds.
+inline Encounter crossing(double time = 6.0, double speed = 1.0) {
+  Encounter e = open_water(speed);
+  e.tracks = {track(1, {speed * time, speed * time, 50}, {0, -speed, 0})};
+  return e;
+}
+
+/// Somebody twice as fast, from astern and a little to starboard.
+inline Encounter overtaken(double range = 8.0, double speed = 1.0) {
+  Encounter e = open_water(speed);
+  e.tracks = {track(1, {-range, 1, 50}, {2 * speed, 0, 0})};
+  return e;
+}
+
+inline Vec3 direction(Rng& rng) { return unit(Vec3{rng.normal(), rng.normal(), rng.normal()}); }
+
+/// `count` vehicles placed between `nearest` and `farthest` [m] and moving, both at random in space;
+/// the goal too lies anywhere.
+inline Encounter swarm(int count, double nearest, double farthest, Rng rng) {
+  Encounter e = open_water();
+  Situation& s = e.situation;
+  s.own.velocity = rng.uniform(0.0, 1.0) * direction(rng);
+  s.own.yaw = std::atan2(s.own.velocity.y(), s.own.velocity.x());
+  s.goal.position = s.own.position + 40.0 * direction(rng);
+  for (int i = 0; i < count; ++i) {
+    const double range = std::cbrt(rng.uniform(nearest * nearest * nearest, farthest * farthest * farthest));
+    e.tracks.push_back(track(static_cast<std::uint32_t>(i + 1), s.own.position + range * direction(rng),
+                             rng.uniform(0.0, 1.0) * direction(rng)));
+  }
+  return e.sorted();
+}
+
+/// Room to pass: nobody touches own ship, and ORCA nearly always finds a velocity.
+inline Encounter crowd(int count, Rng rng) { return swarm(count, 3.0, 15.0, rng); }
+
+/// No room: hulls (R = 2 m) nearly touch or overlap, and often no velocity is safe.
+inline Encounter congested(int count, Rng rng) { return swarm(count, 1.8, 4.0, rng); }
+
+/// The cubes of raja2024: vehicle `own` of `count` (2 to 8) at a vertex of a cube of edge `edge` [m], all
+/// making 0.5 m/s for the opposite vertex, safety radius 3 m, `progress` (0 to 1) of the way gone.
+inline Encounter cube_centre(int count = 8, int own = 0, double edge = 20.0, double progress = 0.3) {
+  const double h = edge / 2.0;
+  const std::vector<Vec3> vertices{{h, h, 0},       {-h, -h, 0},   {h, -h, 2 * h}, {-h, h, 2 * h},
+                                   {-h, -h, 2 * h}, {h, h, 2 * h}, {-h, h, 0},     {h, -h, 0}};
+  const Vec3 centre{0, 0, h};
+  Encounter e;
+  Situation& s = e.situation;
+  s.period = 0.5;
+  s.limits.max_speed = 0.5;
+  for (int i = 0; i < count; ++i) {
+    const Vec3 start = vertices[static_cast<std::size_t>(i)];
+    const Vec3 goal = 2.0 * centre - start;
+    const Vec3 position = start + progress * (goal - start);
+    const Vec3 velocity = 0.5 * unit(Vec3{goal - start});
+    if (i == own) {
+      s.own = {.id = VehicleId{static_cast<std::uint32_t>(i)},
+               .position = position,
+               .velocity = velocity,
+               .yaw = std::atan2(velocity.y(), velocity.x()),
+               .radius = 3.0,
+               .priority = i};
+      s.goal = {.position = goal, .cruise_speed = 0.5};
+    } else {
+      e.tracks.push_back(track(static_cast<std::uint32_t>(i), position, velocity, 3.0));
+    }
+  }
+  return e.sorted();
+}
+
+/// The same scene elsewhere.
+inline Encounter shifted(Encounter e, const Vec3& by) {
+  e.situation.own.position += by;
+  e.situation.goal.position += by;
+  e.situation.limits.min_depth += by.z();
+  e.situation.limits.max_depth += by.z();
+  for (Track& t : e.tracks) t.position += by;
+  for (Obstacle& o : e.obstacles) {
+    o.position += by;
+    o.from += by;
+    o.to += by;
+  }
+  return e;
+}
+
+/// The same scene turned by `angle` about the vertical through the origin [rad].
+inline Encounter turned(Encounter e, double angle) {
+  const Eigen::AngleAxisd turn(angle, Vec3::UnitZ());
+  Situation& s = e.situation;
+  s.own.position = turn * s.own.position;
+  s.own.velocity = turn * s.own.velocity;
+  s.own.yaw = wrap_angle(s.own.yaw + angle);
+  s.goal.position = turn * s.goal.position;
+  if (s.goal.velocity) s.goal.velocity = turn * *s.goal.velocity;
+  for (Track& t : e.tracks) {
+    t.position = turn * t.position;
+    t.velocity = turn * t.velocity;
+    t.yaw = wrap_angle(t.yaw + angle);
+  }
+  for (Obstacle& o : e.obstacles) {
+    o.position = turn * o.position;
+    o.from = turn * o.from;
+    o.to = turn * o.to;
+  }
+  return e;
+}
+
+}  // namespace fairway::encounters

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/experiment/compare.hpp"
+
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "fairway/cli/program.hpp"
+#include "fairway/experiment/store.hpp"
+
+namespace fairway::cli {
+
+void add_compare(CLI::App& app, Program& program) {
+  CLI::App* verb = app.add_subcommand("compare", "Compare stored results, paired by seed, with confidence intervals");
+  verb->footer("Example: fairway compare methods.sqlite --by method --baseline orca3d --quantity navigation_time_s");
+  auto stores = std::make_shared<std::vector<std::string>>();
+  auto options = std::make_shared<CompareOptions>();
+  auto csv = std::make_shared<bool>(false);
+  auto json = std::make_shared<bool>(false);
+  verb->add_option("results", *stores, "results stores")->required();
+  verb->add_option("--by", options->by, "label whose values are compared")->capture_default_str();
+  verb->add_option("--baseline", options->baseline, "value that the others are compared with; the first if not given");
+  verb->add_option("--quantity", options->quantities, "quantities; all if none is named");
+  verb->add_option("--confidence", options->confidence, "of each interval")->capture_default_str()->check(CLI::Range(0.5, 0.9999));
+  verb->add_flag("--csv", *csv, "print every measure of every run as CSV instead");
+  verb->add_flag("--json", *json, "print JSON");
+  verb->callback([=, &program] {
+    program.chosen = [=] {
+      std::vector<RunRecord> records;
+      for (const std::string& file : *stores) {
+        std::vector<RunRecord> more = Store::open_existing(file).all();
+        std::ranges::move(more, std::back_inserter(records));
+      }
+      if (*csv) {
+        write_csv(std::cout, records);
+        return ok;
+      }
+      const Comparison comparison = compare(records, *options);
+      std::cout << (*json ? to_json(comparison).dump(2) + "\n" : table_text(comparison));
+      return ok;
+    };
+  });
+}
+
+}  // namespace fairway::cli

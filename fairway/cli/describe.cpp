@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "fairway/cli/program.hpp"
+#include "fairway/core/text.hpp"
+#include "fairway/metrics/run_metrics.hpp"
+#include "fairway/sim/catalogs.hpp"
+#include "fairway/studies/study.hpp"
+
+namespace fairway::cli {
+namespace {
+
+using nlohmann::json;
+
+/// JSON has no infinity: a bound that is not there is null.
+json bound(double value) { return std::isfinite(value) ? json(value) : json(); }
+
+json value_json(const ParamValue& value) {
+  return std::visit([](const auto& v) { return json(v); }, value);
+}
+
+json params_json(const std::vector<ParamInfo>& params) {
+  json list = json::array();
+  for (const ParamInfo& p : params) {
+    json entry{{"name", p.name}, {"type", p.type}, {"default", value_json(p.value)}, {"meaning", p.meaning}};
+    if (p.type == "number" || p.type == "integer") {
+      entry["unit"] = p.unit;
+      entry["range"] = {bound(p.range.lo), bound(p.range.hi)};
+    }
+    if (p.type == "choice") entry["choices"] = p.choices;
+    list.push_back(std::move(entry));
+  }
+  return list;
+}
+
+json actuators_json(std::span<const ActuatorInfo> actuators) {
+  json list = json::array();
+  for (const ActuatorInfo& a : actuators) {
+    list.push_back({{"name", a.name},
+                    {"range", {bound(a.range.lo), bound(a.range.hi)}},
+                    {"time_constant_s", a.time_constant_s},
+                    {"meaning", a.meaning}});
+  }
+  return list;
+}
+
+json describe(const std::string& name) {
+  std::vector<std::string_view> known;
+  const Catalogs catalogs = builtin_catalogs();
+  if (name.find('+') != std::string::npos) {
+    return {{"kind", "algorithm"}, {"name", name}, {"parameters", params_json(catalogs.avoiders.params(name))}};
+  }
+  for (const Catalog::Entry& entry : catalogs.avoiders.entries()) {
+    known.push_back(entry.info.name);
+    if (entry.info.name != name) continue;
+    return {{"kind", "algorithm"},           {"name", name},
+            {"title", entry.info.title},     {"source", entry.info.source},
+            {"planar", entry.info.planar},   {"wraps", entry.wraps},
+            {"parameters", params_json(entry.params)}};
+  }
+  for (const VehicleCatalog::Entry& entry : catalogs.vehicles.entries()) {
+    known.push_back(entry.info.name);
+    if (entry.info.name != name) continue;
+    const Vehicle vehicle = entry.make({});
+    return {{"kind", "vehicle"},
+            {"name", name},
+            {"title", entry.info.title},
+            {"source", entry.info.source},
+            {"actuators", actuators_json(vehicle.actuators())},
+            {"parameters", params_json(entry.params)}};
+  }
+  for (const Study& study : builtin_studies()) {
+    known.push_back(study.name);
+    if (study.name == name) {
+      return {{"kind", "study"}, {"name", name}, {"title", study.title}, {"source", study.source}};
+    }
+  }
+  const std::vector<QuantityInfo> quantities = all_quantities();
+  for (const QuantityInfo& quantity : quantities) {
+    known.push_back(quantity.name);
+    if (quantity.name == name) {
+      return {{"kind", "metric"}, {"name", name}, {"meaning", quantity.meaning}, {"per_vehicle", quantity.per_vehicle}};
+    }
+  }
+  throw InputError("nothing is called \"" + name + "\"" + suggestion(name, known));
+}
+
+std::string text_of(const json& value) {
+  if (value.is_null()) return "none";
+  if (value.is_number()) return number_text(value.get<double>());
+  return value.is_string() ? value.get<std::string>() : value.dump();
+}
+
+void print_table(const json& entries, std::string_view title) {
+  if (entries.empty()) return;
+  std::cout << title << "\n";
+  for (const json& entry : entries) {
+    std::string range;
+    if (entry.contains("range")) range = fmt::format("[{}, {}]", text_of(entry["range"][0]), text_of(entry["range"][1]));
+    if (entry.contains("choices")) range = entry["choices"].dump();
+    const std::string value = entry.contains("default") ? text_of(entry["default"]) : "";
+    std::cout << fmt::format("  {:<32} {:<12} {:<24} {}\n", entry["name"].get<std::string>(), value, range,
+                             entry["meaning"].get<std::string>());
+  }
+}
+
+void print(const json& document) {
+  for (const auto& [key, value] : document.items()) {
+    if (value.is_array()) continue;
+    std::cout << fmt::format("{:<12} {}\n", key, text_of(value));
+  }
+  print_table(document.value("actuators", json::array()), "actuators (name, limits, meaning)");
+  print_table(document.value("parameters", json::array()), "parameters (name, default, range, meaning)");
+}
+
+}  // namespace
+
+void add_describe(CLI::App& app, Program& program) {
+  CLI::App* verb = app.add_subcommand("describe", "An algorithm, vehicle, study or metric: source, parameters, actuators");
+  verb->footer("Example: fairway describe orca3d+stop_and_wait");
+  auto name = std::make_shared<std::string>();
+  auto as_json = std::make_shared<bool>(false);
+  verb->add_option("name", *name, "as `fairway list` shows it")->required();
+  verb->add_flag("--json", *as_json, "print JSON");
+  verb->callback([=, &program] {
+    program.chosen = [=] {
+      const json document = describe(*name);
+      if (*as_json) {
+        std::cout << document.dump(2) << "\n";
+      } else {
+        print(document);
+      }
+      return ok;
+    };
+  });
+}
+
+}  // namespace fairway::cli

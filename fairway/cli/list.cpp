@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "fairway/cli/program.hpp"
+#include "fairway/metrics/run_metrics.hpp"
+#include "fairway/sim/catalogs.hpp"
+#include "fairway/studies/study.hpp"
+
+namespace fairway::cli {
+namespace {
+
+struct Item {
+  std::string name, title;
+};
+
+std::vector<Item> algorithms() {
+  std::vector<Item> items;
+  const Catalog catalog = builtin_avoiders();
+  for (const Catalog::Entry& entry : catalog.entries()) {
+    const std::string note = entry.wraps ? "; wraps another: orca3d+" + std::string(entry.info.name) : "";
+    items.push_back({std::string(entry.info.name), std::string(entry.info.title) + note});
+  }
+  return items;
+}
+
+std::vector<Item> vehicles() {
+  std::vector<Item> items;
+  const VehicleCatalog catalog = builtin_vehicles();
+  for (const VehicleCatalog::Entry& entry : catalog.entries()) {
+    items.push_back({std::string(entry.info.name), std::string(entry.info.title)});
+  }
+  return items;
+}
+
+std::vector<Item> scenarios(const std::string& directory) {
+  std::vector<Item> items;
+  std::error_code error;
+  for (const auto& file : std::filesystem::directory_iterator(directory, error)) {
+    if (file.path().extension() != ".yaml") continue;
+    items.push_back({file.path().string(), load_scenario(file.path().string()).summary});
+  }
+  if (error) throw InputError(directory + ": cannot be read as a folder of scenarios");
+  std::ranges::sort(items, {}, &Item::name);
+  return items;
+}
+
+std::vector<Item> studies() {
+  std::vector<Item> items;
+  for (const Study& study : builtin_studies()) items.push_back({std::string(study.name), std::string(study.title)});
+  return items;
+}
+
+std::vector<Item> metrics() {
+  std::vector<Item> items;
+  for (const QuantityInfo& quantity : all_quantities()) {
+    items.push_back({std::string(quantity.name),
+                     std::string(quantity.per_vehicle ? "per vehicle: " : "fleet: ") + std::string(quantity.meaning)});
+  }
+  return items;
+}
+
+}  // namespace
+
+void add_list(CLI::App& app, Program& program) {
+  CLI::App* verb = app.add_subcommand("list", "What there is: algorithms, vehicles, scenarios, studies, metrics");
+  verb->footer("Example: fairway list algorithms");
+  auto kind = std::make_shared<std::string>();
+  auto directory = std::make_shared<std::string>("scenarios");
+  auto json = std::make_shared<bool>(false);
+  const std::vector<std::string> kinds{"algorithms", "vehicles", "scenarios", "studies", "metrics"};
+  verb->add_option("kind", *kind, "one of them; all without it")->check(CLI::IsMember(kinds));
+  verb->add_option("--dir", *directory, "where scenarios are looked for")->capture_default_str();
+  verb->add_flag("--json", *json, "print JSON");
+  verb->callback([=, &program] {
+    program.chosen = [=] {
+      nlohmann::json document;
+      for (const std::string& name : kinds) {
+        if (!kind->empty() && *kind != name) continue;
+        if (kind->empty() && name == "scenarios" && !std::filesystem::is_directory(*directory)) continue;
+        const std::vector<Item> items = name == "algorithms" ? algorithms()
+                                        : name == "vehicles" ? vehicles()
+                                        : name == "scenarios" ? scenarios(*directory)
+                                        : name == "studies"   ? studies()
+                                                              : metrics();
+        if (!*json) std::cout << name << "\n";
+        document[name] = nlohmann::json::array();
+        for (const Item& item : items) {
+          if (!*json) std::cout << fmt::format("  {:<22} {}\n", item.name, item.title);
+          document[name].push_back({{"name", item.name}, {"title", item.title}});
+        }
+      }
+      if (*json) std::cout << document.dump(2) << "\n";
+      return ok;
+    };
+  });
+}
+
+}  // namespace fairway::cli

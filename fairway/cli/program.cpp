@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/cli/program.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <csignal>
+#include <exception>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <sstream>
+
+#include "fairway/core/text.hpp"
+#include "fairway/experiment/version.hpp"
+
+namespace fairway::cli {
+namespace {
+
+std::atomic<bool> stop_requested{false};
+
+extern "C" void on_interrupt(int) {
+  // a second Ctrl-C ends the process at once
+  if (stop_requested.exchange(true)) std::_Exit(interrupted);
+}
+
+std::string typed_line(int argc, const char* const* argv) {
+  std::string line = "fairway";
+  for (int i = 1; i < argc; ++i) line += std::string(" ") + argv[i];
+  return line;
+}
+
+void add_verbs(CLI::App& app, Program& program) {
+  add_list(app, program);
+  add_describe(app, program);
+  add_check(app, program);
+  add_run(app, program);
+  add_test(app, program);
+  add_study(app, program);
+  add_sweep(app, program);
+  add_compare(app, program);
+  add_report(app, program);
+  add_replay(app, program);
+  add_diff(app, program);
+  add_decide(app, program);
+  add_trial(app, program);
+  add_bench(app, program);
+}
+
+/// A mistyped verb gets its neighbour named; everything else is the library's own message.
+int explain_parse_error(const CLI::App& app, const CLI::ParseError& error, int argc, const char* const* argv) {
+  if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
+    return app.exit(error, std::cout, std::cerr);
+  }
+  std::string hint;
+  if (argc > 1 && argv[1][0] != '-') {
+    std::vector<std::string_view> verbs;
+    for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; })) verbs.push_back(verb->get_name());
+    if (std::ranges::find(verbs, std::string_view(argv[1])) == verbs.end()) {
+      std::cerr << "fairway: unknown verb \"" << argv[1] << "\"" << suggestion(argv[1], verbs) << "\n";
+      return bad_input;
+    }
+    hint = std::string("; see fairway ") + argv[1] + " --help";
+  }
+  std::string message = error.what();
+  std::ranges::replace(message, '\n', ' ');
+  std::cerr << "fairway: " << message << (hint.empty() ? "; see fairway --help" : hint) << "\n";
+  return bad_input;
+}
+
+}  // namespace
+
+int run_command(int argc, const char* const* argv) {
+  CLI::App app{"Collision avoidance for marine robots: methods, vehicles, simulation, experiments.", "fairway"};
+  app.set_version_flag("--version", std::string("fairway ") + std::string(fairway_version));
+  app.require_subcommand(1);
+  app.footer("Example: fairway study cubes --seeds 20 --out results");
+  Program program{typed_line(argc, argv), {}, &stop_requested};
+  add_verbs(app, program);
+  std::signal(SIGINT, on_interrupt);
+  std::signal(SIGTERM, on_interrupt);
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return explain_parse_error(app, error, argc, argv);
+  }
+  try {
+    const int code = program.chosen ? program.chosen() : bad_input;
+    std::cout.flush();
+    if (!std::cout) throw InputError("standard output could not be written");
+    return code;
+  } catch (const InputError& error) {
+    std::cout.flush();
+    std::cerr << "fairway: " << error.what() << "\n";
+    return bad_input;
+  } catch (const std::exception& error) {
+    std::cout.flush();
+    std::cerr << "fairway: internal error: " << error.what() << "\n";
+    return 70;
+  }
+}
+
+std::pair<std::string, std::string> split_setting(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals == 0) {
+    throw InputError("--set " + text + ": expected name=value");
+  }
+  return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
+ParamValues settings_of(const std::vector<std::string>& texts) {
+  ParamValues values;
+  for (const std::string& text : texts) {
+    const auto [name, value] = split_setting(text);
+    if (std::ranges::any_of(values, [&](const auto& v) { return v.first == name; })) {
+      throw InputError("--set " + name + ": given twice");
+    }
+    values.emplace_back(name, parse_value(value));
+  }
+  return values;
+}
+
+Overrides overrides_of(const std::vector<std::string>& texts) {
+  Overrides overrides;
+  for (const std::string& text : texts) overrides.push_back(split_setting(text));
+  return overrides;
+}
+
+std::string read_text(const std::string& file) {
+  std::ostringstream text;
+  if (file == "-") {
+    text << std::cin.rdbuf();
+  } else {
+    std::ifstream in{file, std::ios::binary};
+    if (!in) throw InputError(file + ": cannot be opened for reading");
+    text << in.rdbuf();
+  }
+  return text.str();
+}
+
+}  // namespace fairway::cli

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <atomic>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "fairway/core/params.hpp"
+#include "fairway/scenario/load.hpp"
+
+namespace fairway::cli {
+
+/// Exit codes of every verb.
+inline constexpr int ok = 0;
+inline constexpr int expectation_failed = 1;
+inline constexpr int bad_input = 2;
+inline constexpr int interrupted = 130;
+
+/// The command line of a process: what was typed, and what a verb leaves behind.
+struct Program {
+  std::string typed;             ///< the whole command, for reports
+  std::function<int()> chosen;   ///< the verb that was asked for
+  std::atomic<bool>* stop;       ///< set by Ctrl-C
+};
+
+// One function per verb, each in its own file: adds the subcommand with its flags, its help and an example.
+void add_list(CLI::App& app, Program& program);
+void add_describe(CLI::App& app, Program& program);
+void add_check(CLI::App& app, Program& program);
+void add_run(CLI::App& app, Program& program);
+void add_test(CLI::App& app, Program& program);
+void add_study(CLI::App& app, Program& program);
+void add_sweep(CLI::App& app, Program& program);
+void add_compare(CLI::App& app, Program& program);
+void add_report(CLI::App& app, Program& program);
+void add_replay(CLI::App& app, Program& program);
+void add_diff(CLI::App& app, Program& program);
+void add_decide(CLI::App& app, Program& program);
+void add_trial(CLI::App& app, Program& program);
+void add_bench(CLI::App& app, Program& program);
+
+/// The whole command: parses, runs the verb, turns InputError into one line on stderr and exit code 2.
+int run_command(int argc, const char* const* argv);
+
+/// "name=value" apart. Throws InputError without a '='.
+std::pair<std::string, std::string> split_setting(const std::string& text);
+
+/// `--set a=1 --set b=2` as parameters. Throws InputError for a repeated name.
+ParamValues settings_of(const std::vector<std::string>& texts);
+
+/// `--set path=value` as overrides of a scenario.
+Overrides overrides_of(const std::vector<std::string>& texts);
+
+/// Opens a file for reading, "-" being standard input; throws InputError naming the file.
+std::string read_text(const std::string& file);
+
+}  // namespace fairway::cli

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "fairway/cli/program.hpp"
+#include "fairway/metrics/run_metrics.hpp"
+#include "fairway/record/csv.hpp"
+#include "fairway/record/hash_checker.hpp"
+#include "fairway/record/recording.hpp"
+#include "fairway/sim/simulation.hpp"
+
+namespace fairway::cli {
+namespace {
+
+struct ReplayFlags {
+  std::string recording;
+  std::string csv;
+  bool verify{false};
+  bool json{false};
+};
+
+/// Simulates the recorded scenario again beside the recording.
+int verify(const Recording& recording, const std::string& name, bool json) {
+  const Scenario scenario = parse_scenario(recording.info().scenario_yaml, name + " (scenario)");
+  HashChecker checker{recording};
+  const std::array<FrameSink*, 1> sinks{&checker};
+  Simulation{scenario, builtin_catalogs()}.run(sinks);
+  if (json) {
+    std::cout << nlohmann::json{{"recording", name}, {"same", checker.same()}, {"verdict", checker.describe()}}.dump(2) << "\n";
+  } else {
+    std::cout << name << ": " << checker.describe() << "\n";
+  }
+  return checker.same() ? ok : expectation_failed;
+}
+
+void export_to(const Recording& recording, const std::string& file) {
+  if (file == "-") {
+    export_csv(recording, std::cout);
+    return;
+  }
+  std::ofstream out{file, std::ios::binary};
+  export_csv(recording, out);
+  out.close();
+  if (!out) throw InputError(file + ": cannot be written");
+}
+
+/// What is in the recording, from its frames alone.
+void summarise(const Recording& recording, const std::string& name, bool json) {
+  const RecordingInfo& info = recording.info();
+  const Scenario scenario = parse_scenario(info.scenario_yaml, name + " (scenario)");
+  RunMetrics metrics{{scenario.exam.crit_dist_m, scenario.exam.safety_distance_m}};
+  recording.play(metrics);
+  nlohmann::json document{{"recording", name},          {"scenario", info.scenario_name}, {"seed", info.seed},
+                          {"version", info.version},    {"frames", recording.size()},     {"vehicles", info.vehicles.size()},
+                          {"period_s", info.period}};
+  for (const Measure& m : metrics.measures()) {
+    if (m.vehicle == Measure::fleet && std::isfinite(m.value)) document[m.quantity] = m.value;
+  }
+  if (json) {
+    std::cout << document.dump(2) << "\n";
+    return;
+  }
+  for (const auto& [key, value] : document.items()) std::cout << key << ": " << (value.is_string() ? value.get<std::string>() : value.dump()) << "\n";
+}
+
+}  // namespace
+
+void add_replay(CLI::App& app, Program& program) {
+  CLI::App* verb = app.add_subcommand("replay", "What a recording holds; --verify simulates it again and compares every frame");
+  verb->footer("Example: fairway replay cube.mcap --verify");
+  auto flags = std::make_shared<ReplayFlags>();
+  verb->add_option("recording", flags->recording, "MCAP file written by `fairway run --out`")->required();
+  verb->add_flag("--verify", flags->verify, "run it again: same bits, or exit code 1");
+  verb->add_option("--csv", flags->csv, "export the frames to this file; - for standard output");
+  verb->add_flag("--json", flags->json, "print JSON");
+  verb->callback([=, &program] {
+    program.chosen = [=] {
+      const Recording recording = Recording::read(flags->recording);
+      if (!flags->csv.empty()) export_to(recording, flags->csv);
+      if (flags->verify) return verify(recording, flags->recording, flags->json);
+      if (flags->csv.empty()) summarise(recording, flags->recording, flags->json);
+      return ok;
+    };
+  });
+}
+
+}  // namespace fairway::cli

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <iostream>
+#include <memory>
+
+#include "fairway/cli/program.hpp"
+#include "fairway/experiment/store.hpp"
+#include "fairway/report/page.hpp"
+#include "fairway/report/results_page.hpp"
+
+namespace fairway::cli {
+
+void add_report(CLI::App& app, Program& program) {
+  CLI::App* verb = app.add_subcommand("report", "Stored results as one self-contained HTML page");
+  verb->footer("Example: fairway report methods.sqlite --out report.html");
+  auto results = std::make_shared<std::string>();
+  auto out = std::make_shared<std::string>("report.html");
+  auto by = std::make_shared<std::string>("method");
+  auto json = std::make_shared<bool>(false);
+  verb->add_option("results", *results, "results store")->required();
+  verb->add_option("--out", *out, "page to write")->capture_default_str();
+  verb->add_option("--by", *by, "label whose values are compared")->capture_default_str();
+  verb->add_flag("--json", *json, "print the page's document as JSON instead of writing the page");
+  verb->callback([=, &program] {
+    program.chosen = [=, &program] {
+      const std::vector<RunRecord> records = Store::open_existing(*results).all();
+      const nlohmann::json page = results_page(records, *results, *by, program.typed);
+      if (*json) {
+        std::cout << page.dump(2) << "\n";
+      } else {
+        write_page(page.dump(), *out);
+        std::cout << "report: " << *out << "\n";
+      }
+      return ok;
+    };
+  });
+}
+
+}  // namespace fairway::cli

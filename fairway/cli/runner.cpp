@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/cli/runner.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <memory>
+
+#include "fairway/core/names.hpp"
+#include "fairway/core/text.hpp"
+#include "fairway/experiment/version.hpp"
+#include "fairway/record/recording_writer.hpp"
+#include "fairway/scenario/load.hpp"
+
+namespace fairway::cli {
+namespace {
+
+RecordingInfo info_of(const Scenario& scenario) {
+  RecordingInfo info{.version = std::string(fairway_version),
+                     .scenario_name = scenario.name,
+                     .scenario_yaml = to_yaml(scenario),
+                     .seed = scenario.seed,
+                     .period = scenario.step_s};
+  for (const VehicleSpec& vehicle : scenario.vehicles) {
+    info.vehicles.push_back({VehicleId{vehicle.id}, vehicle.name, vehicle.model.name});
+  }
+  return info;
+}
+
+/// How far `value` is outside the bounds; 0 inside.
+double excess(const Expectation& expected, double value) {
+  if (std::isnan(value)) return std::numeric_limits<double>::infinity();
+  return std::fmax(0.0, std::fmax(value - expected.max, expected.min - value));
+}
+
+}  // namespace
+
+RunOutcome run_scenario(const Scenario& scenario, const std::string& recording, const std::atomic<bool>* stop) {
+  Simulation simulation{scenario, builtin_catalogs()};
+  simulation.time_decisions();
+  RunMetrics metrics{{scenario.exam.crit_dist_m, scenario.exam.safety_distance_m}};
+  std::vector<FrameSink*> sinks{&metrics};
+  std::unique_ptr<RecordingWriter> writer;
+  if (!recording.empty()) {
+    writer = std::make_unique<RecordingWriter>(recording, info_of(scenario));
+    sinks.push_back(writer.get());
+  }
+
+  const auto begin = std::chrono::steady_clock::now();
+  RunOutcome outcome;
+  while (outcome.complete && !simulation.is_done()) {
+    simulation.step(sinks);
+    outcome.complete = stop == nullptr || !stop->load(std::memory_order_relaxed);
+  }
+  if (writer && outcome.complete) writer->close();
+  outcome.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  outcome.measures = metrics.measures();
+  outcome.decisions = simulation.decision_times();
+  outcome.simulated_s = simulation.time();
+  return outcome;
+}
+
+std::vector<Judgement> judge(const Scenario& scenario, const std::vector<Measure>& measures) {
+  std::vector<Judgement> judgements;
+  for (const Expectation& expected : scenario.expect) {
+    Judgement judgement{expected, std::numeric_limits<double>::quiet_NaN(), true};
+    double worst = -1.0;
+    for (const Measure& measure : measures) {
+      if (measure.quantity != expected.metric) continue;
+      const double off = excess(expected, measure.value);
+      if (off > worst) {
+        worst = off;
+        judgement.worst = measure.value;
+      }
+    }
+    if (worst < 0.0) {
+      const std::vector<QuantityInfo> quantities = all_quantities();
+      std::vector<std::string_view> known;
+      for (const QuantityInfo& quantity : quantities) known.push_back(quantity.name);
+      throw InputError(expected.where, "expect." + expected.metric, "unknown metric" + suggestion(expected.metric, known));
+    }
+    judgement.kept = worst == 0.0;
+    judgements.push_back(std::move(judgement));
+  }
+  return judgements;
+}
+
+std::string text_of(const Judgement& judgement) {
+  const Expectation& expected = judgement.expectation;
+  std::string bounds;
+  if (expected.min == expected.max) {
+    bounds = number_text(expected.min);
+  } else {
+    if (std::isfinite(expected.min)) bounds += "at least " + number_text(expected.min);
+    if (std::isfinite(expected.max)) bounds += (bounds.empty() ? "" : " and ") + ("at most " + number_text(expected.max));
+  }
+  return expected.metric + " = " + number_text(judgement.worst) + ", expected " + bounds;
+}
+
+void set_algorithm(Scenario& scenario, const std::string& name) {
+  for (VehicleSpec& vehicle : scenario.vehicles) {
+    if (vehicle.avoider.name == name) continue;
+    vehicle.avoider = {.name = name, .params = {}, .path = "--algorithm", .where = {}, .param_where = {}};
+  }
+}
+
+}  // namespace fairway::cli

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <atomic>
+#include <string>
+#include <vector>
+
+#include "fairway/metrics/run_metrics.hpp"
+#include "fairway/scenario/scenario.hpp"
+#include "fairway/sim/simulation.hpp"
+
+namespace fairway::cli {
+
+/// What one run came to.
+struct RunOutcome {
+  std::vector<Measure> measures;
+  DecisionTimes decisions;
+  double simulated_s{};
+  double wall_s{};
+  bool complete{true};  ///< false if stopped
+};
+
+/// Runs a scenario; records it to `recording` if that is not empty. A run that is stopped leaves no recording.
+RunOutcome run_scenario(const Scenario& scenario, const std::string& recording, const std::atomic<bool>* stop);
+
+/// An expectation and what came of it.
+struct Judgement {
+  Expectation expectation;
+  double worst{};  ///< of all vehicles, for a quantity that each has
+  bool kept{};
+};
+
+/// Throws InputError for a metric that does not exist.
+std::vector<Judgement> judge(const Scenario& scenario, const std::vector<Measure>& measures);
+
+/// "collision_count = 2, expected 0".
+std::string text_of(const Judgement& judgement);
+
+/// All runs of a scenario share the same algorithm: `name`, or "name" with parameters kept if the same.
+void set_algorithm(Scenario& scenario, const std::string& name);
+
+}  // namespace fairway::cli

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/studies/study.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <optional>
+
+#include "fairway/cli/program.hpp"
+#include "fairway/report/page.hpp"
+
+namespace fairway::cli {
+namespace {
+
+struct StudyFlags {
+  std::vector<std::string> names;
+  unsigned jobs{0};
+  int seeds{20};
+  std::string out;
+  bool json{false};
+};
+
+void write_file(const std::filesystem::path& path, const std::string& text) {
+  std::ofstream file{path, std::ios::binary};
+  file << text;
+  file.close();
+  if (!file) throw InputError(path.string() + ": cannot be written");
+}
+
+std::filesystem::path prepared(const std::string& out, const std::string& name) {
+  const std::filesystem::path directory = std::filesystem::path(out) / name;
+  std::error_code error;
+  std::filesystem::create_directories(directory, error);
+  if (error) throw InputError(directory.string() + ": cannot be made a folder: " + error.message());
+  return directory;
+}
+
+/// Leaves results.csv, rows.json and report.html beside the store.
+void write_results(const std::filesystem::path& directory, const Study& study, const StudyResult& result, const Store& store) {
+  std::ofstream csv{directory / "results.csv", std::ios::binary};
+  store.export_csv(csv);
+  csv.close();
+  if (!csv) throw InputError((directory / "results.csv").string() + ": cannot be written");
+  write_file(directory / "rows.json", rows_json(study.name, result.rows).dump(1) + "\n");
+  write_page(result.page.dump(), (directory / "report.html").string());
+}
+
+int run_study(const Study& study, const StudyFlags& flags, const Program& program) {
+  const std::string name{study.name};
+  std::optional<Store> store;
+  std::filesystem::path directory;
+  if (!flags.out.empty()) {
+    directory = prepared(flags.out, name);
+    store.emplace(Store::open((directory / "results.sqlite").string()));
+  }
+  Progress progress{name};
+  const StudyResult result = study.run({.jobs = flags.jobs,
+                                        .seeds = flags.seeds,
+                                        .store = store ? &*store : nullptr,
+                                        .progress = &progress,
+                                        .stop = program.stop,
+                                        .command = program.typed});
+  if (!result.complete) {
+    std::cerr << "fairway: interrupted; " << (store ? "the same command goes on from here" : "nothing was kept (no --out)") << "\n";
+    return interrupted;
+  }
+  if (store) write_results(directory, study, result, *store);
+  if (flags.json) {
+    std::cout << rows_json(study.name, result.rows).dump() << "\n";
+  } else {
+    std::cout << study.title << "\n" << rows_text(result.rows);
+    if (store) std::cout << "report: " << std::filesystem::absolute(directory / "report.html").string() << "\n";
+  }
+  return ok;
+}
+
+}  // namespace
+
+void add_study(CLI::App& app, Program& program) {
+  CLI::App* verb = app.add_subcommand("study", "Reproduce a published experiment: published against measured");
+  verb->footer("Example: fairway study cubes --seeds 20 --out results\n"
+               "With --out, results are kept there as they come, and the same command continues after an interruption.");
+  auto flags = std::make_shared<StudyFlags>();
+  verb->add_option("names", flags->names, "as `fairway list studies` shows them")->required();
+  verb->add_option("--jobs", flags->jobs, "threads; 0 = as many as the machine has")->capture_default_str();
+  verb->add_option("--seeds", flags->seeds, "variations per cell beyond what was published; 0 = none")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 100000));
+  verb->add_option("--out", flags->out, "folder for results, rows and the report");
+  verb->add_flag("--json", flags->json, "print the rows as JSON");
+  verb->callback([=, &program] {
+    program.chosen = [=, &program] {
+      std::vector<const Study*> studies;
+      for (const std::string& name : flags->names) studies.push_back(&find_study(name));
+      for (const Study* study : studies) {
+        if (const int code = run_study(*study, *flags, program); code != ok) return code;
+      }
+      return ok;
+    };
+  });
+}
+
+}  // namespace fairway::cli

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "fairway/cli/program.hpp"
+#include "fairway/cli/runner.hpp"
+
+namespace fairway::cli {
+namespace {
+
+std::vector<std::string> scenario_files(const std::string& directory) {
+  if (!std::filesystem::is_directory(directory)) throw InputError(directory + ": not a folder of scenarios");
+  std::vector<std::string> files;
+  for (const auto& file : std::filesystem::recursive_directory_iterator(directory)) {
+    if (file.path().extension() == ".yaml") files.push_back(file.path().string());
+  }
+  if (files.empty()) throw InputError(directory + ": holds no scenario (*.yaml)");
+  std::ranges::sort(files);
+  return files;
+}
+
+int test(const std::string& directory, bool json, const std::atomic<bool>* stop) {
+  nlohmann::json document = nlohmann::json::array();
+  int passed = 0, failed = 0;
+  for (const std::string& file : scenario_files(directory)) {
+    const Scenario scenario = load_scenario(file);
+    const RunOutcome outcome = run_scenario(scenario, "", stop);
+    if (!outcome.complete) return interrupted;
+    for (const Judgement& judgement : judge(scenario, outcome.measures)) {
+      ++(judgement.kept ? passed : failed);
+      if (!json) std::cout << fmt::format("{} {:<36} {}\n", judgement.kept ? "kept  " : "FAILED", file, text_of(judgement));
+      document.push_back({{"file", file}, {"metric", judgement.expectation.metric}, {"worst", judgement.worst}, {"kept", judgement.kept}});
+    }
+  }
+  if (json) {
+    std::cout << document.dump(2) << "\n";
+  } else {
+    std::cout << fmt::format("{} kept, {} failed\n", passed, failed);
+  }
+  return failed == 0 ? ok : expectation_failed;
+}
+
+}  // namespace
+
+void add_test(CLI::App& app, Program& program) {
+  CLI::App* verb = app.add_subcommand("test", "Run every scenario of a folder and hold it to its `expect:`");
+  verb->footer("Example: fairway test scenarios");
+  auto directory = std::make_shared<std::string>("scenarios");
+  auto json = std::make_shared<bool>(false);
+  verb->add_option("directory", *directory, "folder")->capture_default_str();
+  verb->add_flag("--json", *json, "print JSON");
+  verb->callback([=, &program] { program.chosen = [=, &program] { return test(*directory, *json, program.stop); }; });
+}
+
+}  // namespace fairway::cli

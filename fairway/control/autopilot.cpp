@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/control/autopilot.hpp"
+
+namespace fairway {
+namespace {
+
+/// The part of a request that a setpoint actuator takes, or null.
+double BodyRequest::*setpoint_of(std::string_view actuator) {
+  if (actuator == "surge_mps") return &BodyRequest::surge_mps;
+  if (actuator == "sway_mps") return &BodyRequest::sway_mps;
+  if (actuator == "heave_mps") return &BodyRequest::heave_mps;
+  if (actuator == "yaw_rate_radps") return &BodyRequest::yaw_rate_radps;
+  return nullptr;
+}
+
+}  // namespace
+
+Autopilot::Autopilot(const Vehicle& vehicle, const VelocityController::Params& params) {
+  if (const Propulsion* propulsion = vehicle.propulsion()) {
+    controller_.emplace(*propulsion, vehicle.actuators(), params);
+    return;
+  }
+  for (const ActuatorInfo& actuator : vehicle.actuators()) {
+    double BodyRequest::*const setpoint = setpoint_of(actuator.name);
+    if (setpoint == nullptr) {
+      throw InputError("no autopilot drives actuator " + actuator.name + " of " +
+                       std::string(vehicle.info().name) +
+                       ": it is not a velocity setpoint and the vehicle does not tell how it pushes");
+    }
+    setpoints_[static_cast<std::size_t>(setpoint_count_++)] = setpoint;
+  }
+}
+
+ActuatorValues Autopilot::control(const BodyRequest& request, const Vec3& v_b, const Vec3& omega_b,
+                                  double h) noexcept {
+  if (controller_) return controller_->control(request, v_b, omega_b, h);
+
+  ActuatorValues command(setpoint_count_);
+  for (Eigen::Index i = 0; i < setpoint_count_; ++i)
+    command[i] = request.*setpoints_[static_cast<std::size_t>(i)];
+  return command;
+}
+
+void Autopilot::reset() noexcept {
+  if (controller_) controller_->reset();
+}
+
+}  // namespace fairway

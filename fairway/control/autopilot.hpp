@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "fairway/control/body_request.hpp"
+#include "fairway/control/velocity_controller.hpp"
+#include "fairway/dynamics/vehicle.hpp"
+
+namespace fairway {
+
+/// Turns body-velocity requests into actuator commands for one vehicle: a VelocityController where the
+/// vehicle has thrusters, the request itself where its actuators are velocity setpoints (surge_mps,
+/// sway_mps, heave_mps, yaw_rate_radps, in any order and number). A value.
+class Autopilot {
+ public:
+  /// Throws InputError for a vehicle that can do neither.
+  explicit Autopilot(const Vehicle& vehicle, const VelocityController::Params& params = {});
+
+  /// The actuator command for the next `h` [s], from velocities through the water [body axes].
+  /// Neither allocates nor throws.
+  ActuatorValues control(const BodyRequest& request, const Vec3& v_b, const Vec3& omega_b, double h) noexcept;
+
+  /// Forgets what the integrators have gathered.
+  void reset() noexcept;
+
+ private:
+  std::optional<VelocityController> controller_;
+  std::array<double BodyRequest::*, max_actuators> setpoints_{};  // of each actuator, without a controller
+  Eigen::Index setpoint_count_{};
+};
+
+}  // namespace fairway

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/control/guidance.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fairway/core/angles.hpp"
+
+namespace fairway {
+namespace {
+
+constexpr double hold_gain = 0.3;     // [1/s], position: slower than any vehicle's velocity loop
+constexpr double hold_speed = 0.3;    // [m/s]
+constexpr double heading_gain = 0.3;  // [1/s]
+constexpr double heading_rate = 0.2;  // [rad/s]
+
+double limited(double value, double limit) { return std::clamp(value, -limit, limit); }
+
+}  // namespace
+
+Command go_to(const Leg& leg, const Ownship& own, double period) noexcept {
+  const Vec3 error = leg.position - own.position;
+  return {.velocity = std::fmin(leg.speed_mps, error.norm() / period) * unit(error)};
+}
+
+Command follow_section(const Leg& leg, const Ownship& own, double lookahead) noexcept {
+  const Vec3 line = leg.position - leg.from;
+  const double length = line.norm();
+  const Vec3 along = unit(line);
+
+  const double done = std::clamp((own.position - leg.from).dot(along), 0.0, length);
+  const Vec3 aim = leg.from + std::fmin(done + lookahead, length) * along;
+  const double to_end = std::fmin(done, length - done);
+  const double speed = leg.speed_mps * std::clamp(to_end / lookahead, 0.2, 1.0);
+  return {.velocity = speed * unit(aim - own.position)};
+}
+
+BodyRequest keep_position(const HoldPoint& hold, const Ownship& own) noexcept {
+  const Vec3 error = hold.position - own.position;
+  const double ahead = std::cos(own.yaw) * error.x() + std::sin(own.yaw) * error.y();
+  return {.surge_mps = limited(hold_gain * ahead, hold_speed),
+          .heave_mps = limited(hold_gain * error.z(), hold_speed),
+          .yaw_rate_radps = limited(heading_gain * wrap_angle(hold.yaw - own.yaw), heading_rate)};
+}
+
+}  // namespace fairway

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/control/steering.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fairway/core/angles.hpp"
+
+namespace fairway {
+namespace {
+
+/// Heading error, and which way to drive.
+struct Aim {
+  double alpha;      ///< [rad]
+  double direction;  ///< +1 ahead, -1 astern
+};
+
+Aim aim_of(const Command& command, double speed, double yaw) {
+  if (command.heading) return {wrap_angle(*command.heading - yaw), 1.0};
+  if (speed <= 0.0) return {0.0, 1.0};
+  const double alpha = wrap_angle(std::atan2(command.velocity.y(), command.velocity.x()) - yaw);
+  if (!command.astern || std::abs(alpha) < pi / 2) return {alpha, 1.0};
+  return {alpha > 0.0 ? alpha - pi : alpha + pi, -1.0};
+}
+
+}  // namespace
+
+BodyRequest steer(const SteeringParams& params, const Command& command, double yaw) noexcept {
+  const double speed = horizontal_norm(command.velocity);
+  const Aim aim = aim_of(command, speed, yaw);
+  BodyRequest request{.heave_mps = command.velocity.z()};
+
+  if (params.kind == SteeringKind::proportional) {
+    request.surge_mps = aim.direction * speed * std::fmax(0.0, std::cos(aim.alpha));
+    request.yaw_rate_radps =
+        std::clamp(params.turn_gain_hz * aim.alpha, -params.max_turn_rate_radps, params.max_turn_rate_radps);
+    return request;
+  }
+
+  const bool aligned = std::abs(aim.alpha) <= params.ori_error_rad;
+  request.surge_mps = aligned ? aim.direction * speed : 0.0;
+  request.yaw_rate_radps =
+      (aligned ? params.k_rot_min_ratio : params.k_rot_max_ratio) * params.rot_vel_radps * aim.alpha;
+  return request;
+}
+
+}  // namespace fairway

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "fairway/avoidance/command.hpp"
+#include "fairway/avoidance/situation.hpp"
+#include "fairway/control/body_request.hpp"
+#include "fairway/core/params.hpp"
+
+namespace fairway {
+
+/// How a velocity over ground becomes surge, heave and yaw rate of a vehicle that cannot sway.
+enum class SteeringKind {
+  turn_then_go,  ///< turn on the spot until nearly aligned, then go (raja2024, Algorithm 1)
+  proportional,  ///< turn while going; surge falls with the cosine of the heading error
+};
+
+template <>
+struct EnumNames<SteeringKind> {
+  static constexpr std::array names{"turn_then_go", "proportional"};
+};
+
+/// Symbols of raja2024 (Table I): ORI_ERROR, K_ROT_MIN, K_ROT_MAX, ROT_VEL.
+struct SteeringParams {
+  SteeringKind kind = SteeringKind::turn_then_go;
+  double ori_error_rad = 0.6;
+  double k_rot_min_ratio = 0.15;
+  double k_rot_max_ratio = 0.3;
+  double rot_vel_radps = 0.45;
+  double turn_gain_hz = 0.5;
+  double max_turn_rate_radps = 0.3;
+
+  static consteval auto fields() {
+    return std::tuple{
+        field<&SteeringParams::kind>("which law"),
+        field<&SteeringParams::ori_error_rad>({0.01, 3.2},
+                                              "turn_then_go: heading error above which it stops to turn"),
+        field<&SteeringParams::k_rot_min_ratio>({0, 10}, "turn_then_go: turning coefficient while moving"),
+        field<&SteeringParams::k_rot_max_ratio>({0, 10}, "turn_then_go: turning coefficient while stopped"),
+        field<&SteeringParams::rot_vel_radps>({0, 10},
+                                              "turn_then_go: rotation speed that the coefficients scale"),
+        field<&SteeringParams::turn_gain_hz>({0, 10}, "proportional: yaw rate per heading error"),
+        field<&SteeringParams::max_turn_rate_radps>({0, 10}, "proportional: largest yaw rate"),
+    };
+  }
+};
+
+/// The body request that carries out `command` from the present heading. With `command.astern` a
+/// velocity behind the beam is met stern first (Algorithm 1, lines 14 to 41, with |alpha| in lines 27
+/// and 30). A velocity that is purely vertical leaves the heading alone.
+BodyRequest steer(const SteeringParams& params, const Command& command, double yaw) noexcept;
+
+}  // namespace fairway

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/control/velocity_controller.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "fairway/dynamics/lag.hpp"
+
+namespace fairway {
+namespace {
+
+constexpr int surge = 0, sway = 1, heave = 2, roll = 3, pitch = 4, yaw = 5;
+
+/// Rows of nu that thrusters can push independently of each other, the more important first: a row counts
+/// if its part orthogonal to those before it is more than a millionth of it.
+std::vector<int> independent_rows(const Eigen::MatrixXd& B) {
+  std::vector<int> rows;
+  Eigen::MatrixXd basis(0, B.cols());
+  for (const int row : {yaw, heave, surge, sway, pitch, roll}) {
+    const Eigen::RowVectorXd effect = B.row(row);
+    const Eigen::RowVectorXd rest = effect - effect * basis.transpose() * basis;
+    if (!(rest.norm() > 1e-6 * effect.norm())) continue;
+    rows.push_back(row);
+    basis.conservativeResize(basis.rows() + 1, Eigen::NoChange);
+    basis.bottomRows<1>() = rest / rest.norm();
+  }
+  return rows;
+}
+
+}  // namespace
+
+VelocityController::VelocityController(const Propulsion& propulsion, std::span<const ActuatorInfo> actuators,
+                                       const Params& params)
+    : observer_bandwidth_{params.observer_bandwidth_radps} {
+  const auto thrusters = static_cast<Eigen::Index>(actuators.size());
+  if (propulsion.effectiveness.cols() != thrusters) {
+    throw InputError("the thrust configuration has " + std::to_string(propulsion.effectiveness.cols()) +
+                     " columns for " + std::to_string(thrusters) + " actuators");
+  }
+  lowest_.resize(thrusters);
+  highest_.resize(thrusters);
+  time_constants_.resize(thrusters);
+  for (Eigen::Index i = 0; i < thrusters; ++i) {
+    const ActuatorInfo& actuator = actuators[static_cast<std::size_t>(i)];
+    lowest_[i] = actuator.range.lo;
+    highest_[i] = actuator.range.hi;
+    time_constants_[i] = actuator.time_constant_s;
+  }
+  thrust_ = ActuatorValues::Zero(thrusters).cwiseMax(lowest_).cwiseMin(highest_);
+  mean_thrust_ = thrust_;
+  remaining_ = mean_remaining_ = ActuatorValues::Zero(thrusters);
+
+  // B^+ = B^T (B B^T)^-1 over the independent rows; roll and pitch, where independent, are asked for nothing
+  const Eigen::MatrixXd all = propulsion.effectiveness;
+  const std::vector<int> rows = independent_rows(all);
+  if (rows.empty()) throw InputError("the actuators push nowhere: no velocity can be controlled");
+  Eigen::MatrixXd B(static_cast<Eigen::Index>(rows.size()), thrusters);
+  for (std::size_t i = 0; i < rows.size(); ++i) B.row(static_cast<Eigen::Index>(i)) = all.row(rows[i]);
+  Eigen::MatrixXd inverse = B.transpose() * (B * B.transpose()).inverse();
+  inverse = (inverse.array().abs() > 1e-9 * inverse.cwiseAbs().maxCoeff()).select(inverse, 0.0);
+
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const int row = rows[i];
+    if (row == roll || row == pitch) continue;
+    const double bandwidth = row == surge  ? params.surge_bandwidth_radps
+                             : row == sway ? params.sway_bandwidth_radps
+                             : row == yaw  ? params.yaw_bandwidth_radps
+                                           : params.heave_bandwidth_radps;
+    axes_[axis_count_++] = {.row = row,
+                            .mass = propulsion.mass(row, row),
+                            .bandwidth = bandwidth,
+                            .linear_damping = propulsion.linear_damping[row],
+                            .quadratic_damping = propulsion.quadratic_damping[row],
+                            .restoring = propulsion.restoring[row],
+                            .push = inverse.col(static_cast<Eigen::Index>(i)),
+                            .effect = all.row(row).transpose()};
+  }
+}
+
+void VelocityController::reset() noexcept { memories_.fill({}); }
+
+void VelocityController::observe(const Axis& axis, Memory& memory, double velocity) const noexcept {
+  const double h = lag_step_;
+  if (memory.begun) {
+    const double nu = 0.5 * (memory.velocity + velocity);
+    const double drag = (axis.linear_damping + axis.quadratic_damping * std::abs(nu)) * nu;
+    const double force = axis.effect.dot(mean_thrust_) - axis.restoring - drag;
+    const double surprise = velocity - (memory.expected + h * (force / axis.mass + memory.unexplained));
+
+    // both poles at exp(-L h)
+    memory.expected = velocity - kept_surprise_ * kept_surprise_ * surprise;
+    memory.unexplained += (1.0 - kept_surprise_) * (1.0 - kept_surprise_) / h * surprise;
+  } else {
+    memory.begun = true;
+    memory.expected = velocity;
+  }
+  memory.velocity = velocity;
+}
+
+void VelocityController::allocate(std::array<double, 4>& missing, ActuatorValues& u) const noexcept {
+  // one axis after the other takes what the limits leave; the second round uses room that the first made:
+  // thrust ahead lets the reversing thruster of a turn give more
+  for (int round = 0; round < 2; ++round) {
+    for (std::size_t i = 0; i < axis_count_; ++i) {
+      if (missing[i] == 0.0) continue;
+      const ActuatorValues change = missing[i] * axes_[i].push;
+      double scale = 1.0;
+      for (Eigen::Index k = 0; k < u.size(); ++k) {
+        if (change[k] == 0.0) continue;
+        const double left = (change[k] > 0.0 ? highest_[k] : lowest_[k]) - u[k];
+        scale = std::min(scale, std::max(0.0, left / change[k]));
+      }
+      u += scale * change;
+      missing[i] *= 1.0 - scale;
+    }
+  }
+  u = u.cwiseMax(lowest_).cwiseMin(highest_);
+}
+
+void VelocityController::follow(const ActuatorValues& command, double h) noexcept {
+  if (h != lag_step_) {
+    first_order_lag(time_constants_, h, remaining_, mean_remaining_);
+    kept_surprise_ = std::exp(-observer_bandwidth_ * h);
+    lag_step_ = h;
+  }
+  mean_thrust_ = command + (thrust_ - command).cwiseProduct(mean_remaining_);
+  thrust_ = command + (thrust_ - command).cwiseProduct(remaining_);
+}
+
+ActuatorValues VelocityController::control(const BodyRequest& request, const Vec3& v_b, const Vec3& omega_b,
+                                           double h) noexcept {
+  const std::array<double, 6> wanted{request.surge_mps,     request.sway_mps, request.heave_mps, 0.0, 0.0,
+                                     request.yaw_rate_radps};
+  const std::array<double, 6> measured{v_b.x(), v_b.y(), v_b.z(), omega_b.x(), omega_b.y(), omega_b.z()};
+
+  // the force that each axis asks for
+  std::array<double, 4> missing{};
+  for (std::size_t i = 0; i < axis_count_; ++i) {
+    const Axis& axis = axes_[i];
+    const double r = wanted[static_cast<std::size_t>(axis.row)];
+    const double nu = measured[static_cast<std::size_t>(axis.row)];
+    if (!std::isfinite(r) || !std::isfinite(nu)) continue;
+    observe(axis, memories_[i], nu);
+    missing[i] = axis.restoring + (axis.linear_damping + axis.quadratic_damping * std::abs(r)) * r +
+                 axis.mass * (axis.bandwidth * (r - nu) - memories_[i].unexplained);
+  }
+
+  ActuatorValues u = ActuatorValues::Zero(lowest_.size()).cwiseMax(lowest_).cwiseMin(highest_);
+  allocate(missing, u);
+  follow(u, h);
+  return u;
+}
+
+}  // namespace fairway

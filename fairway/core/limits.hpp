@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <limits>
+
+namespace fairway {
+
+/// What a vehicle can or may do. A limit that is not set does not bind.
+struct Limits {
+  static constexpr double none = std::numeric_limits<double>::infinity();
+
+  double max_speed{none};         ///< over ground [m/s]
+  double max_climb_rate{none};    ///< vertical, either way [m/s]; zero for a surface vehicle
+  double max_acceleration{none};  ///< [m/s2]; for the methods that reason about reachable velocities
+  double max_turn_rate{none};     ///< [rad/s]; likewise
+  double min_depth{-none};        ///< ceiling: no command leads above it [m]
+  double max_depth{none};         ///< floor: no command leads below it [m]
+
+  friend bool operator==(const Limits&, const Limits&) = default;
+};
+
+}  // namespace fairway

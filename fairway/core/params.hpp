@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <span>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "fairway/core/error.hpp"
+#include "fairway/core/names.hpp"
+
+namespace fairway {
+
+/// Inclusive bounds. They validate a scenario and are the search space of tuning.
+struct Range {
+  double lo;
+  double hi;
+};
+
+/// A parameter's value as written in a scenario, on the command line or in JSON.
+using ParamValue = std::variant<double, bool, std::string>;
+using ParamValues = std::vector<std::pair<std::string, ParamValue>>;
+
+/// The names of an enumeration's values, in order; specialise to use it as a parameter:
+/// `template <> struct EnumNames<Drag> { static constexpr std::array names{"linear", "full"}; };`
+template <class E>
+struct EnumNames;
+
+/// One tunable value of an algorithm, model or sensor: said once, next to its default, and read by
+/// the YAML loader, the tuner, `fairway describe` and the report.
+template <class Owner, class T>
+struct Field {
+  T Owner::*member;
+  std::string_view name;
+  std::string_view unit;
+  Range range;
+  std::string_view meaning;
+};
+
+/// A field with its present value, its type erased: what `describe` and the schema print.
+struct ParamInfo {
+  std::string name;
+  std::string unit;     ///< "s", "mps", "" for switches and choices
+  std::string type;     ///< "number", "integer", "boolean", "choice"
+  Range range{};
+  std::string meaning;
+  ParamValue value;                  ///< default, or present value
+  std::vector<std::string> choices;  ///< of a choice
+};
+
+namespace detail {
+
+/// "horizon_s" from `&Params::horizon_s`.
+template <auto Member>
+consteval std::string_view member_name() {
+  constexpr std::string_view signature = __PRETTY_FUNCTION__;  // "... Member = &A::B::name; ..."
+  constexpr auto from = signature.find("Member = ");
+  constexpr auto path = signature.substr(from, signature.find_first_of(";]", from) - from);
+  // clang prints "&Params::x", g++ "&A::Params::x" or "(& Params::x)"
+  constexpr auto tail = path.substr(path.rfind("::") + 2);
+  return tail.substr(0, tail.find_first_of(" )"));
+}
+
+/// "s" from "horizon_s". A number without a known suffix does not compile.
+consteval std::string_view unit_of(std::string_view name) {
+  constexpr std::array units{"m",     "s",      "mps",   "mps2", "rad", "deg",   "radps", "degps", "hz", "kg",
+                             "kgm2",  "n",      "nm",    "kgpm", "kgps", "kgm2ps", "kgm2prad", "kgpm3", "w",
+                             "count", "ratio",  "radps2", "kgm2prad2"};
+  const auto underscore = name.rfind('_');
+  const auto suffix = underscore == std::string_view::npos ? "" : name.substr(underscore + 1);
+  for (const std::string_view unit : units) {
+    if (suffix == unit) return unit;
+  }
+  throw "name a parameter after its unit: turn_step_deg, clearance_m, swarm_count";
+}
+
+template <class>
+struct member_of;
+template <class O, class T>
+struct member_of<T O::*> {
+  using owner = O;
+  using value = T;
+};
+
+}  // namespace detail
+
+/// A number, whose name ends in its unit.
+template <auto Member>
+consteval auto field(Range range, std::string_view meaning) {
+  using Traits = detail::member_of<decltype(Member)>;
+  constexpr auto name = detail::member_name<Member>();
+  return Field<typename Traits::owner, typename Traits::value>{Member, name, detail::unit_of(name), range, meaning};
+}
+
+/// A switch (bool) or a choice (an enumeration with EnumNames).
+template <auto Member>
+consteval auto field(std::string_view meaning) {
+  using Traits = detail::member_of<decltype(Member)>;
+  static_assert(std::same_as<typename Traits::value, bool> || std::is_enum_v<typename Traits::value>,
+                "a number needs a range");
+  return Field<typename Traits::owner, typename Traits::value>{Member, detail::member_name<Member>(), "", {0, 0}, meaning};
+}
+
+/// A struct whose every tunable member is listed once by `static consteval auto fields()`.
+template <class P>
+concept Reflected = std::default_initializable<P> && std::copyable<P> && requires { P::fields(); };
+
+struct NoParams {
+  static consteval auto fields() { return std::tuple{}; }
+};
+
+template <Reflected P, class Visitor>
+constexpr void for_each_field(Visitor&& visit) {
+  std::apply([&](const auto&... f) { (visit(f), ...); }, P::fields());
+}
+
+namespace detail {
+
+// out of line: a model may have dozens of parameters, each of which would be compiled apart
+void assign(double& target, std::string_view name, Range range, const ParamValue& value);
+void assign(int& target, std::string_view name, Range range, const ParamValue& value);
+void assign(bool& target, std::string_view name, Range range, const ParamValue& value);
+std::size_t chosen_index(std::string_view name, std::span<const char* const> choices, const ParamValue& value);
+
+template <class E>
+  requires std::is_enum_v<E>
+void assign(E& target, std::string_view name, Range, const ParamValue& value) {
+  target = static_cast<E>(chosen_index(name, EnumNames<E>::names, value));
+}
+
+ParamInfo describe(std::string_view name, std::string_view unit, Range range, std::string_view meaning, double value);
+ParamInfo describe(std::string_view name, std::string_view unit, Range range, std::string_view meaning, int value);
+ParamInfo describe(std::string_view name, std::string_view unit, Range range, std::string_view meaning, bool value);
+ParamInfo describe_choice(std::string_view name, std::string_view meaning, std::span<const char* const> choices, std::size_t index);
+
+template <class E>
+  requires std::is_enum_v<E>
+ParamInfo describe(std::string_view name, std::string_view, Range, std::string_view meaning, E value) {
+  return describe_choice(name, meaning, EnumNames<E>::names, static_cast<std::size_t>(value));
+}
+
+}  // namespace detail
+
+/// Names of all parameters, in order of declaration.
+template <Reflected P>
+std::vector<std::string_view> param_names() {
+  std::vector<std::string_view> names;
+  for_each_field<P>([&](const auto& f) { names.push_back(f.name); });
+  return names;
+}
+
+/// Sets one parameter by name. Throws InputError naming the parameter, what was given and what is
+/// accepted; an unknown name gets the nearest known one. False instead of a throw when `optional`.
+template <Reflected P>
+bool set_param(P& params, std::string_view name, const ParamValue& value, bool optional = false) {
+  bool known = false;
+  for_each_field<P>([&](const auto& f) {
+    if (f.name != name) return;
+    known = true;
+    detail::assign(params.*(f.member), name, f.range, value);
+  });
+  if (!known && !optional) {
+    throw InputError({}, std::string(name), "unknown parameter" + suggestion(name, param_names<P>()));
+  }
+  return known;
+}
+
+/// Every parameter with its present value.
+template <Reflected P>
+std::vector<ParamInfo> describe_params(const P& params = {}) {
+  std::vector<ParamInfo> infos;
+  for_each_field<P>([&](const auto& f) {
+    infos.push_back(detail::describe(f.name, f.unit, f.range, f.meaning, params.*(f.member)));
+  });
+  return infos;
+}
+
+}  // namespace fairway

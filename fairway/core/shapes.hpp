@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+
+#include "fairway/core/vec.hpp"
+
+namespace fairway {
+
+/// Something solid that does not move. Only the members of its kind mean anything.
+struct Obstacle {
+  enum class Kind {
+    sphere,   ///< `position`, `radius`
+    segment,  ///< a thin wall from `from` to `to`
+    polygon,  ///< solid vertical prism through every depth; vertices counter-clockwise, n as x and e as y
+  };
+  Kind kind{};
+  Vec3 position = Vec3::Zero();     ///< [m, NED]
+  double radius{};                  ///< [m]
+  Vec3 from = Vec3::Zero();         ///< [m, NED]
+  Vec3 to = Vec3::Zero();           ///< [m, NED]
+  std::span<const Vec3> vertices;   ///< [m, NED]; at least three
+};
+
+/// The surface point of an obstacle nearest to `p`, and how far away it is.
+struct SurfacePoint {
+  Vec3 point = Vec3::Zero();  ///< [m, NED]
+  double distance{};          ///< [m], negative inside a solid
+};
+
+/// O(1), or O(vertices) for a polygon. At the exact centre of a sphere the point lies due north.
+SurfacePoint nearest_point(const Obstacle& obstacle, const Vec3& p) noexcept;
+
+}  // namespace fairway

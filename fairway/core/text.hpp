@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "fairway/core/params.hpp"
+
+namespace fairway {
+
+/// The shortest decimal that reads back as the same double; "inf", "-inf" and "nan" spelled so.
+std::string number_text(double value);
+
+/// What a word on the command line means: "true"/"false", a number, or else text.
+ParamValue parse_value(std::string_view text);
+
+}  // namespace fairway

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+
+namespace fairway {
+
+/// A vector in metres or metres per second. The frame is local NED (x north, y east, z down)
+/// unless the name carries a frame suffix: `v_b` is in body axes (forward, starboard, down).
+using Vec3 = Eigen::Vector3d;
+
+inline bool is_finite(const Vec3& a) {
+  return std::isfinite(a.x()) && std::isfinite(a.y()) && std::isfinite(a.z());
+}
+
+/// `a` scaled to unit length, or zero if it has none.
+inline Vec3 unit(const Vec3& a) {
+  const double length = a.norm();
+  return length > 0.0 ? Vec3{a / length} : Vec3{Vec3::Zero()};
+}
+
+/// Length of the north-east part.
+inline double horizontal_norm(const Vec3& a) { return std::sqrt(a.x() * a.x() + a.y() * a.y()); }
+
+/// `a` shortened to `limit` where it is longer, its direction kept.
+inline Vec3 clamp_norm(const Vec3& a, double limit) {
+  const double length = a.norm();
+  return length > limit ? Vec3{(limit / length) * a} : a;
+}
+
+}  // namespace fairway

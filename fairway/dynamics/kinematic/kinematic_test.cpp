@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/dynamics/kinematic/kinematic.hpp"
+
+#include <gtest/gtest.h>
+
+#include "fairway/core/rng.hpp"
+#include "fairway/dynamics/vehicle.hpp"
+
+namespace fairway {
+namespace {
+
+ActuatorValues setpoints(double surge_mps, double heave_mps, double yaw_rate_radps) {
+  ActuatorValues u(3);
+  u << surge_mps, heave_mps, yaw_rate_radps;
+  return u;
+}
+
+TEST(Kinematic, KeepsItsLimitsForAnySetpoints) {
+  Rng rng{1};
+  const Kinematic::Params p{.max_speed_mps = 1.5,
+                            .max_reverse_mps = 0.3,
+                            .max_heave_mps = 0.4,
+                            .max_turn_rate_radps = 0.6,
+                            .max_acceleration_mps2 = 0.3,
+                            .max_turn_acceleration_radps2 = 0.2};
+  Vehicle vehicle{Kinematic{p}};
+  const double h = 0.05, slack = 1e-9;
+  ActuatorValues u = setpoints(0, 0, 0);
+  for (int i = 0; i < 20000; ++i) {
+    if (rng.uniform(0, 1) < 0.05) u = 5.0 * setpoints(rng.normal(), rng.normal(), rng.normal());
+    const VehicleState before = vehicle.state();
+    vehicle.step(u, {}, h);
+    const VehicleState& x = vehicle.state();
+    ASSERT_LE(x.v_b.x(), p.max_speed_mps + slack);
+    ASSERT_GE(x.v_b.x(), -p.max_reverse_mps - slack);
+    ASSERT_LE(std::abs(x.v_b.z()), p.max_heave_mps + slack);
+    ASSERT_LE(std::abs(x.omega_b.z()), p.max_turn_rate_radps + slack);
+    ASSERT_LE((x.v_b - before.v_b).norm(), p.max_acceleration_mps2 * h + slack);
+    ASSERT_LE(std::abs(x.omega_b.z() - before.omega_b.z()), p.max_turn_acceleration_radps2 * h + slack);
+    ASSERT_EQ(x.v_b.y(), 0.0);
+    ASSERT_NEAR(euler_of(x.q_nb).roll, 0.0, 1e-12);
+    ASSERT_NEAR(euler_of(x.q_nb).pitch, 0.0, 1e-12);
+  }
+}
+
+TEST(Kinematic, ReachesASetpointWithoutOvershootOrChatterAtAnyStableStep) {
+  for (const double h : {0.01, 0.05, 0.2, 0.5}) {
+    Vehicle vehicle{Kinematic{{}}};
+    const ActuatorValues u = setpoints(0.5, 0.3, -0.4);
+    VehicleState before = vehicle.state();
+    for (double t = 0.0; t < 20.0; t += h) {
+      vehicle.step(u, {}, h);
+      const VehicleState& x = vehicle.state();
+      EXPECT_GE(x.v_b.x(), before.v_b.x());
+      EXPECT_LE(x.v_b.x(), 0.5 + 1e-12);
+      EXPECT_LE(x.omega_b.z(), before.omega_b.z());
+      EXPECT_GE(x.omega_b.z(), -0.4 - 1e-12);
+      before = x;
+    }
+    EXPECT_NEAR(before.v_b.x(), 0.5, 1e-6) << "h " << h;
+    EXPECT_NEAR(before.v_b.z(), 0.3, 1e-6) << "h " << h;
+    EXPECT_NEAR(before.omega_b.z(), -0.4, 1e-6) << "h " << h;
+  }
+}
+
+TEST(Kinematic, SteadyTurnIsACircleOfSpeedOverTurnRate) {
+  Vehicle vehicle{Kinematic{{}}};
+  VehicleState x;
+  x.v_b = {0.5, 0, 0};
+  x.omega_b = {0, 0, 0.25};
+  vehicle.set_state(x);
+  const int steps = 1000;
+  const double half_turn = pi / 0.25;
+  for (int i = 0; i < steps; ++i) vehicle.step(setpoints(0.5, 0, 0.25), {}, half_turn / steps);
+  EXPECT_NEAR(vehicle.state().p_n.x(), 0.0, 1e-8);
+  EXPECT_NEAR(vehicle.state().p_n.y(), 2 * 0.5 / 0.25, 1e-8);
+}
+
+TEST(Kinematic, IsCarriedByTheCurrentWhileItTurns) {
+  const Water water{.current_n = {0.3, 0.2, -0.1}, .density = 1000.0};
+  Vehicle vehicle{Kinematic{{}}};
+  VehicleState x;
+  x.v_b = water.current_n;
+  vehicle.set_state(x);
+  for (int i = 0; i < 400; ++i) vehicle.step(setpoints(0, 0, 0.4), water, 0.05);
+  EXPECT_LT((vehicle.state().v_n() - water.current_n).norm(), 1e-6);
+}
+
+}  // namespace
+}  // namespace fairway

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "fairway/dynamics/integrate.hpp"
+#include "fairway/dynamics/propulsion.hpp"
+#include "fairway/dynamics/vehicle_model.hpp"
+
+namespace fairway {
+
+/// Any vehicle model together with its state and the state of its actuators. A value: a copy is a
+/// snapshot. step() neither allocates nor throws.
+class Vehicle {
+ public:
+  template <VehicleModel M>
+  explicit Vehicle(M model) : self_{std::make_unique<Model<M>>(std::move(model))} {
+    equip();
+  }
+
+  Vehicle(const Vehicle& other)
+      : self_{other.self_->clone()},
+        state_{other.state_},
+        actuators_{other.actuators_},
+        lowest_{other.lowest_},
+        highest_{other.highest_},
+        time_constants_{other.time_constants_},
+        lag_step_{other.lag_step_},
+        remaining_{other.remaining_},
+        mean_remaining_{other.mean_remaining_} {}
+  Vehicle& operator=(const Vehicle& other) { return *this = Vehicle{other}; }
+  Vehicle(Vehicle&&) noexcept = default;
+  Vehicle& operator=(Vehicle&&) noexcept = default;
+  ~Vehicle() = default;
+
+  const VehicleInfo& info() const { return self_->info(); }
+  std::span<const ActuatorInfo> actuators() const { return self_->actuators(); }
+
+  /// How actuators push, for controllers; null where the actuators are setpoints (kinematic models).
+  const Propulsion* propulsion() const { return self_->propulsion(); }
+
+  const VehicleState& state() const { return state_; }
+  void set_state(const VehicleState& state) { state_ = state; }
+
+  const ActuatorValues& actuator_state() const { return actuators_; }
+  /// Puts the actuators there at once, within their limits, without lag. NaN leaves an actuator where it is.
+  void set_actuator_state(const ActuatorValues& values) noexcept;
+
+  /// Lets the actuators follow `command` (limits, first-order lag, exact over h; NaN leaves one where it
+  /// is) and moves the vehicle by `h` [s] in `water`: one RK4 step with the actuators at their mean over h.
+  void step(const ActuatorValues& command, const Water& water, double h) noexcept;
+
+  /// Moves the vehicle with the actuators held where they are.
+  void drift(const Water& water, double h) noexcept { self_->advance(state_, actuators_, water, h); }
+
+  /// Drawn by the actuators at their present state [W].
+  double power() const noexcept { return self_->power(actuators_); }
+
+ private:
+  struct Interface {
+    Interface() = default;
+    Interface(const Interface&) = default;
+    Interface& operator=(const Interface&) = delete;
+    virtual ~Interface() = default;
+    virtual const VehicleInfo& info() const = 0;
+    virtual std::span<const ActuatorInfo> actuators() const = 0;
+    virtual const Propulsion* propulsion() const = 0;
+    virtual void advance(VehicleState&, const ActuatorValues&, const Water&, double h) const noexcept = 0;
+    virtual double power(const ActuatorValues&) const noexcept = 0;
+    virtual std::unique_ptr<Interface> clone() const = 0;
+  };
+
+  template <VehicleModel M>
+  struct Model final : Interface {
+    explicit Model(M m) : model{std::move(m)} {}
+    const VehicleInfo& info() const override { return M::info; }
+    std::span<const ActuatorInfo> actuators() const override { return model.actuators(); }
+    const Propulsion* propulsion() const override {
+      if constexpr (requires { model.propulsion(); }) return &model.propulsion();
+      return nullptr;
+    }
+    void advance(VehicleState& x, const ActuatorValues& u, const Water& water,
+                 double h) const noexcept override {
+      x = rk4(model, x, u, water, h);
+    }
+    double power(const ActuatorValues& u) const noexcept override { return model.power(u); }
+    std::unique_ptr<Interface> clone() const override { return std::make_unique<Model>(*this); }
+
+    M model;
+  };
+
+  void equip();
+  double admissible(const ActuatorValues& values, Eigen::Index i) const noexcept;
+
+  std::unique_ptr<Interface> self_;
+  VehicleState state_;
+  ActuatorValues actuators_;
+
+  // of the actuators, and what their lags come to over a step of lag_step_ [s]
+  ActuatorValues lowest_;
+  ActuatorValues highest_;
+  ActuatorValues time_constants_;
+  double lag_step_{-1.0};
+  ActuatorValues remaining_;
+  ActuatorValues mean_remaining_;
+};
+
+}  // namespace fairway

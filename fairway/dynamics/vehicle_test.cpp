@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/dynamics/vehicle.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "fairway/core/testing/allocations.hpp"
+#include "fairway/dynamics/catalog.hpp"
+
+namespace fairway {
+namespace {
+
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+ActuatorValues values(double a, double b, double c) {
+  ActuatorValues u(3);
+  u << a, b, c;
+  return u;
+}
+
+bool same_bits(const VehicleState& a, const VehicleState& b) {
+  return a.p_n == b.p_n && a.q_nb.coeffs() == b.q_nb.coeffs() && a.v_b == b.v_b && a.omega_b == b.omega_b;
+}
+
+TEST(Vehicle, ActuatorsFollowTheirCommandByAnExactFirstOrderLagForAnyStep) {
+  for (const double h : {0.01, 0.1, 0.4}) {
+    Vehicle vehicle = builtin_vehicles().make("sparus2");
+    const int steps = static_cast<int>(std::lround(1.2 / h));
+    for (int i = 0; i < steps; ++i) vehicle.step(values(4.0, 20.0, -10.0), {}, h);
+    EXPECT_NEAR(vehicle.actuator_state()[0], 4.0 * (1 - std::exp(-1.2 / 0.4)), 1e-12);
+    EXPECT_NEAR(vehicle.actuator_state()[1], 20.0 * (1 - std::exp(-1.2 / 0.8)), 1e-12);
+    EXPECT_NEAR(vehicle.actuator_state()[2], -10.0 * (1 - std::exp(-1.2 / 0.8)), 1e-12);
+  }
+}
+
+TEST(Vehicle, ChangingTheStepLengthKeepsTheLagExact) {
+  Vehicle vehicle = builtin_vehicles().make("sparus2");
+  for (const double h : {0.1, 0.3, 0.1, 0.7}) vehicle.step(values(4.0, 0, 0), {}, h);
+  EXPECT_NEAR(vehicle.actuator_state()[0], 4.0 * (1 - std::exp(-1.2 / 0.4)), 1e-12);
+}
+
+TEST(Vehicle, MotionUnderLaggingActuatorsConvergesWithOrderTwo) {
+  const auto speed = [](double h) {
+    Vehicle vehicle = builtin_vehicles().make("sparus2");
+    for (int i = 0; i < std::lround(1.6 / h); ++i) vehicle.step(values(0, 30.0, 30.0), {}, h);
+    return vehicle.state().p_n.x();
+  };
+  const double exact = speed(0.0005);
+  EXPECT_NEAR(std::log2((speed(0.1) - exact) / (speed(0.05) - exact)), 2.0, 0.2);
+}
+
+TEST(Vehicle, ActuatorsKeepTheirAsymmetricLimits) {
+  Vehicle vehicle = builtin_vehicles().make("sparus2");
+  vehicle.set_actuator_state(values(1e9, 1e9, -1e9));
+  EXPECT_NEAR(vehicle.actuator_state()[0], 12.702, 0.001);
+  EXPECT_EQ(vehicle.actuator_state()[1], 71.5);
+  EXPECT_EQ(vehicle.actuator_state()[2], -30.0);
+  for (int i = 0; i < 1000; ++i) vehicle.step(values(-1e9, -1e9, 1e9), {}, 0.05);
+  EXPECT_NEAR(vehicle.actuator_state()[0], -6.277, 0.001);
+  EXPECT_NEAR(vehicle.actuator_state()[1], -30.0, 1e-9);
+  EXPECT_NEAR(vehicle.actuator_state()[2], 71.5, 1e-9);
+}
+
+TEST(Vehicle, ACommandThatIsNoNumberMovesNothing) {
+  Vehicle vehicle = builtin_vehicles().make("sparus2");
+  vehicle.set_actuator_state(values(1.0, 2.0, 3.0));
+  vehicle.step(values(std::nan(""), std::nan(""), 3.0), {}, 0.1);
+  EXPECT_EQ(vehicle.actuator_state(), values(1.0, 2.0, 3.0));
+  EXPECT_TRUE(is_finite(vehicle.state()));
+}
+
+TEST(Vehicle, SettingActuatorsAndDriftingIsAStepWithoutLag) {
+  Vehicle held = builtin_vehicles().make("sparus2");
+  Vehicle lagless =
+      builtin_vehicles().make("sparus2", {{"surge_time_constant_s", 0.0}, {"heave_time_constant_s", 0.0}});
+  for (int i = 0; i < 50; ++i) {
+    held.set_actuator_state(values(3.0, 5.0, 1.0));
+    held.drift({}, 0.05);
+    lagless.step(values(3.0, 5.0, 1.0), {}, 0.05);
+  }
+  EXPECT_TRUE(same_bits(held.state(), lagless.state()));
+}
+
+TEST(Vehicle, ACopyIsASnapshot) {
+  for (const VehicleCatalog::Entry& entry : builtin_vehicles().entries()) {
+    Vehicle vehicle = entry.make({});
+    const ActuatorValues command = values(0.2, 0.3, 0.1);
+    for (int i = 0; i < 20; ++i) vehicle.step(command, {}, 0.05);
+    const Vehicle snapshot = vehicle;
+    const VehicleState then = vehicle.state();
+    for (int i = 0; i < 20; ++i) vehicle.step(command, {}, 0.05);
+    EXPECT_TRUE(same_bits(snapshot.state(), then)) << entry.info.name;
+
+    Vehicle replay = snapshot;
+    for (int i = 0; i < 20; ++i) replay.step(command, {}, 0.05);
+    EXPECT_TRUE(same_bits(replay.state(), vehicle.state())) << entry.info.name;
+    EXPECT_EQ(replay.actuator_state(), vehicle.actuator_state());
+  }
+}
+
+TEST(Vehicle, StepsWithoutAllocating) {
+  for (const VehicleCatalog::Entry& entry : builtin_vehicles().entries()) {
+    Vehicle vehicle = entry.make({});
+    const ActuatorValues command = values(0.2, 0.3, 0.1);
+    const long before = allocation_count();
+    for (int i = 0; i < 100; ++i) {
+      vehicle.step(command, {}, i < 50 ? 0.05 : 0.1);
+      vehicle.set_actuator_state(command);
+      vehicle.drift({}, 0.05);
+    }
+    EXPECT_EQ(allocation_count(), before) << entry.info.name;
+  }
+}
+
+TEST(VehicleCatalog, EveryVehicleIsDescribedAndStaysFiniteUnderFullCommands) {
+  for (const VehicleCatalog::Entry& entry : builtin_vehicles().entries()) {
+    Vehicle vehicle = entry.make({});
+    EXPECT_FALSE(entry.info.title.empty());
+    EXPECT_FALSE(entry.info.source.empty());
+    EXPECT_FALSE(entry.params.empty());
+    for (int i = 0; i < 2000; ++i) {
+      const double sign = i / 100 % 2 == 0 ? 1.0 : -1.0;
+      vehicle.step(sign * values(1e6, 1e6, -1e6), {.current_n = {0.5, 0.2, 0}, .density = 1025.0}, 0.05);
+    }
+    EXPECT_TRUE(is_finite(vehicle.state())) << entry.info.name;
+  }
+}
+
+TEST(VehicleCatalog, NamesTheNearestKnownVehicleAndParameter) {
+  const VehicleCatalog catalog = builtin_vehicles();
+  EXPECT_THAT([&] { catalog.make("sparus"); }, ThrowsMessage<InputError>(HasSubstr("did you mean sparus2?")));
+  EXPECT_THAT(
+      [&] {
+        catalog.make("sparus2", {{"mass", 3.0}});
+      },
+      ThrowsMessage<InputError>(HasSubstr("did you mean mass_kg?")));
+  EXPECT_THAT(
+      [&] {
+        catalog.make("sparus2", {{"mass_kg", -3.0}});
+      },
+      ThrowsMessage<InputError>(HasSubstr("mass_kg: is -3; expected a number in")));
+}
+
+}  // namespace
+}  // namespace fairway

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "fairway/experiment/executor.hpp"
+#include "fairway/experiment/run.hpp"
+#include "fairway/experiment/store.hpp"
+#include "fairway/metrics/measure.hpp"
+#include "fairway/scenario/load.hpp"
+
+namespace fairway {
+
+struct CampaignScenario {
+  std::string file;
+  std::string text;  ///< as it was when the campaign was loaded: all runs are of this one version
+};
+
+/// One combination of scenario, algorithm and settings; run once for each seed.
+struct CampaignCell {
+  Labels labels;           ///< case, method, then each path that is varied
+  std::size_t scenario{};  ///< index into Campaign::scenarios
+  std::string algorithm;   ///< YAML of the avoider, or empty: as in the scenario
+  Overrides overrides;     ///< all of them, the algorithm's first
+};
+
+/// Everything that is to be run. specs[i] is of cells[i / seed_count].
+struct Campaign {
+  std::string name;
+  std::string summary;
+  std::string file;
+  std::vector<CampaignScenario> scenarios;
+  std::vector<CampaignCell> cells;
+  std::size_t seed_count{};
+  std::vector<RunSpec> specs;
+  std::vector<std::string> quantities;  ///< to print; empty = all
+
+  const CampaignCell& cell_of(std::size_t run) const { return cells[run / seed_count]; }
+
+  /// The concrete case of specs[run]. Safe to call from several threads.
+  Scenario scenario_of(std::size_t run) const;
+};
+
+/// Checks what the scenario's own loader cannot: names of models and algorithms. Throws InputError.
+using CheckScenario = std::function<void(const Scenario&)>;
+
+/// Makes one run.
+using Simulate = std::function<std::vector<Measure>(const Scenario&)>;
+
+inline constexpr std::size_t max_campaign_runs = 10'000'000;
+
+/// Reads and expands a campaign. Every scenario is resolved for every seed, on `jobs` threads (0 = all),
+/// and `check` is asked once per cell, so that a mistake is reported before anything is run. A run's
+/// key is a digest of its resolved scenario, labels, algorithm and results_epoch: a comment or a default
+/// written out changes nothing, a changed number makes another run.
+/// Throws InputError with file, line, column and path.
+Campaign load_campaign(const std::string& file, const CheckScenario& check = {}, unsigned jobs = 1);
+
+/// The same from text; scenarios are looked for relative to `file`.
+Campaign parse_campaign(std::string_view yaml, const std::string& file, const CheckScenario& check = {},
+                        unsigned jobs = 1);
+
+/// Makes the runs that `store` does not have.
+ExecutorReport run_campaign(const Campaign& campaign, const Simulate& simulate, Store& store,
+                            const ExecutorOptions& options = {});
+
+/// The stored runs of this campaign, as it is now; those of older versions of its scenarios are left out.
+std::vector<RunRecord> records_of(const Campaign& campaign, const Store& store);
+
+}  // namespace fairway

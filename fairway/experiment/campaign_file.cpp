@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/experiment/campaign_file.hpp"
+
+#include <algorithm>
+
+#include "fairway/experiment/labels.hpp"
+#include "fairway/scenario/block.hpp"
+
+namespace fairway {
+namespace {
+
+using yaml::Block;
+using yaml::Form;
+using yaml::Needed;
+using yaml::Tree;
+using yaml::Value;
+
+template <class T>
+Form<T> read_only(std::function<T(const Value&)> read, Tree schema) {
+  return {.read = std::move(read), .write = [](const T&) { return std::optional<Tree>{}; }, .schema = std::move(schema)};
+}
+
+Tree schema_text(std::string_view json) { return yaml::parse_tree(json, "schema"); }
+
+/// A value as YAML on one line, fit for `--set` and for a table.
+std::string one_line(const Tree& tree, bool nested = false) {
+  if (tree.is_scalar() || tree.is_null()) {
+    // a comma or bracket ends a bare word inside brackets
+    const bool breaks = nested && tree.is_scalar() && tree.text.find_first_of(",[]{}") != std::string::npos;
+    std::string text = yaml::yaml_text(breaks ? Tree::quote(tree.text) : tree);
+    return text.substr(0, text.find_last_not_of('\n') + 1);
+  }
+  std::string text;
+  for (std::size_t i = 0; i < tree.items.size(); ++i) {
+    if (i > 0) text += ", ";
+    if (tree.is_map()) text += one_line(Tree::quote(tree.keys[i])) + ": ";
+    text += one_line(tree.items[i], true);
+  }
+  return tree.is_map() ? "{" + text + "}" : "[" + text + "]";
+}
+
+std::int32_t read_version(const Value& value) {
+  const auto version = value.whole<std::int32_t>();
+  if (version != 1) value.refuse("is " + std::to_string(version) + "; this fairway reads campaigns of version 1");
+  return version;
+}
+
+std::vector<CampaignScenarioFile> read_scenarios(const Value& value) {
+  const auto one = [](const Value& v) {
+    if (!v.tree().is_scalar() || v.tree().text.empty()) v.expected("the path of a scenario, or a list of such");
+    return CampaignScenarioFile{v.tree().text, v.tree().where.location()};
+  };
+  if (!value.tree().is_list()) return {one(value)};
+  std::vector<CampaignScenarioFile> files;
+  for (std::size_t i = 0; i < value.tree().items.size(); ++i) files.push_back(one(value.entry(i)));
+  if (files.empty()) value.refuse("the list is empty");
+  return files;
+}
+
+/// `apf`, or a mapping of `algorithm`, parameters and, unless it is the name, `label`.
+CampaignAlgorithm read_algorithm(const Value& value) {
+  const Choice choice = yaml::read_choice(value, "algorithm", Needed::yes, {"label"});
+  CampaignAlgorithm algorithm{.label = choice.name, .avoider = one_line(value.tree())};
+  if (!value.tree().is_map()) return algorithm;
+
+  Tree avoider = Tree::map();
+  for (std::size_t i = 0; i < value.tree().keys.size(); ++i) {
+    if (value.tree().keys[i] == "label") {
+      algorithm.label = yaml::name().read(value.entry(i));
+    } else {
+      avoider.set(value.tree().keys[i], value.tree().items[i]);
+    }
+  }
+  algorithm.avoider = one_line(avoider);
+  return algorithm;
+}
+
+std::vector<CampaignAlgorithm> read_algorithms(const Value& value) {
+  value.expect_list("algorithms");
+  std::vector<CampaignAlgorithm> algorithms;
+  for (std::size_t i = 0; i < value.tree().items.size(); ++i) {
+    const Value entry = value.entry(i);
+    CampaignAlgorithm algorithm = read_algorithm(entry);
+    const auto same = [&](const CampaignAlgorithm& a) { return a.label == algorithm.label; };
+    if (std::any_of(algorithms.begin(), algorithms.end(), same)) {
+      entry.refuse("a second " + algorithm.label + "; give it a label of its own");
+    }
+    algorithms.push_back(std::move(algorithm));
+  }
+  if (algorithms.empty()) value.refuse("the list is empty; leave the key out to keep each scenario's own");
+  return algorithms;
+}
+
+/// What a campaign sets by keys of its own cannot be set by a path too.
+void check_path(const Value& map, std::size_t i) {
+  const std::string& path = map.tree().keys[i];
+  if (path == "seed") map.refuse_key(i, "is set by the key seeds");
+  if (!can_be_label(path) || path == "case" || path == "method") map.refuse_key(i, "is no path in a scenario");
+}
+
+std::vector<CampaignAxis> read_grid(const Value& value) {
+  value.expect_map("paths as for --set, each with a list of values");
+  std::vector<CampaignAxis> grid;
+  for (std::size_t i = 0; i < value.tree().items.size(); ++i) {
+    check_path(value, i);
+    const Value list = value.entry(i);
+    if (!list.tree().is_list() || list.tree().items.empty()) list.expected("a list of values, as [6, 7, 10]");
+    CampaignAxis axis{.path = value.tree().keys[i], .values = {}};
+    for (std::size_t j = 0; j < list.tree().items.size(); ++j) {
+      std::string text = one_line(list.tree().items[j]);
+      if (std::find(axis.values.begin(), axis.values.end(), text) != axis.values.end()) {
+        list.entry(j).refuse(text + " is given twice");
+      }
+      axis.values.push_back(std::move(text));
+    }
+    grid.push_back(std::move(axis));
+  }
+  return grid;
+}
+
+std::vector<Overrides> read_zip(const Value& value) {
+  value.expect_list("mappings, each of paths to values");
+  std::vector<Overrides> rows;
+  for (std::size_t i = 0; i < value.tree().items.size(); ++i) {
+    const Value row = value.entry(i);
+    if (!row.tree().is_map() || row.tree().items.empty()) row.expected("a mapping of paths to values");
+    Overrides settings;
+    for (std::size_t j = 0; j < row.tree().items.size(); ++j) {
+      check_path(row, j);
+      settings.emplace_back(row.tree().keys[j], one_line(row.tree().items[j]));
+    }
+    // a table needs the same columns for every row
+    const auto same_paths = [&](const Overrides& other) {
+      return std::equal(other.begin(), other.end(), settings.begin(), settings.end(),
+                        [](const auto& a, const auto& b) { return a.first == b.first; });
+    };
+    if (!rows.empty() && !same_paths(rows.front())) row.refuse("must set what the first row sets, in the same order");
+    if (std::find(rows.begin(), rows.end(), settings) != rows.end()) row.refuse("is given twice");
+    rows.push_back(std::move(settings));
+  }
+  return rows;
+}
+
+Form<std::uint32_t> seed_count() {
+  return read_only<std::uint32_t>([](const Value& v) { return v.whole<std::uint32_t>(1, 1'000'000); },
+                                  schema_text(R"({"type": "integer", "minimum": 1, "maximum": 1000000})"));
+}
+
+constexpr std::string_view scenario_schema_text =
+    R"({"anyOf": [{"type": "string", "minLength": 1},
+                 {"type": "array", "items": {"type": "string", "minLength": 1}, "minItems": 1}]})";
+constexpr std::string_view algorithms_schema_text =
+    R"({"type": "array", "minItems": 1, "items": {"anyOf": [{"type": "string", "minLength": 1},
+        {"type": "object", "required": ["algorithm"],
+         "properties": {"algorithm": {"type": "string", "minLength": 1}, "label": {"type": "string", "minLength": 1}}}]}})";
+constexpr std::string_view grid_schema_text =
+    R"({"type": "object", "additionalProperties": {"type": "array", "minItems": 1}})";
+constexpr std::string_view zip_schema_text = R"({"type": "array", "items": {"type": "object", "minProperties": 1}})";
+
+const Block<CampaignFile>& campaign_block() {
+  static const Block<CampaignFile> seeds{
+      key("first", &CampaignFile::first_seed, yaml::seed(), "Default 1."),
+      key("count", &CampaignFile::seed_count, seed_count(), "How many in a row.", Needed::yes)};
+  static const Block<CampaignFile> block{
+      key("fairway_campaign", &CampaignFile::version,
+          read_only<std::int32_t>(read_version, schema_text(R"({"const": 1})")), "The format's version, 1.", Needed::yes),
+      key("name", &CampaignFile::name, yaml::name(), "Of the campaign.", Needed::yes),
+      key("summary", &CampaignFile::summary, yaml::text(), "What it is meant to find out."),
+      key("scenario", &CampaignFile::scenarios,
+          read_only<std::vector<CampaignScenarioFile>>(read_scenarios, schema_text(scenario_schema_text)),
+          "One scenario or several, relative to this file. The label case is the file's name.", Needed::yes),
+      key("algorithms", &CampaignFile::algorithms,
+          read_only<std::vector<CampaignAlgorithm>>(read_algorithms, schema_text(algorithms_schema_text)),
+          "Replace every vehicle's avoider, one after the other. Default: as each scenario has them."),
+      key("grid", &CampaignFile::grid,
+          read_only<std::vector<CampaignAxis>>(read_grid, schema_text(grid_schema_text)),
+          "Paths as for --set, each with its values; every combination is run."),
+      key("zip", &CampaignFile::zip,
+          read_only<std::vector<Overrides>>(read_zip, schema_text(zip_schema_text)),
+          "Settings that change together, one row after the other."),
+      group("seeds", seeds, "The same for every cell, so that runs are compared in pairs. Default: 1 alone."),
+      key("quantities", &CampaignFile::quantities, yaml::list_of(yaml::name(), "names of quantities"),
+          "Those to print; `fairway list metrics`. Default: all."),
+  };
+  return block;
+}
+
+}  // namespace
+
+CampaignFile parse_campaign_file(std::string_view text, const std::string& file) {
+  const Tree document = yaml::parse_tree(text, file);
+  if (!document.is_map()) {
+    throw InputError({file, 0, 0}, "", "not a campaign: expected keys such as fairway_campaign, name and scenario");
+  }
+  yaml::Reading reading{0};
+  const Value root{document, "", reading};
+  CampaignFile campaign;
+  yaml::read_block(root, campaign_block(), campaign);
+
+  // no path may be set twice, nor what the algorithms set
+  for (const char* key : {"grid", "zip"}) {
+    const auto place = std::find(document.keys.begin(), document.keys.end(), key);
+    if (place == document.keys.end()) continue;
+    Value map = root.entry(static_cast<std::size_t>(place - document.keys.begin()));
+    if (map.tree().items.empty()) continue;
+    if (map.tree().is_list()) map = map.entry(0);
+    for (std::size_t i = 0; i < map.tree().keys.size(); ++i) {
+      const std::string& path = map.tree().keys[i];
+      const bool avoider = path.ends_with(".avoider") || path.ends_with(".avoider.algorithm");
+      if (avoider && !campaign.algorithms.empty()) map.refuse_key(i, "is set by the key algorithms");
+      const auto in_grid = [&](const CampaignAxis& axis) { return axis.path == path; };
+      if (map.path().starts_with("zip") && std::any_of(campaign.grid.begin(), campaign.grid.end(), in_grid)) {
+        map.refuse_key(i, "is set by grid too");
+      }
+    }
+  }
+  if (campaign.first_seed + (campaign.seed_count - 1) < campaign.first_seed) {
+    throw InputError({file, 0, 0}, "seeds", "pass the largest seed there is");
+  }
+  return campaign;
+}
+
+std::string campaign_schema() {
+  Tree schema = Tree::map({{"$schema", Tree::quote("https://json-schema.org/draft/2020-12/schema")},
+                           {"title", Tree::quote("fairway campaign")},
+                           {"description", Tree::quote("Scenarios, algorithms and settings to run under the same seeds.")}});
+  Tree body = yaml::schema_of(campaign_block());
+  for (std::size_t i = 0; i < body.keys.size(); ++i) schema.set(body.keys[i], std::move(body.items[i]));
+  return yaml::json_text(schema);
+}
+
+}  // namespace fairway

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/experiment/campaign.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "fairway/core/error.hpp"
+#include "fairway/experiment/campaign_file.hpp"
+#include "fairway/experiment/digest.hpp"
+#include "fairway/experiment/labels.hpp"
+#include "fairway/experiment/testing/sample_runs.hpp"
+
+namespace fairway {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+constexpr std::string_view pair_yaml = R"(fairway: 1
+name: pair
+defaults:
+  model: sparus2
+  avoider: {algorithm: orca3d, time_horizon_s: 5}
+vehicles:
+  - start: {position_m: [0, {uniform: [-1, 1]}, 5]}
+    mission: [{transit: {position_m: [20, 0, 5]}}]
+  - start: {position_m: [20, 0, 5]}
+    mission: [{transit: {position_m: [0, 0, 5]}}]
+)";
+
+constexpr std::string_view minimal = "fairway_campaign: 1\nname: test\nscenario: pair.yaml\n";
+
+class CampaignTest : public testing::Test {
+ protected:
+  CampaignTest() { sample::write_bytes(folder_ / "pair.yaml", pair_yaml); }
+
+  Campaign parse(const std::string& more, const CheckScenario& check = {}, unsigned jobs = 1) const {
+    return parse_campaign(std::string(minimal) + more, folder_ / "test.yaml", check, jobs);
+  }
+
+  std::string refusal(const std::string& yaml) const {
+    try {
+      parse_campaign(yaml, folder_ / "test.yaml");
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "not refused";
+  }
+
+  /// Refusal of a line 4 and on, without the folder.
+  std::string refusal_of(const std::string& more) const {
+    const std::string message = refusal(std::string(minimal) + more);
+    const std::string prefix = folder_ / "";
+    return message.starts_with(prefix) ? message.substr(prefix.size()) : message;
+  }
+
+  sample::Folder folder_;
+};
+
+/// Something that any change of the scenario changes.
+std::vector<Measure> simulate(const Scenario& scenario) {
+  std::vector<Measure> measures{{"crit_dist_m", Measure::fleet, scenario.exam.crit_dist_m}};
+  for (std::size_t i = 0; i < scenario.vehicles.size(); ++i) {
+    const VehicleSpec& vehicle = scenario.vehicles[i];
+    measures.push_back({"east_m", static_cast<int>(i), vehicle.position.y()});
+    measures.push_back({"name_count", static_cast<int>(i), static_cast<double>(vehicle.avoider.name.size())});
+    measures.push_back({"params_count", static_cast<int>(i), static_cast<double>(vehicle.avoider.params.size())});
+  }
+  return measures;
+}
+
+TEST_F(CampaignTest, IsEveryCombinationUnderTheSameSeeds) {
+  const Campaign c = parse(R"(algorithms: [apf, {algorithm: apf, w2_ratio: 2.5, label: strong}]
+grid: {exam.crit_dist_m: [6, 7, 10], step_s: [0.1, 0.05]}
+zip: [{exam.safety_distance_m: 2, duration_s: 100}, {exam.safety_distance_m: 3, duration_s: 200}]
+seeds: {first: 5, count: 4}
+quantities: [makespan_s]
+)");
+  EXPECT_EQ(c.cells.size(), 2U * 2U * 3U * 2U);
+  EXPECT_EQ(c.specs.size(), c.cells.size() * 4U);
+  EXPECT_THAT(c.quantities, ElementsAre("makespan_s"));
+  EXPECT_EQ(labels_text(c.specs[0].labels),
+            "case=pair method=apf exam.safety_distance_m=2 duration_s=100 exam.crit_dist_m=6 step_s=0.1");
+  EXPECT_EQ(labels_text(c.specs.back().labels),
+            "case=pair method=strong exam.safety_distance_m=3 duration_s=200 exam.crit_dist_m=10 step_s=0.05");
+
+  std::set<std::string> keys;
+  for (std::size_t i = 0; i < c.specs.size(); ++i) {
+    EXPECT_EQ(c.specs[i].seed, 5 + i % 4);
+    EXPECT_EQ(c.specs[i].key.size(), 32U);
+    keys.insert(c.specs[i].key);
+  }
+  EXPECT_EQ(keys.size(), c.specs.size());
+
+  const Scenario last = c.scenario_of(c.specs.size() - 1);
+  EXPECT_EQ(last.seed, 8U);
+  EXPECT_EQ(last.exam.crit_dist_m, 10.0);
+  EXPECT_EQ(last.exam.safety_distance_m, 3.0);
+  EXPECT_EQ(last.duration_s, 200.0);
+  EXPECT_EQ(last.step_s, 0.05);
+  EXPECT_EQ(last.vehicles[1].avoider.name, "apf");
+  EXPECT_EQ(last.vehicles[1].avoider.params, (ParamValues{{"w2_ratio", 2.5}}));
+  EXPECT_EQ(c.scenario_of(0).vehicles[1].avoider.params, ParamValues{});
+}
+
+TEST_F(CampaignTest, SeedsAreSharedSoThatCellsMeetTheSameCase) {
+  const Campaign c = parse("algorithms: [apf, orca3d]\nseeds: {count: 2}\n");
+  const auto east = [&](std::size_t run) { return c.scenario_of(run).vehicles[0].position.y(); };
+  EXPECT_EQ(east(0), east(2));
+  EXPECT_EQ(east(1), east(3));
+  EXPECT_NE(east(0), east(1));
+}
+
+TEST_F(CampaignTest, AvoiderParametersCanBeVariedWithinAnAlgorithm) {
+  const Campaign c = parse("algorithms: [apf]\ngrid: {\"vehicles[*].avoider.crit_dist_m\": [6, 7]}\n");
+  EXPECT_EQ(c.scenario_of(1).vehicles[1].avoider.params, (ParamValues{{"crit_dist_m", 7.0}}));
+}
+
+TEST_F(CampaignTest, WithoutAlgorithmsEachScenarioKeepsItsOwn) {
+  const Campaign c = parse("");
+  ASSERT_EQ(c.specs.size(), 1U);
+  EXPECT_EQ(c.specs[0].seed, 1U);
+  EXPECT_EQ(c.specs[0].labels, (Labels{{"case", "pair"}}));
+  EXPECT_EQ(c.scenario_of(0).vehicles[0].avoider.name, "orca3d");
+}
+
+TEST_F(CampaignTest, KeysFollowWhatDecidesTheOutcomeAndNothingElse) {
+  const std::string before = parse("").specs[0].key;
+  sample::write_bytes(folder_ / "pair.yaml", "# a comment\nsummary: says more\nstep_s: 0.050\nexpect: {collision_count: 0}\n" + std::string(pair_yaml));
+  EXPECT_EQ(parse("").specs[0].key, before);
+  sample::write_bytes(folder_ / "pair.yaml", "step_s: 0.051\n" + std::string(pair_yaml));
+  EXPECT_NE(parse("").specs[0].key, before);
+}
+
+TEST_F(CampaignTest, ResolvesTheSameOnAnyNumberOfThreads) {
+  const std::string more = "algorithms: [apf, orca3d]\ngrid: {exam.crit_dist_m: [4, 5, 6, 7]}\nseeds: {count: 10}\n";
+  const Campaign one = parse(more);
+  const Campaign eight = parse(more, {}, 8);
+  ASSERT_EQ(one.specs.size(), eight.specs.size());
+  for (std::size_t i = 0; i < one.specs.size(); ++i) EXPECT_EQ(one.specs[i].key, eight.specs[i].key);
+}
+
+TEST_F(CampaignTest, RunsResumesAndForgetsOlderVersions) {
+  const std::string more = "algorithms: [apf, orca3d]\ngrid: {exam.crit_dist_m: [6, 10]}\nseeds: {count: 3}\n";
+  Store store = Store::in_memory();
+  const Campaign first = parse(more);
+  EXPECT_EQ(run_campaign(first, simulate, store, {.jobs = 2}).made, 12U);
+  EXPECT_EQ(run_campaign(first, simulate, store).made, 0U);
+  EXPECT_THAT(sample::csv_of(store), HasSubstr("pair,orca3d,10,3,,crit_dist_m,10\n"));
+
+  sample::write_bytes(folder_ / "pair.yaml", "step_s: 0.051\n" + std::string(pair_yaml));
+  const Campaign second = parse(more);
+  EXPECT_EQ(run_campaign(second, simulate, store).made, 12U);
+  EXPECT_EQ(store.size(), 24U);
+  EXPECT_EQ(records_of(second, store).size(), 12U);
+}
+
+TEST_F(CampaignTest, TheScenarioIsTheOneThatWasLoaded) {
+  const Campaign c = parse("");
+  std::filesystem::remove(folder_ / "pair.yaml");
+  EXPECT_EQ(c.scenario_of(0).name, "pair");
+}
+
+TEST_F(CampaignTest, EachCellIsCheckedBeforeAnythingIsRun) {
+  std::vector<std::string> seen;
+  const auto check = [&](const Scenario& s) {
+    seen.push_back(s.vehicles[0].avoider.name);
+    if (s.vehicles[0].avoider.name == "orca") throw InputError("unknown algorithm orca");
+  };
+  parse("algorithms: [apf, orca3d]\nseeds: {count: 3}\n", check);
+  EXPECT_THAT(seen, ElementsAre("apf", "orca3d"));
+  try {
+    parse("algorithms: [apf, orca, orca3d]\nseeds: {first: 4, count: 3}\n", check);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("test.yaml: in case=pair method=orca seed=4: unknown algorithm orca"));
+  }
+}
+
+TEST_F(CampaignTest, MistakesAreRefusedWithTheirPlace) {
+  EXPECT_EQ(refusal_of("algorithm: [apf]\n"), "test.yaml:4:1: algorithm: unknown key; did you mean algorithms?");
+  EXPECT_EQ(refusal_of("algorithms: []\n"), "test.yaml:4:13: algorithms: the list is empty; leave the key out to keep each scenario's own");
+  EXPECT_EQ(refusal_of("algorithms: [apf, apf]\n"), "test.yaml:4:19: algorithms[1]: a second apf; give it a label of its own");
+  EXPECT_THAT(refusal_of("algorithms: [{label: x}]\n"), HasSubstr("algorithms[0]: the key algorithm is missing"));
+  EXPECT_THAT(refusal_of("seeds: {first: 1}\n"), HasSubstr("seeds: the key count is missing"));
+  EXPECT_THAT(refusal_of("seeds: {count: 0}\n"), HasSubstr("test.yaml:4:16: seeds.count: expected a whole number in [1, 1000000]"));
+  EXPECT_THAT(refusal_of("seeds: {first: 18446744073709551615, count: 2}\n"), HasSubstr("seeds: pass the largest seed"));
+  EXPECT_THAT(refusal_of("grid: {step_s: 0.1}\n"), HasSubstr("grid.step_s: expected a list of values, as [6, 7, 10], got 0.1"));
+  EXPECT_THAT(refusal_of("grid: {step_s: [0.1, 0.1]}\n"), HasSubstr("grid.step_s[1]: 0.1 is given twice"));
+  EXPECT_THAT(refusal_of("grid: {seed: [1]}\n"), HasSubstr("grid.seed: is set by the key seeds"));
+  EXPECT_THAT(refusal_of("grid: {case: [1]}\n"), HasSubstr("grid.case: is no path in a scenario"));
+  EXPECT_THAT(refusal_of("algorithms: [apf]\ngrid: {\"vehicles[*].avoider\": [apf]}\n"), HasSubstr("is set by the key algorithms"));
+  EXPECT_THAT(refusal_of("zip: [{step_s: 0.1}, {duration_s: 3}]\n"), HasSubstr("zip[1]: must set what the first row sets"));
+  EXPECT_THAT(refusal_of("zip: [{step_s: 0.1}]\ngrid: {step_s: [0.1]}\n"), HasSubstr("zip[0].step_s: is set by grid too"));
+  EXPECT_THAT(refusal_of("name: again\n"), HasSubstr("test.yaml:4:1: name: given twice, before in line 2"));
+}
+
+TEST_F(CampaignTest, MistakesInTheScenarioNameTheCellTheyAreOf) {
+  EXPECT_THAT(refusal_of("algorithms: [apf]\ngrid: {exam.crit_dist: [6]}\n"),
+              StartsWith("test.yaml: in case=pair method=apf exam.crit_dist=6 seed=1: --set exam.crit_dist: unknown key; did you mean"));
+  EXPECT_THAT(refusal_of("grid: {step_s: [-1]}\n"), HasSubstr("in case=pair step_s=-1 seed=1: "));
+}
+
+TEST_F(CampaignTest, FilesThatAreNoCampaignOrNotThereAreRefused) {
+  EXPECT_THAT(refusal("fairway_campaign: 2\nname: x\nscenario: pair.yaml\n"), HasSubstr(":1:19: fairway_campaign: is 2; this fairway reads campaigns of version 1"));
+  EXPECT_THAT(refusal("name: x\nscenario: pair.yaml\n"), HasSubstr("the key fairway_campaign is missing"));
+  EXPECT_THAT(refusal("[1, 2]"), HasSubstr("not a campaign"));
+  EXPECT_THAT(refusal(""), HasSubstr("not a campaign"));
+  EXPECT_THAT(refusal("fairway_campaign: 1\nname: x\nscenario: none.yaml\n"), HasSubstr("test.yaml:3:11: scenario: "));
+  EXPECT_THAT(refusal("fairway_campaign: 1\nname: x\nscenario: [pair.yaml, ./pair.yaml]\n"), HasSubstr("a second one named pair"));
+  EXPECT_THAT(refusal("fairway_campaign: 1\nname: x\nscenario: .\n"), HasSubstr("cannot be read"));
+  EXPECT_THROW(load_campaign(folder_ / "none.yaml"), InputError);
+}
+
+TEST_F(CampaignTest, TooManyRunsAreRefusedAtOnce) {
+  std::string values;
+  for (int i = 0; i < 1000; ++i) values += std::to_string(i) + ", ";
+  EXPECT_THAT(refusal_of("grid: {a: [" + values + "], b: [" + values + "], c: [" + values + "]}\n"), HasSubstr("more than 10000000 runs"));
+}
+
+TEST(CampaignSchemaTest, NamesEveryKey) {
+  const auto schema = nlohmann::json::parse(campaign_schema());
+  for (const char* key : {"fairway_campaign", "name", "scenario", "algorithms", "grid", "zip", "seeds", "quantities"}) {
+    EXPECT_TRUE(schema["properties"].contains(key)) << key;
+  }
+  EXPECT_EQ(schema["additionalProperties"], false);
+}
+
+TEST(DigestTest, IsTheOneOfThePublishedVectors) {
+  // draft-eastlake-fnv, appendix C
+  EXPECT_EQ(Digest::of(""), "6c62272e07bb014262b821756295c58d");
+  EXPECT_EQ(Digest::of("a"), "d228cb696f1a8caf78912b704e4a8964");
+  EXPECT_EQ(Digest::of("foobar"), "343e1662793c64bf6f0d3597ba446f18");
+}
+
+TEST(DigestTest, TellsWhereOneTextEndsAndTheNextBegins) {
+  EXPECT_NE(Digest{}.add("ab").add("c").hex(), Digest{}.add("a").add("bc").hex());
+  EXPECT_NE(Digest{}.add("").hex(), Digest{}.hex());
+}
+
+}  // namespace
+}  // namespace fairway

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+namespace fairway {
+
+/// Held by at most one process at a time; let go of by the system when the process dies, however it
+/// dies. The empty file it leaves behind then is no obstacle.
+class LockFile {
+ public:
+  /// Throws InputError, about the file `guarded`, if another holds it or it cannot be made.
+  explicit LockFile(const std::string& guarded);
+  ~LockFile();
+  LockFile(const LockFile&) = delete;
+  LockFile& operator=(const LockFile&) = delete;
+
+ private:
+  std::string path_;
+  int descriptor_{-1};
+};
+
+}  // namespace fairway

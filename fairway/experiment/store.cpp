@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/experiment/store.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <ostream>
+#include <set>
+#include <stdexcept>
+#include <system_error>
+#include <tuple>
+#include <utility>
+
+#include "fairway/core/error.hpp"
+#include "fairway/experiment/labels.hpp"
+#include "fairway/experiment/lock_file.hpp"
+#include "fairway/experiment/sqlite.hpp"
+#include "fairway/experiment/version.hpp"
+
+namespace fairway {
+namespace {
+
+constexpr std::int64_t application_id = 0x66776179;  // "fway", in the file's header
+constexpr std::int64_t schema_version = 1;
+
+// `value` has no declared type: SQLite would store a REAL column's -0.0 as 0
+constexpr const char* schema = R"(
+  PRAGMA application_id = 1719099769;
+  PRAGMA user_version = 1;
+  CREATE TABLE meta(name TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
+  CREATE TABLE label_sets(id INTEGER PRIMARY KEY, labels TEXT NOT NULL UNIQUE);
+  CREATE TABLE quantities(id INTEGER PRIMARY KEY, name TEXT NOT NULL UNIQUE);
+  CREATE TABLE runs(id INTEGER PRIMARY KEY, key TEXT NOT NULL UNIQUE,
+                    labels INTEGER NOT NULL REFERENCES label_sets(id), seed INTEGER NOT NULL,
+                    failure TEXT NOT NULL, wall_s REAL);
+  CREATE TABLE measures(run INTEGER NOT NULL REFERENCES runs(id), place INTEGER NOT NULL,
+                        vehicle INTEGER NOT NULL, quantity INTEGER NOT NULL REFERENCES quantities(id), value,
+                        PRIMARY KEY(run, place)) WITHOUT ROWID;
+  CREATE VIEW results AS
+    SELECT runs.key, label_sets.labels, runs.seed, measures.vehicle, quantities.name AS quantity, measures.value
+    FROM measures JOIN runs ON runs.id = measures.run JOIN label_sets ON label_sets.id = runs.labels
+                  JOIN quantities ON quantities.id = measures.quantity;
+)";
+static_assert(application_id == 1719099769 && schema_version == 1, "as in the schema");
+
+// a reader holds its lock for as long as all() takes, a writer for one commit
+constexpr int patience_ms = 30'000;
+
+/// `{"case":"cube20_8","method":"orca3d"}`, in order.
+std::string labels_json(const Labels& labels) {
+  nlohmann::ordered_json object = nlohmann::ordered_json::object();
+  for (const auto& [name, value] : labels) object[name] = value;
+  return object.dump();
+}
+
+Labels labels_of(const std::string& json, const Database& database) {
+  Labels labels;
+  try {
+    const auto object = nlohmann::ordered_json::parse(json);
+    for (const auto& [name, value] : object.items()) labels.emplace_back(name, value.get<std::string>());
+  } catch (const nlohmann::json::exception&) {
+    database.refuse("is a damaged store (labels that are none); restore a copy, or delete it and run again");
+  }
+  return labels;
+}
+
+void check(const RunRecord& record) {
+  if (record.spec.key.empty()) throw std::invalid_argument("a run without a key");
+  std::set<std::string_view> names;
+  for (const auto& [name, value] : record.spec.labels) {
+    if (!can_be_label(name)) throw std::invalid_argument("'" + name + "' cannot be a label's name");
+    if (!names.insert(name).second) throw std::invalid_argument("label " + name + " twice in one run");
+  }
+  std::set<std::pair<int, std::string_view>> measured;
+  for (const Measure& m : record.measures) {
+    if (!measured.emplace(m.vehicle, m.quantity).second) {
+      throw std::invalid_argument(m.quantity + " measured twice in one run, vehicle " + std::to_string(m.vehicle));
+    }
+  }
+}
+
+void refuse_folder(const std::string& path) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) throw InputError(path + ": is a folder, not a results store");
+}
+
+/// A row's id by its unique text, made when it is new. Remembers those it has seen.
+class Interned {
+ public:
+  Interned(Database& database, const std::string& table, const std::string& column)
+      : insert_{database, "INSERT OR IGNORE INTO " + table + "(" + column + ") VALUES (?)"},
+        select_{database, "SELECT id FROM " + table + " WHERE " + column + " = ?"} {}
+
+  std::int64_t id(const std::string& text) {
+    if (const auto known = ids_.find(text); known != ids_.end()) return known->second;
+    insert_.bind(1, text).run();
+    select_.bind(1, text).step();
+    const std::int64_t id = select_.integer(0);
+    select_.reset();
+    return ids_[text] = id;
+  }
+
+  /// After a rollback, which takes ids back.
+  void forget() { ids_.clear(); }
+
+ private:
+  Statement insert_;
+  Statement select_;
+  std::map<std::string, std::int64_t> ids_;
+};
+
+}  // namespace
+
+struct Store::Contents {
+  std::unique_ptr<LockFile> lock;  // first, so that it is let go of last
+  Database database;
+  bool writable;
+
+  // prepared once the tables are known to be there
+  struct Prepared {
+    explicit Prepared(Database& d)
+        : status{d, "SELECT failure <> '' FROM runs WHERE key = ?"},
+          forget_measures{d, "DELETE FROM measures WHERE run = (SELECT id FROM runs WHERE key = ?)"},
+          forget_run{d, "DELETE FROM runs WHERE key = ?"},
+          put_run{d, "INSERT INTO runs(key, labels, seed, failure, wall_s) VALUES (?, ?, ?, ?, ?) RETURNING id"},
+          put_measure{d, "INSERT INTO measures(run, place, vehicle, quantity, value) VALUES (?, ?, ?, ?, ?)"},
+          label_sets{d, "label_sets", "labels"},
+          quantities{d, "quantities", "name"} {}
+    Statement status, forget_measures, forget_run, put_run, put_measure;
+    Interned label_sets, quantities;
+  };
+  std::optional<Prepared> sql;
+
+  Contents(const std::string& path, Database::Access access, std::unique_ptr<LockFile> taken, bool for_writing)
+      : lock{std::move(taken)}, database{path, access, patience_ms}, writable{for_writing} {}
+
+  void begin_or_check(bool may_begin);
+  void put(const RunRecord& record);
+};
+
+/// Refuses what is no store of ours before a byte of it is changed.
+void Store::Contents::begin_or_check(bool may_begin) {
+  if (database.integer("PRAGMA page_count") == 0) {
+    if (!may_begin) database.refuse("is not a results store: the file is empty");
+    Transaction transaction{database, Transaction::Kind::write};
+    database.execute(schema);
+    Statement note{database, "INSERT INTO meta(name, value) VALUES (?, ?)"};
+    note.bind(1, "fairway_version").bind(2, fairway_version).run();
+    note.bind(1, "results_epoch").bind(2, std::to_string(results_epoch)).run();
+    transaction.commit();
+  } else if (database.integer("PRAGMA application_id") != application_id) {
+    database.refuse("is a SQLite database, but not a results store of fairway");
+  } else if (const auto version = database.integer("PRAGMA user_version"); version != schema_version) {
+    database.refuse("is a results store of version " + std::to_string(version) + ", and this fairway reads version " +
+                    std::to_string(schema_version) + (version > schema_version ? "; use a newer fairway" : ""));
+  } else {
+    Statement sound{database, "PRAGMA quick_check(1)"};
+    const std::string finding = sound.step() ? sound.text(0) : "";
+    if (finding != "ok") {
+      database.refuse("is a damaged store (" + finding.substr(0, finding.find('\n')) +
+                      "); restore a copy, or delete it and run again");
+    }
+  }
+  sql.emplace(database);
+}
+
+void Store::Contents::put(const RunRecord& record) {
+  const RunSpec& spec = record.spec;
+  if (sql->status.bind(1, spec.key).step()) {
+    const bool failed = sql->status.integer(0) != 0;
+    sql->status.reset();
+    if (!failed) return;
+    sql->forget_measures.bind(1, spec.key).run();
+    sql->forget_run.bind(1, spec.key).run();
+  }
+  std::string labels;
+  try {
+    labels = labels_json(spec.labels);
+  } catch (const nlohmann::json::exception&) {
+    throw std::invalid_argument("labels that are not UTF-8");
+  }
+  sql->put_run.bind(1, spec.key).bind(2, sql->label_sets.id(labels)).bind(3, static_cast<std::int64_t>(spec.seed));
+  sql->put_run.bind(4, record.failure).bind(5, record.wall_s).step();
+  const std::int64_t run = sql->put_run.integer(0);
+  sql->put_run.run();
+  std::int64_t place = 0;
+  for (const Measure& m : record.measures) {
+    sql->put_measure.bind(1, run).bind(2, place++).bind(3, std::int64_t{m.vehicle});
+    sql->put_measure.bind(4, sql->quantities.id(m.quantity)).bind(5, m.value).run();
+  }
+}
+
+Store::Store(std::unique_ptr<Contents> contents) : contents_{std::move(contents)} {}
+Store::Store(Store&&) noexcept = default;
+Store& Store::operator=(Store&&) noexcept = default;
+Store::~Store() = default;
+
+Store Store::open(const std::string& path) {
+  if (path.empty()) throw InputError("a results store needs a file name");
+  refuse_folder(path);
+  auto lock = std::make_unique<LockFile>(path);
+  auto contents = std::make_unique<Contents>(path, Database::Access::create, std::move(lock), true);
+  contents->begin_or_check(true);
+  return Store{std::move(contents)};
+}
+
+Store Store::open_existing(const std::string& path) {
+  refuse_folder(path);
+  if (!std::filesystem::exists(path)) throw InputError(path + ": no such results store");
+  auto contents = std::make_unique<Contents>(path, Database::Access::existing, nullptr, false);
+  contents->begin_or_check(false);
+  return Store{std::move(contents)};
+}
+
+Store Store::in_memory() {
+  auto contents = std::make_unique<Contents>("", Database::Access::create, nullptr, true);
+  contents->begin_or_check(true);
+  return Store{std::move(contents)};
+}
+
+Store::Status Store::status(std::string_view key) const {
+  Statement& statement = contents_->sql->status;
+  if (!statement.bind(1, key).step()) return Status::missing;
+  const bool failed = statement.integer(0) != 0;
+  statement.reset();
+  return failed ? Status::failed : Status::done;
+}
+
+void Store::put(std::span<const RunRecord> records) {
+  if (!contents_->writable) throw std::logic_error("put() into a store opened for reading");
+  for (const RunRecord& record : records) check(record);
+  Transaction transaction{contents_->database, Transaction::Kind::write};
+  try {
+    for (const RunRecord& record : records) contents_->put(record);
+    transaction.commit();
+  } catch (...) {
+    contents_->sql->label_sets.forget();
+    contents_->sql->quantities.forget();
+    throw;
+  }
+}
+
+std::size_t Store::size() const {
+  return static_cast<std::size_t>(contents_->database.integer("SELECT count(*) FROM runs"));
+}
+
+std::vector<RunRecord> Store::all() const {
+  Database& database = contents_->database;
+  Transaction snapshot{database, Transaction::Kind::read};
+
+  std::map<std::int64_t, Labels> label_sets;
+  Statement select_labels{database, "SELECT id, labels FROM label_sets"};
+  while (select_labels.step()) {
+    label_sets[select_labels.integer(0)] = labels_of(select_labels.text(1), database);
+  }
+  std::map<std::int64_t, std::string> quantities;
+  Statement select_quantities{database, "SELECT id, name FROM quantities"};
+  while (select_quantities.step()) quantities[select_quantities.integer(0)] = select_quantities.text(1);
+
+  // both tables by run, side by side
+  std::vector<RunRecord> records;
+  records.reserve(size());
+  Statement runs{database, "SELECT id, key, labels, seed, failure, wall_s FROM runs ORDER BY id"};
+  Statement measures{database, "SELECT run, quantity, vehicle, value FROM measures ORDER BY run, place"};
+  bool more = measures.step();
+  while (runs.step()) {
+    const std::int64_t id = runs.integer(0);
+    const auto seed = static_cast<std::uint64_t>(runs.integer(3));
+    RunRecord& record = records.emplace_back(RunRecord{
+        .spec = {.key = runs.text(1), .labels = label_sets[runs.integer(2)], .seed = seed},
+        .measures = {}, .wall_s = runs.real(5), .failure = runs.text(4)});
+    while (more && measures.integer(0) == id) {
+      record.measures.push_back({.quantity = quantities[measures.integer(1)],
+                                 .vehicle = static_cast<int>(measures.integer(2)), .value = measures.real(3)});
+      more = measures.step();
+    }
+  }
+  if (more) database.refuse("is a damaged store (measures of no run); restore a copy, or delete it and run again");
+  snapshot.commit();
+
+  std::sort(records.begin(), records.end(), [](const RunRecord& a, const RunRecord& b) {
+    if (const auto labels = label_order(a.spec.labels, b.spec.labels); labels != 0) return labels < 0;
+    return std::tie(a.spec.seed, a.spec.key) < std::tie(b.spec.seed, b.spec.key);
+  });
+  return records;
+}
+
+void Store::export_csv(std::ostream& out) const { write_csv(out, all()); }
+
+}  // namespace fairway

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/experiment/store.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <stdexcept>
+
+#include "fairway/core/error.hpp"
+#include "fairway/experiment/labels.hpp"
+#include "fairway/experiment/testing/sample_runs.hpp"
+
+namespace fairway {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+RunRecord record(const std::string& key, const Labels& labels, std::uint64_t seed, std::vector<Measure> measures) {
+  return {.spec = {key, labels, seed}, .measures = std::move(measures), .wall_s = 1.5, .failure = {}};
+}
+
+void put(Store& store, const RunRecord& one) { store.put({&one, 1}); }
+
+TEST(StoreTest, GivesBackEverythingThatWasPut) {
+  const sample::Folder folder;
+  const auto records = sample::records(9);
+  {
+    Store store = Store::open(folder / "results.db");
+    store.put(records);
+  }
+  const Store store = Store::open_existing(folder / "results.db");
+  const auto all = store.all();
+  ASSERT_EQ(all.size(), records.size());
+  for (const RunRecord& back : all) {
+    const auto same = [&](const RunRecord& r) { return r.spec.key == back.spec.key; };
+    const RunRecord& given = *std::find_if(records.begin(), records.end(), same);
+    EXPECT_EQ(back.spec.labels, given.spec.labels);
+    EXPECT_EQ(back.spec.seed, given.spec.seed);
+    EXPECT_EQ(back.measures, given.measures);
+    EXPECT_EQ(back.wall_s, given.wall_s);
+    EXPECT_EQ(back.failure, "");
+  }
+}
+
+TEST(StoreTest, NumbersComeBackToTheBit) {
+  using Limit = std::numeric_limits<double>;
+  const std::vector<double> values{0.0, -0.0, 0.1, 1e15, -9007199254740993.0, 9.3e18, 1.0 / 3.0, Limit::denorm_min(),
+                                   Limit::max(), Limit::lowest(), Limit::infinity(), -Limit::infinity()};
+  RunRecord given = record("a", {}, std::numeric_limits<std::uint64_t>::max(), {});
+  for (std::size_t i = 0; i < values.size(); ++i) given.measures.push_back({"x_m", static_cast<int>(i), values[i]});
+  given.measures.push_back({"x_m", Measure::fleet, Limit::quiet_NaN()});
+
+  const sample::Folder folder;
+  {
+    Store store = Store::open(folder / "results.db");
+    put(store, given);
+  }
+  const auto all = Store::open_existing(folder / "results.db").all();
+  ASSERT_EQ(all.size(), 1U);
+  EXPECT_EQ(all[0].spec.seed, std::numeric_limits<std::uint64_t>::max());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(all[0].measures[i].value), std::bit_cast<std::uint64_t>(values[i])) << values[i];
+  }
+  EXPECT_TRUE(std::isnan(all[0].measures.back().value));
+}
+
+TEST(StoreTest, OrderIsByLabelsSeedAndKeyWhateverCameFirst) {
+  std::vector<RunRecord> records{record("e", {{"crit_dist_m", "10"}}, 1, {}), record("d", {{"crit_dist_m", "6"}}, 10, {}),
+                                 record("c", {{"crit_dist_m", "6"}}, 9, {}),  record("a", {{"crit_dist_m", "none"}}, 1, {}),
+                                 record("b", {{"crit_dist_m", "6"}}, 9, {}),  record("f", {{"crit_dist_m", "6.0"}}, 0, {})};
+  std::mt19937 shuffler{1};
+  for (int round = 0; round < 5; ++round) {
+    Store store = Store::in_memory();
+    store.put(records);
+    std::vector<std::string> keys;
+    for (const RunRecord& r : store.all()) keys.push_back(r.spec.key);
+    EXPECT_THAT(keys, ElementsAre("b", "c", "d", "f", "e", "a"));
+    std::shuffle(records.begin(), records.end(), shuffler);
+  }
+}
+
+TEST(StoreTest, ARunIsStoredOnceAndAFailureIsReplaced) {
+  Store store = Store::in_memory();
+  RunRecord run = record("a", {{"method", "apf"}}, 1, {});
+  run.failure = "out of battery";
+  put(store, run);
+  EXPECT_EQ(store.status("a"), Store::Status::failed);
+  EXPECT_EQ(store.all()[0].failure, "out of battery");
+
+  run.failure.clear();
+  run.measures = {{"makespan_s", Measure::fleet, 1.0}};
+  put(store, run);
+  EXPECT_EQ(store.status("a"), Store::Status::done);
+
+  run.measures[0].value = 2.0;
+  put(store, run);
+  ASSERT_EQ(store.size(), 1U);
+  EXPECT_EQ(store.all()[0].measures, (std::vector<Measure>{{"makespan_s", Measure::fleet, 1.0}}));
+  EXPECT_EQ(store.status("b"), Store::Status::missing);
+  EXPECT_TRUE(store.contains("a"));
+  EXPECT_FALSE(store.contains("b"));
+}
+
+TEST(StoreTest, RefusesRecordsThatMakeNoSenseAndStoresNoneOfTheBatch) {
+  Store store = Store::in_memory();
+  const auto refused = [&](const RunRecord& bad) {
+    const std::vector<RunRecord> batch{record("good", {}, 1, {}), bad};
+    EXPECT_THROW(store.put(batch), std::invalid_argument);
+    EXPECT_EQ(store.size(), 0U);
+  };
+  refused(record("", {}, 1, {}));
+  refused(record("a", {{"seed", "1"}}, 1, {}));
+  refused(record("a", {{"", "1"}}, 1, {}));
+  refused(record("a", {{"case", "1"}, {"case", "2"}}, 1, {}));
+  refused(record("a", {{"case", "\xff"}}, 1, {}));
+  refused(record("a", {}, 1, {{"x_m", 0, 1.0}, {"x_m", 0, 2.0}}));
+  // interned names of the failed batch are not taken for stored ones
+  store.put(sample::records(2));
+  EXPECT_EQ(store.all()[0].measures, sample::measures(0));
+}
+
+TEST(StoreTest, OpenedForReadingCannotBeWritten) {
+  const sample::Folder folder;
+  { Store::open(folder / "results.db"); }
+  Store store = Store::open_existing(folder / "results.db");
+  EXPECT_THROW(store.put(sample::records(1)), std::logic_error);
+}
+
+TEST(StoreTest, LeavesNothingBesideTheFileWhenItIsClosed) {
+  const sample::Folder folder;
+  {
+    Store store = Store::open(folder / "results.db");
+    store.put(sample::records(3));
+    EXPECT_TRUE(std::filesystem::exists(folder / "results.db.lock"));
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder / "results.db.lock"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "results.db-journal"));
+}
+
+TEST(StoreTest, HasOneWriterAndAnyNumberOfReaders) {
+  const sample::Folder folder;
+  Store writer = Store::open(folder / "results.db");
+  writer.put(sample::records(2));
+  try {
+    Store::open(folder / "./results.db");
+    FAIL() << "a second writer";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("results.db: another process is writing to it"));
+  }
+  const Store reader = Store::open_existing(folder / "results.db");
+  EXPECT_EQ(reader.size(), 2U);
+  writer.put(sample::records(6));
+  EXPECT_EQ(reader.size(), 6U);
+  EXPECT_EQ(sample::csv_of(reader), sample::csv_of(writer));
+}
+
+TEST(StoreTest, AMeasureTakesLessThanThirtyBytes) {
+  const sample::Folder folder;
+  {
+    Store store = Store::open(folder / "results.db");
+    std::vector<RunRecord> records = sample::records(1000);
+    for (RunRecord& r : records) {
+      for (int vehicle = 2; vehicle < 40; ++vehicle) r.measures.push_back({"navigation_time_s", vehicle, 0.1 * vehicle});
+    }
+    store.put(records);
+  }
+  EXPECT_LT(std::filesystem::file_size(folder / "results.db"), 1000U * 41U * 30U);
+}
+
+TEST(CsvTest, IsLongWithOneColumnForEachLabel) {
+  Store store = Store::in_memory();
+  put(store, record("b", {{"case", "cube, \"small\""}, {"method", "apf"}}, 2, {{"makespan_s", Measure::fleet, 0.1}, {"nearest_m", 3, 1e300}}));
+  put(store, record("a", {{"case", "pair"}}, 1, {{"min_separation_m", Measure::fleet, std::numeric_limits<double>::infinity()}}));
+  RunRecord failed = record("c", {{"case", "pair"}, {"method", "orca3d"}}, 3, {});
+  failed.failure = "no thrust";
+  put(store, failed);
+  EXPECT_EQ(sample::csv_of(store),
+            "case,method,seed,vehicle,quantity,value\n"
+            "\"cube, \"\"small\"\"\",apf,2,,makespan_s,0.1\n"
+            "\"cube, \"\"small\"\"\",apf,2,3,nearest_m,1e+300\n"
+            "pair,,1,,min_separation_m,inf\n"
+            "pair,orca3d,3,,failure_count,1\n");
+}
+
+TEST(CsvTest, OfAnEmptyStoreIsItsHeader) {
+  EXPECT_EQ(sample::csv_of(Store::in_memory()), "seed,vehicle,quantity,value\n");
+}
+
+TEST(LabelsTest, OrderIsTotalAndNatural) {
+  EXPECT_TRUE(natural_order("6", "10") < 0);
+  EXPECT_TRUE(natural_order("10", "apf") < 0);
+  EXPECT_TRUE(natural_order("-1", "1e-3") < 0);
+  EXPECT_TRUE(natural_order("6", "6.0") != 0);
+  EXPECT_TRUE(natural_order("nan", "6") > 0);
+  EXPECT_TRUE(natural_order("apf", "apf") == 0);
+}
+
+}  // namespace
+}  // namespace fairway

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "fairway/metrics/metric.hpp"
+
+namespace fairway {
+
+/// What raja2024 does not measure: pair events, separation, makespan, arrivals, energy, holding. Counted
+/// from the first tick in which anyone is under way; vehicles that are still deploying are left out.
+class FleetMetric final : public Metric {
+ public:
+  static const std::vector<QuantityInfo>& quantities();
+
+  explicit FleetMetric(double safety_distance_m) : safety_distance_{safety_distance_m} {}
+  void see(const Frame& frame) override;
+  void report(std::vector<Measure>& measures) const override;
+
+ private:
+  struct Own {
+    double energy{};
+    double hold_time{};
+    double nearest2{std::numeric_limits<double>::infinity()};
+    int infeasible{};
+    bool arrived{};
+  };
+
+  void see_vehicle(const Frame& frame, std::size_t index);
+  void see_pairs(const Frame& frame);
+
+  double safety_distance_;
+  bool started_{false};
+  double start_time_{};
+  double last_arrival_{};
+  int pair_events_{};
+  std::vector<Own> own_;
+  std::vector<bool> touching_;  ///< by pair, row-major
+};
+
+}  // namespace fairway

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "fairway/metrics/measure.hpp"
+#include "fairway/record/frame.hpp"
+
+namespace fairway {
+
+/// What to print about a quantity.
+struct QuantityInfo {
+  std::string_view name;     ///< ends in its unit
+  bool per_vehicle{};        ///< else one for the fleet
+  std::string_view meaning;  ///< with its counting rule
+};
+
+/// A fold over the frames of a run, the same live and from a file, in memory that does not grow with
+/// the run. See each implementation for its quantities.
+class Metric {
+ public:
+  virtual ~Metric() = default;
+  virtual void see(const Frame& frame) = 0;
+  virtual void report(std::vector<Measure>& measures) const = 0;
+};
+
+}  // namespace fairway

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include "fairway/metrics/run_metrics.hpp"
+
+namespace fairway {
+namespace {
+
+/// Plays positions of vehicles on a line, one frame a second.
+class Script {
+ public:
+  explicit Script(EncounterRules rules = {6.0, 3.0}) : metrics_{rules} {}
+
+  /// Vehicle 0 at the origin, vehicle 1 at `x`.
+  Script& pair(double x, Phase first = Phase::under_way, Phase second = Phase::under_way) {
+    std::array<VehicleFrame, 2> vehicles{};
+    vehicles[0].id = VehicleId{0};
+    vehicles[1].id = VehicleId{1};
+    vehicles[0].phase = first;
+    vehicles[1].phase = second;
+    vehicles[1].state.p_n = {x, 0, 0};
+    vehicles[0].goal = {100, 0, 0};
+    vehicles[0].power = 10;
+    metrics_.write({tick_, seconds(tick_, 1.0), 1.0, vehicles});
+    tick_ = next(tick_);
+    return *this;
+  }
+
+  double value(const std::string& quantity, int vehicle = Measure::fleet) const {
+    for (const Measure& m : metrics_.measures()) {
+      if (m.quantity == quantity && m.vehicle == vehicle) return m.value;
+    }
+    ADD_FAILURE() << "no " << quantity;
+    return std::nan("");
+  }
+
+ private:
+  RunMetrics metrics_;
+  Tick tick_{0};
+};
+
+TEST(EncounterMetric, AnEncounterCountsOnceAsTheNeighbourLeavesForEachOfTheTwo) {
+  Script s;
+  s.pair(10).pair(5).pair(4).pair(5).pair(7);
+  EXPECT_EQ(s.value("avoided_count", 0), 1);
+  EXPECT_EQ(s.value("avoided_count", 1), 1);
+  EXPECT_EQ(s.value("collision_count", 0), 0);
+  EXPECT_EQ(s.value("avoidance_time_s", 0), 3);
+}
+
+TEST(EncounterMetric, TheWorstStateOfAnEncounterIsWhatCounts) {
+  Script s;
+  s.pair(10).pair(5).pair(2.9).pair(5).pair(7).pair(2).pair(7);
+  EXPECT_EQ(s.value("collision_count", 0), 2);
+  EXPECT_EQ(s.value("avoided_count", 0), 0);
+  EXPECT_EQ(s.value("pair_collision_count"), 2);
+}
+
+TEST(EncounterMetric, ALimitItselfCountsAsReached) {
+  Script s;
+  s.pair(6.0).pair(6.001).pair(3.0).pair(9);
+  EXPECT_EQ(s.value("avoided_count", 0), 1);
+  EXPECT_EQ(s.value("collision_count", 0), 1);
+}
+
+TEST(EncounterMetric, AnEncounterStillOpenOnArrivalCounts) {
+  Script s;
+  s.pair(10).pair(5).pair(5, Phase::arrived);
+  EXPECT_EQ(s.value("avoided_count", 0), 1);
+  EXPECT_EQ(s.value("navigation_time_s", 0), 2);
+  s.pair(2, Phase::arrived);  // after arrival nothing counts any more for the one that arrived
+  EXPECT_EQ(s.value("collision_count", 0), 0);
+}
+
+TEST(EncounterMetric, AStuckVehicleIsCountedUpToThenAndItsOpenEncountersAreNot) {
+  Script s;
+  s.pair(10).pair(5).pair(5, Phase::stuck).pair(9, Phase::stuck);
+  EXPECT_EQ(s.value("stuck_count", 0), 1);
+  EXPECT_EQ(s.value("navigation_time_s", 0), 2);
+  EXPECT_EQ(s.value("avoided_count", 0), 0);
+}
+
+TEST(EncounterMetric, DeploymentDoesNotCount) {
+  Script s;
+  s.pair(1, Phase::deploying, Phase::deploying).pair(1, Phase::waiting, Phase::deploying).pair(20).pair(20);
+  EXPECT_EQ(s.value("collision_count", 0), 0);
+  EXPECT_EQ(s.value("navigation_time_s", 0), 2);
+  EXPECT_EQ(s.value("min_separation_m"), 20);
+  EXPECT_EQ(s.value("start_distance_m", 0), 100);
+}
+
+TEST(EncounterMetric, DistanceIsThePathLength) {
+  Script s;
+  s.pair(20).pair(22).pair(21).pair(21);
+  EXPECT_NEAR(s.value("distance_m", 1), 3.0, 1e-12);
+}
+
+TEST(FleetMetric, EnergyIsPowerOverTimeUnderWay) {
+  Script s;
+  s.pair(20, Phase::waiting).pair(20).pair(20).pair(20, Phase::arrived);
+  EXPECT_NEAR(s.value("energy_j", 0), 20.0, 1e-12);
+}
+
+TEST(FleetMetric, MakespanEndsWithTheLastArrival) {
+  Script s;
+  s.pair(20).pair(20, Phase::arrived).pair(20, Phase::arrived).pair(20, Phase::arrived, Phase::arrived);
+  s.pair(20, Phase::arrived, Phase::arrived);
+  EXPECT_EQ(s.value("makespan_s"), 3);
+  EXPECT_EQ(s.value("arrived_ratio"), 1.0);
+}
+
+TEST(Metrics, EveryQuantityIsDescribedAndNothingElseIsReported) {
+  Script s;
+  s.pair(20);
+  RunMetrics metrics{{6, 3}};
+  std::array<VehicleFrame, 1> one{};
+  metrics.write({Tick{0}, 0.0, 1.0, one});
+  const auto quantities = all_quantities();
+  for (const Measure& m : metrics.measures()) {
+    const bool known = std::ranges::any_of(quantities, [&](const QuantityInfo& q) {
+      return q.name == m.quantity && q.per_vehicle == (m.vehicle != Measure::fleet);
+    });
+    EXPECT_TRUE(known) << m.quantity;
+  }
+}
+
+}  // namespace
+}  // namespace fairway

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "fairway/metrics/encounters.hpp"
+#include "fairway/metrics/fleet.hpp"
+
+namespace fairway {
+
+/// Every metric of a run, as one sink of frames.
+class RunMetrics final : public FrameSink {
+ public:
+  explicit RunMetrics(EncounterRules rules) : encounters_{rules}, fleet_{rules.safety_distance_m} {}
+
+  void write(const Frame& frame) override {
+    encounters_.see(frame);
+    fleet_.see(frame);
+  }
+
+  /// All quantities, in a fixed order. Infinite where nothing was seen (no pair: no separation).
+  std::vector<Measure> measures() const;
+
+ private:
+  EncounterMetric encounters_;
+  FleetMetric fleet_;
+};
+
+/// Every quantity that RunMetrics reports.
+std::vector<QuantityInfo> all_quantities();
+
+}  // namespace fairway

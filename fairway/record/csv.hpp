@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <iosfwd>
+
+#include "fairway/record/recording.hpp"
+
+namespace fairway {
+
+/// One row per vehicle and frame, frames in order and vehicles by index within one. Columns: tick, time_s,
+/// vehicle (its name), those of quantities() in that order, then actuator_0, actuator_1, ... in the order
+/// and units of the vehicle's model, as many as the vehicle with most of them has. Numbers read back to the
+/// same bits; an empty field means there is no such value. O(rows).
+void export_csv(const Recording& recording, std::ostream& out);
+
+}  // namespace fairway

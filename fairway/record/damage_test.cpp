@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstring>
+#include <functional>
+
+#include "fairway/core/error.hpp"
+#include "fairway/record/cdr.hpp"
+#include "fairway/record/mcap_reader.hpp"
+#include "fairway/record/mcap_writer.hpp"
+#include "fairway/record/messages.hpp"
+#include "fairway/record/schemas.hpp"
+#include "fairway/record/testing/sample_run.hpp"
+
+// Nothing but InputError may come of a file, whatever is in it.
+
+namespace fairway {
+namespace {
+
+using testing::bytes_in;
+using ::testing::HasSubstr;
+using testing::SampleRun;
+using ::testing::StartsWith;
+using testing::TemporaryFolder;
+
+Bytes sample() {
+  const TemporaryFolder folder;
+  SampleRun{2, 3}.record(folder.file("run.mcap"));
+  return bytes_in(folder.file("run.mcap"));
+}
+
+// what reading says, or "" if it accepts
+std::string refusal(ByteView bytes) {
+  try {
+    Recording::parse(bytes, "run.mcap");
+    return "";
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
+TEST(DamagedRecording, IsRefusedAtEveryLength) {
+  const Bytes whole = sample();
+  ASSERT_EQ(refusal(whole), "");
+  for (std::size_t size = 0; size < whole.size(); ++size) {
+    ASSERT_THAT(refusal(ByteView{whole}.first(size)), StartsWith("run.mcap: ")) << size;
+  }
+  EXPECT_EQ(refusal({}), "run.mcap: empty file; expected a recording (MCAP)");
+  EXPECT_EQ(refusal(ByteView{whole}.first(1000)),
+            "run.mcap: truncated recording: the footer is missing; 1000 bytes read");
+}
+
+TEST(DamagedRecording, IsRefusedWhereverABitIsFlipped) {
+  Bytes bytes = sample();
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    const std::byte kept = bytes[i];
+    bytes[i] ^= std::byte{1} << static_cast<int>(i % 8);
+    ASSERT_NE(refusal(bytes), "") << "byte " << i << " of " << bytes.size();
+    bytes[i] = kept;
+  }
+}
+
+// The same file with every checksum 0, which means that there is none: lengths are all that is left to
+// protect the reader.
+Bytes without_checksums(Bytes bytes) {
+  std::size_t at = mcap::magic.size();
+  while (at < bytes.size() - mcap::magic.size()) {
+    std::uint64_t length{};
+    std::memcpy(&length, bytes.data() + at + 1, sizeof(length));
+    std::byte* content = bytes.data() + at + mcap::prefix_size;
+    const auto opcode = static_cast<mcap::Opcode>(bytes[at]);
+    if (opcode == mcap::Opcode::chunk) std::memset(content + 24, 0, 4);
+    if (opcode == mcap::Opcode::attachment || opcode == mcap::Opcode::data_end ||
+        opcode == mcap::Opcode::footer) {
+      std::memset(content + length - 4, 0, 4);
+    }
+    at += mcap::prefix_size + length;
+  }
+  return bytes;
+}
+
+TEST(DamagedRecording, WithoutChecksumsIsReadOrRefused) {
+  const Bytes whole = without_checksums(sample());
+  ASSERT_EQ(refusal(whole), "");
+  Rng rng{1};
+  int refused = 0;
+  for (int round = 0; round < 20000; ++round) {
+    Bytes bytes = whole;
+    for (std::uint64_t n = rng.index(3) + 1; n > 0; --n) {
+      bytes[rng.index(bytes.size())] = static_cast<std::byte>(rng.index(256));
+    }
+    refused += refusal(bytes).empty() ? 0 : 1;
+  }
+  EXPECT_GT(refused, 2000);  // the rest hit text that means nothing to the reader
+}
+
+TEST(DamagedRecording, WithAHugeLengthTakesNoMemoryForIt) {
+  // greatest and middling lengths at every place; too much memory would be std::bad_alloc, no InputError
+  Bytes bytes = without_checksums(sample());
+  for (const std::size_t width : {4, 8}) {
+    for (std::size_t i = mcap::magic.size(); i + width < bytes.size(); ++i) {
+      std::array<std::byte, 8> kept{};
+      std::memcpy(kept.data(), bytes.data() + i, width);
+      std::memset(bytes.data() + i, 0x7F, width);
+      refusal(bytes);
+      std::memcpy(bytes.data() + i, kept.data(), width);
+    }
+  }
+}
+
+// Files whose checksums are right and whose content is not.
+struct Forgery {
+  std::string format = "1";
+  std::string vehicles = R"([{"id":1,"name":"a","model":"m","topic":"/a"}])";
+  std::string end_hash = "0";
+  std::string frame_count = "0";
+  bool scenario = true;
+  std::function<void(McapWriter&)> messages = [](McapWriter&) {};
+
+  std::string refusal_of() const {
+    const TemporaryFolder folder;
+    const std::string path = folder.file("run.mcap");
+    McapWriter mcap{path, "ros2", "someone else"};
+    const auto frame = mcap.add_schema(frame_schema().name, "ros2msg", frame_schema().text);
+    const auto odometry = mcap.add_schema(odometry_schema().name, "ros2msg", odometry_schema().text);
+    const auto status =
+        mcap.add_schema(vehicle_status_schema().name, "ros2msg", vehicle_status_schema().text);
+    mcap.add_channel(frame, "/fairway/frame", "cdr");
+    mcap.add_channel(odometry, "/a/odometry", "cdr");
+    mcap.add_channel(status, "/a/status", "cdr");
+    mcap.add_metadata("fairway", {{"format", format},
+                                  {"version", "9.9"},
+                                  {"scenario", "s"},
+                                  {"seed", "1"},
+                                  {"period_s", "0.1"},
+                                  {"stride", "1"},
+                                  {"vehicles", vehicles}});
+    if (scenario) mcap.attach("scenario.yaml", "application/yaml", "name: s\n");
+    messages(mcap);
+    mcap.add_metadata(
+        "fairway.end",
+        {{"frame_count", frame_count}, {"run_frame_count", frame_count}, {"run_hash", end_hash}});
+    mcap.finish();
+    return refusal(bytes_in(path));
+  }
+};
+
+void write_frame(McapWriter& mcap, std::int64_t tick) {
+  Bytes message;
+  encode_frame(message, Stamp{0}, {.tick = Tick{tick}, .time = 0.0, .period = 0.1, .hash = 1});
+  mcap.write(0, 0, message);
+}
+
+void write_odometry(McapWriter& mcap) {
+  Bytes message;
+  encode_odometry(message, Stamp{0}, "a", {});
+  mcap.write(1, 0, message);
+}
+
+void write_status(McapWriter& mcap, std::int64_t tick) {
+  Bytes message;
+  encode_status(message, Stamp{0}, Tick{tick}, {});
+  mcap.write(2, 0, message);
+}
+
+TEST(ForgedRecording, IsRefusedForWhatIsWrongInIt) {
+  EXPECT_EQ(Forgery{}.refusal_of(), "");
+  EXPECT_THAT((Forgery{.format = "2"}.refusal_of()),
+              HasSubstr("a recording of format 2, made by fairway 9.9; expected format 1 or older"));
+  EXPECT_THAT((Forgery{.format = "x"}.refusal_of()), HasSubstr("format is 'x'; expected a number"));
+  EXPECT_THAT((Forgery{.vehicles = "[{"}.refusal_of()), HasSubstr("list of vehicles"));
+  EXPECT_THAT((Forgery{.vehicles = R"([{"id":"a"}])"}.refusal_of()), HasSubstr("list of vehicles"));
+  EXPECT_THAT((Forgery{.vehicles = "7"}.refusal_of()), HasSubstr("list of vehicles"));
+  EXPECT_THAT((Forgery{.vehicles = R"([{"id":1,"name":"b","model":"m","topic":"/b"}])"}.refusal_of()),
+              HasSubstr("topic /b/odometry is missing"));
+  EXPECT_THAT((Forgery{.frame_count = "1"}.refusal_of()), HasSubstr("frames are missing"));
+  EXPECT_THAT((Forgery{.scenario = false}.refusal_of()), HasSubstr("the scenario is missing"));
+}
+
+TEST(ForgedRecording, IsRefusedForFramesThatAreNotWhole) {
+  const auto with = [](std::function<void(McapWriter&)> messages) {
+    return Forgery{.messages = std::move(messages)}.refusal_of();
+  };
+  EXPECT_THAT(with([](McapWriter& m) { write_odometry(m); }), HasSubstr("a vehicle before the first frame"));
+  EXPECT_THAT(with([](McapWriter& m) { write_frame(m, 4); }), HasSubstr("tick 4 has not all its vehicles"));
+  EXPECT_THAT(with([](McapWriter& m) { write_frame(m, 4), write_odometry(m), write_odometry(m); }),
+              HasSubstr("tick 4 has not all its vehicles"));
+  EXPECT_THAT(with([](McapWriter& m) { write_frame(m, 4), write_odometry(m), write_status(m, 5); }),
+              HasSubstr("tick 4 has not all its vehicles"));
+  EXPECT_THAT(with([](McapWriter& m) {
+                for (int i = 0; i < 2; ++i) write_frame(m, 4), write_odometry(m), write_status(m, 4);
+              }),
+              HasSubstr("ticks do not ascend"));
+  EXPECT_THAT(with([](McapWriter& m) { write_frame(m, 4), write_odometry(m), write_status(m, 4); }),
+              HasSubstr("the frame at tick 4 has not its recorded hash"));
+}
+
+TEST(ForgedRecording, WithRandomMessagesIsRefused) {
+  Rng rng{3};
+  for (int round = 0; round < 300; ++round) {
+    const std::string text = Forgery{.messages = [&](McapWriter& mcap) {
+                               write_frame(mcap, 1);
+                               write_odometry(mcap);
+                               Bytes message;
+                               encode_status(message, Stamp{0}, Tick{1}, {});
+                               message[4 + rng.index(message.size() - 4)] =
+                                   static_cast<std::byte>(rng.index(256));
+                               message.resize(message.size() - rng.index(2) * rng.index(message.size()));
+                               mcap.write(2, 0, message);
+                             }}.refusal_of();
+    EXPECT_THAT(text, StartsWith("run.mcap: damaged recording: "));
+  }
+}
+
+TEST(ForeignFile, IsRefusedWithWhatItIs) {
+  EXPECT_EQ(refusal(bytes_of("name: crossing\nvehicles: []\n")),
+            "run.mcap: not a recording: it does not begin as an MCAP file does");
+  EXPECT_THAT(refusal(bytes_of("\x89MCAP1\r\n some bytes that mean something later")),
+              HasSubstr("major version"));
+  const TemporaryFolder folder;
+  McapWriter mcap{folder.file("other.mcap"), "", "another tool"};
+  mcap.finish();
+  EXPECT_EQ(refusal(bytes_in(folder.file("other.mcap"))),
+            "run.mcap: not a recording of fairway: an MCAP file by 'another tool'");
+}
+
+TEST(MissingFile, IsNamed) {
+  const auto message = [](const std::string& file) -> std::string {
+    try {
+      Recording::read(file);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(message("no/such.mcap"),
+            "no/such.mcap: cannot be read: No such file or directory; expected a recording (MCAP)");
+  EXPECT_THAT(message("/"), HasSubstr("Is a directory"));
+}
+
+}  // namespace
+}  // namespace fairway

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/record/diff.hpp"
+
+#include <algorithm>
+
+#include "fairway/core/text.hpp"
+#include "fairway/record/quantities.hpp"
+
+namespace fairway {
+
+namespace {
+
+std::vector<std::string> compare_setup(const Recording& a, const Recording& b) {
+  std::vector<std::string> lines;
+  const auto compare = [&](const std::string& what, const std::string& in_a, const std::string& in_b) {
+    if (in_a != in_b) lines.push_back(what + ": " + in_a + " against " + in_b);
+  };
+  const RecordingInfo& x = a.info();
+  const RecordingInfo& y = b.info();
+  compare("version", x.version, y.version);
+  compare("scenario", x.scenario_name, y.scenario_name);
+  compare("seed", std::to_string(x.seed), std::to_string(y.seed));
+  compare("period_s", number_text(x.period), number_text(y.period));
+  compare("stride", std::to_string(a.stride()), std::to_string(b.stride()));
+  compare("vehicle_count", std::to_string(x.vehicles.size()), std::to_string(y.vehicles.size()));
+  for (std::size_t i = 0; i < std::min(x.vehicles.size(), y.vehicles.size()); ++i) {
+    const std::string vehicle = "vehicles[" + std::to_string(i) + "].";
+    compare(vehicle + "name", x.vehicles[i].name, y.vehicles[i].name);
+    compare(vehicle + "model", x.vehicles[i].model, y.vehicles[i].model);
+  }
+  if (x.scenario_yaml != y.scenario_yaml) lines.emplace_back("the resolved scenarios are not the same text");
+  return lines;
+}
+
+void compare_frames(const Frame& a, const Frame& b, const RecordingInfo& info, Difference& difference) {
+  for (std::size_t i = 0; i < std::min(a.vehicles.size(), b.vehicles.size()); ++i) {
+    const VehicleFrame& x = a.vehicles[i];
+    const VehicleFrame& y = b.vehicles[i];
+    const double distance = (x.state.p_n - y.state.p_n).norm();
+    if (distance > (difference.farthest ? difference.farthest->distance : 0.0)) {
+      difference.farthest = {distance, a.tick, a.time, info.vehicles[i].name};
+    }
+    if (difference.first) continue;
+    if (auto q = first_difference(x, y)) {
+      difference.first = {a.tick,          a.time,         info.vehicles[i].name, std::move(q->quantity),
+                          std::move(q->a), std::move(q->b)};
+    }
+  }
+}
+
+std::string at(Tick tick, double time) {
+  return "tick " + std::to_string(count(tick)) + " (" + number_text(time) + " s)";
+}
+
+}  // namespace
+
+Difference diff(const Recording& a, const Recording& b) {
+  Difference difference;
+  difference.setup = compare_setup(a, b);
+  difference.vehicles_a = a.info().vehicles.size();
+  difference.vehicles_b = b.info().vehicles.size();
+
+  // merge by tick
+  std::size_t i = 0, j = 0;
+  while (i < a.size() && j < b.size()) {
+    const Frame x = a.frame(i);
+    const Frame y = b.frame(j);
+    if (x.tick < y.tick) {
+      ++difference.only_in_a;
+      ++i;
+    } else if (y.tick < x.tick) {
+      ++difference.only_in_b;
+      ++j;
+    } else {
+      if (a.hashes()[i] != b.hashes()[j]) compare_frames(x, y, a.info(), difference);
+      ++difference.compared;
+      ++i;
+      ++j;
+    }
+  }
+  difference.only_in_a += a.size() - i;
+  difference.only_in_b += b.size() - j;
+  return difference;
+}
+
+std::string Difference::describe() const {
+  std::string text;
+  for (const std::string& line : setup) text += line + '\n';
+  if (first) {
+    text += "first difference at " + at(first->tick, first->time) + ": " + first->vehicle + " " +
+            first->quantity + ": " + first->a + " against " + first->b + '\n';
+  }
+  if (farthest) {
+    text += "farthest apart at " + at(farthest->tick, farthest->time) + ": " + farthest->vehicle + " by " +
+            number_text(farthest->distance) + " m\n";
+  }
+  const auto lone = [&](const char* which, std::size_t frames) {
+    if (frames > 0) text += std::string("only in the ") + which + ": " + std::to_string(frames) + " frames\n";
+  };
+  lone("first", only_in_a);
+  lone("second", only_in_b);
+  return text + std::to_string(compared) + " common frames" + (same() ? ", the same to the bit\n" : "\n");
+}
+
+}  // namespace fairway

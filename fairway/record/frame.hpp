@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+
+#include "fairway/avoidance/command.hpp"
+#include "fairway/core/ids.hpp"
+#include "fairway/core/leg.hpp"
+#include "fairway/core/state.hpp"
+#include "fairway/core/tick.hpp"
+
+namespace fairway {
+
+/// One vehicle in one frame: the truth, and what was asked of it.
+struct VehicleFrame {
+  VehicleId id{};
+  VehicleState state;
+  Command command;                    ///< decided at this instant, from this state
+  Phase phase{};
+  Vec3 goal = Vec3::Zero();           ///< of the present leg [m, NED]
+  double goal_speed{};                ///< along the leg [m/s]
+  std::span<const double> actuators;  ///< state, in the order of the model
+  double power{};                     ///< drawn by the actuators [W]
+};
+
+/// What was true at one instant and what was decided on it. Metrics and the viewer know nothing else.
+struct Frame {
+  Tick tick{};
+  double time{};    ///< [s]
+  double period{};  ///< to the next frame [s]
+  std::span<const VehicleFrame> vehicles;  ///< by index, as in the scenario
+};
+
+/// Takes the frames of a run, in order. May throw on I/O errors; the run then ends.
+class FrameSink {
+ public:
+  virtual ~FrameSink() = default;
+  virtual void write(const Frame& frame) = 0;
+};
+
+}  // namespace fairway

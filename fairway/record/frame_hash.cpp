@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/record/frame_hash.hpp"
+
+#include <bit>
+
+namespace fairway {
+
+namespace {
+
+class Hash {
+ public:
+  void add(std::uint64_t word) { value_ = mix_hash(value_, word); }
+  void add(std::span<const double> values) {
+    for (const double v : values) add(std::bit_cast<std::uint64_t>(v));
+  }
+  void add(const Vec3& v) { add(std::span{v.data(), 3}); }
+
+  std::uint64_t value() const { return value_; }
+
+ private:
+  std::uint64_t value_{14695981039346656037ULL};
+};
+
+}  // namespace
+
+std::uint64_t frame_hash(const Frame& frame) noexcept {
+  Hash hash;
+  hash.add(static_cast<std::uint64_t>(count(frame.tick)));
+  hash.add(std::uint64_t{frame.vehicles.size()});
+  for (const VehicleFrame& v : frame.vehicles) {
+    // what is discrete, in one word
+    const Command& command = v.command;
+    hash.add(std::uint64_t{number(v.id)} | static_cast<std::uint64_t>(v.phase) << 32U |
+             static_cast<std::uint64_t>(command.mode) << 40U | std::uint64_t{command.astern} << 48U |
+             std::uint64_t{command.heading.has_value()} << 56U);
+
+    hash.add(v.state.p_n);
+    hash.add(std::span{v.state.q_nb.coeffs().data(), 4});
+    hash.add(v.state.v_b);
+    hash.add(v.state.omega_b);
+    hash.add(command.velocity);
+    hash.add(std::bit_cast<std::uint64_t>(command.heading.value_or(0.0)));
+    hash.add(v.goal);
+    hash.add(std::bit_cast<std::uint64_t>(v.goal_speed));
+    hash.add(std::bit_cast<std::uint64_t>(v.power));
+    hash.add(std::uint64_t{v.actuators.size()});
+    hash.add(v.actuators);
+  }
+  return hash.value();
+}
+
+}  // namespace fairway

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/record/hash_checker.hpp"
+
+#include <algorithm>
+
+#include "fairway/core/text.hpp"
+#include "fairway/record/frame_hash.hpp"
+#include "fairway/record/quantities.hpp"
+
+namespace fairway {
+
+namespace {
+
+std::string explain(const Recording& recording, const Frame& recorded, const Frame& now) {
+  if (recorded.vehicles.size() != now.vehicles.size()) {
+    return std::to_string(recorded.vehicles.size()) + " vehicles were recorded, now " +
+           std::to_string(now.vehicles.size());
+  }
+  for (std::size_t i = 0; i < now.vehicles.size(); ++i) {
+    if (const auto q = first_difference(recorded.vehicles[i], now.vehicles[i])) {
+      return recording.info().vehicles[i].name + " " + q->quantity + ": " + q->a + " was recorded, now " +
+             q->b;
+    }
+  }
+  return "the bits of a NaN";
+}
+
+}  // namespace
+
+void HashChecker::write(const Frame& frame) {
+  const std::uint64_t hash = frame_hash(frame);
+  run_hash_ = mix_hash(run_hash_, hash);
+  ++seen_;
+
+  // ticks that this run left out were not matched
+  while (next_ < recording_.size() && recording_.frame(next_).tick < frame.tick) ++next_;
+  if (next_ == recording_.size()) return;
+  const Frame recorded = recording_.frame(next_);
+  if (recorded.tick != frame.tick) return;
+  const std::uint64_t expected = recording_.hashes()[next_++];
+  if (expected == hash) {
+    ++matched_;
+  } else if (!mismatch_) {
+    mismatch_ = {frame.tick, frame.time, expected, hash, explain(recording_, recorded, frame)};
+  }
+}
+
+bool HashChecker::same() const {
+  return !mismatch_ && matched_ == recording_.size() && seen_ == recording_.run_frame_count() &&
+         run_hash_ == recording_.run_hash();
+}
+
+std::string HashChecker::describe() const {
+  const std::string frames = std::to_string(recording_.size());
+  if (same()) return "the same to the bit: " + frames + " of " + frames + " recorded frames";
+  if (mismatch_) {
+    return "differs from tick " + std::to_string(count(mismatch_->tick)) + " (" +
+           number_text(mismatch_->time) + " s): " + mismatch_->what;
+  }
+  if (seen_ != recording_.run_frame_count()) {
+    return "another length: " + std::to_string(recording_.run_frame_count()) + " frames were run, now " +
+           std::to_string(seen_);
+  }
+  return "differs between the recorded frames, of which " + std::to_string(matched_) + " of " + frames +
+         " match";
+}
+
+}  // namespace fairway

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string_view>
+
+namespace fairway::layout {
+
+// What writer and reader agree on; README.md explains it.
+inline constexpr int format = 1;  ///< grows when an older fairway could not read the file
+
+inline constexpr std::string_view frame_topic = "/fairway/frame";
+inline constexpr std::string_view transforms_topic = "/tf";
+inline constexpr std::string_view odometry_topic = "odometry";   ///< behind "/<vehicle>/"
+inline constexpr std::string_view status_topic = "status";       ///< likewise
+inline constexpr std::string_view body_frame = "base_link_fsd";  ///< behind "<vehicle>/"
+
+inline constexpr std::string_view run_metadata = "fairway";      ///< before the frames
+inline constexpr std::string_view end_metadata = "fairway.end";  ///< behind them
+inline constexpr std::string_view scenario_attachment = "scenario.yaml";
+
+}  // namespace fairway::layout

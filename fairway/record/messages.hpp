@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fairway/record/bytes.hpp"
+#include "fairway/record/frame.hpp"
+
+namespace fairway {
+
+/// The fixed frame of a recording: local north-east-down.
+inline constexpr std::string_view world_frame = "world_ned";
+
+/// Simulation time since the start [ns].
+struct Stamp {
+  std::uint64_t nanoseconds{};
+};
+
+/// The nearest nanosecond; throws InputError unless 0 <= `time` < 2^31 s, which is what ROS can hold.
+Stamp stamp_of(double time);
+
+/// The message fairway_msgs/msg/Frame without its header.
+struct FrameMark {
+  Tick tick{};
+  double time{};
+  double period{};
+  std::uint64_t hash{};
+};
+
+// CDR messages; `out` is emptied first. The schemas are in schemas.cpp.
+void encode_frame(Bytes& out, Stamp stamp, const FrameMark& mark);
+void encode_odometry(Bytes& out, Stamp stamp, std::string_view child_frame, const VehicleState& state);
+void encode_status(Bytes& out, Stamp stamp, Tick tick, const VehicleFrame& vehicle);
+/// `child_frames` by index, as `vehicles`.
+void encode_transforms(Bytes& out, Stamp stamp, std::span<const std::string> child_frames,
+                       std::span<const VehicleFrame> vehicles);
+
+// The way back, to the bit. Throw Malformed for anything that is not such a message.
+FrameMark decode_frame(ByteView message);
+VehicleState decode_odometry(ByteView message);
+/// Fills all of `vehicle` but its state and actuators; these are appended to `actuators`.
+Tick decode_status(ByteView message, VehicleFrame& vehicle, std::vector<double>& actuators);
+
+}  // namespace fairway

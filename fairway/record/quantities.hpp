@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "fairway/record/frame.hpp"
+
+namespace fairway {
+
+/// A named number or word of a vehicle in a frame: a column of the CSV export, a line of a difference.
+struct Quantity {
+  std::string_view name;                     ///< with its unit: "x_m", "mode"
+  std::string (*text)(const VehicleFrame&);  ///< to full precision; empty if there is none
+};
+
+/// Everything in a VehicleFrame but its actuators, whose number differs between vehicles.
+std::span<const Quantity> quantities();
+
+/// A quantity that is not the same to the bit, and its two values.
+struct QuantityDifference {
+  std::string quantity;
+  std::string a;
+  std::string b;
+};
+
+/// The first in which two vehicle frames differ, actuators last; none if they are the same to the bit.
+std::optional<QuantityDifference> first_difference(const VehicleFrame& a, const VehicleFrame& b);
+
+}  // namespace fairway

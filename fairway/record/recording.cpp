@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/record/recording.hpp"
+
+#include <charconv>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "fairway/core/error.hpp"
+#include "fairway/record/frame_hash.hpp"
+#include "fairway/record/layout.hpp"
+#include "fairway/record/mcap_reader.hpp"
+#include "fairway/record/messages.hpp"
+#include "fairway/record/schemas.hpp"
+
+namespace fairway {
+
+namespace {
+
+[[noreturn]] void damaged(const std::string& what) { throw Malformed{"damaged recording: " + what}; }
+
+const McapReader::Map& metadata(const McapReader& mcap, std::string_view name) {
+  const auto found = mcap.metadata().find(std::string(name));
+  if (found == mcap.metadata().end()) damaged("metadata '" + std::string(name) + "' is missing");
+  return found->second;
+}
+
+const std::string& entry(const McapReader::Map& map, const std::string& key) {
+  const auto found = map.find(key);
+  if (found == map.end()) damaged("metadata entry '" + key + "' is missing");
+  return found->second;
+}
+
+template <class T>
+T number_entry(const McapReader::Map& map, const std::string& key) {
+  const std::string& text = entry(map, key);
+  T value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size())
+    damaged(key + " is '" + text + "'; expected a number");
+  return value;
+}
+
+// A recording of ours, and not of a later format.
+const McapReader::Map& check_origin(const McapReader& mcap) {
+  if (!mcap.metadata().contains(std::string(layout::run_metadata))) {
+    throw Malformed{"not a recording of fairway: an MCAP file by '" + mcap.library() + "'"};
+  }
+  const auto& run = metadata(mcap, layout::run_metadata);
+  const int format = number_entry<int>(run, "format");
+  if (format > layout::format) {
+    throw Malformed{"a recording of format " + std::to_string(format) + ", made by fairway " +
+                    entry(run, "version") + "; expected format " + std::to_string(layout::format) +
+                    " or older: use a newer fairway"};
+  }
+  if (format < 1) damaged("format is " + std::to_string(format) + "; expected 1");
+  return run;
+}
+
+}  // namespace
+
+// Puts messages together to frames. A frame's mark comes first, then every vehicle's odometry and status.
+class Recording::Assembly {
+ public:
+  Assembly(Recording& recording, const McapReader& mcap) : recording_{recording}, mcap_{mcap} {}
+
+  // `topic` as in the metadata
+  void add_vehicle(const std::string& topic) {
+    const std::size_t index = recording_.info_.vehicles.size() - 1;
+    find_channel(topic + "/" + std::string(layout::odometry_topic), odometry_schema(),
+                 {Role::odometry, index});
+    find_channel(topic + "/" + std::string(layout::status_topic), vehicle_status_schema(),
+                 {Role::status, index});
+  }
+
+  void read_frames() {
+    find_channel(std::string(layout::frame_topic), frame_schema(), {Role::frame, 0});
+    mcap_.for_each_message([this](const McapReader::Message& message) { see(message); });
+    finish_frame();
+
+    // the buffer of actuators moves no more
+    std::size_t offset = 0;
+    for (std::size_t i = 0; i < counts_.size(); offset += counts_[i++]) {
+      recording_.vehicles_[i].actuators = std::span{recording_.actuators_}.subspan(offset, counts_[i]);
+    }
+    for (std::size_t i = 0; i < recording_.size(); ++i) {
+      if (frame_hash(recording_.frame(i)) == recording_.hashes_[i]) continue;
+      damaged("the frame at tick " + std::to_string(count(recording_.marks_[i].tick)) +
+              " has not its recorded hash");
+    }
+  }
+
+ private:
+  enum class Role { frame, odometry, status };
+  struct Target {
+    Role role{};
+    std::size_t vehicle{};
+  };
+
+  void find_channel(const std::string& topic, const MessageSchema& type, Target target) {
+    for (const auto& [id, channel] : mcap_.channels()) {
+      if (channel.topic != topic) continue;
+      const auto schema = mcap_.schemas().find(channel.schema);
+      if (channel.encoding != "cdr" || schema == mcap_.schemas().end() || schema->second.name != type.name ||
+          schema->second.text != type.text) {
+        damaged("topic " + topic + " is not the " + std::string(type.name) + " that this fairway knows");
+      }
+      if (!targets_.emplace(id, target).second) damaged("topic " + topic + " belongs to two vehicles");
+      return;
+    }
+    damaged("topic " + topic + " is missing");
+  }
+
+  void see(const McapReader::Message& message) {
+    const auto found = targets_.find(message.channel);
+    if (found == targets_.end()) return;
+    const auto [role, vehicle] = found->second;
+    if (role == Role::frame) {
+      finish_frame();
+      begin_frame(decode_frame(message.data));
+      return;
+    }
+
+    // each vehicle's messages once a frame, status in order, so that the actuators lie in order
+    if (recording_.marks_.empty()) damaged("a vehicle before the first frame");
+    VehicleFrame& v =
+        recording_.vehicles_[recording_.vehicles_.size() - recording_.info_.vehicles.size() + vehicle];
+    std::size_t& next = role == Role::odometry ? next_odometry_ : next_status_;
+    if (next++ != vehicle) incomplete();
+    if (role == Role::odometry) {
+      v.state = decode_odometry(message.data);
+    } else {
+      const std::size_t before = recording_.actuators_.size();
+      if (decode_status(message.data, v, recording_.actuators_) != recording_.marks_.back().tick)
+        incomplete();
+      counts_.push_back(recording_.actuators_.size() - before);
+    }
+  }
+
+  void begin_frame(const FrameMark& mark) {
+    auto& marks = recording_.marks_;
+    if (!marks.empty() && mark.tick <= marks.back().tick) damaged("ticks do not ascend");
+    marks.push_back({mark.tick, mark.time, mark.period});
+    recording_.hashes_.push_back(mark.hash);
+    recording_.vehicles_.resize(recording_.vehicles_.size() + recording_.info_.vehicles.size());
+    next_odometry_ = next_status_ = 0;
+  }
+
+  void finish_frame() const {
+    const std::size_t vehicles = recording_.info_.vehicles.size();
+    if (!recording_.marks_.empty() && (next_odometry_ != vehicles || next_status_ != vehicles)) incomplete();
+  }
+
+  [[noreturn]] void incomplete() const {
+    damaged("the frame at tick " + std::to_string(count(recording_.marks_.back().tick)) +
+            " has not all its vehicles");
+  }
+
+  Recording& recording_;
+  const McapReader& mcap_;
+  std::map<std::uint16_t, Target> targets_;
+  std::vector<std::size_t> counts_;  // of actuators, by vehicle and frame
+  std::size_t next_odometry_{};
+  std::size_t next_status_{};
+};
+
+Recording Recording::parse(ByteView bytes, const std::string& file) {
+  try {
+    const McapReader mcap{bytes};
+    const auto& run = check_origin(mcap);
+    Recording recording;
+    RecordingInfo& info = recording.info_;
+    info.version = entry(run, "version");
+    info.scenario_name = entry(run, "scenario");
+    info.seed = number_entry<std::uint64_t>(run, "seed");
+    info.period = number_entry<double>(run, "period_s");
+    recording.stride_ = number_entry<std::int64_t>(run, "stride");
+    const auto scenario = mcap.attachments().find(std::string(layout::scenario_attachment));
+    if (scenario == mcap.attachments().end()) damaged("the scenario is missing");
+    info.scenario_yaml = scenario->second;
+
+    Assembly assembly{recording, mcap};
+    for (const auto& v : nlohmann::json::parse(entry(run, "vehicles"))) {
+      info.vehicles.push_back({.id = VehicleId{v.at("id").get<std::uint32_t>()},
+                               .name = v.at("name").get<std::string>(),
+                               .model = v.at("model").get<std::string>()});
+      assembly.add_vehicle(v.at("topic").get<std::string>());
+    }
+    assembly.read_frames();
+
+    const auto& end = metadata(mcap, layout::end_metadata);
+    recording.run_hash_ = number_entry<std::uint64_t>(end, "run_hash");
+    recording.run_frame_count_ = number_entry<std::uint64_t>(end, "run_frame_count");
+    if (number_entry<std::uint64_t>(end, "frame_count") != recording.size()) damaged("frames are missing");
+    return recording;
+  } catch (const Malformed& error) {
+    throw InputError{{.file = file}, "", error.what()};
+  } catch (const nlohmann::json::exception& error) {
+    throw InputError{{.file = file}, "", std::string("damaged recording: list of vehicles: ") + error.what()};
+  }
+}
+
+Recording Recording::read(const std::string& file) {
+  const auto refuse = [&](const std::string& reason) {
+    throw InputError{{.file = file}, "", "cannot be read: " + reason + "; expected a recording (MCAP)"};
+  };
+  std::error_code error;
+  const auto size = std::filesystem::file_size(file, error);
+  if (error) refuse(error.message());
+  Bytes bytes(static_cast<std::size_t>(size));
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream{std::fopen(file.c_str(), "rb"), std::fclose};
+  if (!stream || std::fread(bytes.data(), 1, bytes.size(), stream.get()) != bytes.size()) {
+    refuse(std::generic_category().message(errno));
+  }
+  return parse(bytes, file);
+}
+
+Frame Recording::frame(std::size_t i) const {
+  const std::size_t n = info_.vehicles.size();
+  const Mark& mark = marks_[i];
+  return {.tick = mark.tick,
+          .time = mark.time,
+          .period = mark.period,
+          .vehicles = std::span{vehicles_}.subspan(i * n, n)};
+}
+
+void Recording::play(FrameSink& sink) const {
+  for (std::size_t i = 0; i < size(); ++i) sink.write(frame(i));
+}
+
+}  // namespace fairway

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "fairway/record/bytes.hpp"
+#include "fairway/record/frame.hpp"
+#include "fairway/record/recording_writer.hpp"
+
+namespace fairway {
+
+/// A recorded run, in memory, to the bit as it was written. Movable, not copyable: frames are views into it.
+class Recording {
+ public:
+  /// Throws InputError with the file's name and what was expected for a file that is missing, empty,
+  /// truncated, damaged, not a recording, or of a newer format than this program knows. Every checksum and
+  /// every frame's hash is verified. O(size).
+  static Recording read(const std::string& file);
+  /// The same from memory; `file` is used in messages.
+  static Recording parse(ByteView bytes, const std::string& file);
+
+  Recording(Recording&&) = default;
+  Recording& operator=(Recording&&) = default;
+
+  const RecordingInfo& info() const { return info_; }
+  /// Every how many frames of the run one was kept.
+  std::int64_t stride() const { return stride_; }
+
+  std::size_t size() const { return marks_.size(); }
+  /// Frame `i` < size(), ticks ascending. Valid while this lives. O(1).
+  Frame frame(std::size_t i) const;
+  /// frame_hash() of each frame.
+  std::span<const std::uint64_t> hashes() const { return hashes_; }
+  /// Of all frames of the run, kept or not: mix_hash() over their hashes, from 0.
+  std::uint64_t run_hash() const { return run_hash_; }
+  std::uint64_t run_frame_count() const { return run_frame_count_; }
+
+  /// Gives every frame to `sink`, in order.
+  void play(FrameSink& sink) const;
+
+ private:
+  class Assembly;
+  struct Mark {
+    Tick tick{};
+    double time{};
+    double period{};
+  };
+
+  Recording() = default;
+
+  RecordingInfo info_;
+  std::int64_t stride_{1};
+  std::uint64_t run_hash_{};
+  std::uint64_t run_frame_count_{};
+  std::vector<Mark> marks_;
+  std::vector<std::uint64_t> hashes_;
+  std::vector<VehicleFrame> vehicles_;  // frame after frame
+  std::vector<double> actuators_;       // of all of them; their spans point here
+};
+
+}  // namespace fairway

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/record/recording_writer.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "fairway/core/error.hpp"
+#include "fairway/core/text.hpp"
+#include "fairway/record/frame_hash.hpp"
+#include "fairway/record/layout.hpp"
+#include "fairway/record/mcap_writer.hpp"
+#include "fairway/record/messages.hpp"
+#include "fairway/record/schemas.hpp"
+
+namespace fairway {
+
+namespace {
+
+std::string part_of(const std::string& path) { return path + ".part"; }
+
+std::string vehicles_json(const std::vector<RecordingInfo::Vehicle>& vehicles,
+                          const std::vector<std::string>& topics) {
+  auto list = nlohmann::json::array();
+  for (std::size_t i = 0; i < vehicles.size(); ++i) {
+    const auto& v = vehicles[i];
+    list.push_back({{"id", number(v.id)}, {"name", v.name}, {"model", v.model}, {"topic", "/" + topics[i]}});
+  }
+  return list.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+std::uint16_t add_schema(McapWriter& mcap, const MessageSchema& schema) {
+  return mcap.add_schema(schema.name, "ros2msg", schema.text);
+}
+
+}  // namespace
+
+std::vector<std::string> topic_names(const std::vector<RecordingInfo::Vehicle>& vehicles) {
+  const auto plain = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+  };
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < vehicles.size(); ++i) {
+    std::string name = vehicles[i].name;
+    std::ranges::replace_if(name, std::not_fn(plain), '_');
+    const bool unusable = name.empty() || (name[0] >= '0' && name[0] <= '9');
+    if (unusable || std::ranges::find(names, name) != names.end()) name = "vehicle_" + std::to_string(i);
+    while (std::ranges::find(names, name) != names.end()) name += '_';
+    names.push_back(std::move(name));
+  }
+  return names;
+}
+
+RecordingWriter::RecordingWriter(std::string path, RecordingInfo info, std::int64_t stride)
+    : path_{std::move(path)}, info_{std::move(info)}, stride_{stride} {
+  if (stride_ < 1) throw InputError{{}, "stride", "is " + std::to_string(stride_) + "; expected 1 or more"};
+  try {
+    mcap_ = std::make_unique<McapWriter>(part_of(path_), "ros2", "fairway " + info_.version);
+    const std::uint16_t frame = add_schema(*mcap_, frame_schema());
+    const std::uint16_t odometry = add_schema(*mcap_, odometry_schema());
+    const std::uint16_t status = add_schema(*mcap_, vehicle_status_schema());
+    const std::uint16_t transforms = add_schema(*mcap_, transforms_schema());
+
+    const std::vector<std::string> topics = topic_names(info_.vehicles);
+    const auto add_channel = [this](std::uint16_t schema, std::string_view topic) {
+      // the profile "ros2" requires the key; empty means the usual quality of service
+      return mcap_->add_channel(schema, topic, "cdr", {{"offered_qos_profiles", ""}});
+    };
+    frame_channel_ = add_channel(frame, layout::frame_topic);
+    transforms_channel_ = add_channel(transforms, layout::transforms_topic);
+    for (const std::string& topic : topics) {
+      const std::string prefix = "/" + topic + "/";
+      channels_.push_back({add_channel(odometry, prefix + std::string(layout::odometry_topic)),
+                           add_channel(status, prefix + std::string(layout::status_topic))});
+      child_frames_.push_back(topic + "/" + std::string(layout::body_frame));
+    }
+
+    mcap_->add_metadata(layout::run_metadata, {{"format", std::to_string(layout::format)},
+                                               {"version", info_.version},
+                                               {"scenario", info_.scenario_name},
+                                               {"seed", std::to_string(info_.seed)},
+                                               {"period_s", number_text(info_.period)},
+                                               {"stride", std::to_string(stride_)},
+                                               {"vehicle_count", std::to_string(info_.vehicles.size())},
+                                               {"vehicles", vehicles_json(info_.vehicles, topics)}});
+    mcap_->attach(layout::scenario_attachment, "application/yaml", info_.scenario_yaml);
+  } catch (...) {
+    if (mcap_) std::remove(part_of(path_).c_str());
+    throw;
+  }
+}
+
+RecordingWriter::~RecordingWriter() {
+  if (!mcap_) return;
+  mcap_.reset();
+  std::remove(part_of(path_).c_str());
+}
+
+void RecordingWriter::write(const Frame& frame) {
+  if (!mcap_ || frame.vehicles.size() != channels_.size() || count(frame.tick) <= last_tick_) {
+    throw InputError{{.file = path_},
+                     "",
+                     "a frame that does not follow cannot be recorded: tick " +
+                         std::to_string(count(frame.tick)) + " with " +
+                         std::to_string(frame.vehicles.size()) + " vehicles after tick " +
+                         std::to_string(last_tick_) + " with " + std::to_string(channels_.size())};
+  }
+  const std::uint64_t hash = frame_hash(frame);
+  run_hash_ = mix_hash(run_hash_, hash);
+  last_tick_ = count(frame.tick);
+  if (frames_seen_++ % static_cast<std::uint64_t>(stride_) != 0) return;
+
+  // the frame, its vehicles, and their transforms for viewers
+  const Stamp stamp = stamp_of(frame.time);
+  const double period = frame.period * static_cast<double>(stride_);
+  encode_frame(message_, stamp, {.tick = frame.tick, .time = frame.time, .period = period, .hash = hash});
+  mcap_->write(frame_channel_, stamp.nanoseconds, message_);
+  for (std::size_t i = 0; i < frame.vehicles.size(); ++i) {
+    const VehicleFrame& vehicle = frame.vehicles[i];
+    encode_odometry(message_, stamp, child_frames_[i], vehicle.state);
+    mcap_->write(channels_[i].odometry, stamp.nanoseconds, message_);
+    encode_status(message_, stamp, frame.tick, vehicle);
+    mcap_->write(channels_[i].status, stamp.nanoseconds, message_);
+  }
+  encode_transforms(message_, stamp, child_frames_, frame.vehicles);
+  mcap_->write(transforms_channel_, stamp.nanoseconds, message_);
+  ++frames_kept_;
+}
+
+void RecordingWriter::close() {
+  if (!mcap_) return;
+  mcap_->add_metadata(layout::end_metadata, {{"frame_count", std::to_string(frames_kept_)},
+                                             {"run_frame_count", std::to_string(frames_seen_)},
+                                             {"run_hash", std::to_string(run_hash_)}});
+  mcap_->finish();
+  if (std::rename(part_of(path_).c_str(), path_.c_str()) != 0) {
+    throw InputError{{.file = path_}, "", std::string("cannot be written: ") + std::strerror(errno)};
+  }
+  mcap_.reset();
+}
+
+}  // namespace fairway

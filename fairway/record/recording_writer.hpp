@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "fairway/record/bytes.hpp"
+#include "fairway/record/frame.hpp"
+
+namespace fairway {
+
+class McapWriter;
+
+/// What a recording says of the run as a whole.
+struct RecordingInfo {
+  struct Vehicle {
+    VehicleId id{};
+    std::string name;
+    std::string model;  ///< of the vehicle catalog
+
+    friend bool operator==(const Vehicle&, const Vehicle&) = default;
+  };
+
+  std::string version;  ///< of fairway
+  std::string scenario_name;
+  std::string scenario_yaml;  ///< resolved: to_yaml(scenario), from which the run can be repeated
+  std::uint64_t seed{};
+  double period{};                ///< between the frames of the run [s]
+  std::vector<Vehicle> vehicles;  ///< by index, as in the frames
+};
+
+/// Records a run as an MCAP file with ROS 2 messages, stamped with simulation time; README.md has the
+/// format. The same frames give the same bytes. The file appears under its name when it is complete: until
+/// then it is `path`.part, which is removed if close() is never reached.
+class RecordingWriter : public FrameSink {
+ public:
+  /// Keeps the first frame and then every `stride`-th. Throws InputError if the file cannot be written or
+  /// `stride` is not positive.
+  RecordingWriter(std::string path, RecordingInfo info, std::int64_t stride = 1);
+  ~RecordingWriter() override;
+  RecordingWriter(const RecordingWriter&) = delete;
+  RecordingWriter& operator=(const RecordingWriter&) = delete;
+
+  /// O(vehicles); allocates only while its buffers grow. Throws InputError if the disk is full, if the frame
+  /// has not the vehicles of the info, or if its time is outside what a stamp holds.
+  void write(const Frame& frame) override;
+
+  /// Completes the file. Throws InputError if that fails; does nothing the second time.
+  void close();
+
+ private:
+  struct Channels {
+    std::uint16_t odometry{};
+    std::uint16_t status{};
+  };
+
+  std::string path_;
+  RecordingInfo info_;
+  std::int64_t stride_;
+  std::unique_ptr<McapWriter> mcap_;
+  std::uint16_t frame_channel_{};
+  std::uint16_t transforms_channel_{};
+  std::vector<Channels> channels_;         // by vehicle
+  std::vector<std::string> child_frames_;  // by vehicle
+  Bytes message_;
+  std::uint64_t frames_seen_{};
+  std::uint64_t frames_kept_{};
+  std::uint64_t run_hash_{};
+  std::int64_t last_tick_{-1};
+};
+
+/// The names under which vehicles appear in topics and frames: their own, every character but letters,
+/// digits and '_' replaced by '_'; "vehicle_<index>" where that is empty, begins with a digit or is taken.
+std::vector<std::string> topic_names(const std::vector<RecordingInfo::Vehicle>& vehicles);
+
+}  // namespace fairway

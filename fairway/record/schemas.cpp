@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/record/schemas.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <initializer_list>
+
+#include "fairway/avoidance/command.hpp"
+#include "fairway/core/leg.hpp"
+
+namespace fairway {
+
+namespace {
+
+struct Definition {
+  std::string_view name;
+  std::string_view fields;
+};
+
+constexpr Definition time{"builtin_interfaces/Time",
+                          "int32 sec\n"
+                          "uint32 nanosec\n"};
+constexpr Definition header{"std_msgs/Header",
+                            "builtin_interfaces/Time stamp\n"
+                            "string frame_id\n"};
+constexpr Definition point{"geometry_msgs/Point",
+                           "float64 x\n"
+                           "float64 y\n"
+                           "float64 z\n"};
+constexpr Definition vector3{"geometry_msgs/Vector3",
+                             "float64 x\n"
+                             "float64 y\n"
+                             "float64 z\n"};
+constexpr Definition quaternion{"geometry_msgs/Quaternion",
+                                "float64 x 0\n"
+                                "float64 y 0\n"
+                                "float64 z 0\n"
+                                "float64 w 1\n"};
+constexpr Definition pose{"geometry_msgs/Pose",
+                          "geometry_msgs/Point position\n"
+                          "geometry_msgs/Quaternion orientation\n"};
+constexpr Definition pose_with_covariance{"geometry_msgs/PoseWithCovariance",
+                                          "geometry_msgs/Pose pose\n"
+                                          "float64[36] covariance\n"};
+constexpr Definition twist{"geometry_msgs/Twist",
+                           "geometry_msgs/Vector3 linear\n"
+                           "geometry_msgs/Vector3 angular\n"};
+constexpr Definition twist_with_covariance{"geometry_msgs/TwistWithCovariance",
+                                           "geometry_msgs/Twist twist\n"
+                                           "float64[36] covariance\n"};
+constexpr Definition transform{"geometry_msgs/Transform",
+                               "geometry_msgs/Vector3 translation\n"
+                               "geometry_msgs/Quaternion rotation\n"};
+constexpr Definition transform_stamped{"geometry_msgs/TransformStamped",
+                                       "std_msgs/Header header\n"
+                                       "string child_frame_id\n"
+                                       "geometry_msgs/Transform transform\n"};
+
+// "uint8 MODE_CRUISE=0" for each enumerator
+template <class E>
+std::string constants(const std::string& prefix) {
+  std::string text;
+  int value = 0;
+  for (std::string name : EnumNames<E>::names) {
+    std::ranges::transform(name, name.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+    text += "uint8 " + prefix + name + "=" + std::to_string(value++) + "\n";
+  }
+  return text;
+}
+
+std::string with(std::string_view fields, std::initializer_list<Definition> used) {
+  std::string text{fields};
+  for (const auto& [name, definition] : used) {
+    text.append(80, '=').append("\nMSG: ");
+    text += name;
+    text += '\n';
+    text += definition;
+  }
+  return text;
+}
+
+}  // namespace
+
+MessageSchema odometry_schema() {
+  return {"nav_msgs/msg/Odometry", with("std_msgs/Header header\n"
+                                        "string child_frame_id\n"
+                                        "geometry_msgs/PoseWithCovariance pose\n"
+                                        "geometry_msgs/TwistWithCovariance twist\n",
+                                        {header, time, pose_with_covariance, pose, point, quaternion,
+                                         twist_with_covariance, twist, vector3})};
+}
+
+MessageSchema transforms_schema() {
+  return {"tf2_msgs/msg/TFMessage", with("geometry_msgs/TransformStamped[] transforms\n",
+                                         {transform_stamped, header, time, transform, vector3, quaternion})};
+}
+
+MessageSchema vehicle_status_schema() {
+  return {"fairway_msgs/msg/VehicleStatus",
+          with("# What was asked of a vehicle at one instant, and what its odometry does not say.\n"
+               "# Axes are north, east, down.\n" +
+                   constants<Phase>("PHASE_") + constants<Mode>("MODE_") +
+                   "std_msgs/Header header\n"
+                   "int64 tick\n"
+                   "uint32 id\n"
+                   "uint8 phase\n"
+                   "uint8 mode\n"
+                   "# may go stern first\n"
+                   "bool astern\n"
+                   "# command_heading_rad means something\n"
+                   "bool has_heading\n"
+                   "float64[3] command_velocity_mps\n"
+                   "float64 command_heading_rad\n"
+                   "# of the present leg\n"
+                   "float64[3] goal_m\n"
+                   "float64 goal_speed_mps\n"
+                   "# drawn by the actuators\n"
+                   "float64 power_w\n"
+                   "# in the order and units of the vehicle model\n"
+                   "float64[] actuators\n",
+               {header, time})};
+}
+
+MessageSchema frame_schema() {
+  return {"fairway_msgs/msg/Frame",
+          with("# One instant of a run. It comes before the odometry and status of its vehicles.\n"
+               "std_msgs/Header header\n"
+               "int64 tick\n"
+               "float64 time_s\n"
+               "# to the next recorded frame\n"
+               "float64 period_s\n"
+               "# of tick, states, commands, goals and actuators, to the bit\n"
+               "uint64 hash\n",
+               {header, time})};
+}
+
+}  // namespace fairway

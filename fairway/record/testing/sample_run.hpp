@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "fairway/core/rng.hpp"
+#include "fairway/record/recording.hpp"
+#include "fairway/record/recording_writer.hpp"
+
+namespace fairway::testing {
+
+/// A made-up run in which every quantity is used: random values, extremes, vehicle i with i actuators.
+class SampleRun {
+ public:
+  explicit SampleRun(std::size_t vehicle_count = 3, std::size_t frame_count = 5) {
+    for (std::size_t i = 0; i < vehicle_count; ++i) {
+      const auto id = static_cast<std::uint32_t>(i + 1);
+      info.vehicles.push_back({VehicleId{id}, "auv_" + std::to_string(id), i == 0 ? "otter" : "sparus2"});
+    }
+    Rng rng{42};
+    const auto draw = [&rng] { return Vec3{rng.normal(), rng.normal(), rng.normal()}; };
+    actuators.resize(frame_count * vehicle_count);
+    for (std::size_t k = 0; k < frame_count * vehicle_count; ++k) {
+      const std::size_t i = k % vehicle_count;
+      VehicleFrame v;
+      v.id = info.vehicles[i].id;
+      v.state.p_n = 100.0 * draw();
+      v.state.q_nb = quaternion_of({rng.normal(), rng.uniform(-1.5, 1.5), rng.normal()});
+      v.state.v_b = draw();
+      v.state.omega_b = draw();
+      v.command.velocity = draw();
+      v.command.mode = static_cast<Mode>(rng.index(EnumNames<Mode>::names.size()));
+      v.command.astern = rng.index(2) == 1;
+      if (rng.index(2) == 1) v.command.heading = rng.normal();
+      v.phase = static_cast<Phase>(rng.index(EnumNames<Phase>::names.size()));
+      v.goal = 100.0 * draw();
+      v.goal_speed = rng.uniform(0.0, 2.0);
+      v.power = rng.uniform(0.0, 500.0);
+      for (std::size_t a = 0; a < i; ++a) actuators[k].push_back(rng.normal());
+      vehicles.push_back(v);
+    }
+    for (std::size_t k = 0; k < vehicles.size(); ++k) vehicles[k].actuators = actuators[k];
+  }
+
+  SampleRun(const SampleRun&) = delete;
+  SampleRun& operator=(const SampleRun&) = delete;
+
+  std::size_t size() const { return info.vehicles.empty() ? 0 : vehicles.size() / info.vehicles.size(); }
+
+  VehicleFrame& at(std::size_t frame, std::size_t vehicle) {
+    return vehicles[frame * info.vehicles.size() + vehicle];
+  }
+
+  Frame frame(std::size_t i) const {
+    const Tick tick{static_cast<std::int64_t>(i)};
+    const std::size_t n = info.vehicles.size();
+    return {.tick = tick,
+            .time = seconds(tick, info.period),
+            .period = info.period,
+            .vehicles = std::span{vehicles}.subspan(i * n, n)};
+  }
+
+  void record(const std::string& path, std::int64_t stride = 1) const {
+    RecordingWriter writer{path, info, stride};
+    for (std::size_t i = 0; i < size(); ++i) writer.write(frame(i));
+    writer.close();
+  }
+
+  RecordingInfo info{.version = "1.2.3",
+                     .scenario_name = "crossing, \"two\"",
+                     .scenario_yaml = "name: crossing\nvehicles: []\n",
+                     .seed = std::numeric_limits<std::uint64_t>::max(),
+                     .period = 0.1,
+                     .vehicles = {}};
+  std::vector<VehicleFrame> vehicles;          // frame after frame
+  std::vector<std::vector<double>> actuators;  // likewise
+};
+
+/// A folder of its own, gone at the end of the test.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "fairway_record_XXXXXX").string();
+    if (mkdtemp(name.data()) != nullptr) path_ = name;
+  }
+  ~TemporaryFolder() { std::filesystem::remove_all(path_); }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  std::string file(const std::string& name) const { return (path_ / name).string(); }
+
+ private:
+  std::filesystem::path path_;
+};
+
+inline Bytes bytes_in(const std::string& file) {
+  std::ifstream stream{file, std::ios::binary};
+  const std::string text{std::istreambuf_iterator<char>{stream}, {}};
+  const ByteView view = bytes_of(text);
+  return {view.begin(), view.end()};
+}
+
+/// The recording of a run, as read back.
+inline Recording recorded(const SampleRun& run, std::int64_t stride = 1) {
+  const TemporaryFolder folder;
+  run.record(folder.file("run.mcap"), stride);
+  return Recording::read(folder.file("run.mcap"));
+}
+
+}  // namespace fairway::testing

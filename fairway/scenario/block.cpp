@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/scenario/block.hpp"
+
+#include <algorithm>
+
+#include "fairway/core/text.hpp"
+
+namespace fairway::yaml {
+namespace detail {
+namespace {
+
+std::string_view stem_of(std::string_view name) { return name.substr(0, name.rfind('_')); }
+
+std::string listed(const std::vector<std::string_view>& names) {
+  std::string list;
+  for (const std::string_view name : names) list += (list.empty() ? "" : ", ") + std::string(name);
+  return list;
+}
+
+}  // namespace
+
+void check_keys(const Value& value, const std::vector<std::string_view>& names,
+                const std::vector<std::string_view>& needed) {
+  value.expect_map(listed(names));
+  const std::vector<std::string>& keys = value.tree().keys;
+
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    if (std::ranges::find(names, keys[i]) == names.end()) {
+      value.refuse_key(i, "unknown key" + suggestion(std::string_view(keys[i]).substr(0, 64), names));
+    }
+    for (std::size_t j = 0; j < i; ++j) {
+      if (stem_of(keys[i]) == stem_of(keys[j]))
+        value.refuse_key(i, "given before as " + keys[j] + "; keep one");
+    }
+  }
+
+  if (value.reading().partial) return;
+  for (const std::string_view name : needed) {
+    if (std::ranges::find(keys, name) == keys.end())
+      value.refuse("the key " + std::string(name) + " is missing");
+  }
+}
+
+Tree object_schema(std::vector<std::pair<std::string, Tree>> properties,
+                   const std::vector<std::string_view>& needed) {
+  Tree schema =
+      Tree::map({{"type", Tree::quote("object")}, {"properties", Tree::map(std::move(properties))}});
+  if (!needed.empty()) {
+    Tree names = Tree::list();
+    for (const std::string_view name : needed) names.items.push_back(Tree::quote(name));
+    schema.set("required", std::move(names));
+  }
+  schema.set("additionalProperties", Tree::word("false"));
+  return schema;
+}
+
+Tree described(Tree schema, std::string_view meaning) {
+  Tree with = Tree::map({{"description", Tree::quote(meaning)}});
+  for (std::size_t i = 0; i < schema.keys.size(); ++i) with.set(schema.keys[i], std::move(schema.items[i]));
+  return with;
+}
+
+}  // namespace detail
+
+namespace {
+
+Tree type(std::string_view name) { return Tree::map({{"type", Tree::quote(name)}}); }
+
+Tree reference(std::string_view definition) {
+  return Tree::map({{"$ref", Tree::quote("#/$defs/" + std::string(definition))}});
+}
+
+std::optional<Tree> write_vector(const Vec3& v) {
+  return Tree::list({Tree::number(v.x()), Tree::number(v.y()), Tree::number(v.z())});
+}
+
+template <std::integral T>
+Form<T> whole() {
+  return {.read = [](const Value& value) { return value.whole<T>(); },
+          .write = [](const T& value) -> std::optional<Tree> { return Tree::word(std::to_string(value)); },
+          .schema = Tree::map({{"type", Tree::quote("integer")},
+                               {"minimum", Tree::word(std::to_string(std::numeric_limits<T>::min()))},
+                               {"maximum", Tree::word(std::to_string(std::numeric_limits<T>::max()))}})};
+}
+
+}  // namespace
+
+Tree number_schema(Bounds bounds) {
+  Tree plain = type("number");
+  plain.set(bounds.above ? "exclusiveMinimum" : "minimum", Tree::number(bounds.lo));
+  plain.set("maximum", Tree::number(bounds.hi));
+  return Tree::map({{"anyOf", Tree::list({std::move(plain), reference("distribution")})}});
+}
+
+Form<double> number(Bounds bounds) {
+  return {.read = [bounds](const Value& value) { return value.number(bounds); },
+          .write = [](const double& value) -> std::optional<Tree> { return Tree::number(value); },
+          .schema = number_schema(bounds)};
+}
+
+Form<double> number_unless(double none, Bounds bounds) {
+  Form<double> form = number(bounds);
+  form.write = [none](const double& value) -> std::optional<Tree> {
+    if (value == none) return {};
+    return Tree::number(value);
+  };
+  return form;
+}
+
+Form<Vec3> vector(Bounds each) {
+  return {.read = [each](const Value& value) { return value.vector(each); },
+          .write = write_vector,
+          .schema = Tree::map({{"type", Tree::quote("array")},
+                               {"items", number_schema(each)},
+                               {"minItems", Tree::word("3")},
+                               {"maxItems", Tree::word("3")}})};
+}
+
+Form<Vec3> vector_unless_zero(Bounds each) {
+  Form<Vec3> form = vector(each);
+  form.write = [](const Vec3& v) { return v.isZero(0.0) ? std::nullopt : write_vector(v); };
+  return form;
+}
+
+Form<bool> flag() {
+  return {
+      .read = [](const Value& value) { return value.flag(); },
+      .write = [](const bool& value) -> std::optional<Tree> { return Tree::word(value ? "true" : "false"); },
+      .schema = type("boolean")};
+}
+
+Form<std::string> text() {
+  return {.read = [](const Value& value) { return value.text(); },
+          .write = [](const std::string& value) -> std::optional<Tree> {
+            if (value.empty()) return {};
+            return Tree::quote(value);
+          },
+          .schema = type("string")};
+}
+
+Form<std::string> name() {
+  Form<std::string> form = text();
+  form.read = [](const Value& value) {
+    std::string name = value.text();
+    if (name.empty()) value.expected("a name");
+    return name;
+  };
+  form.schema.set("minLength", Tree::word("1"));
+  return form;
+}
+
+Form<std::uint64_t> seed() { return whole<std::uint64_t>(); }
+Form<std::uint32_t> identifier() { return whole<std::uint32_t>(); }
+Form<std::int32_t> integer() { return whole<std::int32_t>(); }
+
+Choice read_choice(const Value& value, std::string_view name_key, Needed needed,
+                   const std::vector<std::string_view>& except) {
+  Choice choice{.path = value.path(), .where = value.tree().where.location()};
+  if (value.tree().is_scalar()) {
+    choice.name = name().read(value);
+    return choice;
+  }
+  if (!value.tree().is_map())
+    value.expected("a name, or a mapping of " + std::string(name_key) + " and parameters");
+
+  for (std::size_t i = 0; i < value.tree().keys.size(); ++i) {
+    const std::string& key = value.tree().keys[i];
+    if (key == name_key) {
+      choice.name = name().read(value.entry(i));
+      choice.where = value.tree().items[i].where.location();
+    } else if (std::ranges::find(except, key) == except.end()) {
+      choice.params.emplace_back(key, value.entry(i).param());
+      choice.param_where.push_back(value.tree().where_of(i).location());
+    }
+  }
+  if (choice.name.empty() && needed == Needed::yes && !value.reading().partial) {
+    value.refuse("the key " + std::string(name_key) + " is missing");
+  }
+  return choice;
+}
+
+Tree write_choice(const Choice& choice, std::string_view name_key) {
+  if (choice.params.empty()) return Tree::quote(choice.name);
+  Tree map = Tree::map();
+  if (!choice.name.empty()) map.set(name_key, Tree::quote(choice.name));
+  for (const auto& [key, value] : choice.params) {
+    if (const double* real = std::get_if<double>(&value)) {
+      map.set(key, Tree::number(*real));
+    } else if (const bool* on = std::get_if<bool>(&value)) {
+      map.set(key, Tree::word(*on ? "true" : "false"));
+    } else {
+      map.set(key, Tree::quote(std::get<std::string>(value)));
+    }
+  }
+  return map;
+}
+
+Form<Choice> choice(std::string_view name_key, Needed needed) {
+  const std::string named{name_key};
+  Tree mapping = Tree::map({{"type", Tree::quote("object")},
+                            {"properties", Tree::map({{named, name().schema}})},
+                            {"additionalProperties", reference("parameter")}});
+  return {.read = [named, needed](const Value& value) { return read_choice(value, named, needed); },
+          .write = [named](const Choice& chosen) -> std::optional<Tree> {
+            if (chosen.name.empty() && chosen.params.empty()) return {};
+            return write_choice(chosen, named);
+          },
+          .schema = Tree::map({{"anyOf", Tree::list({name().schema, std::move(mapping)})}})};
+}
+
+}  // namespace fairway::yaml

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/scenario/load.hpp"
+
+#include <fstream>
+
+#include "fairway/scenario/overrides.hpp"
+#include "fairway/scenario/parts.hpp"
+
+namespace fairway {
+namespace {
+
+/// The seed decides what the distributions become, so it is read before anything else.
+std::uint64_t seed_of(const yaml::Tree& document, std::optional<std::uint64_t> given) {
+  if (given) return *given;
+  const yaml::Tree* written = document.is_map() ? document.find("seed") : nullptr;
+  if (written == nullptr) return Scenario{}.seed;
+  yaml::Reading reading{0};
+  return yaml::Value{*written, "seed", reading}.whole<std::uint64_t>();
+}
+
+}  // namespace
+
+Scenario parse_scenario(std::string_view text, const std::string& file, const Overrides& overrides,
+                        std::optional<std::uint64_t> seed) {
+  yaml::Tree document = yaml::parse_tree(text, file);
+  if (!document.is_map())
+    throw InputError({file}, "", "not a scenario: expected keys such as fairway, name and vehicles");
+  yaml::apply(document, overrides);
+
+  yaml::Reading reading{seed_of(document, seed)};
+  if (const yaml::Tree* missions = document.find("missions")) {
+    for (std::size_t i = 0; i < missions->keys.size(); ++i)
+      reading.missions.emplace(missions->keys[i], &missions->items[i]);
+  }
+
+  Scenario scenario;
+  yaml::read_block(yaml::Value{document, "", reading}, yaml::scenario_block(), scenario);
+  if (seed) scenario.seed = *seed;
+  yaml::check_vehicles({*document.find("vehicles"), "vehicles", reading}, scenario);
+  return scenario;
+}
+
+Scenario load_scenario(const std::string& file, const Overrides& overrides,
+                       std::optional<std::uint64_t> seed) {
+  std::ifstream stream{file, std::ios::binary};
+  std::string text(yaml::max_document_bytes + 1, '\0');
+  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  // a directory opens and does not read
+  if (!stream.eof() && !stream.good()) throw InputError({file}, "", "cannot be read");
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  return parse_scenario(text, file, overrides, seed);
+}
+
+std::string to_yaml(const Scenario& scenario) {
+  return yaml_text(yaml::write_block(yaml::scenario_block(), scenario).value_or(yaml::Tree::map()));
+}
+
+}  // namespace fairway

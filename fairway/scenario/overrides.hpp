@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "fairway/scenario/load.hpp"
+#include "fairway/scenario/tree.hpp"
+
+namespace fairway::yaml {
+
+/// The document with `--set` applied and with `defaults` copied to every vehicle that does not say.
+/// Overrides reach values that come from the defaults, as "vehicles[*].avoider.time_horizon_s" must;
+/// whether a key exists is for the reader to say. Throws InputError naming the override.
+void apply(Tree& document, const Overrides& overrides);
+
+}  // namespace fairway::yaml

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <yaml-cpp/eventhandler.h>
+#include <yaml-cpp/exceptions.h>
+#include <yaml-cpp/parser.h>
+
+#include <algorithm>
+#include <numeric>
+#include <sstream>
+#include <unordered_map>
+
+#include "fairway/scenario/tree.hpp"
+
+namespace fairway::yaml {
+namespace {
+
+/// Builds a tree from the parser's events. It keeps the way down to the open node on a stack of its
+/// own and refuses, while reading, whatever would grow beyond the bounds.
+class Builder : public YAML::EventHandler {
+ public:
+  Builder(std::shared_ptr<const std::string> source, bool located)
+      : source_{std::move(source)}, located_{located} {}
+
+  Tree& root() { return root_; }
+
+  void OnDocumentStart(const YAML::Mark&) override {}
+  void OnDocumentEnd() override {}
+
+  void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override { add({.where = at(mark)}, anchor); }
+
+  void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                const std::string& value) override {
+    const bool text = tag == "!" || tag == "tag:yaml.org,2002:str";
+    if (!text) refuse_tag(mark, tag);
+    add({.kind = Tree::Kind::scalar, .plain = !text, .text = value, .where = at(mark)}, anchor);
+  }
+
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+    const auto found = anchors_.find(anchor);
+    if (found == anchors_.end())
+      throw InputError(at(mark).location(), "", "an alias inside its own anchor has no end");
+    count(mark, found->second.size());
+    Tree copy = found->second;
+    add(std::move(copy), 0);
+  }
+
+  void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                       YAML::EmitterStyle::value) override {
+    open(mark, tag, anchor, Tree::Kind::list);
+  }
+  void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                  YAML::EmitterStyle::value) override {
+    open(mark, tag, anchor, Tree::Kind::map);
+  }
+  void OnSequenceEnd() override { close(); }
+  void OnMapEnd() override {
+    refuse_duplicates(open_.back().tree);
+    close();
+  }
+
+  Where at(const YAML::Mark& mark) const {
+    if (!located_ || mark.is_null()) return {.source = source_};
+    return {.source = source_, .line = mark.line + 1, .column = mark.column + 1};
+  }
+
+ private:
+  struct Open {
+    Tree tree;
+    YAML::anchor_t anchor{};
+  };
+
+  void open(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, Tree::Kind kind) {
+    if (tag != "!") refuse_tag(mark, tag);
+    if (expects_key())
+      throw InputError(at(mark).location(), "", "a key must be a word, not a list or mapping");
+    if (open_.size() >= max_tree_depth) {
+      throw InputError(at(mark).location(), "",
+                       "nested deeper than " + std::to_string(max_tree_depth) + " levels");
+    }
+    count(mark, 1);
+    open_.push_back({.tree = {.kind = kind, .where = at(mark)}, .anchor = anchor});
+  }
+
+  void close() {
+    Open done = std::move(open_.back());
+    open_.pop_back();
+    add(std::move(done.tree), done.anchor);
+  }
+
+  bool expects_key() const {
+    return !open_.empty() && open_.back().tree.is_map() &&
+           open_.back().tree.keys.size() == open_.back().tree.items.size();
+  }
+
+  void add(Tree tree, YAML::anchor_t anchor) {
+    if (expects_key()) {
+      if (!tree.is_scalar()) throw InputError(tree.where.location(), "", "a key must be a word");
+      if (tree.text.size() > max_key_bytes) {
+        throw InputError(
+            tree.where.location(), "",
+            shown(tree.text) + ": a key of more than " + std::to_string(max_key_bytes) + " bytes");
+      }
+      Tree& map = open_.back().tree;
+      map.keys.push_back(std::move(tree.text));
+      map.key_where.push_back(tree.where);
+      return;
+    }
+    if (anchor != 0) {
+      nodes_ += tree.size();
+      anchors_[anchor] = tree;
+    }
+    if (++nodes_ > max_tree_nodes) throw too_large(tree.where);
+    // where nothing is written, the key is what can be pointed at
+    if (tree.is_null() && !open_.empty() && open_.back().tree.is_map())
+      tree.where = open_.back().tree.key_where.back();
+    (open_.empty() ? root_ : open_.back().tree.items.emplace_back()) = std::move(tree);
+  }
+
+  void count(const YAML::Mark& mark, std::size_t nodes) {
+    nodes_ += nodes;
+    if (nodes_ > max_tree_nodes) throw too_large(at(mark));
+  }
+
+  static InputError too_large(const Where& where) {
+    return {where.location(), "",
+            "more than " + std::to_string(max_tree_nodes) + " values, aliases written out"};
+  }
+
+  void refuse_tag(const YAML::Mark& mark, const std::string& tag) const {
+    if (tag.empty() || tag == "?" || tag == "!") return;
+    throw InputError(at(mark).location(), "", "the tag " + shown(tag) + " means nothing here; leave it out");
+  }
+
+  static void refuse_duplicates(const Tree& map) {
+    std::vector<std::size_t> order(map.keys.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::sort(order, [&](std::size_t a, std::size_t b) {
+      return map.keys[a] != map.keys[b] ? map.keys[a] < map.keys[b] : a < b;
+    });
+    for (std::size_t i = 1; i < order.size(); ++i) {
+      const std::string& key = map.keys[order[i]];
+      if (key != map.keys[order[i - 1]]) continue;
+      const int before = map.where_of(order[i - 1]).line;
+      throw InputError(
+          map.where_of(order[i]).location(), "",
+          shown(key) + ": given twice" + (before > 0 ? ", before in line " + std::to_string(before) : ""));
+    }
+  }
+
+  std::shared_ptr<const std::string> source_;
+  bool located_;
+  Tree root_;
+  std::vector<Open> open_;
+  std::unordered_map<YAML::anchor_t, Tree> anchors_;
+  std::size_t nodes_{};
+};
+
+/// The scanner holds every token of an unclosed bracket in memory and the parser recurses, so brackets
+/// are counted before either sees them. Those in quotes and comments count too: nobody writes so many.
+void refuse_brackets(std::string_view yaml, const std::string& source) {
+  std::size_t depth = 0;
+  for (const char c : yaml) {
+    if (c == '[' || c == '{') {
+      if (++depth > 16 * max_tree_depth) throw InputError({source}, "", "brackets are opened and not closed");
+    } else if ((c == ']' || c == '}') && depth > 0) {
+      --depth;
+    }
+  }
+}
+
+}  // namespace
+
+Tree parse_tree(std::string_view yaml, const std::string& source, bool located) {
+  if (yaml.size() > max_document_bytes) {
+    throw InputError({source}, "",
+                     "longer than " + std::to_string(max_document_bytes) + " bytes; not a scenario");
+  }
+  if (yaml.find('\0') != std::string_view::npos)
+    throw InputError({source}, "", "holds a zero byte; not a text file");
+  refuse_brackets(yaml, source);
+
+  Builder builder{std::make_shared<const std::string>(source), located};
+  try {
+    std::istringstream stream{std::string(yaml)};
+    YAML::Parser parser{stream};
+    if (!parser.HandleNextDocument(builder)) return {.where = builder.at({})};
+
+    Tree root = std::move(builder.root());
+    Builder second{std::make_shared<const std::string>(source), located};
+    if (parser.HandleNextDocument(second))
+      throw InputError({source}, "", "more than one document; keep one per file");
+    return root;
+  } catch (const InputError&) {
+    throw;
+  } catch (const YAML::Exception& error) {
+    throw InputError(builder.at(error.mark).location(), "", error.msg);
+  } catch (const std::exception& error) {
+    throw InputError({source}, "", std::string("cannot be read as YAML: ") + error.what());
+  }
+}
+
+}  // namespace fairway::yaml

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/scenario/parts.hpp"
+
+#include <fmt/format.h>
+
+namespace fairway::yaml {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr std::string_view range_key = "range_m";
+
+Form<PerceptionSpec> perception() {
+  constexpr Bounds range = above_to(0.0, 1e7);
+  const Form<Choice> kind = choice("kind", Needed::yes);
+  Tree schema = kind.schema;
+  schema.find("anyOf")
+      ->items[1]
+      .find("properties")
+      ->set(range_key, detail::described(number_schema(range),
+                                         "Nobody farther away is perceived. Default: no such limit."));
+
+  return {.read =
+              [](const Value& value) {
+                PerceptionSpec spec{.kind = read_choice(value, "kind", Needed::no, {range_key})};
+                if (spec.kind.name.empty()) spec.kind.name = "perfect";
+                for (std::size_t i = 0; i < value.tree().keys.size(); ++i) {
+                  const std::string& key = value.tree().keys[i];
+                  if (key == range_key) spec.range_m = value.entry(i).number(range);
+                  const bool slip = key != range_key && (key == "range" || key.starts_with("range_"));
+                  if (slip) value.refuse_key(i, "unknown key; did you mean range_m?");
+                }
+                return spec;
+              },
+          .write = [](const PerceptionSpec& spec) -> std::optional<Tree> {
+            if (spec.range_m == infinity) return write_choice(spec.kind, "kind");
+            Tree tree =
+                Tree::map({{"kind", Tree::quote(spec.kind.name)}, {"range_m", Tree::number(spec.range_m)}});
+            if (spec.kind.params.empty()) return tree;
+            Tree params = write_choice(spec.kind, "kind");
+            for (std::size_t i = 0; i < params.keys.size(); ++i) tree.set(params.keys[i], params.items[i]);
+            return tree;
+          },
+          .schema = std::move(schema)};
+}
+
+Block<Exam> exam_block() {
+  return {key("crit_dist_m", &Exam::crit_dist_m, number(from_to(0.0, 1e6)),
+              "A neighbour this near is detected. Default 6."),
+          key("safety_distance_m", &Exam::safety_distance_m, number(from_to(0.0, 1e6)),
+              "Centres this near have collided. Default 3."),
+          key("time_coefficient_ratio", &Exam::time_coefficient_ratio, number(above_to(0.0, 1e6)),
+              "Stuck after this many times the time of the straight way. Default 10.")};
+}
+
+Block<Scenario> water_block() {
+  return {
+      key("density_kgpm3", &Scenario::water_density_kgpm3, number(above_to(0.0, 20000.0)), "Default 1000."),
+      key("current_mps", &Scenario::current_n, vector(from_to(-100.0, 100.0)),
+          "Uniform [n, e, d]. Default none.")};
+}
+
+/// The version of this format. It stands in the file and not in the Scenario.
+Key<Scenario> format_version() {
+  return {.name = "fairway",
+          .meaning = "The version of this format.",
+          .needed = Needed::yes,
+          .read =
+              [](const Value& value, Scenario&) {
+                if (!value.tree().is_scalar() || value.tree().text != "1")
+                  value.expected("the format's version, 1");
+              },
+          .write = [](const Scenario&) -> std::optional<Tree> { return Tree::word("1"); },
+          .schema = Tree::map({{"const", Tree::word("1")}})};
+}
+
+Key<Scenario> missions() {
+  return {.name = "missions",
+          .meaning = "Missions by name, to be shared with {run: name}.",
+          .read = [](const Value& value, Scenario&) { check_missions(value); },
+          .write = [](const Scenario&) -> std::optional<Tree> { return {}; },
+          .schema = missions_schema()};
+}
+
+/// Read as a vehicle of which nothing is missing, so that a slip is found even if every vehicle says
+/// better; what it says has by then been copied to the vehicles.
+Key<Scenario> defaults() {
+  return {.name = "defaults",
+          .meaning = "Any keys of a vehicle, for the vehicles that do not say.",
+          .read =
+              [](const Value& value, Scenario&) {
+                Reading partial = value.reading();
+                partial.partial = true;
+                vehicle().read(Value{value.tree(), value.path(), partial});
+              },
+          .write = [](const Scenario&) -> std::optional<Tree> { return {}; },
+          .schema = vehicle().schema};
+}
+
+Key<Scenario> vehicles() {
+  Key<Scenario> entry =
+      key("vehicles", &Scenario::vehicles, list_of(vehicle(), "vehicles"), "Who takes part.", Needed::yes);
+  entry.read = [form = vehicle()](const Value& value, Scenario& scenario) {
+    value.expect_list("vehicles");
+    const std::size_t count = value.tree().items.size();
+    if (count == 0 || count > max_vehicles) {
+      const std::string given = count == 0 ? "zero" : std::to_string(count);
+      value.refuse(fmt::format("{} vehicles; a scenario has 1 to {}", given, max_vehicles));
+    }
+    scenario.vehicles.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) scenario.vehicles.push_back(form.read(value.entry(i)));
+  };
+  entry.schema.set("minItems", Tree::word("1"));
+  entry.schema.set("maxItems", Tree::word(std::to_string(max_vehicles)));
+  return entry;
+}
+
+Expectation read_expectation(const Value& value, const std::string& metric) {
+  constexpr Bounds any = from_to(-1e300, 1e300);
+  Expectation expected{.metric = metric, .where = value.tree().where.location()};
+  if (value.tree().is_scalar()) {
+    expected.min = expected.max = value.number(any);
+    return expected;
+  }
+  if (!value.tree().is_map() || value.tree().items.empty()) value.expected("a number, or {min: …, max: …}");
+  detail::check_keys(value, {"min", "max"}, {});
+  for (std::size_t i = 0; i < value.tree().keys.size(); ++i) {
+    const Value bound = value.entry(i);
+    if (bound.tree().is_map()) bound.expected("a number");
+    (value.tree().keys[i] == "min" ? expected.min : expected.max) = bound.number(any);
+  }
+  if (expected.min > expected.max) value.refuse("min is above max");
+  return expected;
+}
+
+}  // namespace
+
+Form<std::vector<Expectation>> expectations() {
+  Tree number = Tree::map({{"type", Tree::quote("number")}});
+  Tree bounds = detail::object_schema({{"min", number}, {"max", number}}, {});
+  bounds.set("minProperties", Tree::word("1"));
+  return {.read =
+              [](const Value& value) {
+                value.expect_map("a number or {min: …, max: …} for each metric");
+                std::vector<Expectation> list;
+                for (std::size_t i = 0; i < value.tree().items.size(); ++i) {
+                  list.push_back(read_expectation(value.entry(i), value.tree().keys[i]));
+                }
+                return list;
+              },
+          .write = [](const std::vector<Expectation>& list) -> std::optional<Tree> {
+            Tree map = Tree::map();
+            for (const Expectation& e : list) {
+              if (e.min == e.max) {
+                map.set(e.metric, Tree::number(e.min));
+                continue;
+              }
+              Tree range = Tree::map();
+              if (e.min != -infinity) range.set("min", Tree::number(e.min));
+              if (e.max != infinity) range.set("max", Tree::number(e.max));
+              if (!range.items.empty()) map.set(e.metric, std::move(range));
+            }
+            if (map.items.empty()) return {};
+            return map;
+          },
+          .schema = Tree::map(
+              {{"type", Tree::quote("object")},
+               {"additionalProperties", Tree::map({{"anyOf", Tree::list({number, std::move(bounds)})}})}})};
+}
+
+const Block<Scenario>& scenario_block() {
+  static const Block<Scenario> block{
+      format_version(),
+      key("name", &Scenario::name, name(), "As in the file's name.", Needed::yes),
+      key("summary", &Scenario::summary, text(), "One line about it."),
+      key("step_s", &Scenario::step_s, number(above_to(0.0, 1.0)),
+          "The control period and integration step. Default 0.05."),
+      key("duration_s", &Scenario::duration_s, number(above_to(0.0, 1e7)),
+          "The run ends here at the latest. Default 600."),
+      key("seed", &Scenario::seed, seed(), "Of everything that is drawn. Default 1."),
+      group("water", water_block(), "The water."),
+      key("exam", &Scenario::exam, block_form(exam_block()), "How encounters are counted."),
+      key("perception", &Scenario::perception, perception(),
+          "What everyone knows of everyone. Default: perfect."),
+      key("coincident_start", &Scenario::coincident_start, flag(),
+          "Vehicles may start at one place. Default false."),
+      key("stop_when_done", &Scenario::stop_when_done, flag(),
+          "End when everyone has arrived or is stuck. Default true."),
+      key("obstacles", &Scenario::obstacles, list_of(obstacle(), "obstacles"),
+          "What is solid and does not move."),
+      missions(),
+      defaults(),
+      vehicles(),
+      key("expect", &Scenario::expect, expectations(), "Bounds that a run must keep, by metric."),
+  };
+  return block;
+}
+
+}  // namespace fairway::yaml

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fairway/core/error.hpp"
+#include "fairway/core/leg.hpp"
+#include "fairway/core/limits.hpp"
+#include "fairway/core/params.hpp"
+#include "fairway/core/shapes.hpp"
+#include "fairway/core/state.hpp"
+
+namespace fairway {
+
+/// Something chosen by name with parameters of its own: a vehicle model, an algorithm, a steering law.
+/// Its catalog checks the parameters; `where` lets the error point at the line.
+struct Choice {
+  std::string name;
+  ParamValues params;
+  std::string path;                  ///< "vehicles[1].avoider"
+  Location where;                    ///< of the name; of the file if built by a program
+  std::vector<Location> param_where; ///< of each parameter; may be empty
+};
+
+/// An obstacle that owns its vertices.
+struct ObstacleSpec {
+  Obstacle::Kind kind{};
+  Vec3 position = Vec3::Zero();
+  double radius{};
+  Vec3 from = Vec3::Zero();
+  Vec3 to = Vec3::Zero();
+  std::vector<Vec3> vertices;
+
+  /// Valid while this lives and its vertices stay.
+  Obstacle view() const { return {kind, position, radius, from, to, vertices}; }
+};
+
+/// One vehicle, with everything that is its own.
+struct VehicleSpec {
+  std::uint32_t id{};
+  std::string name;
+  Choice model;     ///< of the vehicle catalog
+  Choice avoider;   ///< of the avoidance catalog
+  Choice steering;  ///< how a velocity becomes a body request; name empty = the model's usual one
+  Vec3 position = Vec3::Zero();  ///< at the start [m, NED]
+  double yaw{};                  ///< at the start [rad]
+  double speed{};                ///< surge at the start [m/s]
+  double start_delay_s{};        ///< before the mission begins
+  double radius_m{1.0};          ///< of the sphere that others keep clear of
+  std::int32_t priority{};       ///< the smaller number has the right of way; the id unless given
+  Limits limits;
+  std::vector<Leg> mission;
+};
+
+/// How encounters are counted.
+struct Exam {
+  double crit_dist_m{6.0};        ///< a neighbour this near is detected
+  double safety_distance_m{3.0};  ///< centres this near have collided
+  double time_coefficient_ratio{10.0};  ///< stuck after this many times the straight-line time
+};
+
+/// What everyone knows of everyone.
+struct PerceptionSpec {
+  Choice kind{.name = "perfect"};
+  double range_m{std::numeric_limits<double>::infinity()};
+};
+
+/// A bound on a metric that a run must keep: `collision_count: 0`, `makespan_s: {max: 120}`.
+struct Expectation {
+  std::string metric;
+  double min{-std::numeric_limits<double>::infinity()};
+  double max{std::numeric_limits<double>::infinity()};
+  Location where;
+};
+
+/// One concrete case: plain data, no distributions left, nothing to look up in a file.
+struct Scenario {
+  std::string name;
+  std::string summary;
+  double step_s{0.05};      ///< the control period and the integration step
+  double duration_s{600.0}; ///< the run ends here at the latest
+  std::uint64_t seed{1};
+  double water_density_kgpm3{1000.0};
+  Vec3 current_n = Vec3::Zero();  ///< uniform [m/s, NED]
+  bool coincident_start{false};   ///< vehicles may start at one place, as in a deployment from one point
+  bool stop_when_done{true};      ///< end when everyone has arrived or is stuck
+  Exam exam;
+  PerceptionSpec perception;
+  std::vector<ObstacleSpec> obstacles;
+  std::vector<VehicleSpec> vehicles;
+  std::vector<Expectation> expect;
+};
+
+}  // namespace fairway

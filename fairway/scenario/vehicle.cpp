@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <array>
+#include <cmath>
+
+#include "fairway/core/angles.hpp"
+#include "fairway/scenario/parts.hpp"
+
+namespace fairway::yaml {
+namespace {
+
+/// The degrees that read back as exactly these radians, or nothing: about one angle in ten has none.
+std::optional<double> exact_degrees(double angle) {
+  const double near = degrees(angle);
+  const double above = std::nextafter(near, HUGE_VAL);
+  const double below = std::nextafter(near, -HUGE_VAL);
+  for (const double candidate : std::array{near, above, below}) {
+    if (radians(candidate) == angle && std::signbit(candidate) == std::signbit(angle)) return candidate;
+  }
+  return {};
+}
+
+/// One angle under two names: degrees for people, radians where degrees would lose the last bit.
+/// Infinity stands for "not given".
+template <class Owner>
+Block<Owner> angle(const std::string& stem, const std::string& in_degrees, const std::string& in_radians,
+                   double Owner::*member, Bounds bounds, const std::string& meaning) {
+  const Bounds bounds_rad = {radians(bounds.lo), radians(bounds.hi), bounds.above};
+  Key<Owner> degree = key(stem + in_degrees, member, number(bounds), meaning);
+  Key<Owner> radian = key(stem + in_radians, member, number(bounds_rad), meaning + " In radians.");
+  degree.read = [member, bounds](const Value& value, Owner& owner) {
+    owner.*member = radians(value.number(bounds));
+  };
+  degree.write = [member](const Owner& owner) -> std::optional<Tree> {
+    const std::optional<double> exact = exact_degrees(owner.*member);
+    if (!std::isfinite(owner.*member) || !exact) return {};
+    return Tree::number(*exact);
+  };
+  radian.write = [member](const Owner& owner) -> std::optional<Tree> {
+    if (!std::isfinite(owner.*member) || exact_degrees(owner.*member)) return {};
+    return Tree::number(owner.*member);
+  };
+  return {degree, radian};
+}
+
+template <class Owner>
+Block<Owner> joined(Block<Owner> first, const Block<Owner>& second) {
+  first.insert(first.end(), second.begin(), second.end());
+  return first;
+}
+
+Block<VehicleSpec> start_block() {
+  return joined<VehicleSpec>(
+      joined<VehicleSpec>({key("position_m", &VehicleSpec::position, vector(anywhere),
+                               "Where it is [n, e, d].", Needed::yes)},
+                          angle("yaw", "_deg", "_rad", &VehicleSpec::yaw, from_to(-360.0, 360.0),
+                                "Its heading, 0 north, 90 east. Default 0.")),
+      {key("speed_mps", &VehicleSpec::speed, number(from_to(-100.0, 100.0)), "Its speed ahead. Default 0."),
+       key("delay_s", &VehicleSpec::start_delay_s, number(from_to(0.0, 1e7)),
+           "Before its mission begins. Default 0.")});
+}
+
+Block<Limits> limits_block() {
+  constexpr double none = Limits::none;
+  return joined<Limits>(
+      joined<Limits>(
+          {key("max_speed_mps", &Limits::max_speed, number_unless(none, from_to(0.0, 100.0)), "Over ground."),
+           key("max_climb_rate_mps", &Limits::max_climb_rate, number_unless(none, from_to(0.0, 100.0)),
+               "Up or down; 0 for a surface vehicle."),
+           key("max_acceleration_mps2", &Limits::max_acceleration, number_unless(none, from_to(0.0, 1000.0)),
+               "For the methods that reason about reachable velocities.")},
+          angle("max_turn_rate", "_degps", "_radps", &Limits::max_turn_rate, from_to(0.0, 3600.0),
+                "For the methods that reason about reachable velocities.")),
+      {key("min_depth_m", &Limits::min_depth, number_unless(-none, from_to(-12000.0, 12000.0)),
+           "No command leads above it."),
+       key("max_depth_m", &Limits::max_depth, number_unless(none, from_to(-12000.0, 12000.0)),
+           "No command leads below it.")});
+}
+
+Form<Limits> limits() {
+  Form<Limits> form = block_form(limits_block());
+  form.read = [read = form.read](const Value& value) {
+    const Limits limits = read(value);
+    if (limits.min_depth > limits.max_depth)
+      value.refuse("min_depth_m is below max_depth_m; depth counts downwards");
+    return limits;
+  };
+  return form;
+}
+
+/// Without "required": what a vehicle leaves out may stand in `defaults`.
+Tree relaxed(const Tree& schema) {
+  Tree relaxed = Tree::map();
+  for (std::size_t i = 0; i < schema.keys.size(); ++i) {
+    if (schema.keys[i] != "required") relaxed.set(schema.keys[i], schema.items[i]);
+  }
+  return relaxed;
+}
+
+}  // namespace
+
+const Block<VehicleSpec>& vehicle_block() {
+  static const Block<VehicleSpec> block{
+      key("id", &VehicleSpec::id, identifier(),
+          "A number of its own. Default: its place in the list, from 0."),
+      key("name", &VehicleSpec::name, name(), "Default: robot and its id."),
+      key("model", &VehicleSpec::model, choice("name", Needed::yes), "How it moves; `fairway list vehicles`.",
+          Needed::yes),
+      key("avoider", &VehicleSpec::avoider, choice("algorithm", Needed::yes),
+          "How it avoids; `fairway list algorithms`. direct avoids nobody.", Needed::yes),
+      key("steering", &VehicleSpec::steering, choice("kind", Needed::no),
+          "How a velocity is steered. Default: the model's usual way."),
+      group("start", start_block(), "Where and how it begins.", Needed::yes),
+      key("radius_m", &VehicleSpec::radius_m, number(from_to(0.0, 1000.0)),
+          "Of the sphere that others keep clear of. Default 1."),
+      key("priority_count", &VehicleSpec::priority, integer(),
+          "The smaller number has the right of way. Default: its id."),
+      key("limits", &VehicleSpec::limits, limits(),
+          "What it may do. A limit that is not given does not bind."),
+      key("mission", &VehicleSpec::mission, mission(), "Its legs, in order. It then holds its position."),
+  };
+  return block;
+}
+
+Form<VehicleSpec> vehicle() {
+  Tree schema = relaxed(schema_of(vehicle_block()));
+  Tree& start = *schema.find("properties")->find("start");
+  start = relaxed(start);
+  return {.read =
+              [](const Value& value) {
+                VehicleSpec vehicle;
+                // the id first: the name and the priority follow it
+                const auto index = value.path().rfind('[');
+                if (index != std::string::npos)
+                  vehicle.id = static_cast<std::uint32_t>(std::stoul(value.path().substr(index + 1)));
+                for (std::size_t i = 0; i < value.tree().keys.size(); ++i) {
+                  if (value.tree().keys[i] == "id") vehicle.id = value.entry(i).whole<std::uint32_t>();
+                }
+                vehicle.name = "robot" + std::to_string(vehicle.id);
+                vehicle.priority = static_cast<std::int32_t>(vehicle.id);
+                vehicle.model.path = value.path() + ".model";
+                vehicle.avoider.path = value.path() + ".avoider";
+                vehicle.steering.path = value.path() + ".steering";
+                read_block(value, vehicle_block(), vehicle);
+                return vehicle;
+              },
+          .write = [](const VehicleSpec& vehicle) { return write_block(vehicle_block(), vehicle); },
+          .schema = std::move(schema)};
+}
+
+}  // namespace fairway::yaml

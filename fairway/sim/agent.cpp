@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/sim/agent.hpp"
+
+namespace fairway {
+namespace {
+
+/// The refusal of a catalog, told with the place where the choice was written.
+InputError located(const Choice& choice, const InputError& error) {
+  const std::string message = error.what();
+  for (std::size_t i = 0; i < choice.params.size(); ++i) {
+    const std::string& param = choice.params[i].first;
+    if (!message.starts_with(param + ":")) continue;
+    const Location& where = i < choice.param_where.size() ? choice.param_where[i] : choice.where;
+    return InputError(where, choice.path + "." + param, message.substr(param.size() + 2));
+  }
+  return InputError(choice.where, choice.path, message);
+}
+
+template <class Make>
+auto made(const Choice& choice, Make make) {
+  try {
+    return make();
+  } catch (const InputError& error) {
+    throw located(choice, error);
+  }
+}
+
+SteeringParams steering_of(const VehicleSpec& spec, const Vehicle& vehicle) {
+  SteeringParams params;
+  if (vehicle.propulsion() == nullptr) params.kind = SteeringKind::proportional;
+  return made(spec.steering, [&] {
+    if (!spec.steering.name.empty()) set_param(params, "kind", spec.steering.name);
+    for (const auto& [name, value] : spec.steering.params) set_param(params, name, value);
+    return params;
+  });
+}
+
+VehicleState start_of(const VehicleSpec& spec) {
+  VehicleState state;
+  state.p_n = spec.position;
+  state.q_nb = quaternion_of({.yaw = spec.yaw});
+  state.v_b.x() = spec.speed;
+  return state;
+}
+
+}  // namespace
+
+Agent make_agent(const VehicleSpec& spec, const Scenario& scenario, const Catalogs& catalogs, Rng rng) {
+  Vehicle vehicle = made(spec.model, [&] { return catalogs.vehicles.make(spec.model.name, spec.model.params); });
+  vehicle.set_state(start_of(spec));
+  Autopilot autopilot = made(spec.model, [&] { return Autopilot{vehicle}; });
+  const SteeringParams steering = steering_of(spec, vehicle);
+  ActuatorValues demand = vehicle.actuator_state();
+
+  Agent agent{.id = VehicleId{spec.id},
+              .name = spec.name,
+              .radius = spec.radius_m,
+              .start_delay = spec.start_delay_s,
+              .own_priority = spec.priority,
+              .limits = spec.limits,
+              .steering = steering,
+              .vehicle = std::move(vehicle),
+              .autopilot = std::move(autopilot),
+              .mission = Mission{spec.mission, scenario.exam.time_coefficient_ratio},
+              .avoider = made(spec.avoider,
+                              [&] { return catalogs.avoiders.make(spec.avoider.name, spec.avoider.params, rng); }),
+              .demand = std::move(demand)};
+  agent.tracks.reserve(scenario.vehicles.size());
+  return agent;
+}
+
+}  // namespace fairway

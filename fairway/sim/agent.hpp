@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "fairway/avoidance/avoider.hpp"
+#include "fairway/control/autopilot.hpp"
+#include "fairway/control/guidance.hpp"
+#include "fairway/control/mission.hpp"
+#include "fairway/control/steering.hpp"
+#include "fairway/scenario/scenario.hpp"
+#include "fairway/sim/catalogs.hpp"
+
+namespace fairway {
+
+/// One simulated vehicle with all that is on board. A value: a copy is a snapshot.
+struct Agent {
+  // constants
+  VehicleId id{};
+  std::string name;
+  double radius{};
+  double start_delay{};
+  std::int32_t own_priority{};
+  Limits limits;
+  SteeringParams steering;
+
+  // what moves and remembers
+  Vehicle vehicle;
+  Autopilot autopilot;
+  Mission mission;
+  Avoider avoider;
+
+  // this tick's values
+  Ownship own;
+  std::vector<Track> tracks;
+  Command command;
+  HoldPoint hold;
+  bool holding{false};
+  ActuatorValues demand;
+};
+
+/// An agent as its spec describes it, its avoider's randomness drawn from `rng`. Throws InputError,
+/// with the place in the file, where a catalog does not know a name or refuses a parameter.
+Agent make_agent(const VehicleSpec& spec, const Scenario& scenario, const Catalogs& catalogs, Rng rng);
+
+}  // namespace fairway

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/sim/simulation.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace fairway {
+namespace {
+
+void check_perception(const PerceptionSpec& spec) {
+  if (spec.kind.name != "perfect") {
+    throw InputError(spec.kind.where, spec.kind.path, "unknown perception \"" + spec.kind.name + "\"; known: perfect");
+  }
+  if (!spec.kind.params.empty()) {
+    throw InputError(spec.kind.where, spec.kind.path + "." + spec.kind.params.front().first,
+                     "perfect perception takes no parameter but range_m");
+  }
+}
+
+}  // namespace
+
+Simulation::Simulation(const Scenario& scenario, const Catalogs& catalogs)
+    : period_{scenario.step_s},
+      last_tick_{static_cast<std::int64_t>(std::floor(scenario.duration_s / scenario.step_s + 1e-9))},
+      stop_when_done_{scenario.stop_when_done},
+      range_{scenario.perception.range_m},
+      water_{scenario.current_n, scenario.water_density_kgpm3},
+      obstacle_specs_{scenario.obstacles},
+      perception_{scenario.vehicles.size()} {
+  check_perception(scenario.perception);
+  for (const ObstacleSpec& spec : obstacle_specs_) obstacles_.push_back(spec.view());
+
+  const Rng rng{scenario.seed};
+  for (const VehicleSpec& spec : scenario.vehicles) {
+    agents_.push_back(make_agent(spec, scenario, catalogs, rng.stream("avoider", spec.id)));
+  }
+  mailbox_.resize(agents_.size());
+  rendezvous_.resize(agents_.size());
+  frame_.resize(agents_.size());
+}
+
+void Simulation::step(std::span<FrameSink* const> sinks) {
+  deliver();
+  perceive();
+  decide();
+  control();
+  record(sinks);
+  move();
+  tick_ = next(tick_);
+}
+
+void Simulation::run(std::span<FrameSink* const> sinks) {
+  while (!is_done()) step(sinks);
+}
+
+bool Simulation::is_done() const {
+  if (count(tick_) > count(last_tick_)) return true;
+  const auto is_finished = [](const Agent& agent) {
+    return agent.mission.phase() == Phase::arrived || agent.mission.phase() == Phase::stuck;
+  };
+  return stop_when_done_ && std::ranges::all_of(agents_, is_finished);
+}
+
+void Simulation::deliver() {
+  for (std::size_t i = 0; i < agents_.size(); ++i) {
+    Agent& agent = agents_[i];
+    const VehicleState& x = agent.vehicle.state();
+    const bool arrived = agent.mission.phase() == Phase::arrived;
+
+    // who has arrived gives way to everyone
+    agent.own = {.id = agent.id,
+                 .position = x.p_n,
+                 .velocity = x.v_n(),
+                 .yaw = yaw_of(x.q_nb),
+                 .radius = agent.radius,
+                 .priority = arrived ? std::numeric_limits<std::int32_t>::max() : agent.own_priority};
+    const Leg* leg = agent.mission.leg();
+    const bool going = leg != nullptr && leg->kind != LegKind::rendezvous && leg->kind != LegKind::keep_position;
+    mailbox_[i] = {.from = agent.id,
+                   .sent = tick_,
+                   .position = agent.own.position,
+                   .velocity = agent.own.velocity,
+                   .yaw = agent.own.yaw,
+                   .radius = agent.radius,
+                   .priority = agent.own.priority,
+                   .destination = going ? std::optional{leg->position} : std::nullopt};
+    rendezvous_[i] = agent.mission.rendezvous_reached();
+  }
+}
+
+bool Simulation::everyone_ready(std::size_t index) const {
+  return std::ranges::all_of(rendezvous_, [&](int reached) { return reached >= rendezvous_[index]; });
+}
+
+void Simulation::perceive() {
+  for (std::size_t i = 0; i < agents_.size(); ++i) {
+    Agent& agent = agents_[i];
+    if (time() >= agent.start_delay) agent.mission.advance(agent.own, time(), everyone_ready(i));
+    if (is_avoiding(agent.mission.phase())) perception_.perceive(mailbox_, i, range_, agent.tracks);
+  }
+}
+
+Command Simulation::decide(Agent& agent) {
+  const Leg* leg = agent.mission.leg();
+  if (leg == nullptr || time() < agent.start_delay) return {.mode = Mode::hold};
+  switch (leg->kind) {
+    case LegKind::rendezvous:
+    case LegKind::keep_position:
+      return {.mode = Mode::hold};
+    case LegKind::go_to:
+      return go_to(*leg, agent.own, period_);
+    case LegKind::section:
+      return follow_section(*leg, agent.own);
+    case LegKind::transit:
+      break;
+  }
+  return agent.avoider.decide({.time = time(),
+                               .period = period_,
+                               .own = agent.own,
+                               .goal = {.position = leg->position, .cruise_speed = leg->speed_mps},
+                               .limits = agent.limits,
+                               .tracks = agent.tracks,
+                               .obstacles = obstacles_});
+}
+
+void Simulation::decide() {
+  for (Agent& agent : agents_) {
+    if (!timing_ || !is_avoiding(agent.mission.phase())) {
+      agent.command = decide(agent);
+      continue;
+    }
+    const auto begin = std::chrono::steady_clock::now();
+    agent.command = decide(agent);
+    const double took = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    times_ = {times_.count + 1, times_.total_s + took, std::fmax(times_.worst_s, took)};
+  }
+}
+
+void Simulation::control() {
+  for (Agent& agent : agents_) {
+    // a hold begins where the vehicle is when it is told to
+    const bool hold = agent.command.mode == Mode::hold;
+    if (hold && !agent.holding) agent.hold = {agent.own.position, agent.own.yaw};
+    agent.holding = hold;
+
+    const bool transit = is_avoiding(agent.mission.phase());
+    SteeringParams steering = agent.steering;
+    if (!transit) steering.kind = SteeringKind::proportional;
+    const BodyRequest request =
+        hold ? keep_position(agent.hold, agent.own) : steer(steering, agent.command, agent.own.yaw);
+
+    const VehicleState& x = agent.vehicle.state();
+    agent.demand = agent.autopilot.control(request, x.v_b, x.omega_b, period_);
+  }
+}
+
+void Simulation::record(std::span<FrameSink* const> sinks) {
+  if (sinks.empty()) return;
+  for (std::size_t i = 0; i < agents_.size(); ++i) {
+    const Agent& agent = agents_[i];
+    const Leg* leg = agent.mission.leg();
+    const ActuatorValues& actuators = agent.vehicle.actuator_state();
+    frame_[i] = {.id = agent.id,
+                 .state = agent.vehicle.state(),
+                 .command = agent.command,
+                 .phase = agent.mission.phase(),
+                 .goal = leg != nullptr ? leg->position : agent.own.position,
+                 .goal_speed = leg != nullptr ? leg->speed_mps : 0.0,
+                 .actuators = {actuators.data(), static_cast<std::size_t>(actuators.size())},
+                 .power = agent.vehicle.power()};
+  }
+  const Frame frame{tick_, time(), period_, frame_};
+  for (FrameSink* sink : sinks) sink->write(frame);
+}
+
+void Simulation::move() {
+  for (Agent& agent : agents_) agent.vehicle.step(agent.demand, water_, period_);
+}
+
+}  // namespace fairway

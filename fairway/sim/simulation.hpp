@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "fairway/comms/message.hpp"
+#include "fairway/perception/perfect.hpp"
+#include "fairway/record/frame.hpp"
+#include "fairway/scenario/scenario.hpp"
+#include "fairway/sim/agent.hpp"
+
+namespace fairway {
+
+/// How long deciding took on this machine: never among the results of a run.
+struct DecisionTimes {
+  std::int64_t count{};
+  double total_s{};
+  double worst_s{};
+};
+
+/// A run of one scenario. The same scenario gives the same bits, whatever else runs beside it.
+class Simulation {
+ public:
+  /// Throws InputError, with its place in the file, for what the catalogs do not accept.
+  Simulation(const Scenario& scenario, const Catalogs& catalogs);
+
+  /// One tick: everyone is told, sees, decides and steers on the same frozen instant, which `sinks`
+  /// then receive, and only then does anything move. Does not allocate after the first tick.
+  void step(std::span<FrameSink* const> sinks);
+
+  /// True when the time is up or nobody is left under way.
+  bool is_done() const;
+
+  /// Steps until done.
+  void run(std::span<FrameSink* const> sinks);
+
+  /// Measures decisions from now on; two clock readings a decision.
+  void time_decisions() { timing_ = true; }
+  const DecisionTimes& decision_times() const { return times_; }
+
+  Tick tick() const { return tick_; }
+  double time() const { return seconds(tick_, period_); }
+  std::span<const Agent> agents() const { return agents_; }
+
+ private:
+  void deliver();
+  void perceive();
+  void decide();
+  void control();
+  void record(std::span<FrameSink* const> sinks);
+  void move();
+
+  bool everyone_ready(std::size_t index) const;
+  Command decide(Agent& agent);
+
+  double period_;
+  Tick last_tick_;
+  bool stop_when_done_;
+  double range_;
+  Water water_;
+  std::vector<ObstacleSpec> obstacle_specs_;
+  std::vector<Obstacle> obstacles_;
+
+  Tick tick_{0};
+  std::vector<Agent> agents_;
+  Mailbox mailbox_;
+  std::vector<int> rendezvous_;
+  PerfectPerception perception_;
+  std::vector<VehicleFrame> frame_;
+  bool timing_{false};
+  DecisionTimes times_;
+};
+
+}  // namespace fairway

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/sim/simulation.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "fairway/core/testing/allocations.hpp"
+#include "fairway/metrics/run_metrics.hpp"
+
+namespace fairway {
+namespace {
+
+VehicleSpec vehicle(std::uint32_t id, const Vec3& from, const Vec3& to, const std::string& model, const std::string& algorithm) {
+  VehicleSpec spec{.id = id, .name = "v" + std::to_string(id), .model = {.name = model, .path = "model"},
+                   .avoider = {.name = algorithm, .path = "avoider"}, .position = from,
+                   .yaw = std::atan2(to.y() - from.y(), to.x() - from.x()), .radius_m = 1.5,
+                   .priority = static_cast<std::int32_t>(id)};
+  spec.limits.max_speed = 0.5;
+  spec.mission = {{.kind = LegKind::transit, .position = to, .speed_mps = 0.5, .arrival_m = 2.0}};
+  return spec;
+}
+
+/// Eight vehicles that swap places across a circle.
+Scenario swap(const std::string& model, const std::string& algorithm) {
+  Scenario scenario{.name = "swap", .duration_s = 400, .seed = 1};
+  for (std::uint32_t i = 0; i < 8; ++i) {
+    const double a = 2 * pi * i / 8 + 0.01 * i;
+    const Vec3 from{20 * std::cos(a), 20 * std::sin(a), 10};
+    scenario.vehicles.push_back(vehicle(i, from, {-from.x(), -from.y(), 10}, model, algorithm));
+  }
+  return scenario;
+}
+
+std::vector<Measure> measured(const Scenario& scenario) {
+  RunMetrics metrics{{scenario.exam.crit_dist_m, scenario.exam.safety_distance_m}};
+  const std::array<FrameSink*, 1> sinks{&metrics};
+  Simulation{scenario, builtin_catalogs()}.run(sinks);
+  return metrics.measures();
+}
+
+double value(const std::vector<Measure>& measures, const std::string& quantity, int vehicle = Measure::fleet) {
+  for (const Measure& m : measures) {
+    if (m.quantity == quantity && m.vehicle == vehicle) return m.value;
+  }
+  ADD_FAILURE() << quantity << " was not measured";
+  return std::nan("");
+}
+
+TEST(Simulation, AloneAVehicleArrivesInAboutTheStraightLineTime) {
+  Scenario scenario{.name = "alone", .duration_s = 200};
+  scenario.vehicles = {vehicle(0, {0, 0, 5}, {40, 0, 5}, "kinematic", "orca3d")};
+  const auto measures = measured(scenario);
+  EXPECT_EQ(value(measures, "arrived_ratio"), 1.0);
+  EXPECT_NEAR(value(measures, "navigation_time_s", 0), 76.0, 3.0);  // 38 m at 0.5 m/s
+}
+
+TEST(Simulation, TheSameScenarioGivesTheSameBits) {
+  for (const char* algorithm : {"apf", "orca3d", "orca3d+stop_and_wait"}) {
+    const Scenario scenario = swap("sparus2", algorithm);
+    EXPECT_EQ(measured(scenario), measured(scenario)) << algorithm;
+  }
+}
+
+TEST(Simulation, AStepDoesNotAllocate) {
+  for (const char* model : {"sparus2", "kinematic"}) {
+    for (const char* algorithm : {"direct", "apf", "orca3d", "apf+stop_and_wait", "orca3d+stop_and_wait"}) {
+      const Scenario scenario = swap(model, algorithm);
+      Simulation simulation{scenario, builtin_catalogs()};
+      RunMetrics metrics{{6, 3}};
+      const std::array<FrameSink*, 1> sinks{&metrics};
+      for (int i = 0; i < 10; ++i) simulation.step(sinks);
+      const long before = allocation_count();
+      for (int i = 0; i < 2000; ++i) simulation.step(sinks);
+      EXPECT_EQ(allocation_count(), before) << model << " under " << algorithm;
+    }
+  }
+}
+
+TEST(Simulation, EveryoneDecidesOnTheSameInstant) {
+  // two alike vehicles in a mirrored encounter stay mirrored: neither saw the other's move first
+  Scenario scenario{.name = "mirror", .duration_s = 60};
+  scenario.vehicles = {vehicle(0, {-10, 0, 5}, {10, 0.5, 5}, "kinematic", "orca3d"),
+                       vehicle(1, {10, 0, 5}, {-10, -0.5, 5}, "kinematic", "orca3d")};
+  Simulation simulation{scenario, builtin_catalogs()};
+  for (int i = 0; i < 600; ++i) {
+    simulation.step({});
+    const Vec3 a = simulation.agents()[0].vehicle.state().p_n, b = simulation.agents()[1].vehicle.state().p_n;
+    ASSERT_NEAR(a.x(), -b.x(), 1e-6) << i;
+    ASSERT_NEAR(a.y(), -b.y(), 1e-6) << i;
+  }
+}
+
+TEST(Simulation, AMissionWaitsAtItsRendezvousForTheSlowest) {
+  Scenario scenario{.name = "rendezvous", .duration_s = 300};
+  for (std::uint32_t i = 0; i < 2; ++i) {
+    VehicleSpec spec = vehicle(i, {0, 10.0 * i, 5}, {60, 10.0 * i, 5}, "kinematic", "direct");
+    const double there = i == 0 ? 5 : 30;
+    spec.mission.insert(spec.mission.begin(), {.kind = LegKind::go_to, .position = {there, 10.0 * i, 5}, .speed_mps = 0.5});
+    spec.mission.insert(spec.mission.begin() + 1, {.kind = LegKind::rendezvous});
+    scenario.vehicles.push_back(spec);
+  }
+  Simulation simulation{scenario, builtin_catalogs()};
+  std::array<double, 2> started{-1, -1};
+  while (!simulation.is_done()) {
+    simulation.step({});
+    for (std::size_t i = 0; i < 2; ++i) {
+      if (started[i] < 0 && simulation.agents()[i].mission.phase() == Phase::under_way) started[i] = simulation.time();
+    }
+  }
+  EXPECT_GT(started[0], 55.0);  // 29 m at 0.5 m/s
+  EXPECT_EQ(started[0], started[1]);
+}
+
+TEST(Simulation, AVehicleThatArrivedHoldsItsPlaceAndGivesWay) {
+  Scenario scenario{.name = "hold", .duration_s = 120, .stop_when_done = false};
+  scenario.vehicles = {vehicle(0, {0, 0, 5}, {6, 0, 5}, "sparus2", "direct")};
+  Simulation simulation{scenario, builtin_catalogs()};
+  simulation.run({});
+  const Agent& agent = simulation.agents()[0];
+  EXPECT_EQ(agent.mission.phase(), Phase::arrived);
+  EXPECT_EQ(agent.own.priority, std::numeric_limits<std::int32_t>::max());
+  EXPECT_LT((agent.vehicle.state().p_n - Vec3(4.0, 0, 5)).norm(), 1.5);  // it entered the 2 m at x = 4
+  EXPECT_LT(agent.vehicle.state().v_b.norm(), 0.02);
+}
+
+TEST(Simulation, AnUnknownNameIsRefusedWithItsPlaceAndTheNearest) {
+  Scenario scenario = swap("sparus2", "orca3d");
+  scenario.vehicles[1].avoider = {.name = "orca", .path = "vehicles[1].avoider", .where = {"x.yaml", 14, 5}};
+  try {
+    Simulation{scenario, builtin_catalogs()};
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "x.yaml:14:5: vehicles[1].avoider: unknown algorithm \"orca\"; did you mean orca3d?");
+  }
+  scenario.vehicles[1].avoider = {.name = "orca3d", .params = {{"time_horizon", 5.0}}, .path = "vehicles[1].avoider",
+                                  .where = {"x.yaml", 14, 5}, .param_where = {{"x.yaml", 15, 7}}};
+  try {
+    Simulation{scenario, builtin_catalogs()};
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), testing::StartsWith("x.yaml:15:7: vehicles[1].avoider.time_horizon: unknown parameter"));
+    EXPECT_THAT(error.what(), testing::HasSubstr("did you mean time_horizon_s?"));
+  }
+}
+
+TEST(Simulation, ACopyCarriesOnAlike) {
+  Simulation a{swap("sparus2", "apf+stop_and_wait"), builtin_catalogs()};
+  for (int i = 0; i < 500; ++i) a.step({});
+  Simulation b = a;
+  for (int i = 0; i < 500; ++i) {
+    a.step({});
+    b.step({});
+  }
+  for (std::size_t i = 0; i < 8; ++i) EXPECT_EQ(a.agents()[i].vehicle.state().p_n, b.agents()[i].vehicle.state().p_n);
+}
+
+}  // namespace
+}  // namespace fairway

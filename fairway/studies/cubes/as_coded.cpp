@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/studies/cubes/as_coded.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fairway/avoidance/orca3d/half_space.hpp"
+#include "fairway/avoidance/parting.hpp"
+
+namespace fairway::cubes {
+namespace {
+
+std::size_t slot(std::uint32_t id) { return id % (2 * max_team); }
+
+/// A velocity over ground in the axes of a level vehicle.
+Vec3 in_body_axes(const Vec3& v_n, double yaw) {
+  const double c = std::cos(yaw), s = std::sin(yaw);
+  return {c * v_n.x() + s * v_n.y(), c * v_n.y() - s * v_n.x(), v_n.z()};
+}
+
+}  // namespace
+
+std::span<const std::size_t> MessageOrder::of(std::span<const Track> tracks, Rng& rng) {
+  if (!drawn_) {
+    for (double& phase : phase_) phase = rng.uniform(0.0, 1.0);
+    drawn_ = true;
+  }
+  const std::size_t count = std::min(tracks.size(), order_.size());
+  for (std::size_t i = 0; i < count; ++i) order_[i] = i;
+  std::sort(order_.begin(), order_.begin() + static_cast<std::ptrdiff_t>(count), [&](std::size_t a, std::size_t b) {
+    return phase_[slot(number(tracks[a].id))] < phase_[slot(number(tracks[b].id))];
+  });
+  return {order_.data(), count};
+}
+
+Command ApfAsCoded::decide(const Situation& s, Memory& memory, Context&) const noexcept {
+  // each message adds its repulsion; the sum is zeroed only as the last neighbour leaves
+  for (const Track& track : s.tracks) {
+    const Vec3 away = s.own.position - track.position;
+    const double distance = away.norm();
+    bool& near = memory.near[slot(number(track.id))];
+    const bool was_near = near;
+    near = distance <= params.crit_dist_m;
+    if (near && distance > 0.0) {
+      memory.v_obs += (params.crit_dist_m - distance) / params.crit_dist_m * (away / distance);
+    } else if (was_near && std::ranges::none_of(memory.near, [](bool n) { return n; })) {
+      memory.v_obs.setZero();
+    }
+  }
+  const bool anyone_near = std::ranges::any_of(memory.near, [](bool n) { return n; });
+
+  const Vec3 v_f = params.w1_ratio * unit(s.goal.position - s.own.position) + params.w2_ratio * memory.v_obs;
+  const double speed = s.goal.cruise_speed;
+  const double horizontal = horizontal_norm(v_f);
+  const double surge = params.bang_bang ? speed : std::fmin(horizontal, speed);
+  Vec3 velocity = horizontal > 0.0 ? Vec3{surge / horizontal * v_f} : Vec3{Vec3::Zero()};
+  velocity.z() = params.bang_bang ? std::copysign(speed, v_f.z()) : std::clamp(v_f.z(), -speed, speed);
+  return {.velocity = velocity, .mode = anyone_near ? Mode::avoid : Mode::cruise, .astern = anyone_near};
+}
+
+void OrcaAsCoded::step_library(Memory& memory, const Situation& s) const noexcept {
+  const double range2 = params.crit_dist_m * params.crit_dist_m;
+  std::array<Vec3, 2 * max_team> chosen;
+  std::array<HalfSpace, 2 * max_team> half_spaces;
+
+  // everyone in the library chooses on the same instant
+  for (std::size_t i = 0; i < memory.agents.size(); ++i) {
+    const LibraryAgent& agent = memory.agents[i];
+    if (!agent.known) continue;
+    std::size_t count = 0;
+    for (std::size_t j = 0; j < memory.agents.size(); ++j) {
+      const LibraryAgent& other = memory.agents[j];
+      const Vec3 p = other.position - agent.position;
+      if (j == i || !other.known || p.squaredNorm() >= range2) continue;
+      const Vec3 parting = parting_direction(VehicleId{static_cast<std::uint32_t>(i)}, TrackId{static_cast<std::uint32_t>(j)});
+      const orca::Encounter encounter{p, agent.velocity - other.velocity, 2.0 * s.own.radius, parting};
+      const orca::Change change = orca::least_change(encounter, params.time_horizon_s, params.time_step_s);
+      half_spaces[count++] = orca::half_space(change, agent.velocity, 0.5);
+    }
+    chosen[i] = nearest_velocity({half_spaces.data(), count}, agent.preferred, s.goal.cruise_speed).velocity;
+  }
+
+  // and moves, until its own next message puts it back
+  for (std::size_t i = 0; i < memory.agents.size(); ++i) {
+    LibraryAgent& agent = memory.agents[i];
+    if (!agent.known) continue;
+    agent.velocity = chosen[i];
+    agent.position += params.time_step_s * chosen[i];
+  }
+}
+
+Command OrcaAsCoded::decide(const Situation& s, Memory& memory, Context& context) const noexcept {
+  LibraryAgent& own = memory.agents[slot(number(s.own.id))];
+  const double speed = s.goal.cruise_speed;
+  const Vec3 own_velocity = in_body_axes(s.own.velocity, s.own.yaw);
+  bool anyone_near = false;
+
+  for (const std::size_t i : memory.order.of(s.tracks, context.rng)) {
+    const Track& track = s.tracks[i];
+    anyone_near = anyone_near || (track.position - s.own.position).norm() <= params.crit_dist_m;
+
+    LibraryAgent& neighbour = memory.agents[slot(number(track.id))];
+    if (track.destination) neighbour.preferred = speed * unit(*track.destination - track.position);
+    neighbour.position = track.position;
+    neighbour.velocity = in_body_axes(track.velocity, track.yaw);
+    neighbour.known = true;
+    own = {s.own.position, own_velocity, speed * unit(s.goal.position - s.own.position), true};
+
+    step_library(memory, s);
+  }
+  const Vec3 velocity = s.tracks.empty() ? s.preferred_velocity() : own.velocity;
+  return {.velocity = velocity, .mode = anyone_near ? Mode::avoid : Mode::cruise, .astern = anyone_near};
+}
+
+Command StopAndWaitAsCoded::decide(const Situation& s, Avoider& inner, Memory& memory, Context& context) const noexcept {
+  const Command command = StopAndWait{{.crit_dist_m = params.crit_dist_m}}.decide(s, inner, memory.rule, context);
+  if (command.mode == Mode::hold) {
+    memory.waiting = true;
+    memory.released = s.time + params.release_s;
+    return command;
+  }
+  memory.waiting = memory.waiting && s.time < memory.released;
+  return memory.waiting ? Command{.mode = Mode::hold} : command;
+}
+
+}  // namespace fairway::cubes

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/studies/page_blocks.hpp"
+
+#include <cmath>
+
+namespace fairway::page {
+
+using nlohmann::json;
+
+json number(double value) { return std::isfinite(value) ? json(value) : json(); }
+
+json box(std::vector<double> values) {
+  if (values.empty()) return nullptr;
+  double sum = 0.0;
+  for (const double value : values) sum += value;
+  const double mean = sum / static_cast<double>(values.size());
+  const BoxSummary summary = summarize(std::move(values));
+  return {{"min", summary.low_whisker},
+          {"q1", summary.lower_quartile},
+          {"median", summary.median},
+          {"q3", summary.upper_quartile},
+          {"max", summary.high_whisker},
+          {"mean", mean},
+          {"outliers", summary.outliers},
+          {"count", summary.count}};
+}
+
+json interval(const MeanEstimate& estimate, std::optional<double> published) {
+  if (estimate.count < 2) return nullptr;
+  json point{{"value", estimate.mean}, {"low", estimate.low}, {"high", estimate.high}};
+  if (published) point["published"] = *published;
+  return point;
+}
+
+json note(std::string_view tone, std::string text) { return {{"kind", "note"}, {"tone", tone}, {"text", std::move(text)}}; }
+
+json grid(int columns, std::vector<json> blocks) {
+  return {{"kind", "grid"}, {"columns", columns}, {"blocks", std::move(blocks)}};
+}
+
+json comparison_table(std::string title, std::span<const StudyRow> rows) {
+  json lines = json::array();
+  for (const StudyRow& row : rows) {
+    const auto deviation = row.deviation_ratio();
+    lines.push_back({{"case", row.cell},
+                     {"method", row.method},
+                     {"quantity", row.quantity},
+                     {"published", row.published ? json(*row.published) : json()},
+                     {"measured", number(row.measured)},
+                     {"low", number(row.low)},
+                     {"high", number(row.high)},
+                     {"runs", row.runs},
+                     {"deviation", deviation ? json(*deviation) : json()},
+                     {"verdict", name_of(row.verdict)},
+                     {"note", row.note}});
+  }
+  const auto column = [](const char* key, const char* label, const char* type) {
+    return json{{"key", key}, {"label", label}, {"type", type}};
+  };
+  return {{"kind", "table"},
+          {"title", std::move(title)},
+          {"columns",
+           {column("case", "Case", "text"), column("method", "Method", "text"), column("quantity", "Quantity", "text"),
+            json{{"key", "published"}, {"label", "Published"}, {"type", "number"}, {"digits", 1}},
+            json{{"key", "measured"}, {"label", "Measured"}, {"type", "number"}, {"digits", 1}},
+            json{{"key", "low"}, {"label", "95 % from"}, {"type", "number"}, {"digits", 1}},
+            json{{"key", "high"}, {"label", "to"}, {"type", "number"}, {"digits", 1}}, column("runs", "Runs", "number"),
+            column("deviation", "Deviation", "deviation"), column("verdict", "Verdict", "verdict"),
+            column("note", "Note", "text")}},
+          {"rows", std::move(lines)},
+          {"filter", {"case", "method", "quantity"}}};
+}
+
+}  // namespace fairway::page

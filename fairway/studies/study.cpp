@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/studies/study.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+#include "fairway/core/names.hpp"
+#include "fairway/studies/cubes/cubes.hpp"
+
+namespace fairway {
+namespace {
+
+constexpr double reproduced_within = 0.15;
+constexpr double partly_within = 0.35;
+
+nlohmann::json finite_or_null(double value) { return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json(); }
+
+nlohmann::json value_json(const ParamValue& value) {
+  return std::visit([](const auto& v) { return nlohmann::json(v); }, value);
+}
+
+}  // namespace
+
+std::string_view name_of(Verdict verdict) {
+  constexpr std::array names{"reproduced", "within_spread", "partly", "not_reproduced", "no_reference"};
+  return names[static_cast<std::size_t>(verdict)];
+}
+
+std::optional<double> StudyRow::deviation_ratio() const {
+  if (!published || *published == 0.0 || !std::isfinite(measured)) return std::nullopt;
+  return measured / *published - 1.0;
+}
+
+void judge(StudyRow& row, bool is_count) {
+  const auto verdict = [&] {
+    if (!row.published) return Verdict::no_reference;
+    if (is_count && row.measured == *row.published) return Verdict::reproduced;
+    const std::optional<double> deviation = row.deviation_ratio();
+    if (!is_count && deviation && std::abs(*deviation) <= reproduced_within) return Verdict::reproduced;
+    if (row.low <= *row.published && *row.published <= row.high) return Verdict::within_spread;
+    if (deviation && std::abs(*deviation) <= partly_within) return Verdict::partly;
+    return Verdict::not_reproduced;
+  };
+  row.verdict = verdict();
+}
+
+std::span<const Study> builtin_studies() {
+  static const std::array all{cubes::study()};
+  return all;
+}
+
+const Study& find_study(std::string_view name) {
+  std::vector<std::string_view> known;
+  for (const Study& study : builtin_studies()) {
+    if (study.name == name) return study;
+    known.push_back(study.name);
+  }
+  throw InputError("unknown study \"" + std::string(name) + "\"" + suggestion(name, known));
+}
+
+nlohmann::json rows_json(std::string_view study, std::span<const StudyRow> rows) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const StudyRow& row : rows) {
+    nlohmann::json entry{{"case", row.cell},
+                         {"method", row.method},
+                         {"mode", row.mode},
+                         {"quantity", row.quantity},
+                         {"published", row.published ? nlohmann::json(*row.published) : nlohmann::json()},
+                         {"measured", finite_or_null(row.measured)},
+                         {"low", finite_or_null(row.low)},
+                         {"high", finite_or_null(row.high)},
+                         {"runs", row.runs},
+                         {"deviation_ratio", row.deviation_ratio() ? nlohmann::json(*row.deviation_ratio()) : nlohmann::json()},
+                         {"verdict", name_of(row.verdict)},
+                         {"note", row.note}};
+    if (!row.params.empty()) {
+      for (const auto& [name, value] : row.params) entry["params"][name] = value_json(value);
+    }
+    list.push_back(std::move(entry));
+  }
+  return {{"study", study}, {"rows", std::move(list)}};
+}
+
+std::string rows_text(std::span<const StudyRow> rows) {
+  std::string text = fmt::format("{:<17} {:<11} {:<10} {:<20} {:>10} {:>10} {:>21} {:>6} {:>8}  {}\n", "case", "method",
+                                 "mode", "quantity", "published", "measured", "95 % interval", "runs", "dev.", "verdict");
+  for (const StudyRow& row : rows) {
+    if (!row.params.empty()) continue;  // the grid is for --json and the report
+    const auto deviation = row.deviation_ratio();
+    const std::string interval = std::isfinite(row.low) ? fmt::format("[{:.1f}, {:.1f}]", row.low, row.high) : "";
+    text += fmt::format("{:<17} {:<11} {:<10} {:<20} {:>10} {:>10.1f} {:>21} {:>6} {:>8}  {}\n", row.cell, row.method,
+                        row.mode, row.quantity, row.published ? fmt::format("{:.1f}", *row.published) : "-", row.measured,
+                        interval, row.runs, deviation ? fmt::format("{:+.1f} %", 100 * *deviation) : "", name_of(row.verdict));
+  }
+  return text;
+}
+
+}  // namespace fairway

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fairway/core/params.hpp"
+#include "fairway/experiment/progress.hpp"
+#include "fairway/experiment/store.hpp"
+
+namespace fairway {
+
+/// How a measured value stands to the published one.
+enum class Verdict {
+  reproduced,      ///< within 15 % (counts: equal)
+  within_spread,   ///< farther off, but the published value lies in the 95 % interval of the measured mean
+  partly,          ///< within 35 %
+  not_reproduced,
+  no_reference,    ///< nothing published to compare with
+};
+std::string_view name_of(Verdict verdict);
+
+/// One published number beside the measured one.
+struct StudyRow {
+  std::string cell;      ///< the published case: "cube20_8"
+  std::string method;
+  std::string mode;      ///< "as_coded", "corrected"
+  std::string quantity;
+  ParamValues params;    ///< where the case is one of a grid
+  std::optional<double> published;
+  double measured{};
+  double low{-std::numeric_limits<double>::infinity()};   ///< of the 95 % interval
+  double high{std::numeric_limits<double>::infinity()};
+  int runs{};
+  Verdict verdict{Verdict::no_reference};
+  std::string note;
+
+  /// measured / published - 1, where that means something.
+  std::optional<double> deviation_ratio() const;
+};
+
+/// Sets the verdict from the numbers; `is_count` compares totals.
+void judge(StudyRow& row, bool is_count);
+
+struct StudyOptions {
+  unsigned jobs{0};     ///< threads; 0 = as many as the machine has
+  int seeds{20};        ///< variations per cell beyond what was published; 0 = the published part alone
+  Store* store{nullptr};
+  Progress* progress{nullptr};
+  const std::atomic<bool>* stop{nullptr};
+  std::string command;  ///< as typed, for the report
+};
+
+/// What a study found.
+struct StudyResult {
+  std::vector<StudyRow> rows;
+  nlohmann::json page;    ///< report document, as viewer/README.md describes it
+  bool complete{true};    ///< false if stopped before all runs were made
+};
+
+/// A published experiment and what goes beyond it.
+struct Study {
+  std::string_view name;
+  std::string_view title;
+  std::string_view source;
+  std::function<StudyResult(const StudyOptions&)> run;
+};
+
+/// Every study that comes with fairway.
+std::span<const Study> builtin_studies();
+
+/// Throws InputError with the nearest known name.
+const Study& find_study(std::string_view name);
+
+/// `study --json`.
+nlohmann::json rows_json(std::string_view study, std::span<const StudyRow> rows);
+
+/// The rows as an aligned table.
+std::string rows_text(std::span<const StudyRow> rows);
+
+}  // namespace fairway

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: Apache-2.0
+// What must hold on every report. Each check gets the page, `expect(condition, what)` and how it was opened.
+import { readFileSync } from 'node:fs';
+
+async function nothing_overflows(page, expect, { width }) {
+  const widths = await page.evaluate(() => {
+    const root = document.documentElement;
+    const wide = [...document.querySelectorAll('#page *')].filter((element) =>
+      element.closest('.table-scroll, .command, svg, .offscreen, .skip') === null && element.getBoundingClientRect().right > root.clientWidth + 1);
+    return { scroll: root.scrollWidth, client: root.clientWidth, wide: wide.slice(0, 3).map((e) => `${e.tagName}.${e.className}`) };
+  });
+  expect(widths.scroll <= widths.client && widths.client <= width, `the page scrolls sideways: ${JSON.stringify(widths)}`);
+  expect(widths.wide.length === 0, `beyond the right edge: ${widths.wide.join(', ')}`);
+}
+
+async function headings_and_links_are_sound(page, expect) {
+  const found = await page.evaluate(() => {
+    const ids = [...document.querySelectorAll('[id]')].map((element) => element.id);
+    const links = [...document.querySelectorAll('a[href^="#"]')].map((link) => link.getAttribute('href').slice(1));
+    return {
+      h1: document.querySelectorAll('h1').length, sections: document.querySelectorAll('main section').length,
+      h2: document.querySelectorAll('main section > h2').length, title: document.title,
+      twice: ids.filter((id, i) => ids.indexOf(id) !== i), dead: links.filter((id) => !ids.includes(id)),
+      nameless: [...document.querySelectorAll('button, select, input')].filter((element) =>
+        !(element.getAttribute('aria-label') || element.closest('label') || element.textContent.trim())).length,
+    };
+  });
+  expect(found.h1 === 1 && found.h2 === found.sections && found.sections > 0, `headings: ${JSON.stringify(found)}`);
+  expect(found.title !== '' && found.title !== 'fairway report', 'the window has no title');
+  expect(found.twice.length === 0, `ids twice: ${found.twice.join(', ')}`);
+  expect(found.dead.length === 0, `links to nothing: ${found.dead.join(', ')}`);
+  expect(found.nameless === 0, `${found.nameless} controls without a name`);
+}
+
+async function charts_are_drawn(page, expect, { width }) {
+  const charts = await page.evaluate(() => [...document.querySelectorAll('.plot')].map((plot) => {
+    const svg = plot.querySelector('svg');
+    const name = plot.closest('figure').id;
+    if (svg === null) return { name, drawn: false };
+    const bad = [...svg.querySelectorAll('*')].filter((element) =>
+      [...element.attributes].some(({ value }) => /NaN|Infinity|undefined/.test(value))).length;
+    const shapes = [...svg.querySelectorAll('.marks path, .marks rect, .marks circle, .marks line')];
+    const boxes = shapes.map((shape) => shape.getBoundingClientRect());
+    const frame = svg.getBoundingClientRect();
+    const texts = [...svg.querySelectorAll('text')].map((text) => text.getBoundingClientRect());
+    return {
+      name, drawn: true, bad, shapes: shapes.length, sized: boxes.filter((box) => box.width + box.height > 0).length,
+      left: Math.min(...boxes.map((box) => box.left)), right: Math.max(...boxes.map((box) => box.right)),
+      label: (svg.getAttribute('aria-label') ?? '').length, frame: { width: frame.width, height: frame.height },
+      texts_out: texts.filter((box) => box.left < frame.left - 2 || box.right > frame.right + 2).length,
+    };
+  }));
+  expect(charts.length > 0, 'no chart');
+  for (const chart of charts) {
+    expect(chart.drawn, `${chart.name} is not drawn`);
+    if (!chart.drawn) continue;
+    expect(chart.bad === 0, `${chart.name} has attributes that are not numbers`);
+    expect(chart.shapes > 0 && chart.sized > 0, `${chart.name} has ${chart.sized} visible marks`);
+    expect(chart.frame.width > 100 && chart.frame.height > 100, `${chart.name} is ${JSON.stringify(chart.frame)}`);
+    expect(chart.left >= 0 && chart.right <= width, `${chart.name} spans ${chart.left} to ${chart.right}`);
+    expect(chart.label > 20, `${chart.name} has no description`);
+    expect(chart.texts_out === 0, `${chart.name} has ${chart.texts_out} labels outside`);
+  }
+}
+
+async function theme_follows_and_toggles(page, expect, { scheme }) {
+  const ground = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+  const dark = (colour) => Number(colour.match(/\d+/)[0]) < 100;
+  expect(dark(await ground()) === (scheme === 'dark'), `the ground is ${await ground()}`);
+  await page.click('.theme-toggle');
+  expect(dark(await ground()) === (scheme === 'light'), 'the theme does not toggle');
+  await page.click('.theme-toggle');
+  expect(dark(await ground()) === (scheme === 'dark'), 'the theme does not toggle back');
+}
+
+async function tables_sort_by_keyboard(page, expect) {
+  const tables = page.locator('figure.table');
+  for (let i = 0; i < await tables.count(); ++i) {
+    const table = tables.nth(i);
+    const heads = table.locator('thead th.number');
+    if (await heads.count() === 0 || await table.locator('tbody tr').count() < 2) continue;
+    const head = heads.first();
+    const column = await head.evaluate((element) => [...element.parentElement.children].indexOf(element));
+    const values = async () => (await table.locator(`tbody tr > :nth-child(${column + 1})`).allInnerTexts())
+      .map((text) => Number(text.replace('\u2212', '-').replaceAll('\u2009', ''))).filter((value) => !Number.isNaN(value));
+    const sorted = (list, sign) => list.every((value, k) => k === 0 || sign * (value - list[k - 1]) >= 0);
+    const before = await values();
+    await head.locator('button').focus();
+    await page.keyboard.press('Enter');
+    expect(await head.getAttribute('aria-sort') === 'ascending' && sorted(await values(), 1), `table ${i} does not sort upwards`);
+    await page.keyboard.press('Enter');
+    expect(await head.getAttribute('aria-sort') === 'descending' && sorted(await values(), -1), `table ${i} does not sort downwards`);
+    await page.keyboard.press('Enter');
+    expect(String(await values()) === String(before), `table ${i} does not return to its order`);
+  }
+}
+
+async function tables_filter_and_tally(page, expect) {
+  const select = page.locator('.filter select').first();
+  if (await select.count() > 0) {
+    const rows = page.locator('figure.table:has(.filter)').first().locator('tbody tr');
+    const all = await rows.count();
+    await select.selectOption({ index: 1 });
+    expect(await rows.count() < all, 'the filter keeps every row');
+    await select.selectOption({ index: 0 });
+    expect(await rows.count() === all, 'the filter does not let go');
+  }
+  const tally = page.locator('.tally-buttons').first();
+  if (await tally.count() > 0) {
+    const button = tally.locator('button').first();
+    const rows = page.locator('figure.table:has(.tally)').first().locator('tbody tr');
+    await button.click();
+    const said = Number(await button.locator('b').innerText());
+    // Long tables draw their first 1000 rows and one that says so.
+    expect(await rows.count() === Math.min(said, 1001), 'the tally and its rows disagree');
+    await button.click();
+  }
+}
+
+async function legends_toggle(page, expect) {
+  const buttons = page.locator('.legend button');
+  if (await buttons.count() === 0) return;
+  const marks = () => page.evaluate(() => document.querySelectorAll('.plot .marks *').length);
+  const before = await marks();
+  await buttons.first().click();
+  expect(await buttons.first().getAttribute('aria-pressed') === 'false', 'the legend does not show what is hidden');
+  expect(await marks() < before, 'the legend hides nothing');
+  await buttons.first().click();
+  expect(await marks() === before, 'the legend does not bring the series back');
+}
+
+async function pointing_shows_values(page, expect) {
+  for (const kind of ['boxes', 'intervals', 'lines']) {
+    const plot = page.locator(`.chart-${kind} .plot`).first();
+    if (await plot.count() === 0) continue;
+    await plot.scrollIntoViewIfNeeded();
+    // Some place of these must be near a mark, whatever the number of categories.
+    const box = await plot.boundingBox();
+    let found = false;
+    for (const part of [0.3, 0.4, 0.5, 0.55, 0.6, 0.65, 0.7, 0.75]) {
+      await page.mouse.move(box.x + box.width * part, box.y + box.height * 0.5);
+      found ||= await page.locator('.tip:visible').count() === 1;
+    }
+    expect(found, `pointing at ${kind} shows nothing`);
+    await page.mouse.move(0, 0);
+    await plot.focus();
+    await page.keyboard.press('ArrowRight');
+    expect((await page.locator('.tip:visible td').allInnerTexts()).length > 0, `arrow keys in ${kind} show nothing`);
+    await page.keyboard.press('Escape');
+    expect(await page.locator('.tip:visible').count() === 0, `the tip of ${kind} stays`);
+  }
+}
+
+async function trajectories_turn_and_play(page, expect) {
+  const figure = page.locator('.chart-trajectories:has(.turnable)').first();
+  if (await figure.count() === 0) return;
+  const plot = figure.locator('.plot');
+  const path = () => plot.locator('.track').first().getAttribute('d');
+  const before = await path();
+  await plot.focus();
+  await page.keyboard.press('ArrowLeft');
+  const turned = await path();
+  expect(turned !== before, 'arrow keys do not turn the view');
+  await plot.scrollIntoViewIfNeeded();
+  const box = await plot.boundingBox();
+  await page.mouse.move(box.x + box.width * 0.4, box.y + box.height * 0.5);
+  await page.mouse.down();
+  await page.mouse.move(box.x + box.width * 0.4 + 60, box.y + box.height * 0.5 + 10);
+  await page.mouse.up();
+  expect(await path() !== turned, 'dragging does not turn the view');
+  await figure.locator('[data-view=top]').click();
+  expect(await figure.locator('[data-view=top]').getAttribute('aria-pressed') === 'true', 'the view from above is not chosen');
+  const slider = figure.locator('input[type=range]');
+  if (await slider.count() > 0) {
+    const at_end = await plot.locator('.vehicle').first().getAttribute('cx');
+    await slider.fill('250');
+    expect(await plot.locator('.vehicle').first().getAttribute('cx') !== at_end, 'the slider moves nobody');
+    await slider.fill('1000');
+  }
+  await figure.locator('[data-view=turn]').click();
+}
+
+async function files_can_be_saved(page, expect) {
+  const missing = await page.evaluate(() => ({
+    charts: [...document.querySelectorAll('.plot')].filter((plot) =>
+      ![...plot.closest('figure').querySelectorAll('.action')].some((button) => button.textContent === 'SVG')).length,
+    tables: [...document.querySelectorAll('figure.table')].filter((table) =>
+      ![...table.querySelectorAll('.action')].some((button) => button.textContent === 'CSV')).length,
+  }));
+  expect(missing.charts === 0 && missing.tables === 0, `without a save button: ${JSON.stringify(missing)}`);
+  const save = async (button) => {
+    const [download] = await Promise.all([page.waitForEvent('download'), button.click()]);
+    return { name: download.suggestedFilename(), text: readFileSync(await download.path(), 'utf8') };
+  };
+  for (const kind of ['boxes', 'intervals', 'lines', 'trajectories']) {
+    const button = page.locator(`.chart-${kind} .action`, { hasText: 'SVG' }).first();
+    if (await button.count() === 0) continue;
+    const { name, text } = await save(button);
+    const sound = await page.evaluate((svg) => {
+      const parsed = new DOMParser().parseFromString(svg, 'image/svg+xml');
+      return parsed.querySelector('parsererror') === null && parsed.documentElement.localName === 'svg';
+    }, text);
+    expect(name.endsWith('.svg') && sound, `${name} is not an image`);
+    expect(!/var\(|NaN|class=|undefined/.test(text) && text.includes('<text'), `${name} does not stand alone`);
+  }
+  const csv = page.locator('figure.table .action', { hasText: 'CSV' }).first();
+  if (await csv.count() > 0) {
+    const { name, text } = await save(csv);
+    const rows = await page.locator('figure.table').first().locator('tbody tr').count();
+    expect(name.endsWith('.csv') && (rows > 1000 || text.trim().split('\r\n').length === rows + 1), `${name} has other rows than the table`);
+  }
+  const data = page.locator('.action', { hasText: 'Data' }).first();
+  await data.click();
+  expect(await page.locator('.data-panel:visible tbody tr').count() > 0, 'the numbers behind a chart do not show');
+  await data.click();
+}
+
+export const checks = [
+  nothing_overflows, headings_and_links_are_sound, charts_are_drawn, theme_follows_and_toggles, tables_sort_by_keyboard,
+  tables_filter_and_tally, legends_toggle, pointing_shows_values, trajectories_turn_and_play, files_can_be_saved,
+];

@@ -1,0 +1,33 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Fails if a library includes one that tools/layers.toml does not let it see."""
+
+import pathlib
+import re
+import sys
+import tomllib
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+INCLUDE = re.compile(r'^\s*#include "fairway/(\w+)/', re.MULTILINE)
+
+
+def main() -> int:
+    layers = tomllib.loads((ROOT / "tools/layers.toml").read_text())
+    seen = set()
+    for library, uses in layers.items():
+        if unknown := set(uses) - seen:
+            sys.exit(f"layers.toml: {library} uses {unknown}, not declared above it")
+        seen.add(library)
+
+    failures = 0
+    for path in sorted((ROOT / "fairway").rglob("*.[hc]pp")):
+        library = path.relative_to(ROOT / "fairway").parts[0]
+        for target in INCLUDE.findall(path.read_text()):
+            if target != library and target not in layers[library]:
+                print(f"{path.relative_to(ROOT)}: {library} must not include {target}")
+                failures += 1
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+// The part that charts over x and y share: margins, grid lines, labels and reference lines.
+import { fit_text, s, text_width } from '../../common/dom';
+import { fixed, short } from '../../common/format';
+import { linear, nice_domain, tick_digits, ticks, type Scale } from '../../common/scale';
+import type { Rule } from '../model';
+import type { View } from './chart';
+
+export interface Area {
+  left: number;
+  right: number;
+  top: number;
+  bottom: number;
+}
+
+export interface Canvas {
+  svg: SVGSVGElement;
+  /** Where the data are drawn, above grid and reference lines. */
+  marks: SVGGElement;
+  area: Area;
+  y: Scale;
+  font: number;
+}
+
+export interface CanvasOptions {
+  view: View;
+  y_label: string;
+  /** Every value that must be inside the domain. */
+  values: number[];
+  y_max: number | null;
+  rules: Rule[];
+  x_label: string;
+  /** Space under the axis for its labels, given the inner width. */
+  x_space(inner: number, font: number): number;
+}
+
+/** The height of the drawing; slanted labels get their space on top of it. */
+function height_for({ width, compact }: View, under: number): number {
+  const level = 46;
+  const height = compact ? 200 : Math.max(270, Math.min(380, width * 0.42));
+  return Math.round(height + Math.max(0, under - level));
+}
+
+/** Everything but the data and the labels along x. */
+export function canvas({ view, y_label, values, y_max, rules, x_label, x_space }: CanvasOptions): Canvas {
+  const font = view.compact ? 10.5 : 11.5;
+  const under = x_space(view.width - 40, font) + (x_label === '' ? 4 : font + 10);
+  const height = height_for(view, under);
+  const count = Math.round(height / (view.compact ? 48 : 52));
+  const in_domain = y_max === null ? [...values, ...rules.map((rule) => rule.value)] : values;
+  const domain = nice_domain(in_domain, count, y_max ?? undefined);
+  const marks_y = ticks(domain[0], domain[1], count);
+  const digits = tick_digits(marks_y);
+  const tick_width = Math.max(...marks_y.map((value) => text_width(fixed(value, digits), font)));
+
+  const left = Math.ceil(tick_width) + 10;
+  const right = view.width - 6;
+  const top = y_label === '' ? 10 : font + 16;
+  const area = { left, right, top, bottom: height - under };
+  const y = linear(domain, [area.bottom, area.top]);
+
+  const svg = s('svg', { viewBox: `0 0 ${view.width} ${height}`, width: view.width, height, class: 'chart' });
+  svg.style.fontSize = `${font}px`;
+  for (const value of marks_y) {
+    svg.append(
+      s('line', { class: value === domain[0] ? 'axis' : 'grid', x1: left, x2: right, y1: y(value), y2: y(value) }),
+      s('text', { class: 'tick', x: left - 8, y: y(value), dy: '0.34em', 'text-anchor': 'end' }, fixed(value, digits)));
+  }
+  if (y_label !== '') {
+    svg.append(s('text', { class: 'axis-label', x: 0, y: font }, fit_text(y_label, view.width - (view.compact ? 104 : 4), font, 500)));
+  }
+  if (x_label !== '') {
+    svg.append(s('text', { class: 'axis-label', x: (left + right) / 2, y: height - 4, 'text-anchor': 'middle' },
+      fit_text(x_label, right - left, font, 500)));
+  }
+  for (const rule of rules) svg.append(...rule_marks(rule, y, area, font));
+  const marks = s('g', { class: 'marks' });
+  svg.append(marks);
+  return { svg, marks, area, y, font };
+}
+
+/** A horizontal reference line with its name; one beyond the domain is named at the edge. */
+function rule_marks(rule: Rule, y: Scale, area: Area, font: number): SVGElement[] {
+  const [low, high] = y.domain;
+  const name = `${rule.label} ${short(rule.value)}`;
+  const label = (at: number, text: string): SVGElement =>
+    s('text', { class: 'rule-label', x: area.right - 2, y: at, 'text-anchor': 'end' },
+      fit_text(text, area.right - area.left, font));
+  if (rule.value > high) return [label(area.top + font, `${name} ↑`)];
+  if (rule.value < low) return [label(area.bottom - 4, `${name} ↓`)];
+  const at = y(rule.value);
+  const below = at - font - 4 < area.top - 4;
+  return [
+    s('line', { class: 'rule', x1: area.left, x2: area.right, y1: at, y2: at }),
+    label(below ? at + font + 2 : at - 4, name),
+  ];
+}
+
+/** Labels under categories: level where they fit, slanted where they do not. */
+export function category_layout(categories: string[], inner: number, font: number) {
+  const widest = Math.max(0, ...categories.map((name) => text_width(name, font)));
+  const slanted = widest > inner / Math.max(1, categories.length) - 4;
+  // The first label may not reach beyond the left edge: half a band and the room for ticks are beside it.
+  const longest = Math.min(widest, 92, (inner / Math.max(1, categories.length) / 2 + 22) / 0.71);
+  return { slanted, longest, space: slanted ? longest * 0.71 + font + 4 : font + 10 };
+}
+
+export function draw_categories(on: Canvas, categories: string[], centre: (i: number) => number): void {
+  const { slanted, longest } = category_layout(categories, on.area.right - on.area.left, on.font);
+  categories.forEach((name, i) => {
+    const x = centre(i);
+    const y = on.area.bottom + (slanted ? 10 : on.font + 6);
+    on.svg.append(s('text', {
+      class: 'tick', x, y, 'text-anchor': slanted ? 'end' : 'middle',
+      transform: slanted ? `rotate(-45 ${x.toFixed(1)} ${y.toFixed(1)})` : undefined,
+    }, slanted ? fit_text(name, longest, on.font) : name));
+  });
+}
+
+/** Faint bands behind every other category, where several series share one. */
+export function draw_bands(on: Canvas, count: number, width: number): void {
+  for (let i = 1; i < count; i += 2) {
+    on.svg.insertBefore(s('rect', {
+      class: 'band', x: on.area.left + i * width, y: on.area.top, width, height: on.area.bottom - on.area.top,
+    }), on.svg.firstChild);
+  }
+}

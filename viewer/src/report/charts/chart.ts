@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a chart is to the figure around it.
+import type { Palette, Shape } from '../../common/colour';
+import type { Tip } from '../../common/tooltip';
+import type { TableBlock } from '../model';
+
+export interface LegendEntry {
+  label: string;
+  glyph: 'box' | 'line' | 'point' | 'rule' | 'mean' | 'published' | 'goal' | 'sphere';
+  colour?: string;
+  shape?: Shape;
+  dash?: string;
+  /** Whether a click shows and hides the series of this name. */
+  toggles: boolean;
+}
+
+export interface View {
+  width: number;
+  /** One of several small charts side by side. */
+  compact: boolean;
+  hidden: ReadonlySet<string>;
+}
+
+/** A thing in the drawing that can be pointed at. */
+export interface Target {
+  x: number;
+  y: number;
+  tip(): Tip;
+  /** Drawn while it is pointed at. */
+  cursor(): SVGElement[];
+}
+
+export interface Drawing {
+  svg: SVGSVGElement;
+  /** What the arrow keys step through, from left to right. */
+  targets: Target[];
+  /** The target at a point of the drawing. */
+  pick(x: number, y: number): Target | null;
+}
+
+export interface Chart {
+  legend: LegendEntry[];
+  /** One or two sentences for who does not see the drawing. */
+  summary: string;
+  /** The numbers behind the drawing. */
+  data: TableBlock;
+  draw(view: View): Drawing;
+  /** Buttons and sliders of this kind of chart. */
+  controls?(redraw: () => void): HTMLElement;
+  /** Gestures on the drawing, beyond pointing; once per figure. */
+  attach?(plot: HTMLElement, redraw: () => void): void;
+}
+
+export interface Palettes {
+  series: Palette;
+  vehicles: Palette;
+}
+
+/** The target nearest in x among those within reach; for charts whose targets stand side by side. */
+export function pick_along_x(targets: readonly Target[], reach: number): Drawing['pick'] {
+  return (x) => {
+    let best: Target | null = null;
+    let nearest = reach;
+    for (const target of targets) {
+      const distance = Math.abs(target.x - x);
+      if (distance <= nearest) [best, nearest] = [target, distance];
+    }
+    return best;
+  };
+}

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+import type { Column, TableBlock } from './model';
+
+function field(value: string | number | null | undefined): string {
+  const text = value === null || value === undefined ? '' : String(value);
+  return /[",\n\r]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
+}
+
+export function heading(column: Column): string {
+  return column.unit === '' ? column.label : `${column.label} [${column.unit}]`;
+}
+
+/** The table as CSV with full precision; `rows` are those to be written, in their order. */
+export function to_csv({ columns }: TableBlock, rows: TableBlock['rows']): string {
+  const lines = [columns.map((column) => field(heading(column))).join(',')];
+  for (const row of rows) lines.push(columns.map((column) => field(row[column.key])).join(','));
+  return lines.join('\r\n') + '\r\n';
+}

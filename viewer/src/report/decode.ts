@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+// The document from JSON text. What cannot be read is said where it would have stood: a block that is
+// wrong becomes a message in its place, and the others are shown.
+import type {
+  Block, BoxesBlock, Cell, Column, Document, GridBlock, IntervalsBlock, LinesBlock, NoteBlock, Point, Rule, Section,
+  TableBlock, TrajectoriesBlock,
+} from './model';
+import { DataError, Reader } from './reader';
+
+const numbers_or_null = (entry: Reader): number | null => entry.number_or_null();
+
+function rule(at: Reader): Rule {
+  return { label: at.at('label').text(''), value: at.at('value').number() };
+}
+
+function cell(at: Reader): Cell {
+  if (at.absent) return null;
+  if (typeof at.value === 'boolean') return at.value ? 'yes' : 'no';
+  return typeof at.value === 'number' ? at.number() : at.text();
+}
+
+function column(at: Reader): Column {
+  const digits = at.at('digits').number_or_null();
+  return {
+    key: at.at('key').text(),
+    label: at.at('label').text(at.at('key').text()),
+    unit: at.at('unit').text(''),
+    type: at.at('type').absent ? 'text' : at.at('type').one_of(['text', 'number', 'verdict', 'deviation']),
+    digits: digits === null ? null : Math.max(0, Math.min(12, Math.round(digits))),
+  };
+}
+
+function table(at: Reader): TableBlock {
+  const columns = at.at('columns').list(column);
+  const keys = columns.map((entry) => entry.key);
+  return {
+    kind: 'table',
+    title: at.at('title').text(''),
+    note: at.at('note').text(''),
+    columns,
+    rows: at.at('rows').list((row) => Object.fromEntries(keys.map((key) => [key, cell(row.at(key))]))),
+    filter: at.at('filter').list((entry) => entry.one_of(keys), true),
+  };
+}
+
+function boxes(at: Reader): BoxesBlock {
+  const categories = at.at('categories').list((entry) => String(cell(entry)));
+  return {
+    kind: 'boxes',
+    title: at.at('title').text(''),
+    y_label: at.at('y_label').text(''),
+    y_max: at.at('y_max').number_or_null(),
+    categories,
+    category_label: at.at('category_label').text(''),
+    series: at.at('series').list((entry) => ({
+      label: entry.at('label').text(),
+      boxes: entry.at('boxes').list_for(categories.length, 'categories', (box) =>
+        box.absent || box.at('median').absent ? null : {
+          min: box.at('min').number(),
+          q1: box.at('q1').number(),
+          median: box.at('median').number(),
+          q3: box.at('q3').number(),
+          max: box.at('max').number(),
+          mean: box.at('mean').number_or_null(),
+          outliers: box.at('outliers').list((value) => value.number(), true),
+          count: box.at('count').number_or_null(),
+        }),
+    })),
+    lines: at.at('lines').list(rule, true),
+    marks: at.at('marks').list((entry) => ({
+      series: entry.at('series').text(),
+      category: String(cell(entry.at('category'))),
+      value: entry.at('value').number(),
+      label: entry.at('label').text('published'),
+    }), true),
+  };
+}
+
+function intervals(at: Reader): IntervalsBlock {
+  const categories = at.at('categories').list((entry) => String(cell(entry)));
+  return {
+    kind: 'intervals',
+    title: at.at('title').text(''),
+    y_label: at.at('y_label').text(''),
+    y_max: at.at('y_max').number_or_null(),
+    categories,
+    category_label: at.at('category_label').text(''),
+    series: at.at('series').list((entry) => ({
+      label: entry.at('label').text(),
+      points: entry.at('points').list_for(categories.length, 'categories', (point) => {
+        if (point.absent || point.at('value').absent) return null;
+        const value = point.at('value').number();
+        return {
+          value,
+          low: point.at('low').number_or_null() ?? value,
+          high: point.at('high').number_or_null() ?? value,
+          published: point.at('published').number_or_null(),
+        };
+      }),
+    })),
+    lines: at.at('lines').list(rule, true),
+  };
+}
+
+function lines(at: Reader): LinesBlock {
+  return {
+    kind: 'lines',
+    title: at.at('title').text(''),
+    x_label: at.at('x_label').text(''),
+    y_label: at.at('y_label').text(''),
+    series: at.at('series').list((entry) => {
+      const x = entry.at('x').list(numbers_or_null);
+      return { label: entry.at('label').text(), x, y: entry.at('y').list_for(x.length, 'values of x', numbers_or_null) };
+    }),
+    lines: at.at('lines').list(rule, true),
+  };
+}
+
+function point(at: Reader): Point {
+  const [n, e, d] = at.list_for(3, 'coordinates', (entry) => entry.number());
+  return [n!, e!, d!];
+}
+
+function trajectories(at: Reader): TrajectoriesBlock {
+  return {
+    kind: 'trajectories',
+    title: at.at('title').text(''),
+    vehicles: at.at('vehicles').list((entry) => {
+      const n = entry.at('n').list((value) => value.number());
+      const same = (key: string): number[] =>
+        entry.at(key).list_for(n.length, 'values of n', (value) => value.number());
+      const d = entry.at('d').absent ? n.map(() => 0) : same('d');
+      return { label: entry.at('label').text(), n, e: same('e'), d, t: entry.at('t').absent ? [] : same('t') };
+    }),
+    goals: at.at('goals').list(point, true),
+    spheres: at.at('spheres').list((entry) => ({
+      centre: point(entry.at('centre')),
+      radius: entry.at('radius').number(),
+      label: entry.at('label').text(''),
+    }), true),
+  };
+}
+
+function grid(at: Reader): GridBlock {
+  const columns = at.at('columns').absent ? 2 : at.at('columns').number();
+  return {
+    kind: 'grid',
+    title: at.at('title').text(''),
+    columns: Math.max(1, Math.min(6, Math.round(columns))),
+    blocks: at.at('blocks').list(block),
+  };
+}
+
+function note(at: Reader): NoteBlock {
+  return {
+    kind: 'note',
+    tone: at.at('tone').absent ? 'info' : at.at('tone').one_of(['info', 'warning']),
+    text: at.at('text').text(),
+  };
+}
+
+const readers = { table, boxes, intervals, lines, trajectories, grid, note };
+const kinds = Object.keys(readers) as (keyof typeof readers)[];
+
+function block(at: Reader): Block {
+  try {
+    return readers[at.at('kind').one_of(kinds)](at);
+  } catch (error) {
+    if (!(error instanceof DataError)) throw error;
+    return { kind: 'problem', text: `This part of the data cannot be shown. ${error.message}` };
+  }
+}
+
+function section(at: Reader): Section {
+  return {
+    id: at.at('id').text(''),
+    title: at.at('title').text(),
+    paragraphs: at.at('paragraphs').list((entry) => entry.text(), true),
+    blocks: at.at('blocks').list(block, true),
+  };
+}
+
+/** Throws DataError with the first thing that keeps the document as a whole from being shown. */
+export function decode(json: string): Document {
+  let value: unknown;
+  try {
+    value = JSON.parse(json);
+  } catch (error) {
+    throw new DataError(`the data are not JSON: ${error instanceof Error ? error.message : String(error)}`);
+  }
+  const at = new Reader(value, '');
+  return {
+    title: at.at('title').text(),
+    subtitle: at.at('subtitle').text(''),
+    version: at.at('version').text(''),
+    command: at.at('command').text(''),
+    facts: at.at('facts').list((fact) => ({
+      label: fact.at('label').text(),
+      value: String(cell(fact.at('value')) ?? '–'),
+    }), true),
+    sections: at.at('sections').list(section),
+  };
+}

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+// The frame around a chart: caption, legend, buttons, the drawing at the width there is, and pointing at it.
+import { h, s, slug } from '../common/dom';
+import { action_button, save_text } from '../common/save';
+import { hide_tip, show_tip } from '../common/tooltip';
+import type { Chart, Drawing, LegendEntry, Target } from './charts/chart';
+import { to_csv } from './csv';
+import { legend } from './legend';
+import { standalone_svg } from './saved_svg';
+import { table_body } from './table';
+
+export interface FigureOptions {
+  id: string;
+  number: string;
+  title: string;
+  kind: string;
+  compact: boolean;
+  /** The names hidden in several figures at once, and who must be told to redraw. */
+  shared: { hidden: Set<string>; redraws: (() => void)[] } | null;
+}
+
+class Plot {
+  readonly element: HTMLElement;
+  private readonly cursor = s('g', { class: 'cursor', 'aria-hidden': 'true' });
+  private drawing: Drawing | null = null;
+  private selected = -1;
+  private width = 0;
+
+  constructor(private readonly chart: Chart, private readonly hidden: Set<string>, private readonly compact: boolean,
+              label: string) {
+    this.element = h('div', { class: 'plot', tabindex: 0, role: 'group', 'aria-label': `${label}. ${chart.summary}` });
+    this.element.addEventListener('pointermove', (event) => this.point_at(event));
+    this.element.addEventListener('pointerleave', () => this.leave());
+    this.element.addEventListener('pointerdown', (event) => this.point_at(event));
+    this.element.addEventListener('keydown', (event) => this.step(event));
+    this.element.addEventListener('blur', () => this.leave());
+    new ResizeObserver(() => {
+      const width = Math.floor(this.element.clientWidth);
+      // Before printing the page is laid out anew; the drawing scales with its view box then.
+      if (width > 0 && width !== this.width) this.redraw(width);
+    }).observe(this.element);
+  }
+
+  svg(): SVGSVGElement | null {
+    return this.drawing?.svg ?? null;
+  }
+
+  redraw(width = this.width): void {
+    if (width <= 0) return;
+    this.width = width;
+    this.leave();
+    try {
+      this.drawing = this.chart.draw({ width, compact: this.compact, hidden: this.hidden });
+    } catch (error) {
+      this.drawing = null;
+      this.element.replaceChildren(h('p', { class: 'problem' },
+        `This chart cannot be drawn: ${error instanceof Error ? error.message : String(error)}.`));
+      return;
+    }
+    const { svg } = this.drawing;
+    svg.setAttribute('role', 'img');
+    svg.setAttribute('aria-label', this.chart.summary);
+    svg.append(this.cursor);
+    this.element.replaceChildren(svg);
+  }
+
+  private leave(): void {
+    this.selected = -1;
+    this.cursor.replaceChildren();
+    hide_tip();
+  }
+
+  private show(target: Target, x: number, y: number): void {
+    this.cursor.replaceChildren(...target.cursor());
+    show_tip(target.tip(), x, y);
+  }
+
+  private point_at(event: PointerEvent): void {
+    if (this.drawing === null || (event.buttons !== 0 && event.pointerType === 'mouse')) return;
+    const frame = this.drawing.svg.getBoundingClientRect();
+    const part = this.width / (frame.width || 1);
+    const target = this.drawing.pick((event.clientX - frame.left) * part, (event.clientY - frame.top) * part);
+    if (target === null) return this.leave();
+    this.selected = this.drawing.targets.indexOf(target);
+    this.show(target, event.clientX, event.clientY);
+  }
+
+  /** Arrow keys go from one mark to the next. */
+  private step(event: KeyboardEvent): void {
+    const targets = this.drawing?.targets ?? [];
+    if (event.key === 'Escape') return this.leave();
+    if (targets.length === 0 || (event.key !== 'ArrowRight' && event.key !== 'ArrowLeft')) return;
+    event.preventDefault();
+    const by = event.key === 'ArrowRight' ? 1 : -1;
+    this.selected = this.selected < 0 ? (by > 0 ? 0 : targets.length - 1)
+      : (this.selected + by + targets.length) % targets.length;
+    const target = targets[this.selected]!;
+    const frame = this.drawing!.svg.getBoundingClientRect();
+    this.show(target, frame.left + target.x, frame.top + target.y);
+  }
+}
+
+/** A button that unfolds the numbers behind the chart, made when they are first asked for. */
+function data_button(chart: Chart, panel: HTMLElement): HTMLButtonElement {
+  const button = h('button', {
+    type: 'button', class: 'action', 'aria-expanded': 'false', 'aria-controls': panel.id,
+    title: 'Show the numbers behind this chart', 'aria-label': 'Show the numbers behind this chart',
+  }, 'Data');
+  button.addEventListener('click', () => {
+    if (panel.childElementCount === 0) panel.append(table_body(chart.data, `${chart.data.title}, data`).element);
+    panel.hidden = !panel.hidden;
+    button.setAttribute('aria-expanded', String(!panel.hidden));
+  });
+  return button;
+}
+
+export function figure(chart: Chart, options: FigureOptions): HTMLElement {
+  const { id, number, title, compact, shared } = options;
+  const hidden = shared?.hidden ?? new Set<string>();
+  const plot = new Plot(chart, hidden, compact, title || number);
+  const controls_box = h('div', {});
+  const redraw = (): void => {
+    plot.redraw();
+    controls_box.firstElementChild?.dispatchEvent(new Event('redrawn'));
+  };
+  shared?.redraws.push(redraw);
+
+  const name = slug(title || id);
+  const shown_entries = (): LegendEntry[] => chart.legend.filter(({ label }) => !hidden.has(label));
+  const save = action_button('SVG', 'Save this chart as SVG', 'saved', () => {
+    const svg = plot.svg();
+    if (svg === null) return false;
+    save_text(`${name}.svg`, 'image/svg+xml', standalone_svg(svg, title, shown_entries()));
+    return true;
+  });
+  const csv = action_button('CSV', 'Save the numbers behind this chart as CSV', 'saved',
+    () => save_text(`${name}.csv`, 'text/csv', to_csv(chart.data, chart.data.rows)));
+  const panel = h('div', { class: 'data-panel', id: `${id}-data`, hidden: true });
+
+  const controls = chart.controls?.(redraw);
+  if (controls !== undefined) {
+    controls_box.append(controls);
+    controls.dispatchEvent(new Event('redrawn'));
+  }
+  chart.attach?.(plot.element, redraw);
+  const caption = h('figcaption', {},
+    number === '' ? null : h('a', { class: 'ref', href: `#${id}` }, number), h('span', { class: 'title' }, title));
+  return h('figure', { class: `figure chart-${options.kind}${compact ? ' compact' : ''}`, id },
+    h('div', { class: 'head' }, caption, h('div', { class: 'actions' }, data_button(chart, panel), csv, save)),
+    shared === null ? legend(chart.legend, hidden, redraw) : null,
+    controls === undefined ? null : controls_box, plot.element, panel);
+}

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+// The report document, as C++ writes it and decode.ts reads it. viewer/README.md describes each key.
+
+export interface Document {
+  title: string;
+  subtitle: string;
+  version: string;
+  command: string;
+  facts: { label: string; value: string }[];
+  sections: Section[];
+}
+
+export interface Section {
+  id: string;
+  title: string;
+  paragraphs: string[];
+  blocks: Block[];
+}
+
+export type Block =
+  | TableBlock | BoxesBlock | IntervalsBlock | LinesBlock | TrajectoriesBlock | GridBlock | NoteBlock | ProblemBlock;
+export type ChartBlock = BoxesBlock | IntervalsBlock | LinesBlock | TrajectoriesBlock;
+
+export type ColumnType = 'text' | 'number' | 'verdict' | 'deviation';
+export type Cell = string | number | null;
+export interface Column {
+  key: string;
+  label: string;
+  unit: string;
+  type: ColumnType;
+  digits: number | null;
+}
+export interface TableBlock {
+  kind: 'table';
+  title: string;
+  note: string;
+  columns: Column[];
+  rows: Record<string, Cell>[];
+  filter: string[];
+}
+
+export interface Box {
+  min: number;
+  q1: number;
+  median: number;
+  q3: number;
+  max: number;
+  mean: number | null;
+  outliers: number[];
+  count: number | null;
+}
+export interface Rule {
+  label: string;
+  value: number;
+}
+export interface Mark {
+  series: string;
+  category: string;
+  value: number;
+  label: string;
+}
+export interface BoxesBlock {
+  kind: 'boxes';
+  title: string;
+  y_label: string;
+  y_max: number | null;
+  categories: string[];
+  category_label: string;
+  series: { label: string; boxes: (Box | null)[] }[];
+  lines: Rule[];
+  marks: Mark[];
+}
+
+export interface IntervalPoint {
+  value: number;
+  low: number;
+  high: number;
+  published: number | null;
+}
+export interface IntervalsBlock {
+  kind: 'intervals';
+  title: string;
+  y_label: string;
+  y_max: number | null;
+  categories: string[];
+  category_label: string;
+  series: { label: string; points: (IntervalPoint | null)[] }[];
+  lines: Rule[];
+}
+
+export interface LinesBlock {
+  kind: 'lines';
+  title: string;
+  x_label: string;
+  y_label: string;
+  series: { label: string; x: (number | null)[]; y: (number | null)[] }[];
+  lines: Rule[];
+}
+
+export type Point = readonly [number, number, number];
+export interface Vehicle {
+  label: string;
+  n: number[];
+  e: number[];
+  d: number[];
+  t: number[];
+}
+export interface TrajectoriesBlock {
+  kind: 'trajectories';
+  title: string;
+  vehicles: Vehicle[];
+  goals: Point[];
+  spheres: { centre: Point; radius: number; label: string }[];
+}
+
+export interface GridBlock {
+  kind: 'grid';
+  title: string;
+  columns: number;
+  blocks: Block[];
+}
+
+export interface NoteBlock {
+  kind: 'note';
+  tone: 'info' | 'warning';
+  text: string;
+}
+
+/** A block that could not be read: the reason takes its place. */
+export interface ProblemBlock {
+  kind: 'problem';
+  text: string;
+}

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+import { fileURLToPath } from 'node:url';
+import { defineConfig } from 'vite';
+import { sample_data, single_page } from './bundle/single_page.ts';
+
+// One page per mode: `vite build --mode report` makes report.html into the template that the C++ library
+// fairway/report embeds.
+const templates: Record<string, string> = { report: '../fairway/report/template.html' };
+const here = (path: string): string => fileURLToPath(new URL(path, import.meta.url));
+
+export default defineConfig(({ mode, command }) => {
+  const template = templates[mode];
+  if (command === 'build' && template === undefined) throw new Error(`no page is called ${mode}`);
+  return {
+    base: './',
+    publicDir: false as const,
+    build: {
+      target: 'es2022',
+      assetsInlineLimit: 1_000_000,
+      cssCodeSplit: false,
+      modulePreload: false,
+      write: false,
+      reportCompressedSize: false,
+      rollupOptions: { input: here(`./${command === 'build' ? mode : 'report'}.html`) },
+    },
+    plugins: [sample_data(here('./sample/report.json')), ...(template ? [single_page(here(template))] : [])],
+  };
+});
