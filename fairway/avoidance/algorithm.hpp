@@ -51,8 +51,8 @@ class Avoider;
 /// A strategy around another avoider, such as stop-and-wait: it may ask the inner one, change what
 /// it is shown or what it answered.
 template <class W>
-concept AvoidanceWrapper = requires(const W& w, const Situation& situation, Avoider& inner, typename W::Memory& memory,
-                                    Context& context) {
+concept AvoidanceWrapper = requires(const W& w, const Situation& situation, Avoider& inner,
+                                    typename W::Memory& memory, Context& context) {
   requires Reflected<typename W::Params> && std::copyable<typename W::Memory>;
   { W::info } -> std::convertible_to<AlgorithmInfo>;
   { w.decide(situation, inner, memory, context) } noexcept -> std::same_as<Command>;

@@ -6,7 +6,6 @@
 namespace fairway {
 
 Vec3 Avoider::within(const Situation& s, Vec3 v) noexcept {
-  if (!is_finite(v)) return Vec3::Zero();
   const Limits& limits = s.limits;
   v = clamp_norm(v, limits.max_speed);
   v.z() = std::fmax(-limits.max_climb_rate, std::fmin(limits.max_climb_rate, v.z()));

@@ -13,7 +13,8 @@ namespace fairway {
 class Avoider {
  public:
   template <AvoidanceAlgorithm A>
-  explicit Avoider(A algorithm, Rng rng = Rng{0}) : self_{std::make_unique<Model<A>>(std::move(algorithm))}, rng_{rng} {}
+  explicit Avoider(A algorithm, Rng rng = Rng{0})
+      : self_{std::make_unique<Model<A>>(std::move(algorithm))}, rng_{rng} {}
 
   /// `wrapper` around `inner`. Wrappers nest.
   template <AvoidanceWrapper W>
@@ -37,6 +38,9 @@ class Avoider {
     if (!is_usable(situation)) return {.mode = Mode::infeasible};
     Context context{rng_, sketch};
     Command command = self_->decide(situation, context);
+    if (!is_finite(command.velocity) || (command.heading && !std::isfinite(*command.heading))) {
+      return {.mode = Mode::infeasible};
+    }
     command.velocity = within(situation, command.velocity);
     return command;
   }
@@ -55,7 +59,9 @@ class Avoider {
   template <AvoidanceAlgorithm A>
   struct Model final : Interface {
     explicit Model(A a) : algorithm{std::move(a)} {}
-    Command decide(const Situation& s, Context& c) noexcept override { return algorithm.decide(s, memory, c); }
+    Command decide(const Situation& s, Context& c) noexcept override {
+      return algorithm.decide(s, memory, c);
+    }
     std::unique_ptr<Interface> clone() const override { return std::make_unique<Model>(*this); }
     const AlgorithmInfo& info() const override { return A::info; }
 
@@ -76,7 +82,9 @@ class Avoider {
 template <AvoidanceWrapper W>
 struct Avoider::Wrapped final : Avoider::Interface {
   Wrapped(W w, Avoider a) : wrapper{std::move(w)}, inner{std::move(a)} {}
-  Command decide(const Situation& s, Context& c) noexcept override { return wrapper.decide(s, inner, memory, c); }
+  Command decide(const Situation& s, Context& c) noexcept override {
+    return wrapper.decide(s, inner, memory, c);
+  }
   std::unique_ptr<Interface> clone() const override { return std::make_unique<Wrapped>(*this); }
   const AlgorithmInfo& info() const override { return W::info; }
 

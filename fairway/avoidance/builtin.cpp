@@ -8,12 +8,8 @@
 namespace fairway {
 
 Catalog builtin_avoiders() {
-  return Catalog{}
-      .add<Direct>()
-      .add<Apf>()
-      .add<Orca3d>()
-      .add_wrapper<StopAndWait, Direct>()
-      .alias("saw", "stop_and_wait");
+  return Catalog{}.add<Direct>().add<Apf>().add<Orca3d>().add_wrapper<StopAndWait, Direct>().alias(
+      "saw", "stop_and_wait");
 }
 
 }  // namespace fairway

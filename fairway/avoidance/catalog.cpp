@@ -23,7 +23,8 @@ std::vector<const Catalog::Entry*> Catalog::layers(std::string_view name) const 
     const std::size_t plus = name.find('+', from);
     const Entry& entry = find(name.substr(from, plus == std::string_view::npos ? plus : plus - from));
     if (from > 0 && !entry.wraps) {
-      throw InputError("algorithm \"" + std::string(entry.info.name) + "\" cannot stand behind a '+': it wraps nothing");
+      throw InputError("algorithm \"" + std::string(entry.info.name) +
+                       "\" cannot stand behind a '+': it wraps nothing");
     }
     found.push_back(&entry);
     if (plus == std::string_view::npos) return found;
@@ -35,7 +36,8 @@ std::vector<ParamInfo> Catalog::params(std::string_view name) const {
   std::vector<ParamInfo> all;
   for (const Entry* layer : layers(name)) {
     for (const ParamInfo& param : layer->params) {
-      if (std::ranges::none_of(all, [&](const ParamInfo& p) { return p.name == param.name; })) all.push_back(param);
+      if (std::ranges::none_of(all, [&](const ParamInfo& p) { return p.name == param.name; }))
+        all.push_back(param);
     }
   }
   return all;

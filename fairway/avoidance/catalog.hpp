@@ -21,7 +21,7 @@ class Catalog {
     AlgorithmInfo info;
     std::vector<ParamInfo> params;
     bool wraps = false;
-    std::function<Avoider(const ParamValues&, Rng)> make;                ///< of an algorithm
+    std::function<Avoider(const ParamValues&, Rng)> make;                  ///< of an algorithm
     std::function<Avoider(Avoider, const ParamValues&, Rng)> make_around;  ///< of a wrapper
   };
 
@@ -29,9 +29,10 @@ class Catalog {
   Catalog& add() {
     entries_.push_back({.info = A::info,
                         .params = describe_params<typename A::Params>(),
-                        .make = [](const ParamValues& values, Rng rng) {
-                          return Avoider{A{chosen<typename A::Params>(values)}, rng};
-                        },
+                        .make =
+                            [](const ParamValues& values, Rng rng) {
+                              return Avoider{A{chosen<typename A::Params>(values)}, rng};
+                            },
                         .make_around = {}});
     return *this;
   }
@@ -42,13 +43,16 @@ class Catalog {
     entries_.push_back({.info = W::info,
                         .params = describe_params<typename W::Params>(),
                         .wraps = true,
-                        .make = [](const ParamValues& values, Rng rng) {
-                          return Avoider{W{chosen<typename W::Params>(values)},
-                                         Avoider{Alone{chosen<typename Alone::Params>(values)}, rng}, rng};
-                        },
-                        .make_around = [](Avoider inner, const ParamValues& values, Rng rng) {
-                          return Avoider{W{chosen<typename W::Params>(values)}, std::move(inner), rng};
-                        }});
+                        .make =
+                            [](const ParamValues& values, Rng rng) {
+                              return Avoider{W{chosen<typename W::Params>(values)},
+                                             Avoider{Alone{chosen<typename Alone::Params>(values)}, rng},
+                                             rng.stream("wrapper", 1)};
+                            },
+                        .make_around =
+                            [](Avoider inner, const ParamValues& values, Rng rng) {
+                              return Avoider{W{chosen<typename W::Params>(values)}, std::move(inner), rng};
+                            }});
     return *this;
   }
 

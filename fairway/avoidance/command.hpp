@@ -25,7 +25,7 @@ struct EnumNames<Mode> {
 
 /// What the vehicle should do until the next decision.
 struct Command {
-  Vec3 velocity = Vec3::Zero();   ///< desired, over ground [m/s, NED]
+  Vec3 velocity = Vec3::Zero();  ///< desired, over ground [m/s, NED]
   Mode mode{Mode::cruise};
   bool astern{false};             ///< the vehicle may go stern first rather than turn round
   std::optional<double> heading;  ///< desired yaw, where the method commands one [rad]

@@ -19,7 +19,8 @@ bool is_usable(const Obstacle& obstacle) {
     case Obstacle::Kind::segment:
       return is_finite(obstacle.from) && is_finite(obstacle.to);
     case Obstacle::Kind::polygon:
-      return obstacle.vertices.size() >= 3 && std::ranges::all_of(obstacle.vertices, [](const Vec3& v) { return is_finite(v); });
+      return obstacle.vertices.size() >= 3 &&
+             std::ranges::all_of(obstacle.vertices, [](const Vec3& v) { return is_finite(v); });
   }
   return false;
 }
@@ -27,10 +28,11 @@ bool is_usable(const Obstacle& obstacle) {
 }  // namespace
 
 bool is_usable(const Situation& s) noexcept {
-  return s.period > 0.0 && std::isfinite(s.period) && is_finite(s.own.position) && is_finite(s.own.velocity) &&
-         std::isfinite(s.own.yaw) && is_length(s.own.radius) && is_finite(s.goal.position) &&
-         (!s.goal.velocity || is_finite(*s.goal.velocity)) && is_length(s.goal.cruise_speed) && s.limits.max_speed >= 0.0 &&
-         s.limits.max_climb_rate >= 0.0 && s.limits.min_depth <= s.limits.max_depth &&
+  return s.period > 0.0 && std::isfinite(s.period) && is_finite(s.own.position) &&
+         is_finite(s.own.velocity) && std::isfinite(s.own.yaw) && is_length(s.own.radius) &&
+         is_finite(s.goal.position) && (!s.goal.velocity || is_finite(*s.goal.velocity)) &&
+         is_length(s.goal.cruise_speed) && s.limits.max_speed >= 0.0 && s.limits.max_climb_rate >= 0.0 &&
+         s.limits.min_depth <= s.limits.max_depth &&
          std::ranges::all_of(s.tracks, [](const Track& t) { return is_usable(t); }) &&
          std::ranges::all_of(s.obstacles, [](const Obstacle& o) { return is_usable(o); });
 }

@@ -48,7 +48,7 @@ struct Situation {
   double period{};  ///< until the next decision [s], > 0
   Ownship own;
   Goal goal;
-  Limits limits;  ///< `Avoider` holds every command to these
+  Limits limits;                        ///< `Avoider` holds every command to these
   std::span<const Track> tracks;        ///< nearest first; equal ranges by id
   std::span<const Obstacle> obstacles;  ///< what does not move
 

@@ -25,7 +25,8 @@ double seconds_per_operation(double budget_s, std::int64_t count, const std::fun
   do {
     const auto from = Clock::now();
     work();
-    samples.push_back(std::chrono::duration<double>(Clock::now() - from).count() / static_cast<double>(count));
+    samples.push_back(std::chrono::duration<double>(Clock::now() - from).count() /
+                      static_cast<double>(count));
   } while (samples.size() < 3 || std::chrono::duration<double>(Clock::now() - begin).count() < budget_s);
   std::ranges::nth_element(samples, samples.begin() + static_cast<std::ptrdiff_t>(samples.size() / 2));
   return samples[samples.size() / 2];
@@ -43,7 +44,8 @@ double decision_ns(const std::string& algorithm, Scene scene, int neighbours, do
   constexpr std::int64_t batch = 20000;
   double checksum = 0.0;
   const double seconds = seconds_per_operation(budget_s, batch, [&] {
-    for (std::int64_t i = 0; i < batch; ++i) checksum += avoider.decide(situations[rng.index(situations.size())]).velocity.x();
+    for (std::int64_t i = 0; i < batch; ++i)
+      checksum += avoider.decide(situations[rng.index(situations.size())]).velocity.x();
   });
   if (checksum == 0.123456789) std::cerr << checksum;  // the optimiser must not see that nobody reads it
   return 1e9 * seconds;
@@ -55,8 +57,14 @@ Scenario crossing(const std::string& model, const std::string& algorithm) {
   for (std::uint32_t i = 0; i < 8; ++i) {
     const double angle = 2 * pi * i / 8.0;
     const Vec3 start{20 * std::cos(angle), 20 * std::sin(angle), 10.0 + (i % 2)};
-    VehicleSpec vehicle{.id = i, .name = "v" + std::to_string(i), .model = {.name = model}, .avoider = {.name = algorithm},
-                        .position = start, .yaw = angle + pi, .radius_m = 1.0, .priority = static_cast<std::int32_t>(i)};
+    VehicleSpec vehicle{.id = i,
+                        .name = "v" + std::to_string(i),
+                        .model = {.name = model},
+                        .avoider = {.name = algorithm},
+                        .position = start,
+                        .yaw = angle + pi,
+                        .radius_m = 1.0,
+                        .priority = static_cast<std::int32_t>(i)};
     vehicle.limits.max_speed = 0.5;
     for (int lap = 0; lap < 1000; ++lap) {
       const double side = lap % 2 == 0 ? -1.0 : 1.0;
@@ -85,7 +93,8 @@ int bench(double budget_s, bool json) {
   const auto decide = [&](const std::string& algorithm, const char* kind, Scene scene) {
     const double ns = decision_ns(algorithm, scene, 7, budget_s);
     document["decision_ns"][algorithm][kind] = ns;
-    if (!json) std::cout << fmt::format("{:<24} {:<10} {:>10.0f} ns per decision among 7\n", algorithm, kind, ns);
+    if (!json)
+      std::cout << fmt::format("{:<24} {:<10} {:>10.0f} ns per decision among 7\n", algorithm, kind, ns);
   };
   for (const char* algorithm : {"orca3d", "apf", "orca3d+stop_and_wait"}) {
     decide(algorithm, "typical", encounters::crowd);
@@ -94,7 +103,9 @@ int bench(double budget_s, bool json) {
   for (const char* model : {"sparus2", "kinematic"}) {
     const double rate = steps_per_second(model, "orca3d", budget_s);
     document["vehicle_steps_per_second"][model] = rate;
-    if (!json) std::cout << fmt::format("{:<24} {:<10} {:>10.0f} vehicle-steps per second and core, 8 under orca3d\n", model, "", rate);
+    if (!json)
+      std::cout << fmt::format("{:<24} {:<10} {:>10.0f} vehicle-steps per second and core, 8 under orca3d\n",
+                               model, "", rate);
   }
   if (json) std::cout << document.dump(2) << "\n";
   return ok;
@@ -103,11 +114,14 @@ int bench(double budget_s, bool json) {
 }  // namespace
 
 void add_bench(CLI::App& app, Program& program) {
-  CLI::App* verb = app.add_subcommand("bench", "Time of a decision, and vehicle-steps per second, on this machine");
+  CLI::App* verb =
+      app.add_subcommand("bench", "Time of a decision, and vehicle-steps per second, on this machine");
   verb->footer("Example: fairway bench --seconds 2");
   auto budget = std::make_shared<double>(0.5);
   auto json = std::make_shared<bool>(false);
-  verb->add_option("--seconds", *budget, "per figure; each is the median of its repetitions")->capture_default_str()->check(CLI::Range(0.01, 60.0));
+  verb->add_option("--seconds", *budget, "per figure; each is the median of its repetitions")
+      ->capture_default_str()
+      ->check(CLI::Range(0.01, 60.0));
   verb->add_flag("--json", *json, "print JSON");
   verb->callback([=, &program] { program.chosen = [=] { return bench(*budget, *json); }; });
 }

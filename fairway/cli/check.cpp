@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "fairway/cli/program.hpp"
+#include "fairway/cli/runner.hpp"
 #include "fairway/sim/simulation.hpp"
 
 namespace fairway::cli {
@@ -31,7 +32,9 @@ void add_check(CLI::App& app, Program& program) {
       nlohmann::json document = nlohmann::json::array();
       for (const std::string& file : *files) {
         const Scenario scenario = load_scenario(file, overrides_of(*settings), *seed);
-        const Simulation simulation{scenario, builtin_catalogs()};  // the catalogs check what they are asked for
+        check_expectations(scenario);
+        const Simulation simulation{scenario,
+                                    builtin_catalogs()};  // the catalogs check what they are asked for
         if (*json) {
           document.push_back({{"file", file}, {"name", scenario.name}, {"resolved", to_yaml(scenario)}});
         } else {

@@ -11,17 +11,22 @@
 namespace fairway::cli {
 
 void add_compare(CLI::App& app, Program& program) {
-  CLI::App* verb = app.add_subcommand("compare", "Compare stored results, paired by seed, with confidence intervals");
-  verb->footer("Example: fairway compare methods.sqlite --by method --baseline orca3d --quantity navigation_time_s");
+  CLI::App* verb =
+      app.add_subcommand("compare", "Compare stored results, paired by seed, with confidence intervals");
+  verb->footer(
+      "Example: fairway compare methods.sqlite --by method --baseline orca3d --quantity navigation_time_s");
   auto stores = std::make_shared<std::vector<std::string>>();
   auto options = std::make_shared<CompareOptions>();
   auto csv = std::make_shared<bool>(false);
   auto json = std::make_shared<bool>(false);
   verb->add_option("results", *stores, "results stores")->required();
   verb->add_option("--by", options->by, "label whose values are compared")->capture_default_str();
-  verb->add_option("--baseline", options->baseline, "value that the others are compared with; the first if not given");
+  verb->add_option("--baseline", options->baseline,
+                   "value that the others are compared with; the first if not given");
   verb->add_option("--quantity", options->quantities, "quantities; all if none is named");
-  verb->add_option("--confidence", options->confidence, "of each interval")->capture_default_str()->check(CLI::Range(0.5, 0.9999));
+  verb->add_option("--confidence", options->confidence, "of each interval")
+      ->capture_default_str()
+      ->check(CLI::Range(0.5, 0.9999));
   verb->add_flag("--csv", *csv, "print every measure of every run as CSV instead");
   verb->add_flag("--json", *json, "print JSON");
   verb->callback([=, &program] {

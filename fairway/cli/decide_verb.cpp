@@ -8,10 +8,14 @@
 namespace fairway::cli {
 
 void add_decide(CLI::App& app, Program& program) {
-  CLI::App* verb = app.add_subcommand("decide", "JSON lines: situations on standard input, commands on standard output");
-  verb->footer("Example: echo '{\"time\":0,\"period\":0.1,\"own\":{\"id\":0,\"position\":[0,0,0],\"velocity\":[0.5,0,0],\"yaw\":0,"
-               "\"radius\":1},\"goal\":{\"position\":[50,0,0]},\"limits\":{\"max_speed\":0.5},\"tracks\":[],\"obstacles\":[]}' "
-               "| fairway decide --algorithm orca3d --set time_horizon_s=5");
+  CLI::App* verb =
+      app.add_subcommand("decide", "JSON lines: situations on standard input, commands on standard output");
+  verb->footer(
+      "Example: echo "
+      "'{\"time\":0,\"period\":0.1,\"own\":{\"id\":0,\"position\":[0,0,0],\"velocity\":[0.5,0,0],\"yaw\":0,"
+      "\"radius\":1},\"goal\":{\"position\":[50,0,0]},\"limits\":{\"max_speed\":0.5},\"tracks\":[],"
+      "\"obstacles\":[]}' "
+      "| fairway decide --algorithm orca3d --set time_horizon_s=5");
   auto algorithm = std::make_shared<std::string>();
   auto settings = std::make_shared<std::vector<std::string>>();
   auto keep = std::make_shared<bool>(false);

@@ -52,14 +52,18 @@ json describe(const std::string& name) {
   std::vector<std::string_view> known;
   const Catalogs catalogs = builtin_catalogs();
   if (name.find('+') != std::string::npos) {
-    return {{"kind", "algorithm"}, {"name", name}, {"parameters", params_json(catalogs.avoiders.params(name))}};
+    return {
+        {"kind", "algorithm"}, {"name", name}, {"parameters", params_json(catalogs.avoiders.params(name))}};
   }
   for (const Catalog::Entry& entry : catalogs.avoiders.entries()) {
     known.push_back(entry.info.name);
     if (entry.info.name != name) continue;
-    return {{"kind", "algorithm"},           {"name", name},
-            {"title", entry.info.title},     {"source", entry.info.source},
-            {"planar", entry.info.planar},   {"wraps", entry.wraps},
+    return {{"kind", "algorithm"},
+            {"name", name},
+            {"title", entry.info.title},
+            {"source", entry.info.source},
+            {"planar", entry.info.planar},
+            {"wraps", entry.wraps},
             {"parameters", params_json(entry.params)}};
   }
   for (const VehicleCatalog::Entry& entry : catalogs.vehicles.entries()) {
@@ -83,7 +87,10 @@ json describe(const std::string& name) {
   for (const QuantityInfo& quantity : quantities) {
     known.push_back(quantity.name);
     if (quantity.name == name) {
-      return {{"kind", "metric"}, {"name", name}, {"meaning", quantity.meaning}, {"per_vehicle", quantity.per_vehicle}};
+      return {{"kind", "metric"},
+              {"name", name},
+              {"meaning", quantity.meaning},
+              {"per_vehicle", quantity.per_vehicle}};
     }
   }
   throw InputError("nothing is called \"" + name + "\"" + suggestion(name, known));
@@ -100,7 +107,8 @@ void print_table(const json& entries, std::string_view title) {
   std::cout << title << "\n";
   for (const json& entry : entries) {
     std::string range;
-    if (entry.contains("range")) range = fmt::format("[{}, {}]", text_of(entry["range"][0]), text_of(entry["range"][1]));
+    if (entry.contains("range"))
+      range = fmt::format("[{}, {}]", text_of(entry["range"][0]), text_of(entry["range"][1]));
     if (entry.contains("choices")) range = entry["choices"].dump();
     const std::string value = entry.contains("default") ? text_of(entry["default"]) : "";
     std::cout << fmt::format("  {:<32} {:<12} {:<24} {}\n", entry["name"].get<std::string>(), value, range,
@@ -120,7 +128,8 @@ void print(const json& document) {
 }  // namespace
 
 void add_describe(CLI::App& app, Program& program) {
-  CLI::App* verb = app.add_subcommand("describe", "An algorithm, vehicle, study or metric: source, parameters, actuators");
+  CLI::App* verb =
+      app.add_subcommand("describe", "An algorithm, vehicle, study or metric: source, parameters, actuators");
   verb->footer("Example: fairway describe orca3d+stop_and_wait");
   auto name = std::make_shared<std::string>();
   auto as_json = std::make_shared<bool>(false);

@@ -17,9 +17,12 @@ nlohmann::json document_of(const Difference& difference) {
                           {"only_in_a", difference.only_in_a},
                           {"only_in_b", difference.only_in_b}};
   if (difference.first) {
-    document["first"] = {{"tick", count(difference.first->tick)}, {"time_s", difference.first->time},
-                         {"vehicle", difference.first->vehicle},  {"quantity", difference.first->quantity},
-                         {"a", difference.first->a},              {"b", difference.first->b}};
+    document["first"] = {{"tick", count(difference.first->tick)},
+                         {"time_s", difference.first->time},
+                         {"vehicle", difference.first->vehicle},
+                         {"quantity", difference.first->quantity},
+                         {"a", difference.first->a},
+                         {"b", difference.first->b}};
   }
   if (difference.farthest) {
     document["farthest"] = {{"distance_m", difference.farthest->distance},

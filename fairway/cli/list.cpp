@@ -52,15 +52,17 @@ std::vector<Item> scenarios(const std::string& directory) {
 
 std::vector<Item> studies() {
   std::vector<Item> items;
-  for (const Study& study : builtin_studies()) items.push_back({std::string(study.name), std::string(study.title)});
+  for (const Study& study : builtin_studies())
+    items.push_back({std::string(study.name), std::string(study.title)});
   return items;
 }
 
 std::vector<Item> metrics() {
   std::vector<Item> items;
   for (const QuantityInfo& quantity : all_quantities()) {
-    items.push_back({std::string(quantity.name),
-                     std::string(quantity.per_vehicle ? "per vehicle: " : "fleet: ") + std::string(quantity.meaning)});
+    items.push_back(
+        {std::string(quantity.name),
+         std::string(quantity.per_vehicle ? "per vehicle: " : "fleet: ") + std::string(quantity.meaning)});
   }
   return items;
 }
@@ -68,7 +70,8 @@ std::vector<Item> metrics() {
 }  // namespace
 
 void add_list(CLI::App& app, Program& program) {
-  CLI::App* verb = app.add_subcommand("list", "What there is: algorithms, vehicles, scenarios, studies, metrics");
+  CLI::App* verb =
+      app.add_subcommand("list", "What there is: algorithms, vehicles, scenarios, studies, metrics");
   verb->footer("Example: fairway list algorithms");
   auto kind = std::make_shared<std::string>();
   auto directory = std::make_shared<std::string>("scenarios");
@@ -83,8 +86,8 @@ void add_list(CLI::App& app, Program& program) {
       for (const std::string& name : kinds) {
         if (!kind->empty() && *kind != name) continue;
         if (kind->empty() && name == "scenarios" && !std::filesystem::is_directory(*directory)) continue;
-        const std::vector<Item> items = name == "algorithms" ? algorithms()
-                                        : name == "vehicles" ? vehicles()
+        const std::vector<Item> items = name == "algorithms"  ? algorithms()
+                                        : name == "vehicles"  ? vehicles()
                                         : name == "scenarios" ? scenarios(*directory)
                                         : name == "studies"   ? studies()
                                                               : metrics();

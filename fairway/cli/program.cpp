@@ -48,14 +48,16 @@ void add_verbs(CLI::App& app, Program& program) {
 }
 
 /// A mistyped verb gets its neighbour named; everything else is the library's own message.
-int explain_parse_error(const CLI::App& app, const CLI::ParseError& error, int argc, const char* const* argv) {
+int explain_parse_error(const CLI::App& app, const CLI::ParseError& error, int argc,
+                        const char* const* argv) {
   if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
     return app.exit(error, std::cout, std::cerr);
   }
   std::string hint;
   if (argc > 1 && argv[1][0] != '-') {
     std::vector<std::string_view> verbs;
-    for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; })) verbs.push_back(verb->get_name());
+    for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; }))
+      verbs.push_back(verb->get_name());
     if (std::ranges::find(verbs, std::string_view(argv[1])) == verbs.end()) {
       std::cerr << "fairway: unknown verb \"" << argv[1] << "\"" << suggestion(argv[1], verbs) << "\n";
       return bad_input;
@@ -71,7 +73,8 @@ int explain_parse_error(const CLI::App& app, const CLI::ParseError& error, int a
 }  // namespace
 
 int run_command(int argc, const char* const* argv) {
-  CLI::App app{"Collision avoidance for marine robots: methods, vehicles, simulation, experiments.", "fairway"};
+  CLI::App app{"Collision avoidance for marine robots: methods, vehicles, simulation, experiments.",
+               "fairway"};
   app.set_version_flag("--version", std::string("fairway ") + std::string(fairway_version));
   app.require_subcommand(1);
   app.footer("Example: fairway study cubes --seeds 20 --out results");

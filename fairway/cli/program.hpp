@@ -20,9 +20,9 @@ inline constexpr int interrupted = 130;
 
 /// The command line of a process: what was typed, and what a verb leaves behind.
 struct Program {
-  std::string typed;             ///< the whole command, for reports
-  std::function<int()> chosen;   ///< the verb that was asked for
-  std::atomic<bool>* stop;       ///< set by Ctrl-C
+  std::string typed;            ///< the whole command, for reports
+  std::function<int()> chosen;  ///< the verb that was asked for
+  std::atomic<bool>* stop;      ///< set by Ctrl-C
 };
 
 // One function per verb, each in its own file: adds the subcommand with its flags, its help and an example.

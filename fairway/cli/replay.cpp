@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "fairway/cli/program.hpp"
+#include "fairway/experiment/measure_run.hpp"
 #include "fairway/metrics/run_metrics.hpp"
 #include "fairway/record/csv.hpp"
 #include "fairway/record/hash_checker.hpp"
@@ -28,7 +29,11 @@ int verify(const Recording& recording, const std::string& name, bool json) {
   const std::array<FrameSink*, 1> sinks{&checker};
   Simulation{scenario, builtin_catalogs()}.run(sinks);
   if (json) {
-    std::cout << nlohmann::json{{"recording", name}, {"same", checker.same()}, {"verdict", checker.describe()}}.dump(2) << "\n";
+    std::cout << nlohmann::json{{"recording", name},
+                                {"same", checker.same()},
+                                {"verdict", checker.describe()}}
+                     .dump(2)
+              << "\n";
   } else {
     std::cout << name << ": " << checker.describe() << "\n";
   }
@@ -50,10 +55,11 @@ void export_to(const Recording& recording, const std::string& file) {
 void summarise(const Recording& recording, const std::string& name, bool json) {
   const RecordingInfo& info = recording.info();
   const Scenario scenario = parse_scenario(info.scenario_yaml, name + " (scenario)");
-  RunMetrics metrics{{scenario.exam.crit_dist_m, scenario.exam.safety_distance_m}};
+  RunMetrics metrics = metrics_for(scenario);
   recording.play(metrics);
-  nlohmann::json document{{"recording", name},          {"scenario", info.scenario_name}, {"seed", info.seed},
-                          {"version", info.version},    {"frames", recording.size()},     {"vehicles", info.vehicles.size()},
+  nlohmann::json document{{"recording", name},          {"scenario", info.scenario_name},
+                          {"seed", info.seed},          {"version", info.version},
+                          {"frames", recording.size()}, {"vehicles", info.vehicles.size()},
                           {"period_s", info.period}};
   for (const Measure& m : metrics.measures()) {
     if (m.vehicle == Measure::fleet && std::isfinite(m.value)) document[m.quantity] = m.value;
@@ -62,13 +68,15 @@ void summarise(const Recording& recording, const std::string& name, bool json) {
     std::cout << document.dump(2) << "\n";
     return;
   }
-  for (const auto& [key, value] : document.items()) std::cout << key << ": " << (value.is_string() ? value.get<std::string>() : value.dump()) << "\n";
+  for (const auto& [key, value] : document.items())
+    std::cout << key << ": " << (value.is_string() ? value.get<std::string>() : value.dump()) << "\n";
 }
 
 }  // namespace
 
 void add_replay(CLI::App& app, Program& program) {
-  CLI::App* verb = app.add_subcommand("replay", "What a recording holds; --verify simulates it again and compares every frame");
+  CLI::App* verb = app.add_subcommand(
+      "replay", "What a recording holds; --verify simulates it again and compares every frame");
   verb->footer("Example: fairway replay cube.mcap --verify");
   auto flags = std::make_shared<ReplayFlags>();
   verb->add_option("recording", flags->recording, "MCAP file written by `fairway run --out`")->required();

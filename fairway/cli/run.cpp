@@ -25,26 +25,31 @@ struct RunOptions {
 
 json number(double value) { return std::isfinite(value) ? json(value) : json(); }
 
-json document_of(const Scenario& scenario, const RunOutcome& outcome, const std::vector<Judgement>& judgements) {
+json document_of(const Scenario& scenario, const RunOutcome& outcome,
+                 const std::vector<Judgement>& judgements) {
   json document{{"scenario", scenario.name}, {"seed", scenario.seed}, {"simulated_s", outcome.simulated_s}};
-  for (const VehicleSpec& vehicle : scenario.vehicles) document["vehicles"].push_back({{"name", vehicle.name}});
+  for (const VehicleSpec& vehicle : scenario.vehicles)
+    document["vehicles"].push_back({{"name", vehicle.name}});
   for (const Measure& measure : outcome.measures) {
     if (measure.vehicle == Measure::fleet) {
       document["fleet"][measure.quantity] = number(measure.value);
     } else {
-      document["vehicles"][static_cast<std::size_t>(measure.vehicle)][measure.quantity] = number(measure.value);
+      document["vehicles"][static_cast<std::size_t>(measure.vehicle)][measure.quantity] =
+          number(measure.value);
     }
   }
   document["expect"] = json::array();
   for (const Judgement& judgement : judgements) {
-    document["expect"].push_back({{"metric", judgement.expectation.metric}, {"worst", number(judgement.worst)}, {"kept", judgement.kept}});
+    document["expect"].push_back({{"metric", judgement.expectation.metric},
+                                  {"worst", number(judgement.worst)},
+                                  {"kept", judgement.kept}});
   }
   return document;
 }
 
 void print(const Scenario& scenario, const RunOutcome& outcome, const std::vector<Judgement>& judgements) {
-  std::cout << fmt::format("{}: {} vehicles, {:.1f} s simulated in {:.2f} s\n", scenario.name, scenario.vehicles.size(),
-                           outcome.simulated_s, outcome.wall_s);
+  std::cout << fmt::format("{}: {} vehicles, {:.1f} s simulated in {:.2f} s\n", scenario.name,
+                           scenario.vehicles.size(), outcome.simulated_s, outcome.wall_s);
   for (const Measure& m : outcome.measures) {
     if (m.vehicle == Measure::fleet) std::cout << fmt::format("  {:<24} {:.6g}\n", m.quantity, m.value);
   }
@@ -59,13 +64,15 @@ void print(const Scenario& scenario, const RunOutcome& outcome, const std::vecto
     std::cout << fmt::format("  {:<14}", scenario.vehicles[i].name);
     for (const std::string& quantity : quantities) {
       for (const Measure& m : outcome.measures) {
-        if (m.vehicle == static_cast<int>(i) && m.quantity == quantity) std::cout << fmt::format(" {:>17.6g}", m.value);
+        if (m.vehicle == static_cast<int>(i) && m.quantity == quantity)
+          std::cout << fmt::format(" {:>17.6g}", m.value);
       }
     }
     std::cout << "\n";
   }
   if (outcome.decisions.count > 0) {
-    std::cout << fmt::format("  decisions: {}, mean {:.2f} us, worst {:.1f} us (on this machine)\n", outcome.decisions.count,
+    std::cout << fmt::format("  decisions: {}, mean {:.2f} us, worst {:.1f} us (on this machine)\n",
+                             outcome.decisions.count,
                              1e6 * outcome.decisions.total_s / static_cast<double>(outcome.decisions.count),
                              1e6 * outcome.decisions.worst_s);
   }
@@ -77,6 +84,7 @@ void print(const Scenario& scenario, const RunOutcome& outcome, const std::vecto
 int run(const RunOptions& options, const std::atomic<bool>* stop) {
   Scenario scenario = load_scenario(options.file, overrides_of(options.settings), options.seed);
   if (!options.algorithm.empty()) set_algorithm(scenario, options.algorithm);
+  check_expectations(scenario);
   const RunOutcome outcome = run_scenario(scenario, options.out, stop);
   if (!outcome.complete) {
     std::cerr << "fairway: interrupted\n";

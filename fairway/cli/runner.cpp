@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <memory>
+#include <optional>
 
 #include "fairway/core/names.hpp"
 #include "fairway/core/text.hpp"
+#include "fairway/experiment/measure_run.hpp"
 #include "fairway/experiment/version.hpp"
 #include "fairway/record/recording_writer.hpp"
 #include "fairway/scenario/load.hpp"
@@ -27,18 +30,19 @@ RecordingInfo info_of(const Scenario& scenario) {
   return info;
 }
 
-/// How far `value` is outside the bounds; 0 inside.
+/// How far `value` is outside the bounds; negative inside, by the way to the nearer one.
 double excess(const Expectation& expected, double value) {
   if (std::isnan(value)) return std::numeric_limits<double>::infinity();
-  return std::fmax(0.0, std::fmax(value - expected.max, expected.min - value));
+  return std::fmax(value - expected.max, expected.min - value);
 }
 
 }  // namespace
 
-RunOutcome run_scenario(const Scenario& scenario, const std::string& recording, const std::atomic<bool>* stop) {
+RunOutcome run_scenario(const Scenario& scenario, const std::string& recording,
+                        const std::atomic<bool>* stop) {
   Simulation simulation{scenario, builtin_catalogs()};
   simulation.time_decisions();
-  RunMetrics metrics{{scenario.exam.crit_dist_m, scenario.exam.safety_distance_m}};
+  RunMetrics metrics = metrics_for(scenario);
   std::vector<FrameSink*> sinks{&metrics};
   std::unique_ptr<RecordingWriter> writer;
   if (!recording.empty()) {
@@ -60,26 +64,30 @@ RunOutcome run_scenario(const Scenario& scenario, const std::string& recording, 
   return outcome;
 }
 
+void check_expectations(const Scenario& scenario) {
+  const std::vector<QuantityInfo> quantities = all_quantities();
+  std::vector<std::string_view> known;
+  for (const QuantityInfo& quantity : quantities) known.push_back(quantity.name);
+  for (const Expectation& expected : scenario.expect) {
+    if (std::ranges::find(known, expected.metric) != known.end()) continue;
+    throw InputError(expected.where, "expect." + expected.metric,
+                     "unknown metric" + suggestion(expected.metric, known));
+  }
+}
+
 std::vector<Judgement> judge(const Scenario& scenario, const std::vector<Measure>& measures) {
   std::vector<Judgement> judgements;
   for (const Expectation& expected : scenario.expect) {
-    Judgement judgement{expected, std::numeric_limits<double>::quiet_NaN(), true};
-    double worst = -1.0;
+    Judgement judgement{expected, std::numeric_limits<double>::quiet_NaN(), false};
+    std::optional<double> worst;
     for (const Measure& measure : measures) {
       if (measure.quantity != expected.metric) continue;
       const double off = excess(expected, measure.value);
-      if (off > worst) {
-        worst = off;
-        judgement.worst = measure.value;
-      }
+      if (worst && off <= *worst) continue;
+      worst = off;
+      judgement.worst = measure.value;
+      judgement.kept = off <= 0.0;
     }
-    if (worst < 0.0) {
-      const std::vector<QuantityInfo> quantities = all_quantities();
-      std::vector<std::string_view> known;
-      for (const QuantityInfo& quantity : quantities) known.push_back(quantity.name);
-      throw InputError(expected.where, "expect." + expected.metric, "unknown metric" + suggestion(expected.metric, known));
-    }
-    judgement.kept = worst == 0.0;
     judgements.push_back(std::move(judgement));
   }
   return judgements;
@@ -92,7 +100,8 @@ std::string text_of(const Judgement& judgement) {
     bounds = number_text(expected.min);
   } else {
     if (std::isfinite(expected.min)) bounds += "at least " + number_text(expected.min);
-    if (std::isfinite(expected.max)) bounds += (bounds.empty() ? "" : " and ") + ("at most " + number_text(expected.max));
+    if (std::isfinite(expected.max))
+      bounds += (bounds.empty() ? "" : " and ") + ("at most " + number_text(expected.max));
   }
   return expected.metric + " = " + number_text(judgement.worst) + ", expected " + bounds;
 }

@@ -20,17 +20,23 @@ struct RunOutcome {
   bool complete{true};  ///< false if stopped
 };
 
-/// Runs a scenario; records it to `recording` if that is not empty. A run that is stopped leaves no recording.
-RunOutcome run_scenario(const Scenario& scenario, const std::string& recording, const std::atomic<bool>* stop);
+/// Runs a scenario; records it to `recording` if that is not empty. A run that is stopped leaves no
+/// recording.
+RunOutcome run_scenario(const Scenario& scenario, const std::string& recording,
+                        const std::atomic<bool>* stop);
 
 /// An expectation and what came of it.
 struct Judgement {
   Expectation expectation;
-  double worst{};  ///< of all vehicles, for a quantity that each has
+  double worst{};  ///< of all vehicles, for a quantity that each has: farthest outside the bounds, or nearest
+                   ///< to one
   bool kept{};
 };
 
 /// Throws InputError for a metric that does not exist.
+void check_expectations(const Scenario& scenario);
+
+/// Holds a run to what its scenario expects.
 std::vector<Judgement> judge(const Scenario& scenario, const std::vector<Measure>& measures);
 
 /// "collision_count = 2, expected 0".

@@ -37,7 +37,8 @@ std::filesystem::path prepared(const std::string& out, const std::string& name) 
 }
 
 /// Leaves results.csv, rows.json and report.html beside the store.
-void write_results(const std::filesystem::path& directory, const Study& study, const StudyResult& result, const Store& store) {
+void write_results(const std::filesystem::path& directory, const Study& study, const StudyResult& result,
+                   const Store& store) {
   std::ofstream csv{directory / "results.csv", std::ios::binary};
   store.export_csv(csv);
   csv.close();
@@ -62,7 +63,8 @@ int run_study(const Study& study, const StudyFlags& flags, const Program& progra
                                         .stop = program.stop,
                                         .command = program.typed});
   if (!result.complete) {
-    std::cerr << "fairway: interrupted; " << (store ? "the same command goes on from here" : "nothing was kept (no --out)") << "\n";
+    std::cerr << "fairway: interrupted; "
+              << (store ? "the same command goes on from here" : "nothing was kept (no --out)") << "\n";
     return interrupted;
   }
   if (store) write_results(directory, study, result, *store);
@@ -70,7 +72,8 @@ int run_study(const Study& study, const StudyFlags& flags, const Program& progra
     std::cout << rows_json(study.name, result.rows).dump() << "\n";
   } else {
     std::cout << study.title << "\n" << rows_text(result.rows);
-    if (store) std::cout << "report: " << std::filesystem::absolute(directory / "report.html").string() << "\n";
+    if (store)
+      std::cout << "report: " << std::filesystem::absolute(directory / "report.html").string() << "\n";
   }
   return ok;
 }
@@ -78,9 +81,12 @@ int run_study(const Study& study, const StudyFlags& flags, const Program& progra
 }  // namespace
 
 void add_study(CLI::App& app, Program& program) {
-  CLI::App* verb = app.add_subcommand("study", "Reproduce a published experiment: published against measured");
-  verb->footer("Example: fairway study cubes --seeds 20 --out results\n"
-               "With --out, results are kept there as they come, and the same command continues after an interruption.");
+  CLI::App* verb =
+      app.add_subcommand("study", "Reproduce a published experiment: published against measured");
+  verb->footer(
+      "Example: fairway study cubes --seeds 20 --out results\n"
+      "With --out, results are kept there as they come, and the same command continues after an "
+      "interruption.");
   auto flags = std::make_shared<StudyFlags>();
   verb->add_option("names", flags->names, "as `fairway list studies` shows them")->required();
   verb->add_option("--jobs", flags->jobs, "threads; 0 = as many as the machine has")->capture_default_str();

@@ -7,7 +7,7 @@
 #include "fairway/cli/program.hpp"
 #include "fairway/experiment/campaign.hpp"
 #include "fairway/experiment/compare.hpp"
-#include "fairway/metrics/run_metrics.hpp"
+#include "fairway/experiment/measure_run.hpp"
 #include "fairway/sim/simulation.hpp"
 
 namespace fairway::cli {
@@ -21,28 +21,18 @@ struct SweepFlags {
   bool json{false};
 };
 
-std::vector<Measure> measure(const Scenario& scenario, const Catalogs& catalogs, const std::atomic<bool>* stop) {
-  Simulation simulation{scenario, catalogs};
-  RunMetrics metrics{{scenario.exam.crit_dist_m, scenario.exam.safety_distance_m}};
-  const std::array<FrameSink*, 1> sinks{&metrics};
-  while (!simulation.is_done()) {
-    if (stop != nullptr && stop->load(std::memory_order_relaxed)) throw RunAbandoned{};
-    simulation.step(sinks);
-  }
-  return metrics.measures();
-}
-
 int sweep(const SweepFlags& flags, const std::atomic<bool>* stop) {
   const Catalogs catalogs = builtin_catalogs();
   const auto check = [&](const Scenario& scenario) { Simulation{scenario, catalogs}; };
   const Campaign campaign = load_campaign(flags.campaign, check, flags.jobs);
   Store store = flags.out.empty() ? Store::in_memory() : Store::open(flags.out);
   Progress progress{campaign.name};
-  const ExecutorReport report =
-      run_campaign(campaign, [&](const Scenario& scenario) { return measure(scenario, catalogs, stop); }, store,
-                   {.jobs = flags.jobs, .progress = &progress, .stop = stop, .retry_failures = flags.retry});
+  const ExecutorReport report = run_campaign(
+      campaign, [&](const Scenario& scenario) { return measure_run(scenario, catalogs, stop); }, store,
+      {.jobs = flags.jobs, .progress = &progress, .stop = stop, .retry_failures = flags.retry});
   if (report.stopped) {
-    std::cerr << fmt::format("fairway: interrupted after {} runs; the same command goes on from here\n", report.made);
+    std::cerr << fmt::format("fairway: interrupted after {} runs; the same command goes on from here\n",
+                             report.made);
     return interrupted;
   }
   const Comparison comparison = compare(records_of(campaign, store), {.quantities = campaign.quantities});
@@ -58,7 +48,8 @@ int sweep(const SweepFlags& flags, const std::atomic<bool>* stop) {
 }  // namespace
 
 void add_sweep(CLI::App& app, Program& program) {
-  CLI::App* verb = app.add_subcommand("sweep", "Run a campaign: scenarios x algorithms x settings x seeds; only what is missing");
+  CLI::App* verb = app.add_subcommand(
+      "sweep", "Run a campaign: scenarios x algorithms x settings x seeds; only what is missing");
   verb->footer("Example: fairway sweep campaigns/methods.yaml --out methods.sqlite");
   auto flags = std::make_shared<SweepFlags>();
   verb->add_option("campaign", flags->campaign, "campaign file")->required();

@@ -29,12 +29,18 @@ int test(const std::string& directory, bool json, const std::atomic<bool>* stop)
   int passed = 0, failed = 0;
   for (const std::string& file : scenario_files(directory)) {
     const Scenario scenario = load_scenario(file);
+    check_expectations(scenario);
     const RunOutcome outcome = run_scenario(scenario, "", stop);
     if (!outcome.complete) return interrupted;
     for (const Judgement& judgement : judge(scenario, outcome.measures)) {
       ++(judgement.kept ? passed : failed);
-      if (!json) std::cout << fmt::format("{} {:<36} {}\n", judgement.kept ? "kept  " : "FAILED", file, text_of(judgement));
-      document.push_back({{"file", file}, {"metric", judgement.expectation.metric}, {"worst", judgement.worst}, {"kept", judgement.kept}});
+      if (!json)
+        std::cout << fmt::format("{} {:<36} {}\n", judgement.kept ? "kept  " : "FAILED", file,
+                                 text_of(judgement));
+      document.push_back({{"file", file},
+                          {"metric", judgement.expectation.metric},
+                          {"worst", judgement.worst},
+                          {"kept", judgement.kept}});
     }
   }
   if (json) {
@@ -54,7 +60,8 @@ void add_test(CLI::App& app, Program& program) {
   auto json = std::make_shared<bool>(false);
   verb->add_option("directory", *directory, "folder")->capture_default_str();
   verb->add_flag("--json", *json, "print JSON");
-  verb->callback([=, &program] { program.chosen = [=, &program] { return test(*directory, *json, program.stop); }; });
+  verb->callback(
+      [=, &program] { program.chosen = [=, &program] { return test(*directory, *json, program.stop); }; });
 }
 
 }  // namespace fairway::cli

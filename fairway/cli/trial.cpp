@@ -39,13 +39,16 @@ int trial(const TrialFlags& flags) {
 
 void add_trial(CLI::App& app, Program& program) {
   CLI::App* verb = app.add_subcommand("trial", "Open-loop manoeuvre of a vehicle: actuators in, states out");
-  verb->footer("Example: fairway trial sparus2 --inputs in.csv --out out.csv --set state.u_mps=0.5 --set current.north_mps=0.2\n"
-               "Inputs: columns time_s and the actuators that `fairway describe VEHICLE` shows.");
+  verb->footer(
+      "Example: fairway trial sparus2 --inputs in.csv --out out.csv --set state.u_mps=0.5 --set "
+      "current.north_mps=0.2\n"
+      "Inputs: columns time_s and the actuators that `fairway describe VEHICLE` shows.");
   auto flags = std::make_shared<TrialFlags>();
   verb->add_option("vehicle", flags->vehicle, "as `fairway list vehicles` shows it")->required();
   verb->add_option("--inputs", flags->inputs, "CSV; - for standard input")->required();
   verb->add_option("--out", flags->out, "CSV to write; - for standard output")->required();
-  verb->add_option("--set", flags->settings, "state.*, current.*, actuator_dynamics, step_s or a vehicle's parameter");
+  verb->add_option("--set", flags->settings,
+                   "state.*, current.*, actuator_dynamics, step_s or a vehicle's parameter");
   verb->add_flag("--json", flags->json, "print JSON");
   verb->callback([=, &program] { program.chosen = [=] { return trial(*flags); }; });
 }

@@ -30,10 +30,10 @@ namespace fairway {
 class VelocityController {
  public:
   struct Params {
-    double surge_bandwidth_radps{0.6};
+    double surge_bandwidth_radps{0.8};
     double sway_bandwidth_radps{0.6};
     double heave_bandwidth_radps{0.8};
-    double yaw_bandwidth_radps{0.6};
+    double yaw_bandwidth_radps{1.0};
     double observer_bandwidth_radps{0.8};
 
     static consteval auto fields() {

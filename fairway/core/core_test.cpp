@@ -33,7 +33,7 @@ TEST(Rng, NormalDrawsHaveMeanZeroAndDeviationOne) {
     sum += x;
     squares += x * x;
   }
-  EXPECT_NEAR(sum / n, 0.0, 4 / std::sqrt(n));                     // four standard errors
+  EXPECT_NEAR(sum / n, 0.0, 4 / std::sqrt(n));  // four standard errors
   EXPECT_NEAR(squares / n, 1.0, 4 * std::sqrt(2.0 / n));
 }
 

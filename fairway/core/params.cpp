@@ -20,18 +20,25 @@ std::string value_text(const ParamValue& value) {
 
 double number_in(std::string_view name, Range range, const ParamValue& value, bool whole) {
   const double* given = std::get_if<double>(&value);
-  const bool fits = given != nullptr && *given >= range.lo && *given <= range.hi && (!whole || *given == std::floor(*given));
+  const bool fits = given != nullptr && *given >= range.lo && *given <= range.hi &&
+                    (!whole || *given == std::floor(*given));
   if (!fits) {
-    refuse(name, value, std::string(whole ? "a whole number in [" : "a number in [") + number_text(range.lo) + ", " +
-                            number_text(range.hi) + "]");
+    refuse(name, value,
+           std::string(whole ? "a whole number in [" : "a number in [") + number_text(range.lo) + ", " +
+               number_text(range.hi) + "]");
   }
   return *given;
 }
 
-ParamInfo info_of(std::string_view name, std::string_view unit, const char* type, Range range, std::string_view meaning,
-                  ParamValue value) {
-  return {.name = std::string(name), .unit = std::string(unit), .type = type, .range = range,
-          .meaning = std::string(meaning), .value = std::move(value), .choices = {}};
+ParamInfo info_of(std::string_view name, std::string_view unit, const char* type, Range range,
+                  std::string_view meaning, ParamValue value) {
+  return {.name = std::string(name),
+          .unit = std::string(unit),
+          .type = type,
+          .range = range,
+          .meaning = std::string(meaning),
+          .value = std::move(value),
+          .choices = {}};
 }
 
 }  // namespace
@@ -50,7 +57,8 @@ void assign(bool& target, std::string_view name, Range, const ParamValue& value)
   target = *given;
 }
 
-std::size_t chosen_index(std::string_view name, std::span<const char* const> choices, const ParamValue& value) {
+std::size_t chosen_index(std::string_view name, std::span<const char* const> choices,
+                         const ParamValue& value) {
   const std::string* given = std::get_if<std::string>(&value);
   std::string list;
   for (std::size_t i = 0; i < choices.size(); ++i) {
@@ -60,20 +68,23 @@ std::size_t chosen_index(std::string_view name, std::span<const char* const> cho
   refuse(name, value, "one of " + list);
 }
 
-ParamInfo describe(std::string_view name, std::string_view unit, Range range, std::string_view meaning, double value) {
+ParamInfo describe(std::string_view name, std::string_view unit, Range range, std::string_view meaning,
+                   double value) {
   return info_of(name, unit, "number", range, meaning, value);
 }
 
-ParamInfo describe(std::string_view name, std::string_view unit, Range range, std::string_view meaning, int value) {
+ParamInfo describe(std::string_view name, std::string_view unit, Range range, std::string_view meaning,
+                   int value) {
   return info_of(name, unit, "integer", range, meaning, static_cast<double>(value));
 }
 
-ParamInfo describe(std::string_view name, std::string_view unit, Range range, std::string_view meaning, bool value) {
+ParamInfo describe(std::string_view name, std::string_view unit, Range range, std::string_view meaning,
+                   bool value) {
   return info_of(name, unit, "boolean", range, meaning, value);
 }
 
-ParamInfo describe_choice(std::string_view name, std::string_view meaning, std::span<const char* const> choices,
-                          std::size_t index) {
+ParamInfo describe_choice(std::string_view name, std::string_view meaning,
+                          std::span<const char* const> choices, std::size_t index) {
   ParamInfo info = info_of(name, "", "choice", {}, meaning, std::string(choices[index]));
   info.choices.assign(choices.begin(), choices.end());
   return info;

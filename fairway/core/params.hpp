@@ -46,8 +46,8 @@ struct Field {
 /// A field with its present value, its type erased: what `describe` and the schema print.
 struct ParamInfo {
   std::string name;
-  std::string unit;     ///< "s", "mps", "" for switches and choices
-  std::string type;     ///< "number", "integer", "boolean", "choice"
+  std::string unit;  ///< "s", "mps", "" for switches and choices
+  std::string type;  ///< "number", "integer", "boolean", "choice"
   Range range{};
   std::string meaning;
   ParamValue value;                  ///< default, or present value
@@ -69,9 +69,9 @@ consteval std::string_view member_name() {
 
 /// "s" from "horizon_s". A number without a known suffix does not compile.
 consteval std::string_view unit_of(std::string_view name) {
-  constexpr std::array units{"m",     "s",      "mps",   "mps2", "rad", "deg",   "radps", "degps", "hz", "kg",
-                             "kgm2",  "n",      "nm",    "kgpm", "kgps", "kgm2ps", "kgm2prad", "kgpm3", "w",
-                             "count", "ratio",  "radps2", "kgm2prad2"};
+  constexpr std::array units{"m",        "s",     "mps",  "mps2",  "rad",   "deg",    "radps",    "degps",
+                             "hz",       "kg",    "kgm2", "n",     "nm",    "kgpm",   "kgps",     "kgm2ps",
+                             "kgm2prad", "kgpm3", "w",    "count", "ratio", "radps2", "kgm2prad2"};
   const auto underscore = name.rfind('_');
   const auto suffix = underscore == std::string_view::npos ? "" : name.substr(underscore + 1);
   for (const std::string_view unit : units) {
@@ -95,7 +95,8 @@ template <auto Member>
 consteval auto field(Range range, std::string_view meaning) {
   using Traits = detail::member_of<decltype(Member)>;
   constexpr auto name = detail::member_name<Member>();
-  return Field<typename Traits::owner, typename Traits::value>{Member, name, detail::unit_of(name), range, meaning};
+  return Field<typename Traits::owner, typename Traits::value>{Member, name, detail::unit_of(name), range,
+                                                               meaning};
 }
 
 /// A switch (bool) or a choice (an enumeration with EnumNames).
@@ -104,7 +105,8 @@ consteval auto field(std::string_view meaning) {
   using Traits = detail::member_of<decltype(Member)>;
   static_assert(std::same_as<typename Traits::value, bool> || std::is_enum_v<typename Traits::value>,
                 "a number needs a range");
-  return Field<typename Traits::owner, typename Traits::value>{Member, detail::member_name<Member>(), "", {0, 0}, meaning};
+  return Field<typename Traits::owner, typename Traits::value>{
+      Member, detail::member_name<Member>(), "", {0, 0}, meaning};
 }
 
 /// A struct whose every tunable member is listed once by `static consteval auto fields()`.
@@ -126,7 +128,8 @@ namespace detail {
 void assign(double& target, std::string_view name, Range range, const ParamValue& value);
 void assign(int& target, std::string_view name, Range range, const ParamValue& value);
 void assign(bool& target, std::string_view name, Range range, const ParamValue& value);
-std::size_t chosen_index(std::string_view name, std::span<const char* const> choices, const ParamValue& value);
+std::size_t chosen_index(std::string_view name, std::span<const char* const> choices,
+                         const ParamValue& value);
 
 template <class E>
   requires std::is_enum_v<E>
@@ -134,10 +137,14 @@ void assign(E& target, std::string_view name, Range, const ParamValue& value) {
   target = static_cast<E>(chosen_index(name, EnumNames<E>::names, value));
 }
 
-ParamInfo describe(std::string_view name, std::string_view unit, Range range, std::string_view meaning, double value);
-ParamInfo describe(std::string_view name, std::string_view unit, Range range, std::string_view meaning, int value);
-ParamInfo describe(std::string_view name, std::string_view unit, Range range, std::string_view meaning, bool value);
-ParamInfo describe_choice(std::string_view name, std::string_view meaning, std::span<const char* const> choices, std::size_t index);
+ParamInfo describe(std::string_view name, std::string_view unit, Range range, std::string_view meaning,
+                   double value);
+ParamInfo describe(std::string_view name, std::string_view unit, Range range, std::string_view meaning,
+                   int value);
+ParamInfo describe(std::string_view name, std::string_view unit, Range range, std::string_view meaning,
+                   bool value);
+ParamInfo describe_choice(std::string_view name, std::string_view meaning,
+                          std::span<const char* const> choices, std::size_t index);
 
 template <class E>
   requires std::is_enum_v<E>

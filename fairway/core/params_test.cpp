@@ -22,8 +22,9 @@ struct Hull {
   Paint paint = Paint::green;
 
   static consteval auto fields() {
-    return std::tuple{field<&Hull::length_m>({0.1, 10}, "over all"), field<&Hull::ribs_count>({1, 9}, "frames"),
-                      field<&Hull::afloat>("whether it swims"), field<&Hull::paint>("its colour")};
+    return std::tuple{field<&Hull::length_m>({0.1, 10}, "over all"),
+                      field<&Hull::ribs_count>({1, 9}, "frames"), field<&Hull::afloat>("whether it swims"),
+                      field<&Hull::paint>("its colour")};
   }
 };
 
@@ -56,7 +57,8 @@ TEST(Params, AWrongUnitSuffixNamesTheRightOne) {
 
 TEST(Params, ARefusalSaysWhatWasGivenAndWhatIsAccepted) {
   EXPECT_EQ(refusal("length_m", 11.0), "length_m: is 11; expected a number in [0.1, 10]");
-  EXPECT_EQ(refusal("length_m", std::string("long")), "length_m: is \"long\"; expected a number in [0.1, 10]");
+  EXPECT_EQ(refusal("length_m", std::string("long")),
+            "length_m: is \"long\"; expected a number in [0.1, 10]");
   EXPECT_EQ(refusal("length_m", std::nan("")), "length_m: is nan; expected a number in [0.1, 10]");
   EXPECT_EQ(refusal("ribs_count", 2.5), "ribs_count: is 2.5; expected a whole number in [1, 9]");
   EXPECT_EQ(refusal("afloat", 1.0), "afloat: is 1; expected true or false");

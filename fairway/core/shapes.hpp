@@ -15,11 +15,11 @@ struct Obstacle {
     polygon,  ///< solid vertical prism through every depth; vertices counter-clockwise, n as x and e as y
   };
   Kind kind{};
-  Vec3 position = Vec3::Zero();     ///< [m, NED]
-  double radius{};                  ///< [m]
-  Vec3 from = Vec3::Zero();         ///< [m, NED]
-  Vec3 to = Vec3::Zero();           ///< [m, NED]
-  std::span<const Vec3> vertices;   ///< [m, NED]; at least three
+  Vec3 position = Vec3::Zero();    ///< [m, NED]
+  double radius{};                 ///< [m]
+  Vec3 from = Vec3::Zero();        ///< [m, NED]
+  Vec3 to = Vec3::Zero();          ///< [m, NED]
+  std::span<const Vec3> vertices;  ///< [m, NED]; at least three
 };
 
 /// The surface point of an obstacle nearest to `p`, and how far away it is.

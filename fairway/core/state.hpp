@@ -10,10 +10,10 @@ namespace fairway {
 
 /// Fossen's eta and nu: where a vehicle truly is and how it moves.
 struct VehicleState {
-  Vec3 p_n = Vec3::Zero();                                          ///< body origin [m, NED]
-  Eigen::Quaterniond q_nb = Eigen::Quaterniond::Identity();         ///< body to NED, unit
-  Vec3 v_b = Vec3::Zero();                                          ///< u, v, w over ground [m/s, body]
-  Vec3 omega_b = Vec3::Zero();                                      ///< p, q, r [rad/s, body]
+  Vec3 p_n = Vec3::Zero();                                   ///< body origin [m, NED]
+  Eigen::Quaterniond q_nb = Eigen::Quaterniond::Identity();  ///< body to NED, unit
+  Vec3 v_b = Vec3::Zero();                                   ///< u, v, w over ground [m/s, body]
+  Vec3 omega_b = Vec3::Zero();                               ///< p, q, r [rad/s, body]
 
   /// Velocity over ground [m/s, NED].
   Vec3 v_n() const { return q_nb * v_b; }
@@ -32,9 +32,10 @@ inline double yaw_of(const Eigen::Quaterniond& q) {
 
 inline Euler euler_of(const Eigen::Quaterniond& q) {
   const double sin_pitch = 2.0 * (q.w() * q.y() - q.z() * q.x());
-  return {.roll = std::atan2(2.0 * (q.w() * q.x() + q.y() * q.z()), 1.0 - 2.0 * (q.x() * q.x() + q.y() * q.y())),
-          .pitch = std::asin(std::fmax(-1.0, std::fmin(1.0, sin_pitch))),
-          .yaw = yaw_of(q)};
+  return {
+      .roll = std::atan2(2.0 * (q.w() * q.x() + q.y() * q.z()), 1.0 - 2.0 * (q.x() * q.x() + q.y() * q.y())),
+      .pitch = std::asin(std::fmax(-1.0, std::fmin(1.0, sin_pitch))),
+      .yaw = yaw_of(q)};
 }
 
 inline Eigen::Quaterniond quaternion_of(const Euler& e) {

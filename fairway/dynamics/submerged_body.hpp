@@ -49,13 +49,14 @@ class SubmergedBody {
   explicit SubmergedBody(const SubmergedBodyNumbers& numbers);
 
   /// State derivative under the wrench `tau` of the actuators about CO [N, N m, body].
-  StateRate derivative(const VehicleState& x, const fossen::Vector6& tau, const Water& water) const noexcept {
+  [[gnu::always_inline]] StateRate derivative(const VehicleState& x, const fossen::Vector6& tau,
+                                              const Water& water) const noexcept {
     return derivative(x, tau.head<3>(), tau.tail<3>(), water);
   }
 
   /// The same, the wrench given as force [N, body] and moment about CO [N m, body].
-  StateRate derivative(const VehicleState& x, const Vec3& force, const Vec3& moment,
-                       const Water& water) const noexcept {
+  [[gnu::always_inline]] StateRate derivative(const VehicleState& x, const Vec3& force, const Vec3& moment,
+                                              const Water& water) const noexcept {
     const Vec3& omega = x.omega_b;
     const double relative_density = water.density * inverse_density_;
 

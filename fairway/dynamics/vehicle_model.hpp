@@ -54,16 +54,14 @@ struct VehicleInfo {
 /// A vehicle's equations: constants only. x' = f(x, u, water); nothing here knows a time step, so
 /// integrators stay interchangeable.
 template <class M>
-concept VehicleModel = requires(const M& model, const VehicleState& x, const ActuatorValues& u,
-                                const Water& water) {
-  requires Reflected<typename M::Params> && std::copyable<M>;
-  { M::info } -> std::convertible_to<VehicleInfo>;
-  {M{typename M::Params{}}};
-  { model.actuators() } -> std::convertible_to<std::span<const ActuatorInfo>>;
-  { model.derivative(x, u, water) }
-  noexcept->std::same_as<StateRate>;
-  { model.power(u) }
-  noexcept->std::same_as<double>;  // drawn by the actuators [W]
-};
+concept VehicleModel =
+    requires(const M& model, const VehicleState& x, const ActuatorValues& u, const Water& water) {
+      requires Reflected<typename M::Params> && std::copyable<M>;
+      { M::info } -> std::convertible_to<VehicleInfo>;
+      { M{typename M::Params{}} };
+      { model.actuators() } -> std::convertible_to<std::span<const ActuatorInfo>>;
+      { model.derivative(x, u, water) } noexcept -> std::same_as<StateRate>;
+      { model.power(u) } noexcept -> std::same_as<double>;  // drawn by the actuators [W]
+    };
 
 }  // namespace fairway

@@ -65,17 +65,20 @@ std::vector<Overrides> combinations(const std::vector<CampaignAxis>& grid) {
 }
 
 void refuse_too_many(const CampaignFile& written, const std::string& file) {
-  double runs = static_cast<double>(written.scenarios.size() * std::max<std::size_t>(1, written.algorithms.size()) *
-                                    std::max<std::size_t>(1, written.zip.size()));
+  double runs =
+      static_cast<double>(written.scenarios.size() * std::max<std::size_t>(1, written.algorithms.size()) *
+                          std::max<std::size_t>(1, written.zip.size()));
   runs *= static_cast<double>(written.seed_count);
   for (const CampaignAxis& axis : written.grid) runs *= static_cast<double>(axis.values.size());
   if (runs > static_cast<double>(max_campaign_runs)) {
-    throw InputError(file + ": more than " + std::to_string(max_campaign_runs) + " runs; divide it into several campaigns");
+    throw InputError(file + ": more than " + std::to_string(max_campaign_runs) +
+                     " runs; divide it into several campaigns");
   }
 }
 
 std::vector<CampaignCell> expanded_cells(const CampaignFile& written, const Campaign& campaign) {
-  std::vector<std::optional<CampaignAlgorithm>> algorithms(written.algorithms.begin(), written.algorithms.end());
+  std::vector<std::optional<CampaignAlgorithm>> algorithms(written.algorithms.begin(),
+                                                           written.algorithms.end());
   if (algorithms.empty()) algorithms.emplace_back();
   const std::vector<Overrides> rows = written.zip.empty() ? std::vector<Overrides>{{}} : written.zip;
   const std::vector<Overrides> grid = combinations(written.grid);
@@ -87,8 +90,8 @@ std::vector<CampaignCell> expanded_cells(const CampaignFile& written, const Camp
       for (const Overrides& row : rows) {
         for (const Overrides& settings : grid) {
           CampaignCell cell{.labels = {{"case", name}}, .scenario = s};
+          cell.labels.emplace_back("method", algorithm ? algorithm->label : "as_written");
           if (algorithm) {
-            cell.labels.emplace_back("method", algorithm->label);
             cell.algorithm = algorithm->avoider;
             cell.overrides.emplace_back("vehicles[*].avoider", algorithm->avoider);
           }
@@ -124,8 +127,8 @@ void resolve_cell(Campaign& campaign, std::size_t cell, const CheckScenario& che
       if (check && i == cell * campaign.seed_count) check(scenario);
       spec.key = key_of(campaign.cells[cell], std::move(scenario));
     } catch (const InputError& error) {
-      throw InputError(campaign.file + ": in " + labels_text(spec.labels) + " seed=" + std::to_string(spec.seed) +
-                       ": " + error.what());
+      throw InputError(campaign.file + ": in " + labels_text(spec.labels) +
+                       " seed=" + std::to_string(spec.seed) + ": " + error.what());
     }
   }
 }
@@ -168,12 +171,18 @@ Scenario Campaign::scenario_of(std::size_t run) const {
   return parse_scenario(scenario.text, scenario.file, cell.overrides, specs[run].seed);
 }
 
-Campaign parse_campaign(std::string_view yaml, const std::string& file, const CheckScenario& check, unsigned jobs) {
+Campaign parse_campaign(std::string_view yaml, const std::string& file, const CheckScenario& check,
+                        unsigned jobs) {
   const CampaignFile written = parse_campaign_file(yaml, file);
   refuse_too_many(written, file);
-  Campaign campaign{.name = written.name, .summary = written.summary, .file = file,
-                    .scenarios = read_scenarios(written, file), .cells = {}, .seed_count = written.seed_count,
-                    .specs = {}, .quantities = written.quantities};
+  Campaign campaign{.name = written.name,
+                    .summary = written.summary,
+                    .file = file,
+                    .scenarios = read_scenarios(written, file),
+                    .cells = {},
+                    .seed_count = written.seed_count,
+                    .specs = {},
+                    .quantities = written.quantities};
   campaign.cells = expanded_cells(written, campaign);
   for (const CampaignCell& cell : campaign.cells) {
     for (std::size_t s = 0; s < campaign.seed_count; ++s) {
@@ -192,7 +201,8 @@ Campaign load_campaign(const std::string& file, const CheckScenario& check, unsi
 
 ExecutorReport run_campaign(const Campaign& campaign, const Simulate& simulate, Store& store,
                             const ExecutorOptions& options) {
-  return run_missing(campaign.specs, [&](std::size_t i) { return simulate(campaign.scenario_of(i)); }, store, options);
+  return run_missing(
+      campaign.specs, [&](std::size_t i) { return simulate(campaign.scenario_of(i)); }, store, options);
 }
 
 std::vector<RunRecord> records_of(const Campaign& campaign, const Store& store) {

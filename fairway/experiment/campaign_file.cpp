@@ -17,7 +17,9 @@ using yaml::Value;
 
 template <class T>
 Form<T> read_only(std::function<T(const Value&)> read, Tree schema) {
-  return {.read = std::move(read), .write = [](const T&) { return std::optional<Tree>{}; }, .schema = std::move(schema)};
+  return {.read = std::move(read),
+          .write = [](const T&) { return std::optional<Tree>{}; },
+          .schema = std::move(schema)};
 }
 
 Tree schema_text(std::string_view json) { return yaml::parse_tree(json, "schema"); }
@@ -41,13 +43,15 @@ std::string one_line(const Tree& tree, bool nested = false) {
 
 std::int32_t read_version(const Value& value) {
   const auto version = value.whole<std::int32_t>();
-  if (version != 1) value.refuse("is " + std::to_string(version) + "; this fairway reads campaigns of version 1");
+  if (version != 1)
+    value.refuse("is " + std::to_string(version) + "; this fairway reads campaigns of version 1");
   return version;
 }
 
 std::vector<CampaignScenarioFile> read_scenarios(const Value& value) {
   const auto one = [](const Value& v) {
-    if (!v.tree().is_scalar() || v.tree().text.empty()) v.expected("the path of a scenario, or a list of such");
+    if (!v.tree().is_scalar() || v.tree().text.empty())
+      v.expected("the path of a scenario, or a list of such");
     return CampaignScenarioFile{v.tree().text, v.tree().where.location()};
   };
   if (!value.tree().is_list()) return {one(value)};
@@ -95,7 +99,8 @@ std::vector<CampaignAlgorithm> read_algorithms(const Value& value) {
 void check_path(const Value& map, std::size_t i) {
   const std::string& path = map.tree().keys[i];
   if (path == "seed") map.refuse_key(i, "is set by the key seeds");
-  if (!can_be_label(path) || path == "case" || path == "method") map.refuse_key(i, "is no path in a scenario");
+  if (!can_be_label(path) || path == "case" || path == "method")
+    map.refuse_key(i, "is no path in a scenario");
 }
 
 std::vector<CampaignAxis> read_grid(const Value& value) {
@@ -134,7 +139,8 @@ std::vector<Overrides> read_zip(const Value& value) {
       return std::equal(other.begin(), other.end(), settings.begin(), settings.end(),
                         [](const auto& a, const auto& b) { return a.first == b.first; });
     };
-    if (!rows.empty() && !same_paths(rows.front())) row.refuse("must set what the first row sets, in the same order");
+    if (!rows.empty() && !same_paths(rows.front()))
+      row.refuse("must set what the first row sets, in the same order");
     if (std::find(rows.begin(), rows.end(), settings) != rows.end()) row.refuse("is given twice");
     rows.push_back(std::move(settings));
   }
@@ -152,10 +158,12 @@ constexpr std::string_view scenario_schema_text =
 constexpr std::string_view algorithms_schema_text =
     R"({"type": "array", "minItems": 1, "items": {"anyOf": [{"type": "string", "minLength": 1},
         {"type": "object", "required": ["algorithm"],
-         "properties": {"algorithm": {"type": "string", "minLength": 1}, "label": {"type": "string", "minLength": 1}}}]}})";
+         "properties": {"algorithm": {"type": "string", "minLength": 1},
+                        "label": {"type": "string", "minLength": 1}}}]}})";
 constexpr std::string_view grid_schema_text =
     R"({"type": "object", "additionalProperties": {"type": "array", "minItems": 1}})";
-constexpr std::string_view zip_schema_text = R"({"type": "array", "items": {"type": "object", "minProperties": 1}})";
+constexpr std::string_view zip_schema_text =
+    R"({"type": "array", "items": {"type": "object", "minProperties": 1}})";
 
 const Block<CampaignFile>& campaign_block() {
   static const Block<CampaignFile> seeds{
@@ -163,7 +171,8 @@ const Block<CampaignFile>& campaign_block() {
       key("count", &CampaignFile::seed_count, seed_count(), "How many in a row.", Needed::yes)};
   static const Block<CampaignFile> block{
       key("fairway_campaign", &CampaignFile::version,
-          read_only<std::int32_t>(read_version, schema_text(R"({"const": 1})")), "The format's version, 1.", Needed::yes),
+          read_only<std::int32_t>(read_version, schema_text(R"({"const": 1})")), "The format's version, 1.",
+          Needed::yes),
       key("name", &CampaignFile::name, yaml::name(), "Of the campaign.", Needed::yes),
       key("summary", &CampaignFile::summary, yaml::text(), "What it is meant to find out."),
       key("scenario", &CampaignFile::scenarios,
@@ -171,7 +180,7 @@ const Block<CampaignFile>& campaign_block() {
           "One scenario or several, relative to this file. The label case is the file's name.", Needed::yes),
       key("algorithms", &CampaignFile::algorithms,
           read_only<std::vector<CampaignAlgorithm>>(read_algorithms, schema_text(algorithms_schema_text)),
-          "Replace every vehicle's avoider, one after the other. Default: as each scenario has them."),
+          "Replace every vehicle's avoider, one after the other. Default: as_written, each scenario's own."),
       key("grid", &CampaignFile::grid,
           read_only<std::vector<CampaignAxis>>(read_grid, schema_text(grid_schema_text)),
           "Paths as for --set, each with its values; every combination is run."),
@@ -190,7 +199,8 @@ const Block<CampaignFile>& campaign_block() {
 CampaignFile parse_campaign_file(std::string_view text, const std::string& file) {
   const Tree document = yaml::parse_tree(text, file);
   if (!document.is_map()) {
-    throw InputError({file, 0, 0}, "", "not a campaign: expected keys such as fairway_campaign, name and scenario");
+    throw InputError({file, 0, 0}, "",
+                     "not a campaign: expected keys such as fairway_campaign, name and scenario");
   }
   yaml::Reading reading{0};
   const Value root{document, "", reading};
@@ -221,9 +231,10 @@ CampaignFile parse_campaign_file(std::string_view text, const std::string& file)
 }
 
 std::string campaign_schema() {
-  Tree schema = Tree::map({{"$schema", Tree::quote("https://json-schema.org/draft/2020-12/schema")},
-                           {"title", Tree::quote("fairway campaign")},
-                           {"description", Tree::quote("Scenarios, algorithms and settings to run under the same seeds.")}});
+  Tree schema = Tree::map(
+      {{"$schema", Tree::quote("https://json-schema.org/draft/2020-12/schema")},
+       {"title", Tree::quote("fairway campaign")},
+       {"description", Tree::quote("Scenarios, algorithms and settings to run under the same seeds.")}});
   Tree body = yaml::schema_of(campaign_block());
   for (std::size_t i = 0; i < body.keys.size(); ++i) schema.set(body.keys[i], std::move(body.items[i]));
   return yaml::json_text(schema);

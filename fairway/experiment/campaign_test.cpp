@@ -68,7 +68,8 @@ std::vector<Measure> simulate(const Scenario& scenario) {
     const VehicleSpec& vehicle = scenario.vehicles[i];
     measures.push_back({"east_m", static_cast<int>(i), vehicle.position.y()});
     measures.push_back({"name_count", static_cast<int>(i), static_cast<double>(vehicle.avoider.name.size())});
-    measures.push_back({"params_count", static_cast<int>(i), static_cast<double>(vehicle.avoider.params.size())});
+    measures.push_back(
+        {"params_count", static_cast<int>(i), static_cast<double>(vehicle.avoider.params.size())});
   }
   return measures;
 }
@@ -85,8 +86,9 @@ quantities: [makespan_s]
   EXPECT_THAT(c.quantities, ElementsAre("makespan_s"));
   EXPECT_EQ(labels_text(c.specs[0].labels),
             "case=pair method=apf exam.safety_distance_m=2 duration_s=100 exam.crit_dist_m=6 step_s=0.1");
-  EXPECT_EQ(labels_text(c.specs.back().labels),
-            "case=pair method=strong exam.safety_distance_m=3 duration_s=200 exam.crit_dist_m=10 step_s=0.05");
+  EXPECT_EQ(
+      labels_text(c.specs.back().labels),
+      "case=pair method=strong exam.safety_distance_m=3 duration_s=200 exam.crit_dist_m=10 step_s=0.05");
 
   std::set<std::string> keys;
   for (std::size_t i = 0; i < c.specs.size(); ++i) {
@@ -124,20 +126,23 @@ TEST_F(CampaignTest, WithoutAlgorithmsEachScenarioKeepsItsOwn) {
   const Campaign c = parse("");
   ASSERT_EQ(c.specs.size(), 1U);
   EXPECT_EQ(c.specs[0].seed, 1U);
-  EXPECT_EQ(c.specs[0].labels, (Labels{{"case", "pair"}}));
+  EXPECT_EQ(c.specs[0].labels, (Labels{{"case", "pair"}, {"method", "as_written"}}));
   EXPECT_EQ(c.scenario_of(0).vehicles[0].avoider.name, "orca3d");
 }
 
 TEST_F(CampaignTest, KeysFollowWhatDecidesTheOutcomeAndNothingElse) {
   const std::string before = parse("").specs[0].key;
-  sample::write_bytes(folder_ / "pair.yaml", "# a comment\nsummary: says more\nstep_s: 0.050\nexpect: {collision_count: 0}\n" + std::string(pair_yaml));
+  sample::write_bytes(folder_ / "pair.yaml",
+                      "# a comment\nsummary: says more\nstep_s: 0.050\nexpect: {collision_count: 0}\n" +
+                          std::string(pair_yaml));
   EXPECT_EQ(parse("").specs[0].key, before);
   sample::write_bytes(folder_ / "pair.yaml", "step_s: 0.051\n" + std::string(pair_yaml));
   EXPECT_NE(parse("").specs[0].key, before);
 }
 
 TEST_F(CampaignTest, ResolvesTheSameOnAnyNumberOfThreads) {
-  const std::string more = "algorithms: [apf, orca3d]\ngrid: {exam.crit_dist_m: [4, 5, 6, 7]}\nseeds: {count: 10}\n";
+  const std::string more =
+      "algorithms: [apf, orca3d]\ngrid: {exam.crit_dist_m: [4, 5, 6, 7]}\nseeds: {count: 10}\n";
   const Campaign one = parse(more);
   const Campaign eight = parse(more, {}, 8);
   ASSERT_EQ(one.specs.size(), eight.specs.size());
@@ -145,7 +150,8 @@ TEST_F(CampaignTest, ResolvesTheSameOnAnyNumberOfThreads) {
 }
 
 TEST_F(CampaignTest, RunsResumesAndForgetsOlderVersions) {
-  const std::string more = "algorithms: [apf, orca3d]\ngrid: {exam.crit_dist_m: [6, 10]}\nseeds: {count: 3}\n";
+  const std::string more =
+      "algorithms: [apf, orca3d]\ngrid: {exam.crit_dist_m: [6, 10]}\nseeds: {count: 3}\n";
   Store store = Store::in_memory();
   const Campaign first = parse(more);
   EXPECT_EQ(run_campaign(first, simulate, store, {.jobs = 2}).made, 12U);
@@ -177,41 +183,57 @@ TEST_F(CampaignTest, EachCellIsCheckedBeforeAnythingIsRun) {
     parse("algorithms: [apf, orca, orca3d]\nseeds: {first: 4, count: 3}\n", check);
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("test.yaml: in case=pair method=orca seed=4: unknown algorithm orca"));
+    EXPECT_THAT(error.what(),
+                HasSubstr("test.yaml: in case=pair method=orca seed=4: unknown algorithm orca"));
   }
 }
 
 TEST_F(CampaignTest, MistakesAreRefusedWithTheirPlace) {
-  EXPECT_EQ(refusal_of("algorithm: [apf]\n"), "test.yaml:4:1: algorithm: unknown key; did you mean algorithms?");
-  EXPECT_EQ(refusal_of("algorithms: []\n"), "test.yaml:4:13: algorithms: the list is empty; leave the key out to keep each scenario's own");
-  EXPECT_EQ(refusal_of("algorithms: [apf, apf]\n"), "test.yaml:4:19: algorithms[1]: a second apf; give it a label of its own");
-  EXPECT_THAT(refusal_of("algorithms: [{label: x}]\n"), HasSubstr("algorithms[0]: the key algorithm is missing"));
+  EXPECT_EQ(refusal_of("algorithm: [apf]\n"),
+            "test.yaml:4:1: algorithm: unknown key; did you mean algorithms?");
+  EXPECT_EQ(refusal_of("algorithms: []\n"),
+            "test.yaml:4:13: algorithms: the list is empty; leave the key out to keep each scenario's own");
+  EXPECT_EQ(refusal_of("algorithms: [apf, apf]\n"),
+            "test.yaml:4:19: algorithms[1]: a second apf; give it a label of its own");
+  EXPECT_THAT(refusal_of("algorithms: [{label: x}]\n"),
+              HasSubstr("algorithms[0]: the key algorithm is missing"));
   EXPECT_THAT(refusal_of("seeds: {first: 1}\n"), HasSubstr("seeds: the key count is missing"));
-  EXPECT_THAT(refusal_of("seeds: {count: 0}\n"), HasSubstr("test.yaml:4:16: seeds.count: expected a whole number in [1, 1000000]"));
-  EXPECT_THAT(refusal_of("seeds: {first: 18446744073709551615, count: 2}\n"), HasSubstr("seeds: pass the largest seed"));
-  EXPECT_THAT(refusal_of("grid: {step_s: 0.1}\n"), HasSubstr("grid.step_s: expected a list of values, as [6, 7, 10], got 0.1"));
+  EXPECT_THAT(refusal_of("seeds: {count: 0}\n"),
+              HasSubstr("test.yaml:4:16: seeds.count: expected a whole number in [1, 1000000]"));
+  EXPECT_THAT(refusal_of("seeds: {first: 18446744073709551615, count: 2}\n"),
+              HasSubstr("seeds: pass the largest seed"));
+  EXPECT_THAT(refusal_of("grid: {step_s: 0.1}\n"),
+              HasSubstr("grid.step_s: expected a list of values, as [6, 7, 10], got 0.1"));
   EXPECT_THAT(refusal_of("grid: {step_s: [0.1, 0.1]}\n"), HasSubstr("grid.step_s[1]: 0.1 is given twice"));
   EXPECT_THAT(refusal_of("grid: {seed: [1]}\n"), HasSubstr("grid.seed: is set by the key seeds"));
   EXPECT_THAT(refusal_of("grid: {case: [1]}\n"), HasSubstr("grid.case: is no path in a scenario"));
-  EXPECT_THAT(refusal_of("algorithms: [apf]\ngrid: {\"vehicles[*].avoider\": [apf]}\n"), HasSubstr("is set by the key algorithms"));
-  EXPECT_THAT(refusal_of("zip: [{step_s: 0.1}, {duration_s: 3}]\n"), HasSubstr("zip[1]: must set what the first row sets"));
-  EXPECT_THAT(refusal_of("zip: [{step_s: 0.1}]\ngrid: {step_s: [0.1]}\n"), HasSubstr("zip[0].step_s: is set by grid too"));
+  EXPECT_THAT(refusal_of("algorithms: [apf]\ngrid: {\"vehicles[*].avoider\": [apf]}\n"),
+              HasSubstr("is set by the key algorithms"));
+  EXPECT_THAT(refusal_of("zip: [{step_s: 0.1}, {duration_s: 3}]\n"),
+              HasSubstr("zip[1]: must set what the first row sets"));
+  EXPECT_THAT(refusal_of("zip: [{step_s: 0.1}]\ngrid: {step_s: [0.1]}\n"),
+              HasSubstr("zip[0].step_s: is set by grid too"));
   EXPECT_THAT(refusal_of("name: again\n"), HasSubstr("test.yaml:4:1: name: given twice, before in line 2"));
 }
 
 TEST_F(CampaignTest, MistakesInTheScenarioNameTheCellTheyAreOf) {
   EXPECT_THAT(refusal_of("algorithms: [apf]\ngrid: {exam.crit_dist: [6]}\n"),
-              StartsWith("test.yaml: in case=pair method=apf exam.crit_dist=6 seed=1: --set exam.crit_dist: unknown key; did you mean"));
-  EXPECT_THAT(refusal_of("grid: {step_s: [-1]}\n"), HasSubstr("in case=pair step_s=-1 seed=1: "));
+              StartsWith("test.yaml: in case=pair method=apf exam.crit_dist=6 seed=1: --set exam.crit_dist: "
+                         "unknown key; did you mean"));
+  EXPECT_THAT(refusal_of("grid: {step_s: [-1]}\n"),
+              HasSubstr("in case=pair method=as_written step_s=-1 seed=1: "));
 }
 
 TEST_F(CampaignTest, FilesThatAreNoCampaignOrNotThereAreRefused) {
-  EXPECT_THAT(refusal("fairway_campaign: 2\nname: x\nscenario: pair.yaml\n"), HasSubstr(":1:19: fairway_campaign: is 2; this fairway reads campaigns of version 1"));
+  EXPECT_THAT(refusal("fairway_campaign: 2\nname: x\nscenario: pair.yaml\n"),
+              HasSubstr(":1:19: fairway_campaign: is 2; this fairway reads campaigns of version 1"));
   EXPECT_THAT(refusal("name: x\nscenario: pair.yaml\n"), HasSubstr("the key fairway_campaign is missing"));
   EXPECT_THAT(refusal("[1, 2]"), HasSubstr("not a campaign"));
   EXPECT_THAT(refusal(""), HasSubstr("not a campaign"));
-  EXPECT_THAT(refusal("fairway_campaign: 1\nname: x\nscenario: none.yaml\n"), HasSubstr("test.yaml:3:11: scenario: "));
-  EXPECT_THAT(refusal("fairway_campaign: 1\nname: x\nscenario: [pair.yaml, ./pair.yaml]\n"), HasSubstr("a second one named pair"));
+  EXPECT_THAT(refusal("fairway_campaign: 1\nname: x\nscenario: none.yaml\n"),
+              HasSubstr("test.yaml:3:11: scenario: "));
+  EXPECT_THAT(refusal("fairway_campaign: 1\nname: x\nscenario: [pair.yaml, ./pair.yaml]\n"),
+              HasSubstr("a second one named pair"));
   EXPECT_THAT(refusal("fairway_campaign: 1\nname: x\nscenario: .\n"), HasSubstr("cannot be read"));
   EXPECT_THROW(load_campaign(folder_ / "none.yaml"), InputError);
 }
@@ -219,12 +241,25 @@ TEST_F(CampaignTest, FilesThatAreNoCampaignOrNotThereAreRefused) {
 TEST_F(CampaignTest, TooManyRunsAreRefusedAtOnce) {
   std::string values;
   for (int i = 0; i < 1000; ++i) values += std::to_string(i) + ", ";
-  EXPECT_THAT(refusal_of("grid: {a: [" + values + "], b: [" + values + "], c: [" + values + "]}\n"), HasSubstr("more than 10000000 runs"));
+  EXPECT_THAT(refusal_of("grid: {a: [" + values + "], b: [" + values + "], c: [" + values + "]}\n"),
+              HasSubstr("more than 10000000 runs"));
+}
+
+TEST(PublishedCampaignsTest, LoadWithTheirScenarios) {
+  std::size_t files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(FAIRWAY_SOURCE_DIR "/campaigns")) {
+    if (entry.path().extension() != ".yaml") continue;
+    const std::string file = entry.path().string();
+    EXPECT_EQ(load_campaign(file).name, entry.path().stem().string());
+    ++files;
+  }
+  EXPECT_GE(files, 2U);
 }
 
 TEST(CampaignSchemaTest, NamesEveryKey) {
   const auto schema = nlohmann::json::parse(campaign_schema());
-  for (const char* key : {"fairway_campaign", "name", "scenario", "algorithms", "grid", "zip", "seeds", "quantities"}) {
+  for (const char* key :
+       {"fairway_campaign", "name", "scenario", "algorithms", "grid", "zip", "seeds", "quantities"}) {
     EXPECT_TRUE(schema["properties"].contains(key)) << key;
   }
   EXPECT_EQ(schema["additionalProperties"], false);

@@ -41,9 +41,10 @@ Groups grouped(std::span<const RunRecord> records, const std::string& by) {
     if (candidate == nullptr) continue;
     const RunRecord*& place = groups[without_label(record.spec.labels, by)][*candidate][record.spec.seed];
     if (place != nullptr) {
-      throw InputError("two runs of " + labels_text(record.spec.labels) + " have the seed " +
-                       std::to_string(record.spec.seed) +
-                       ": these are results of more than one version of a scenario or of fairway; keep them apart");
+      throw InputError(
+          "two runs of " + labels_text(record.spec.labels) + " have the seed " +
+          std::to_string(record.spec.seed) +
+          ": these are results of more than one version of a scenario or of fairway; keep them apart");
     }
     place = &record;
   }
@@ -59,12 +60,14 @@ std::string chosen_baseline(const Groups& groups, const CompareOptions& options)
   }
   if (options.baseline.empty()) return *candidates.begin();
   if (!candidates.contains(options.baseline)) {
-    throw InputError("no run has " + options.by + "=" + options.baseline + suggest(options.baseline, candidates));
+    throw InputError("no run has " + options.by + "=" + options.baseline +
+                     suggest(options.baseline, candidates));
   }
   return options.baseline;
 }
 
-std::vector<std::string> chosen_quantities(std::span<const RunRecord> records, const CompareOptions& options) {
+std::vector<std::string> chosen_quantities(std::span<const RunRecord> records,
+                                           const CompareOptions& options) {
   // in the order in which a run reports them
   std::vector<std::string> order;
   std::set<std::string> measured;
@@ -112,7 +115,8 @@ MeanEstimate mean_of(const Seeds& seeds, const std::string& quantity, double con
   return estimate_mean(values, confidence);
 }
 
-MeanEstimate difference_of(const Seeds& seeds, const Seeds* baseline, const std::string& quantity, double confidence) {
+MeanEstimate difference_of(const Seeds& seeds, const Seeds* baseline, const std::string& quantity,
+                           double confidence) {
   std::vector<double> own;
   std::vector<double> others;
   for (const auto& [seed, record] : seeds) {
@@ -156,7 +160,8 @@ Comparison compare(std::span<const RunRecord> records, const CompareOptions& opt
   for (const auto& [group, candidates] : groups) {
     const auto base = candidates.find(baseline);
     for (const auto& [candidate, seeds] : candidates) {
-      const auto failed = std::count_if(seeds.begin(), seeds.end(), [](const auto& s) { return !s.second->failure.empty(); });
+      const auto failed =
+          std::count_if(seeds.begin(), seeds.end(), [](const auto& s) { return !s.second->failure.empty(); });
       comparison.cells.push_back({group, candidate, seeds.size(), static_cast<std::size_t>(failed)});
 
       const Seeds* other = base == candidates.end() || candidate == baseline ? nullptr : &base->second;

@@ -29,10 +29,11 @@ struct CompareOptions {
   std::string baseline;                 ///< the value that others are compared with; empty = the first
   std::vector<std::string> quantities;  ///< empty = all that any run measured
   std::vector<RateQuestion> rates = usual_rates();
-  double confidence = 0.95;             ///< of each interval by itself
+  double confidence = 0.95;  ///< of each interval by itself
 };
 
-/// One quantity of one cell. Runs that failed or did not measure it (a value that is not finite) are left out.
+/// One quantity of one cell. Runs that failed or did not measure it (a value that is not finite) are left
+/// out.
 struct ComparedMean {
   Labels group;           ///< the other labels
   std::string candidate;  ///< value of the compared label

@@ -22,8 +22,8 @@ std::string interval(double low, double high) {
 
 /// Columns on which a display spends its width, not bytes.
 std::size_t width_of(const std::string& text) {
-  return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+  return static_cast<std::size_t>(std::count_if(
+      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
 }
 
 /// Rows under a header, the first `words` columns to the left and the rest to the right.
@@ -71,7 +71,9 @@ Row joined(Row row, const Row& more) {
   return row;
 }
 
-nlohmann::json number_json(double value) { return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json(); }
+nlohmann::json number_json(double value) {
+  return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json();
+}
 
 nlohmann::json labels_json(const Labels& labels) {
   nlohmann::json object = nlohmann::json::object();
@@ -80,8 +82,11 @@ nlohmann::json labels_json(const Labels& labels) {
 }
 
 nlohmann::json mean_json(const MeanEstimate& e) {
-  return {{"runs", e.count}, {"mean", number_json(e.mean)}, {"deviation", number_json(e.deviation)},
-          {"low", number_json(e.low)}, {"high", number_json(e.high)}};
+  return {{"runs", e.count},
+          {"mean", number_json(e.mean)},
+          {"deviation", number_json(e.deviation)},
+          {"low", number_json(e.low)},
+          {"high", number_json(e.high)}};
 }
 
 }  // namespace
@@ -91,13 +96,14 @@ std::string table_text(const Comparison& comparison) {
   const std::string percent = fmt::format("{:.4g} %", 100.0 * comparison.confidence);
   const Row labels = joined(names, {comparison.by});
 
-  std::vector<Row> means{joined(labels, {"quantity", "runs", "mean", percent, fmt::format("less {}", comparison.baseline), percent, "pairs"})};
+  std::vector<Row> means{joined(labels, {"quantity", "runs", "mean", percent,
+                                         fmt::format("less {}", comparison.baseline), percent, "pairs"})};
   for (const ComparedMean& m : comparison.means) {
     const MeanEstimate& d = m.difference;
-    means.push_back(joined(beginning(names, m.group, m.candidate),
-                           {m.quantity, std::to_string(m.value.count), number(m.value.mean),
-                            interval(m.value.low, m.value.high), number(d.mean), interval(d.low, d.high),
-                            d.count == 0 ? "-" : std::to_string(d.count)}));
+    means.push_back(joined(
+        beginning(names, m.group, m.candidate),
+        {m.quantity, std::to_string(m.value.count), number(m.value.mean), interval(m.value.low, m.value.high),
+         number(d.mean), interval(d.low, d.high), d.count == 0 ? "-" : std::to_string(d.count)}));
   }
   std::string text = aligned(means, labels.size() + 1);
 
@@ -105,8 +111,8 @@ std::string table_text(const Comparison& comparison) {
     std::vector<Row> rates{joined(labels, {"rate", "runs", "share", percent})};
     for (const ComparedRate& r : comparison.rates) {
       rates.push_back(joined(beginning(names, r.group, r.candidate),
-                             {r.name, fmt::format("{}/{}", r.value.successes, r.value.trials), number(r.value.rate),
-                              interval(r.value.low, r.value.high)}));
+                             {r.name, fmt::format("{}/{}", r.value.successes, r.value.trials),
+                              number(r.value.rate), interval(r.value.low, r.value.high)}));
     }
     text.append("\n").append(aligned(rates, labels.size() + 1));
   }
@@ -122,21 +128,35 @@ std::string table_text(const Comparison& comparison) {
 }
 
 nlohmann::json to_json(const Comparison& comparison) {
-  nlohmann::json json{{"by", comparison.by}, {"baseline", comparison.baseline}, {"confidence", comparison.confidence},
-                      {"cells", nlohmann::json::array()}, {"means", nlohmann::json::array()},
+  nlohmann::json json{{"by", comparison.by},
+                      {"baseline", comparison.baseline},
+                      {"confidence", comparison.confidence},
+                      {"cells", nlohmann::json::array()},
+                      {"means", nlohmann::json::array()},
                       {"rates", nlohmann::json::array()}};
   for (const ComparedCell& c : comparison.cells) {
-    json["cells"].push_back({{"group", labels_json(c.group)}, {comparison.by, c.candidate}, {"runs", c.runs}, {"failed", c.failed}});
+    json["cells"].push_back({{"group", labels_json(c.group)},
+                             {comparison.by, c.candidate},
+                             {"runs", c.runs},
+                             {"failed", c.failed}});
   }
   for (const ComparedMean& m : comparison.means) {
-    json["means"].push_back({{"group", labels_json(m.group)}, {comparison.by, m.candidate}, {"quantity", m.quantity},
-                             {"value", mean_json(m.value)},
-                             {"difference", m.difference.count == 0 ? nlohmann::json() : mean_json(m.difference)}});
+    json["means"].push_back(
+        {{"group", labels_json(m.group)},
+         {comparison.by, m.candidate},
+         {"quantity", m.quantity},
+         {"value", mean_json(m.value)},
+         {"difference", m.difference.count == 0 ? nlohmann::json() : mean_json(m.difference)}});
   }
   for (const ComparedRate& r : comparison.rates) {
-    json["rates"].push_back({{"group", labels_json(r.group)}, {comparison.by, r.candidate}, {"rate", r.name},
-                             {"successes", r.value.successes}, {"runs", r.value.trials}, {"share", number_json(r.value.rate)},
-                             {"low", number_json(r.value.low)}, {"high", number_json(r.value.high)}});
+    json["rates"].push_back({{"group", labels_json(r.group)},
+                             {comparison.by, r.candidate},
+                             {"rate", r.name},
+                             {"successes", r.value.successes},
+                             {"runs", r.value.trials},
+                             {"share", number_json(r.value.rate)},
+                             {"low", number_json(r.value.low)},
+                             {"high", number_json(r.value.high)}});
   }
   return json;
 }

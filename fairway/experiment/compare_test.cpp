@@ -16,14 +16,18 @@ namespace {
 
 using testing::HasSubstr;
 
-RunRecord run(const std::string& method, std::uint64_t seed, std::vector<Measure> measures, const std::string& place = "bay") {
+RunRecord run(const std::string& method, std::uint64_t seed, std::vector<Measure> measures,
+              const std::string& place = "bay") {
   return {.spec = {method + std::to_string(seed) + place, {{"case", place}, {"method", method}}, seed},
-          .measures = std::move(measures), .wall_s = 0.0, .failure = {}};
+          .measures = std::move(measures),
+          .wall_s = 0.0,
+          .failure = {}};
 }
 
 Measure makespan(double value) { return {"makespan_s", Measure::fleet, value}; }
 
-const ComparedMean& mean_of(const Comparison& c, const std::string& candidate, const std::string& quantity = "makespan_s") {
+const ComparedMean& mean_of(const Comparison& c, const std::string& candidate,
+                            const std::string& quantity = "makespan_s") {
   return *std::find_if(c.means.begin(), c.means.end(), [&](const ComparedMean& m) {
     return m.candidate == candidate && m.quantity == quantity;
   });
@@ -31,8 +35,8 @@ const ComparedMean& mean_of(const Comparison& c, const std::string& candidate, c
 
 TEST(CompareTest, PairsRunsBySeedSoThatWhatTheyShareCancels) {
   // seeds differ by hundreds, methods by 1, 2 and 3
-  const std::vector<RunRecord> records{run("apf", 1, {makespan(100)}), run("apf", 2, {makespan(500)}),
-                                       run("apf", 3, {makespan(900)}), run("orca3d", 3, {makespan(903)}),
+  const std::vector<RunRecord> records{run("apf", 1, {makespan(100)}),    run("apf", 2, {makespan(500)}),
+                                       run("apf", 3, {makespan(900)}),    run("orca3d", 3, {makespan(903)}),
                                        run("orca3d", 1, {makespan(101)}), run("orca3d", 2, {makespan(502)})};
   const Comparison c = compare(records);
   EXPECT_EQ(c.baseline, "apf");
@@ -50,9 +54,14 @@ TEST(CompareTest, OnlySeedsThatBothHaveAndMeasuredMakePairs) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   RunRecord failed = run("orca3d", 3, {});
   failed.failure = "diverged";
-  const std::vector<RunRecord> records{run("apf", 1, {makespan(1)}), run("apf", 2, {makespan(nan)}), run("apf", 3, {makespan(3)}),
-                                       run("apf", 4, {makespan(4)}), run("orca3d", 1, {makespan(2)}),
-                                       run("orca3d", 2, {makespan(2)}), failed, run("orca3d", 5, {makespan(9)})};
+  const std::vector<RunRecord> records{run("apf", 1, {makespan(1)}),
+                                       run("apf", 2, {makespan(nan)}),
+                                       run("apf", 3, {makespan(3)}),
+                                       run("apf", 4, {makespan(4)}),
+                                       run("orca3d", 1, {makespan(2)}),
+                                       run("orca3d", 2, {makespan(2)}),
+                                       failed,
+                                       run("orca3d", 5, {makespan(9)})};
   const Comparison c = compare(records);
   EXPECT_EQ(mean_of(c, "apf").value.count, 3U);
   EXPECT_EQ(mean_of(c, "orca3d").value.count, 3U);
@@ -64,7 +73,10 @@ TEST(CompareTest, OnlySeedsThatBothHaveAndMeasuredMakePairs) {
 
 TEST(CompareTest, ARunIsOneValueHoweverManyVehiclesItHas) {
   const std::vector<RunRecord> records{
-      run("apf", 1, {{"distance_m", 0, 10.0}, {"distance_m", 1, 20.0}, {"distance_m", 2, std::numeric_limits<double>::infinity()}}),
+      run("apf", 1,
+          {{"distance_m", 0, 10.0},
+           {"distance_m", 1, 20.0},
+           {"distance_m", 2, std::numeric_limits<double>::infinity()}}),
       run("apf", 2, {{"distance_m", 0, 30.0}, {"distance_m", 1, 40.0}, {"distance_m", 2, 50.0}})};
   const MeanEstimate e = mean_of(compare(records), "apf", "distance_m").value;
   EXPECT_EQ(e.count, 2U);
@@ -72,7 +84,8 @@ TEST(CompareTest, ARunIsOneValueHoweverManyVehiclesItHas) {
 }
 
 TEST(CompareTest, CellsThatDifferInOtherLabelsAreNotMixed) {
-  const std::vector<RunRecord> records{run("apf", 1, {makespan(1)}, "bay"), run("orca3d", 1, {makespan(2)}, "bay"),
+  const std::vector<RunRecord> records{run("apf", 1, {makespan(1)}, "bay"),
+                                       run("orca3d", 1, {makespan(2)}, "bay"),
                                        run("orca3d", 1, {makespan(7)}, "lake")};
   const Comparison c = compare(records);
   ASSERT_EQ(c.means.size(), 3U);
@@ -84,8 +97,10 @@ TEST(CompareTest, CellsThatDifferInOtherLabelsAreNotMixed) {
 TEST(CompareTest, RatesCountRunsWithWilsonsInterval) {
   std::vector<RunRecord> records;
   for (std::uint64_t seed = 0; seed < 29; ++seed) {
-    records.push_back(run("apf", seed, {{"collision_count", 0, 0.0}, {"collision_count", 1, seed == 0 ? 0.0 : 1.0},
-                                        {"min_separation_m", Measure::fleet, seed < 2 ? HUGE_VAL : 1.0}}));
+    records.push_back(run("apf", seed,
+                          {{"collision_count", 0, 0.0},
+                           {"collision_count", 1, seed == 0 ? 0.0 : 1.0},
+                           {"min_separation_m", Measure::fleet, seed < 2 ? HUGE_VAL : 1.0}}));
   }
   CompareOptions options;
   options.rates.push_back({.name = "apart_ratio", .quantity = "min_separation_m", .min = 3.0});
@@ -110,9 +125,12 @@ std::string refusal(const std::vector<RunRecord>& records, const CompareOptions&
 TEST(CompareTest, RefusesWhatNoRunHas) {
   const std::vector<RunRecord> records{run("apf", 1, {makespan(1)}), run("orca3d", 1, {makespan(2)})};
   EXPECT_THAT(refusal({}, {}), HasSubstr("no runs to compare"));
-  EXPECT_THAT(refusal(records, {.by = "methods"}), HasSubstr("no run has the label methods; did you mean method?"));
-  EXPECT_THAT(refusal(records, {.baseline = "orca3"}), HasSubstr("no run has method=orca3; did you mean orca3d?"));
-  EXPECT_THAT(refusal(records, {.quantities = {"makespan"}}), HasSubstr("no run measured makespan; did you mean makespan_s?"));
+  EXPECT_THAT(refusal(records, {.by = "methods"}),
+              HasSubstr("no run has the label methods; did you mean method?"));
+  EXPECT_THAT(refusal(records, {.baseline = "orca3"}),
+              HasSubstr("no run has method=orca3; did you mean orca3d?"));
+  EXPECT_THAT(refusal(records, {.quantities = {"makespan"}}),
+              HasSubstr("no run measured makespan; did you mean makespan_s?"));
 }
 
 TEST(CompareTest, RefusesTwoVersionsOfOneScenario) {
@@ -125,7 +143,8 @@ TEST(CompareTest, TableIsAligned) {
   RunRecord failed = run("orca3d", 3, {});
   failed.failure = "diverged";
   const std::vector<RunRecord> records{run("apf", 1, {makespan(100)}), run("apf", 2, {makespan(102)}),
-                                       run("orca3d", 1, {makespan(90)}), run("orca3d", 2, {makespan(92)}), failed};
+                                       run("orca3d", 1, {makespan(90)}), run("orca3d", 2, {makespan(92)}),
+                                       failed};
   EXPECT_EQ(table_text(compare(records)),
             "case  method  quantity    runs  mean            95 %  less apf        95 %  pairs\n"
             "bay   apf     makespan_s     2   101  [88.29, 113.7]         -           -      -\n"

@@ -77,7 +77,8 @@ TEST_F(DamagedStoreTest, ATruncatedStoreIsRefusedWhereverItWasCut) {
   for (const double share : {0.001, 0.01, 0.1, 0.5, 0.9, 0.999}) {
     const auto size = static_cast<std::size_t>(share * static_cast<double>(whole.size()));
     sample::write_bytes(file_, std::string_view(whole).substr(0, size));
-    EXPECT_THAT(refusal_of(file_), testing::AnyOf(HasSubstr("damaged store"), HasSubstr("not a SQLite file"))) << size;
+    EXPECT_THAT(refusal_of(file_), testing::AnyOf(HasSubstr("damaged store"), HasSubstr("not a SQLite file")))
+        << size;
   }
 }
 
@@ -111,11 +112,15 @@ TEST_F(DamagedStoreTest, AnEmptyFileIsNoStoreYet) {
 }
 
 TEST_F(DamagedStoreTest, PathsThatCannotBeAStoreAreRefused) {
-  EXPECT_THAT(refusal([&] { Store::open_existing(folder_ / "none.db"); }), HasSubstr("no such results store"));
+  EXPECT_THAT(refusal([&] { Store::open_existing(folder_ / "none.db"); }),
+              HasSubstr("no such results store"));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "none.db"));
-  EXPECT_THAT(refusal([&] { Store::open(folder_ / "none/results.db"); }), HasSubstr("cannot be written: No such file"));
-  EXPECT_THAT(refusal([&] { Store::open(file_ + "/results.db"); }), HasSubstr("cannot be written: Not a directory"));
-  EXPECT_THAT(refusal([&] { Store::open("/proc/fairway.db"); }), HasSubstr("/proc/fairway.db: cannot be written"));
+  EXPECT_THAT(refusal([&] { Store::open(folder_ / "none/results.db"); }),
+              HasSubstr("cannot be written: No such file"));
+  EXPECT_THAT(refusal([&] { Store::open(file_ + "/results.db"); }),
+              HasSubstr("cannot be written: Not a directory"));
+  EXPECT_THAT(refusal([&] { Store::open("/proc/fairway.db"); }),
+              HasSubstr("/proc/fairway.db: cannot be written"));
   EXPECT_THAT(refusal_of(folder_ / "."), HasSubstr("is a folder"));
   EXPECT_THAT(refusal([&] { Store::open(""); }), HasSubstr("needs a file name"));
 }

@@ -15,7 +15,8 @@ Digest& Digest::add(std::string_view text) {
 }
 
 std::string Digest::hex() const {
-  return fmt::format("{:016x}{:016x}", static_cast<std::uint64_t>(hash_ >> 64U), static_cast<std::uint64_t>(hash_));
+  return fmt::format("{:016x}{:016x}", static_cast<std::uint64_t>(hash_ >> 64U),
+                     static_cast<std::uint64_t>(hash_));
 }
 
 std::string Digest::of(std::string_view bytes) {

@@ -34,7 +34,9 @@ void refuse_duplicates(std::span<const RunSpec> specs) {
   const auto same = [&](std::size_t a, std::size_t b) { return specs[a].key == specs[b].key; };
   const auto twice = std::adjacent_find(order.begin(), order.end(), same);
   if (twice == order.end()) return;
-  const auto text = [&](std::size_t i) { return labels_text(specs[i].labels) + " seed=" + std::to_string(specs[i].seed); };
+  const auto text = [&](std::size_t i) {
+    return labels_text(specs[i].labels) + " seed=" + std::to_string(specs[i].seed);
+  };
   throw InputError("the same run is asked for twice: " + text(twice[0]) + " and " + text(twice[1]));
 }
 
@@ -42,7 +44,8 @@ void refuse_duplicates(std::span<const RunSpec> specs) {
 std::string fault_of(const std::vector<Measure>& measures) {
   std::set<std::pair<int, std::string_view>> measured;
   for (const Measure& m : measures) {
-    if (!measured.emplace(m.vehicle, m.quantity).second) return m.quantity + " was measured twice for one vehicle";
+    if (!measured.emplace(m.vehicle, m.quantity).second)
+      return m.quantity + " was measured twice for one vehicle";
   }
   return "";
 }
@@ -122,8 +125,11 @@ ExecutorReport run_missing(std::span<const RunSpec> specs, const Run& run, Store
   ProgressCount count{.total = specs.size(), .present = specs.size() - missing.size()};
   if (options.progress != nullptr) options.progress->begin(count);
 
-  const auto stopped = [&] { return options.stop != nullptr && options.stop->load(std::memory_order_relaxed); };
-  const std::size_t wanted = options.jobs > 0 ? options.jobs : std::max(1U, std::thread::hardware_concurrency());
+  const auto stopped = [&] {
+    return options.stop != nullptr && options.stop->load(std::memory_order_relaxed);
+  };
+  const std::size_t wanted =
+      options.jobs > 0 ? options.jobs : std::max(1U, std::thread::hardware_concurrency());
   const std::size_t threads = std::min(wanted, missing.size());
   Outbox outbox{threads};
   std::atomic<std::size_t> next{0};
@@ -161,7 +167,9 @@ ExecutorReport run_missing(std::span<const RunSpec> specs, const Run& run, Store
     if (options.progress != nullptr) options.progress->update(count);
   }
   if (options.progress != nullptr) options.progress->end(count);
-  return {.present = count.present, .made = count.made, .failed = count.failed,
+  return {.present = count.present,
+          .made = count.made,
+          .failed = count.failed,
           .stopped = count.present + count.made < count.total};
 }
 

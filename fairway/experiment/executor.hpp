@@ -21,11 +21,11 @@ struct RunAbandoned : std::exception {
 };
 
 struct ExecutorOptions {
-  unsigned jobs{0};                        ///< threads; 0 = as many as the machine has
-  Progress* progress{nullptr};             ///< told of every batch; may be null
-  const std::atomic<bool>* stop{nullptr};  ///< no run is begun once it is true; may be null
-  bool retry_failures{false};              ///< make those again that are stored as failed
-  std::size_t batch_runs{256};             ///< stored together, at the latest …
+  unsigned jobs{0};                             ///< threads; 0 = as many as the machine has
+  Progress* progress{nullptr};                  ///< told of every batch; may be null
+  const std::atomic<bool>* stop{nullptr};       ///< no run is begun once it is true; may be null
+  bool retry_failures{false};                   ///< make those again that are stored as failed
+  std::size_t batch_runs{256};                  ///< stored together, at the latest …
   std::chrono::milliseconds batch_period{500};  ///< … so long after the first of them
 };
 

@@ -37,7 +37,8 @@ TEST(ExecutorTest, OnlyMissingRunsAreMade) {
   Store store = Store::in_memory();
   store.put(sample::records(20));
   std::atomic<int> calls{0};
-  const auto report = run_missing(specs, [&](std::size_t i) { return ++calls, sample::measures(i); }, store, {.jobs = 4});
+  const auto report =
+      run_missing(specs, [&](std::size_t i) { return ++calls, sample::measures(i); }, store, {.jobs = 4});
   EXPECT_EQ(calls, 30);
   EXPECT_EQ(report.present, 20U);
   EXPECT_EQ(report.made, 30U);
@@ -52,7 +53,8 @@ TEST(ExecutorTest, RunsInAsManyThreadsAsItIsTold) {
   run_missing(sample::specs(3),
               [&](std::size_t i) {
                 if (++inside == 3) met = true;
-                for (int wait = 0; wait < 5000 && !met; ++wait) std::this_thread::sleep_for(std::chrono::milliseconds{1});
+                for (int wait = 0; wait < 5000 && !met; ++wait)
+                  std::this_thread::sleep_for(std::chrono::milliseconds{1});
                 return sample::measures(i);
               },
               store, {.jobs = 3});
@@ -96,7 +98,8 @@ TEST(ExecutorTest, TheSameRunTwiceIsRefusedBeforeAnythingIsRun) {
     run_missing(specs, sample::measures, store);
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("case=cube20_8 method=orca3d seed=0 and case=cube20_8 method=orca3d seed=1"));
+    EXPECT_THAT(error.what(),
+                HasSubstr("case=cube20_8 method=orca3d seed=0 and case=cube20_8 method=orca3d seed=1"));
   }
   EXPECT_EQ(store.size(), 0U);
 }
@@ -148,7 +151,8 @@ TEST(ExecutorTest, AStoreThatCannotBeWrittenStopsTheThreads) {
   const sample::Folder folder;
   { Store::open(folder / "results.db"); }
   Store reader = Store::open_existing(folder / "results.db");
-  EXPECT_THROW(run_missing(sample::specs(1000), sample::measures, reader, {.jobs = 4, .batch_runs = 1}), std::logic_error);
+  EXPECT_THROW(run_missing(sample::specs(1000), sample::measures, reader, {.jobs = 4, .batch_runs = 1}),
+               std::logic_error);
 }
 
 TEST(ExecutorTest, FinishedRunsAreStoredWhileALongOneGoesOn) {
@@ -164,7 +168,8 @@ TEST(ExecutorTest, FinishedRunsAreStoredWhileALongOneGoesOn) {
     }
     return sample::measures(i);
   };
-  run_missing(specs, run, store, {.jobs = 2, .batch_runs = 1000, .batch_period = std::chrono::milliseconds{100}});
+  run_missing(specs, run, store,
+              {.jobs = 2, .batch_runs = 1000, .batch_period = std::chrono::milliseconds{100}});
   EXPECT_TRUE(seen);
   EXPECT_EQ(store.size(), 10U);
 }

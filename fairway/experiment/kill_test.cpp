@@ -50,7 +50,8 @@ bool kill_child(pid_t pid) {
 /// A number that parent and child share.
 class Shared {
  public:
-  Shared() : number_{::mmap(nullptr, sizeof(Number), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0)} {
+  Shared()
+      : number_{::mmap(nullptr, sizeof(Number), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0)} {
     if (number_ == MAP_FAILED) throw std::runtime_error("no shared memory");
   }
   ~Shared() { ::munmap(number_, sizeof(Number)); }
@@ -102,7 +103,8 @@ void kill_and_resume(const std::function<void(Store&, Shared::Number& made)>& wo
     }
     Store store = Store::open(file);
     std::atomic<std::size_t> calls{0};
-    run_missing(specs, [&](std::size_t i) { return ++calls, sample::measures(i); }, store);
+    run_missing(
+        specs, [&](std::size_t i) { return ++calls, sample::measures(i); }, store);
     EXPECT_EQ(calls, runs - kept);
     EXPECT_EQ(sample::csv_of(store), expected);
   }

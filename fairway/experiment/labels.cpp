@@ -21,7 +21,8 @@ std::optional<double> finite_number(std::string_view text) {
 }  // namespace
 
 const std::string* find_label(const Labels& labels, std::string_view name) {
-  const auto found = std::find_if(labels.begin(), labels.end(), [&](const auto& l) { return l.first == name; });
+  const auto found =
+      std::find_if(labels.begin(), labels.end(), [&](const auto& l) { return l.first == name; });
   return found == labels.end() ? nullptr : &found->second;
 }
 
@@ -34,7 +35,8 @@ Labels without_label(const Labels& labels, std::string_view name) {
 
 std::string labels_text(const Labels& labels) {
   std::string text;
-  for (const auto& [name, value] : labels) text.append(text.empty() ? "" : " ").append(name).append("=").append(value);
+  for (const auto& [name, value] : labels)
+    text.append(text.empty() ? "" : " ").append(name).append("=").append(value);
   return text;
 }
 

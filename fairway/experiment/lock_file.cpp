@@ -37,8 +37,8 @@ LockFile::LockFile(const std::string& guarded) {
     // the holder before may have removed the file between open and flock: then this lock guards nothing
     struct stat held {};
     struct stat named {};
-    if (::fstat(descriptor_, &held) == 0 && ::stat(path_.c_str(), &named) == 0 && held.st_ino == named.st_ino &&
-        held.st_dev == named.st_dev) {
+    if (::fstat(descriptor_, &held) == 0 && ::stat(path_.c_str(), &named) == 0 &&
+        held.st_ino == named.st_ino && held.st_dev == named.st_dev) {
       return;
     }
     ::close(descriptor_);

@@ -19,7 +19,8 @@ std::string read_all(int descriptor) {
   ::fcntl(descriptor, F_SETFL, O_NONBLOCK);
   std::string text;
   char piece[4096];
-  for (auto size = ::read(descriptor, piece, sizeof piece); size > 0; size = ::read(descriptor, piece, sizeof piece)) {
+  for (auto size = ::read(descriptor, piece, sizeof piece); size > 0;
+       size = ::read(descriptor, piece, sizeof piece)) {
     text.append(piece, static_cast<std::size_t>(size));
   }
   return text;
@@ -28,7 +29,8 @@ std::string read_all(int descriptor) {
 TEST(ProgressTest, SaysHowManyHowFastAndHowLong) {
   EXPECT_EQ(progress_text("crit_dist", {.total = 480, .present = 100, .made = 20, .failed = 3}, 1.6),
             "crit_dist: 120 of 480 runs, 3 failed, 12.5 runs/s, 0:29 left");
-  EXPECT_EQ(progress_text("long", {.total = 1000, .made = 10}, 600.0), "long: 10 of 1000 runs, 0.0167 runs/s, 16:30:00 left");
+  EXPECT_EQ(progress_text("long", {.total = 1000, .made = 10}, 600.0),
+            "long: 10 of 1000 runs, 0.0167 runs/s, 16:30:00 left");
   EXPECT_EQ(progress_text("done", {.total = 5, .present = 5}, 0.0), "done: 5 of 5 runs");
 }
 
@@ -46,7 +48,8 @@ TEST(ProgressTest, IsSilentInAPipe) {
 
 TEST(ProgressTest, RedrawsOneLineOfATerminalAtMostFiveTimesASecond) {
   const int master = ::posix_openpt(O_RDWR | O_NOCTTY);
-  if (master < 0 || ::grantpt(master) != 0 || ::unlockpt(master) != 0) GTEST_SKIP() << "no pseudo terminal here";
+  if (master < 0 || ::grantpt(master) != 0 || ::unlockpt(master) != 0)
+    GTEST_SKIP() << "no pseudo terminal here";
   const int terminal = ::open(::ptsname(master), O_RDWR | O_NOCTTY);
   ASSERT_GE(terminal, 0);
 

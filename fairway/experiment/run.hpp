@@ -15,7 +15,7 @@ using Labels = std::vector<std::pair<std::string, std::string>>;
 
 /// One run to be made. Equal keys mean equal runs: a store that has the key need not make it again.
 struct RunSpec {
-  std::string key;     ///< unique: a digest of everything that decides the run's outcome
+  std::string key;  ///< unique: a digest of everything that decides the run's outcome
   Labels labels;
   std::uint64_t seed{};
 };

@@ -13,15 +13,22 @@ namespace {
 /// What an error code asks of the user; `detail` is SQLite's own wording.
 std::string advice(int code, const std::string& detail) {
   switch (code & 0xFF) {
-    case SQLITE_NOTADB: return "is not a results store: not a SQLite file";
-    case SQLITE_CORRUPT: return "is a damaged store (" + detail + "); restore a copy, or delete it and run again";
+    case SQLITE_NOTADB:
+      return "is not a results store: not a SQLite file";
+    case SQLITE_CORRUPT:
+      return "is a damaged store (" + detail + "); restore a copy, or delete it and run again";
     case SQLITE_BUSY:
-    case SQLITE_LOCKED: return "is in use by another process (" + detail + "); try again when it has ended";
-    case SQLITE_CANTOPEN: return "cannot be opened; is its folder there, and may you write in it?";
+    case SQLITE_LOCKED:
+      return "is in use by another process (" + detail + "); try again when it has ended";
+    case SQLITE_CANTOPEN:
+      return "cannot be opened; is its folder there, and may you write in it?";
     case SQLITE_READONLY:
-    case SQLITE_PERM: return "cannot be written: " + detail;
-    case SQLITE_FULL: return "cannot be written: the disk is full; make room and run again, what was stored is kept";
-    default: return detail;
+    case SQLITE_PERM:
+      return "cannot be written: " + detail;
+    case SQLITE_FULL:
+      return "cannot be written: the disk is full; make room and run again, what was stored is kept";
+    default:
+      return detail;
   }
 }
 
@@ -87,8 +94,11 @@ Statement& Statement::bind(int place, double value) {
 
 bool Statement::step() {
   switch (sqlite3_step(handle_)) {
-    case SQLITE_ROW: return true;
-    case SQLITE_DONE: reset(); return false;
+    case SQLITE_ROW:
+      return true;
+    case SQLITE_DONE:
+      reset();
+      return false;
     default: {
       const std::string message =
           advice(sqlite3_extended_errcode(database_.handle_), sqlite3_errmsg(database_.handle_));

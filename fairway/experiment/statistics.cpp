@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <boost/math/distributions/beta.hpp>
+#include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
@@ -39,7 +40,8 @@ MeanEstimate estimate_mean(std::span<const double> values, double confidence) {
     return {.count = count, .mean = nan, .deviation = nan, .low = nan, .high = nan};
   }
   if (count == 0) return {.count = 0, .mean = nan, .deviation = nan, .low = -infinity, .high = infinity};
-  if (count == 1) return {.count = 1, .mean = values[0], .deviation = nan, .low = -infinity, .high = infinity};
+  if (count == 1)
+    return {.count = 1, .mean = values[0], .deviation = nan, .low = -infinity, .high = infinity};
 
   // about the first value, so that equal values have exactly that mean and no deviation
   const auto n = static_cast<double>(count);
@@ -92,8 +94,19 @@ RateEstimate exact_interval(std::size_t successes, std::size_t trials, double co
   const auto n = static_cast<double>(trials);
   if (successes > 0) estimate.low = quantile(boost::math::beta_distribution<>{k, n - k + 1.0}, beyond);
   if (successes < trials) {
-    estimate.high = quantile(boost::math::complement(boost::math::beta_distribution<>{k + 1.0, n - k}, beyond));
+    estimate.high =
+        quantile(boost::math::complement(boost::math::beta_distribution<>{k + 1.0, n - k}, beyond));
   }
+  return estimate;
+}
+
+CountEstimate poisson_interval(double count, double confidence) {
+  if (!(count >= 0.0)) throw std::invalid_argument("a negative count");
+  const double beyond = tail(confidence);
+  CountEstimate estimate{.count = count};
+  if (count > 0.0) estimate.low = quantile(boost::math::chi_squared{2.0 * count}, beyond) / 2.0;
+  estimate.high =
+      quantile(boost::math::complement(boost::math::chi_squared{2.0 * count + 2.0}, beyond)) / 2.0;
   return estimate;
 }
 
@@ -104,7 +117,8 @@ double upper_bound_of_none(std::size_t trials, double confidence) {
 }
 
 double quantile(std::span<const double> sorted, double p) {
-  if (!(p >= 0.0 && p <= 1.0)) throw std::domain_error("a quantile's p of " + std::to_string(p) + " is not in [0, 1]");
+  if (!(p >= 0.0 && p <= 1.0))
+    throw std::domain_error("a quantile's p of " + std::to_string(p) + " is not in [0, 1]");
   if (sorted.empty()) return nan;
   const double place = p * static_cast<double>(sorted.size() - 1);
   const auto below = static_cast<std::size_t>(std::floor(place));
@@ -126,8 +140,10 @@ BoxSummary summarize(std::vector<double> values) {
                  .upper_quartile = quantile(values, 0.75),
                  .max = values.back()};
   const double reach = 1.5 * (box.upper_quartile - box.lower_quartile);
-  const auto first = std::find_if(values.begin(), values.end(), [&](double x) { return x >= box.lower_quartile - reach; });
-  const auto last = std::find_if(values.rbegin(), values.rend(), [&](double x) { return x <= box.upper_quartile + reach; });
+  const auto first =
+      std::find_if(values.begin(), values.end(), [&](double x) { return x >= box.lower_quartile - reach; });
+  const auto last =
+      std::find_if(values.rbegin(), values.rend(), [&](double x) { return x <= box.upper_quartile + reach; });
   box.low_whisker = *first;
   box.high_whisker = *last;
   box.outliers.assign(values.begin(), first);

@@ -8,7 +8,8 @@
 namespace fairway {
 
 /// A mean with its confidence interval. Of no values the mean is NaN; of fewer than two the deviation is
-/// NaN and the interval is the whole line, which is what is known; of equal values the interval is that value.
+/// NaN and the interval is the whole line, which is what is known; of equal values the interval is that
+/// value.
 struct MeanEstimate {
   std::size_t count{};
   double mean{};
@@ -24,7 +25,8 @@ MeanEstimate estimate_mean(std::span<const double> values, double confidence = 0
 
 /// The mean of a[i] - b[i]: what pairs of runs under the same seed have in common cancels. Throws
 /// std::invalid_argument if the lengths differ.
-MeanEstimate paired_difference(std::span<const double> a, std::span<const double> b, double confidence = 0.95);
+MeanEstimate paired_difference(std::span<const double> a, std::span<const double> b,
+                               double confidence = 0.95);
 
 /// A share of trials. Of no trials the share is NaN and the interval [0, 1].
 struct RateEstimate {
@@ -42,6 +44,17 @@ RateEstimate wilson_interval(std::size_t successes, std::size_t trials, double c
 /// Clopper and Pearson's interval (1934) from quantiles of the beta distribution: never below its
 /// confidence, hence wider. Throws likewise.
 RateEstimate exact_interval(std::size_t successes, std::size_t trials, double confidence = 0.95);
+
+/// A count of rare events with its interval.
+struct CountEstimate {
+  double count{};
+  double low{};
+  double high{};
+};
+
+/// Garwood's exact interval (1936) for the mean of a Poisson count, from quantiles of chi squared. Throws
+/// std::invalid_argument for a negative count.
+CountEstimate poisson_interval(double count, double confidence = 0.95);
 
 /// "It never happened in n trials": the largest rate that leaves a chance of 1 - confidence for that,
 /// 1 - (1 - confidence)^(1/n); one-sided, about 3/n at 95 %. Of no trials, 1.

@@ -208,7 +208,8 @@ TEST(BoxTest, IsDefinedForNoneOneAndEqualValues) {
 
   for (const std::vector<double>& values : {std::vector<double>{4.0}, std::vector<double>(5, 4.0)}) {
     const BoxSummary box = summarize(values);
-    for (const double x : {box.min, box.lower_quartile, box.median, box.upper_quartile, box.max, box.low_whisker, box.high_whisker}) {
+    for (const double x : {box.min, box.lower_quartile, box.median, box.upper_quartile, box.max,
+                           box.low_whisker, box.high_whisker}) {
       EXPECT_EQ(x, 4.0);
     }
     EXPECT_TRUE(box.outliers.empty());

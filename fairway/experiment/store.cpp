@@ -36,10 +36,11 @@ constexpr const char* schema = R"(
                     labels INTEGER NOT NULL REFERENCES label_sets(id), seed INTEGER NOT NULL,
                     failure TEXT NOT NULL, wall_s REAL);
   CREATE TABLE measures(run INTEGER NOT NULL REFERENCES runs(id), place INTEGER NOT NULL,
-                        vehicle INTEGER NOT NULL, quantity INTEGER NOT NULL REFERENCES quantities(id), value,
-                        PRIMARY KEY(run, place)) WITHOUT ROWID;
+                        vehicle INTEGER NOT NULL, quantity INTEGER NOT NULL REFERENCES quantities(id),
+                        value, PRIMARY KEY(run, place)) WITHOUT ROWID;
   CREATE VIEW results AS
-    SELECT runs.key, label_sets.labels, runs.seed, measures.vehicle, quantities.name AS quantity, measures.value
+    SELECT runs.key, label_sets.labels, runs.seed, measures.vehicle, quantities.name AS quantity,
+           measures.value
     FROM measures JOIN runs ON runs.id = measures.run JOIN label_sets ON label_sets.id = runs.labels
                   JOIN quantities ON quantities.id = measures.quantity;
 )";
@@ -76,14 +77,16 @@ void check(const RunRecord& record) {
   std::set<std::pair<int, std::string_view>> measured;
   for (const Measure& m : record.measures) {
     if (!measured.emplace(m.vehicle, m.quantity).second) {
-      throw std::invalid_argument(m.quantity + " measured twice in one run, vehicle " + std::to_string(m.vehicle));
+      throw std::invalid_argument(m.quantity + " measured twice in one run, vehicle " +
+                                  std::to_string(m.vehicle));
     }
   }
 }
 
 void refuse_folder(const std::string& path) {
   std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) throw InputError(path + ": is a folder, not a results store");
+  if (std::filesystem::is_directory(path, ignored))
+    throw InputError(path + ": is a folder, not a results store");
 }
 
 /// A row's id by its unique text, made when it is new. Remembers those it has seen.
@@ -124,7 +127,8 @@ struct Store::Contents {
         : status{d, "SELECT failure <> '' FROM runs WHERE key = ?"},
           forget_measures{d, "DELETE FROM measures WHERE run = (SELECT id FROM runs WHERE key = ?)"},
           forget_run{d, "DELETE FROM runs WHERE key = ?"},
-          put_run{d, "INSERT INTO runs(key, labels, seed, failure, wall_s) VALUES (?, ?, ?, ?, ?) RETURNING id"},
+          put_run{d,
+                  "INSERT INTO runs(key, labels, seed, failure, wall_s) VALUES (?, ?, ?, ?, ?) RETURNING id"},
           put_measure{d, "INSERT INTO measures(run, place, vehicle, quantity, value) VALUES (?, ?, ?, ?, ?)"},
           label_sets{d, "label_sets", "labels"},
           quantities{d, "quantities", "name"} {}
@@ -133,7 +137,8 @@ struct Store::Contents {
   };
   std::optional<Prepared> sql;
 
-  Contents(const std::string& path, Database::Access access, std::unique_ptr<LockFile> taken, bool for_writing)
+  Contents(const std::string& path, Database::Access access, std::unique_ptr<LockFile> taken,
+           bool for_writing)
       : lock{std::move(taken)}, database{path, access, patience_ms}, writable{for_writing} {}
 
   void begin_or_check(bool may_begin);
@@ -153,8 +158,9 @@ void Store::Contents::begin_or_check(bool may_begin) {
   } else if (database.integer("PRAGMA application_id") != application_id) {
     database.refuse("is a SQLite database, but not a results store of fairway");
   } else if (const auto version = database.integer("PRAGMA user_version"); version != schema_version) {
-    database.refuse("is a results store of version " + std::to_string(version) + ", and this fairway reads version " +
-                    std::to_string(schema_version) + (version > schema_version ? "; use a newer fairway" : ""));
+    database.refuse("is a results store of version " + std::to_string(version) +
+                    ", and this fairway reads version " + std::to_string(schema_version) +
+                    (version > schema_version ? "; use a newer fairway" : ""));
   } else {
     Statement sound{database, "PRAGMA quick_check(1)"};
     const std::string finding = sound.step() ? sound.text(0) : "";
@@ -181,7 +187,9 @@ void Store::Contents::put(const RunRecord& record) {
   } catch (const nlohmann::json::exception&) {
     throw std::invalid_argument("labels that are not UTF-8");
   }
-  sql->put_run.bind(1, spec.key).bind(2, sql->label_sets.id(labels)).bind(3, static_cast<std::int64_t>(spec.seed));
+  sql->put_run.bind(1, spec.key)
+      .bind(2, sql->label_sets.id(labels))
+      .bind(3, static_cast<std::int64_t>(spec.seed));
   sql->put_run.bind(4, record.failure).bind(5, record.wall_s).step();
   const std::int64_t run = sql->put_run.integer(0);
   sql->put_run.run();
@@ -268,16 +276,20 @@ std::vector<RunRecord> Store::all() const {
   while (runs.step()) {
     const std::int64_t id = runs.integer(0);
     const auto seed = static_cast<std::uint64_t>(runs.integer(3));
-    RunRecord& record = records.emplace_back(RunRecord{
-        .spec = {.key = runs.text(1), .labels = label_sets[runs.integer(2)], .seed = seed},
-        .measures = {}, .wall_s = runs.real(5), .failure = runs.text(4)});
+    RunRecord& record = records.emplace_back(
+        RunRecord{.spec = {.key = runs.text(1), .labels = label_sets[runs.integer(2)], .seed = seed},
+                  .measures = {},
+                  .wall_s = runs.real(5),
+                  .failure = runs.text(4)});
     while (more && measures.integer(0) == id) {
       record.measures.push_back({.quantity = quantities[measures.integer(1)],
-                                 .vehicle = static_cast<int>(measures.integer(2)), .value = measures.real(3)});
+                                 .vehicle = static_cast<int>(measures.integer(2)),
+                                 .value = measures.real(3)});
       more = measures.step();
     }
   }
-  if (more) database.refuse("is a damaged store (measures of no run); restore a copy, or delete it and run again");
+  if (more)
+    database.refuse("is a damaged store (measures of no run); restore a copy, or delete it and run again");
   snapshot.commit();
 
   std::sort(records.begin(), records.end(), [](const RunRecord& a, const RunRecord& b) {

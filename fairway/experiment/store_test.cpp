@@ -21,7 +21,8 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-RunRecord record(const std::string& key, const Labels& labels, std::uint64_t seed, std::vector<Measure> measures) {
+RunRecord record(const std::string& key, const Labels& labels, std::uint64_t seed,
+                 std::vector<Measure> measures) {
   return {.spec = {key, labels, seed}, .measures = std::move(measures), .wall_s = 1.5, .failure = {}};
 }
 
@@ -50,10 +51,21 @@ TEST(StoreTest, GivesBackEverythingThatWasPut) {
 
 TEST(StoreTest, NumbersComeBackToTheBit) {
   using Limit = std::numeric_limits<double>;
-  const std::vector<double> values{0.0, -0.0, 0.1, 1e15, -9007199254740993.0, 9.3e18, 1.0 / 3.0, Limit::denorm_min(),
-                                   Limit::max(), Limit::lowest(), Limit::infinity(), -Limit::infinity()};
+  const std::vector<double> values{0.0,
+                                   -0.0,
+                                   0.1,
+                                   1e15,
+                                   -9007199254740993.0,
+                                   9.3e18,
+                                   1.0 / 3.0,
+                                   Limit::denorm_min(),
+                                   Limit::max(),
+                                   Limit::lowest(),
+                                   Limit::infinity(),
+                                   -Limit::infinity()};
   RunRecord given = record("a", {}, std::numeric_limits<std::uint64_t>::max(), {});
-  for (std::size_t i = 0; i < values.size(); ++i) given.measures.push_back({"x_m", static_cast<int>(i), values[i]});
+  for (std::size_t i = 0; i < values.size(); ++i)
+    given.measures.push_back({"x_m", static_cast<int>(i), values[i]});
   given.measures.push_back({"x_m", Measure::fleet, Limit::quiet_NaN()});
 
   const sample::Folder folder;
@@ -65,15 +77,17 @@ TEST(StoreTest, NumbersComeBackToTheBit) {
   ASSERT_EQ(all.size(), 1U);
   EXPECT_EQ(all[0].spec.seed, std::numeric_limits<std::uint64_t>::max());
   for (std::size_t i = 0; i < values.size(); ++i) {
-    EXPECT_EQ(std::bit_cast<std::uint64_t>(all[0].measures[i].value), std::bit_cast<std::uint64_t>(values[i])) << values[i];
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(all[0].measures[i].value), std::bit_cast<std::uint64_t>(values[i]))
+        << values[i];
   }
   EXPECT_TRUE(std::isnan(all[0].measures.back().value));
 }
 
 TEST(StoreTest, OrderIsByLabelsSeedAndKeyWhateverCameFirst) {
-  std::vector<RunRecord> records{record("e", {{"crit_dist_m", "10"}}, 1, {}), record("d", {{"crit_dist_m", "6"}}, 10, {}),
-                                 record("c", {{"crit_dist_m", "6"}}, 9, {}),  record("a", {{"crit_dist_m", "none"}}, 1, {}),
-                                 record("b", {{"crit_dist_m", "6"}}, 9, {}),  record("f", {{"crit_dist_m", "6.0"}}, 0, {})};
+  std::vector<RunRecord> records{
+      record("e", {{"crit_dist_m", "10"}}, 1, {}), record("d", {{"crit_dist_m", "6"}}, 10, {}),
+      record("c", {{"crit_dist_m", "6"}}, 9, {}),  record("a", {{"crit_dist_m", "none"}}, 1, {}),
+      record("b", {{"crit_dist_m", "6"}}, 9, {}),  record("f", {{"crit_dist_m", "6.0"}}, 0, {})};
   std::mt19937 shuffler{1};
   for (int round = 0; round < 5; ++round) {
     Store store = Store::in_memory();
@@ -166,7 +180,8 @@ TEST(StoreTest, AMeasureTakesLessThanThirtyBytes) {
     Store store = Store::open(folder / "results.db");
     std::vector<RunRecord> records = sample::records(1000);
     for (RunRecord& r : records) {
-      for (int vehicle = 2; vehicle < 40; ++vehicle) r.measures.push_back({"navigation_time_s", vehicle, 0.1 * vehicle});
+      for (int vehicle = 2; vehicle < 40; ++vehicle)
+        r.measures.push_back({"navigation_time_s", vehicle, 0.1 * vehicle});
     }
     store.put(records);
   }
@@ -175,8 +190,10 @@ TEST(StoreTest, AMeasureTakesLessThanThirtyBytes) {
 
 TEST(CsvTest, IsLongWithOneColumnForEachLabel) {
   Store store = Store::in_memory();
-  put(store, record("b", {{"case", "cube, \"small\""}, {"method", "apf"}}, 2, {{"makespan_s", Measure::fleet, 0.1}, {"nearest_m", 3, 1e300}}));
-  put(store, record("a", {{"case", "pair"}}, 1, {{"min_separation_m", Measure::fleet, std::numeric_limits<double>::infinity()}}));
+  put(store, record("b", {{"case", "cube, \"small\""}, {"method", "apf"}}, 2,
+                    {{"makespan_s", Measure::fleet, 0.1}, {"nearest_m", 3, 1e300}}));
+  put(store, record("a", {{"case", "pair"}}, 1,
+                    {{"min_separation_m", Measure::fleet, std::numeric_limits<double>::infinity()}}));
   RunRecord failed = record("c", {{"case", "pair"}, {"method", "orca3d"}}, 3, {});
   failed.failure = "no thrust";
   put(store, failed);

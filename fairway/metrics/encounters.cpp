@@ -9,8 +9,10 @@ const std::vector<QuantityInfo>& EncounterMetric::quantities() {
   static const std::vector<QuantityInfo> all{
       {"navigation_time_s", true, "from the first tick under way until arrival, or until counted as stuck"},
       {"avoidance_time_s", true, "part of the navigation time with somebody within the detection distance"},
-      {"avoided_count", true, "neighbours that came within the detection distance and left without a collision"},
-      {"collision_count", true, "neighbours that came within the safety distance, counted once as they leave"},
+      {"avoided_count", true,
+       "neighbours that came within the detection distance and left without a collision"},
+      {"collision_count", true,
+       "neighbours that came within the safety distance, counted once as they leave"},
       {"distance_m", true, "path length while navigating"},
       {"stuck_count", true, "1 if the navigation time passed the exam's limit before arrival"},
       {"start_distance_m", true, "straight line to the goal at the first tick under way"},

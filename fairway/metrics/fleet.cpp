@@ -7,17 +7,23 @@
 namespace fairway {
 namespace {
 
-bool takes_part(const VehicleFrame& vehicle) { return is_avoiding(vehicle.phase) || vehicle.phase == Phase::arrived; }
+bool takes_part(const VehicleFrame& vehicle) {
+  return is_avoiding(vehicle.phase) || vehicle.phase == Phase::arrived;
+}
 
 }  // namespace
 
 const std::vector<QuantityInfo>& FleetMetric::quantities() {
   static const std::vector<QuantityInfo> all{
-      {"pair_collision_count", false, "times that the centres of two vehicles came within the safety distance"},
+      {"pair_collision_count", false,
+       "times that the centres of two vehicles came within the safety distance"},
       {"min_separation_m", false, "least distance between the centres of any two vehicles"},
-      {"makespan_s", false, "from the first tick under way to the last arrival; the end of the run if not all arrive"},
+      {"makespan_s", false,
+       "from the first tick under way to the last arrival; the end of the run if not all arrive"},
       {"arrived_ratio", false, "share of the vehicles that arrived"},
       {"nearest_m", true, "least distance to any other vehicle"},
+      {"obstacle_clearance_m", true,
+       "least distance from the centre to the surface of an obstacle; negative inside one"},
       {"energy_j", true, "drawn by the actuators while under way"},
       {"hold_time_s", true, "time waiting on purpose while under way"},
       {"infeasible_count", true, "decisions that found no safe choice"},
@@ -31,7 +37,8 @@ void FleetMetric::see(const Frame& frame) {
     touching_.resize(frame.vehicles.size() * frame.vehicles.size());
   }
   if (!started_) {
-    started_ = std::ranges::any_of(frame.vehicles, [](const VehicleFrame& v) { return is_avoiding(v.phase); });
+    started_ =
+        std::ranges::any_of(frame.vehicles, [](const VehicleFrame& v) { return is_avoiding(v.phase); });
     if (!started_) return;
     start_time_ = frame.time;
   }
@@ -46,6 +53,9 @@ void FleetMetric::see_vehicle(const Frame& frame, std::size_t index) {
     own.energy += vehicle.power * frame.period;
     if (vehicle.command.mode == Mode::hold) own.hold_time += frame.period;
     if (vehicle.command.mode == Mode::infeasible) ++own.infeasible;
+  }
+  for (const Obstacle& obstacle : obstacles_) {
+    own.clearance = std::fmin(own.clearance, nearest_point(obstacle, vehicle.state.p_n).distance);
   }
   if (vehicle.phase != Phase::arrived || !own.arrived) last_arrival_ = frame.time;
   own.arrived = vehicle.phase == Phase::arrived;
@@ -78,10 +88,12 @@ void FleetMetric::report(std::vector<Measure>& measures) const {
   measures.push_back({"pair_collision_count", Measure::fleet, static_cast<double>(pair_events_)});
   measures.push_back({"min_separation_m", Measure::fleet, std::sqrt(nearest2)});
   measures.push_back({"makespan_s", Measure::fleet, started_ ? last_arrival_ - start_time_ : 0.0});
-  measures.push_back({"arrived_ratio", Measure::fleet, own_.empty() ? 0.0 : arrived / static_cast<double>(own_.size())});
+  measures.push_back(
+      {"arrived_ratio", Measure::fleet, own_.empty() ? 0.0 : arrived / static_cast<double>(own_.size())});
   for (std::size_t i = 0; i < own_.size(); ++i) {
     const int vehicle = static_cast<int>(i);
     measures.push_back({"nearest_m", vehicle, std::sqrt(own_[i].nearest2)});
+    measures.push_back({"obstacle_clearance_m", vehicle, own_[i].clearance});
     measures.push_back({"energy_j", vehicle, own_[i].energy});
     measures.push_back({"hold_time_s", vehicle, own_[i].hold_time});
     measures.push_back({"infeasible_count", vehicle, static_cast<double>(own_[i].infeasible)});

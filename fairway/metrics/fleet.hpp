@@ -4,6 +4,7 @@
 #include <limits>
 #include <vector>
 
+#include "fairway/core/shapes.hpp"
 #include "fairway/metrics/metric.hpp"
 
 namespace fairway {
@@ -14,7 +15,9 @@ class FleetMetric final : public Metric {
  public:
   static const std::vector<QuantityInfo>& quantities();
 
-  explicit FleetMetric(double safety_distance_m) : safety_distance_{safety_distance_m} {}
+  /// Distances to `obstacles` are measured too; whoever owns their vertices outlives this.
+  explicit FleetMetric(double safety_distance_m, std::vector<Obstacle> obstacles = {})
+      : safety_distance_{safety_distance_m}, obstacles_{std::move(obstacles)} {}
   void see(const Frame& frame) override;
   void report(std::vector<Measure>& measures) const override;
 
@@ -23,6 +26,7 @@ class FleetMetric final : public Metric {
     double energy{};
     double hold_time{};
     double nearest2{std::numeric_limits<double>::infinity()};
+    double clearance{std::numeric_limits<double>::infinity()};
     int infeasible{};
     bool arrived{};
   };
@@ -31,6 +35,7 @@ class FleetMetric final : public Metric {
   void see_pairs(const Frame& frame);
 
   double safety_distance_;
+  std::vector<Obstacle> obstacles_;
   bool started_{false};
   double start_time_{};
   double last_arrival_{};

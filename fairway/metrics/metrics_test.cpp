@@ -109,6 +109,20 @@ TEST(FleetMetric, MakespanEndsWithTheLastArrival) {
   EXPECT_EQ(s.value("arrived_ratio"), 1.0);
 }
 
+TEST(FleetMetric, ClearanceIsNegativeInsideAnObstacle) {
+  const Obstacle ball{.kind = Obstacle::Kind::sphere, .position = {4, 0, 0}, .radius = 3};
+  RunMetrics metrics{{6, 3}, {ball}};
+  std::array<VehicleFrame, 1> vehicles{};
+  vehicles[0].phase = Phase::under_way;
+  for (const double x : {-4.0, 0.0, 2.0}) {
+    vehicles[0].state.p_n = {x, 0, 0};
+    metrics.write({Tick{0}, 0.0, 1.0, vehicles});
+  }
+  for (const Measure& m : metrics.measures()) {
+    if (m.quantity == "obstacle_clearance_m") EXPECT_NEAR(m.value, -1.0, 1e-12);
+  }
+}
+
 TEST(Metrics, EveryQuantityIsDescribedAndNothingElseIsReported) {
   Script s;
   s.pair(20);

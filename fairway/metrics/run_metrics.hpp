@@ -11,7 +11,8 @@ namespace fairway {
 /// Every metric of a run, as one sink of frames.
 class RunMetrics final : public FrameSink {
  public:
-  explicit RunMetrics(EncounterRules rules) : encounters_{rules}, fleet_{rules.safety_distance_m} {}
+  explicit RunMetrics(EncounterRules rules, std::vector<Obstacle> obstacles = {})
+      : encounters_{rules}, fleet_{rules.safety_distance_m, std::move(obstacles)} {}
 
   void write(const Frame& frame) override {
     encounters_.see(frame);

@@ -15,7 +15,7 @@ namespace fairway {
 struct VehicleFrame {
   VehicleId id{};
   VehicleState state;
-  Command command;                    ///< decided at this instant, from this state
+  Command command;  ///< decided at this instant, from this state
   Phase phase{};
   Vec3 goal = Vec3::Zero();           ///< of the present leg [m, NED]
   double goal_speed{};                ///< along the leg [m/s]
@@ -26,8 +26,8 @@ struct VehicleFrame {
 /// What was true at one instant and what was decided on it. Metrics and the viewer know nothing else.
 struct Frame {
   Tick tick{};
-  double time{};    ///< [s]
-  double period{};  ///< to the next frame [s]
+  double time{};                           ///< [s]
+  double period{};                         ///< to the next frame [s]
   std::span<const VehicleFrame> vehicles;  ///< by index, as in the scenario
 };
 

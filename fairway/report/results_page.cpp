@@ -31,12 +31,14 @@ std::vector<std::string> distinct(const std::vector<T>& items, auto name) {
 }
 
 /// The values of one quantity in one cell, one per vehicle and run.
-std::vector<double> values_of(std::span<const RunRecord> records, const ComparedCell& cell, const std::string& by,
-                              const std::string& quantity) {
+std::vector<double> values_of(std::span<const RunRecord> records, const ComparedCell& cell,
+                              const std::string& by, const std::string& quantity) {
   std::vector<double> values;
   for (const RunRecord& record : records) {
     const std::string* candidate = find_label(record.spec.labels, by);
-    if (candidate == nullptr || *candidate != cell.candidate || without_label(record.spec.labels, by) != cell.group) continue;
+    if (candidate == nullptr || *candidate != cell.candidate ||
+        without_label(record.spec.labels, by) != cell.group)
+      continue;
     for (const Measure& measure : record.measures) {
       if (measure.quantity == quantity && std::isfinite(measure.value)) values.push_back(measure.value);
     }
@@ -51,13 +53,20 @@ json boxes(std::span<const RunRecord> records, const Comparison& comparison, con
   for (const std::string& candidate : candidates) {
     json row = json::array();
     for (const std::string& group : groups) {
-      const auto cell = std::ranges::find_if(
-          comparison.cells, [&](const ComparedCell& c) { return c.candidate == candidate && name_of(c.group) == group; });
-      row.push_back(cell == comparison.cells.end() ? json() : page::box(values_of(records, *cell, comparison.by, quantity)));
+      const auto cell = std::ranges::find_if(comparison.cells, [&](const ComparedCell& c) {
+        return c.candidate == candidate && name_of(c.group) == group;
+      });
+      row.push_back(cell == comparison.cells.end()
+                        ? json()
+                        : page::box(values_of(records, *cell, comparison.by, quantity)));
     }
     series.push_back({{"label", candidate}, {"boxes", row}});
   }
-  return {{"kind", "boxes"}, {"title", quantity}, {"y_label", quantity}, {"categories", groups}, {"series", series}};
+  return {{"kind", "boxes"},
+          {"title", quantity},
+          {"y_label", quantity},
+          {"categories", groups},
+          {"series", series}};
 }
 
 json means_table(const Comparison& comparison) {
@@ -81,8 +90,9 @@ json means_table(const Comparison& comparison) {
   return {{"kind", "table"},
           {"title", "Means, and differences paired by seed"},
           {"columns",
-           {column("cell", "Cell", "text"), column("candidate", comparison.by, "text"), column("quantity", "Quantity", "text"),
-            column("mean", "Mean", "number"), column("low", "95 % from", "number"), column("high", "to", "number"),
+           {column("cell", "Cell", "text"), column("candidate", comparison.by, "text"),
+            column("quantity", "Quantity", "text"), column("mean", "Mean", "number"),
+            column("low", "95 % from", "number"), column("high", "to", "number"),
             column("runs", "Runs", "number"), column("difference", "Less " + comparison.baseline, "number"),
             column("difference_low", "95 % from", "number"), column("difference_high", "to", "number")}},
           {"rows", rows},
@@ -92,8 +102,12 @@ json means_table(const Comparison& comparison) {
 json rates_table(const Comparison& comparison) {
   json rows = json::array();
   for (const ComparedRate& rate : comparison.rates) {
-    rows.push_back({{"cell", name_of(rate.group)}, {"candidate", rate.candidate}, {"rate", rate.name},
-                    {"value", page::number(rate.value.rate)}, {"low", rate.value.low}, {"high", rate.value.high},
+    rows.push_back({{"cell", name_of(rate.group)},
+                    {"candidate", rate.candidate},
+                    {"rate", rate.name},
+                    {"value", page::number(rate.value.rate)},
+                    {"low", rate.value.low},
+                    {"high", rate.value.high},
                     {"runs", rate.value.trials}});
   }
   return {{"kind", "table"},
@@ -112,11 +126,13 @@ json rates_table(const Comparison& comparison) {
 
 }  // namespace
 
-json results_page(std::span<const RunRecord> records, const std::string& name, const std::string& by, const std::string& command) {
+json results_page(std::span<const RunRecord> records, const std::string& name, const std::string& by,
+                  const std::string& command) {
   if (records.empty()) throw InputError(name + ": the store holds no runs");
   const Comparison comparison = compare(records, {.by = by});
   std::vector<json> charts;
-  for (const std::string& quantity : distinct(comparison.means, [](const ComparedMean& m) { return m.quantity; })) {
+  for (const std::string& quantity :
+       distinct(comparison.means, [](const ComparedMean& m) { return m.quantity; })) {
     charts.push_back(boxes(records, comparison, quantity));
   }
   const auto section = [](const char* id, const char* title, json blocks) {
@@ -130,8 +146,9 @@ json results_page(std::span<const RunRecord> records, const std::string& name, c
           {"subtitle", "Stored results"},
           {"version", fmt::format("fairway {}", fairway_version)},
           {"command", command},
-          {"facts", {{{"label", "Runs"}, {"value", std::to_string(records.size())}},
-                     {{"label", "Cells"}, {"value", std::to_string(comparison.cells.size())}}}},
+          {"facts",
+           {{{"label", "Runs"}, {"value", std::to_string(records.size())}},
+            {{"label", "Cells"}, {"value", std::to_string(comparison.cells.size())}}}},
           {"sections", sections}};
 }
 

@@ -21,7 +21,8 @@ using Overrides = std::vector<std::pair<std::string, std::string>>;
 /// other. `seed` overrides the file's. Throws InputError with file, line, column, path, what was
 /// expected and the nearest known key. Names of models, algorithms and their parameters are checked
 /// later, by the catalogs.
-Scenario load_scenario(const std::string& file, const Overrides& overrides = {}, std::optional<std::uint64_t> seed = {});
+Scenario load_scenario(const std::string& file, const Overrides& overrides = {},
+                       std::optional<std::uint64_t> seed = {});
 
 /// The same from text; `file` is used in messages.
 Scenario parse_scenario(std::string_view yaml, const std::string& file, const Overrides& overrides = {},

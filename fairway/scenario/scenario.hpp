@@ -21,9 +21,9 @@ namespace fairway {
 struct Choice {
   std::string name;
   ParamValues params;
-  std::string path;                  ///< "vehicles[1].avoider"
-  Location where;                    ///< of the name; of the file if built by a program
-  std::vector<Location> param_where; ///< of each parameter; may be empty
+  std::string path;                   ///< "vehicles[1].avoider"
+  Location where;                     ///< of the name; of the file if built by a program
+  std::vector<Location> param_where;  ///< of each parameter; may be empty
 };
 
 /// An obstacle that owns its vertices.
@@ -58,8 +58,8 @@ struct VehicleSpec {
 
 /// How encounters are counted.
 struct Exam {
-  double crit_dist_m{6.0};        ///< a neighbour this near is detected
-  double safety_distance_m{3.0};  ///< centres this near have collided
+  double crit_dist_m{6.0};              ///< a neighbour this near is detected
+  double safety_distance_m{3.0};        ///< centres this near have collided
   double time_coefficient_ratio{10.0};  ///< stuck after this many times the straight-line time
 };
 
@@ -81,8 +81,8 @@ struct Expectation {
 struct Scenario {
   std::string name;
   std::string summary;
-  double step_s{0.05};      ///< the control period and the integration step
-  double duration_s{600.0}; ///< the run ends here at the latest
+  double step_s{0.05};       ///< the control period and the integration step
+  double duration_s{600.0};  ///< the run ends here at the latest
   std::uint64_t seed{1};
   double water_density_kgpm3{1000.0};
   Vec3 current_n = Vec3::Zero();  ///< uniform [m/s, NED]

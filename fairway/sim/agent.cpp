@@ -46,25 +46,27 @@ VehicleState start_of(const VehicleSpec& spec) {
 }  // namespace
 
 Agent make_agent(const VehicleSpec& spec, const Scenario& scenario, const Catalogs& catalogs, Rng rng) {
-  Vehicle vehicle = made(spec.model, [&] { return catalogs.vehicles.make(spec.model.name, spec.model.params); });
+  Vehicle vehicle =
+      made(spec.model, [&] { return catalogs.vehicles.make(spec.model.name, spec.model.params); });
   vehicle.set_state(start_of(spec));
   Autopilot autopilot = made(spec.model, [&] { return Autopilot{vehicle}; });
   const SteeringParams steering = steering_of(spec, vehicle);
   ActuatorValues demand = vehicle.actuator_state();
 
-  Agent agent{.id = VehicleId{spec.id},
-              .name = spec.name,
-              .radius = spec.radius_m,
-              .start_delay = spec.start_delay_s,
-              .own_priority = spec.priority,
-              .limits = spec.limits,
-              .steering = steering,
-              .vehicle = std::move(vehicle),
-              .autopilot = std::move(autopilot),
-              .mission = Mission{spec.mission, scenario.exam.time_coefficient_ratio},
-              .avoider = made(spec.avoider,
-                              [&] { return catalogs.avoiders.make(spec.avoider.name, spec.avoider.params, rng); }),
-              .demand = std::move(demand)};
+  Agent agent{
+      .id = VehicleId{spec.id},
+      .name = spec.name,
+      .radius = spec.radius_m,
+      .start_delay = spec.start_delay_s,
+      .own_priority = spec.priority,
+      .limits = spec.limits,
+      .steering = steering,
+      .vehicle = std::move(vehicle),
+      .autopilot = std::move(autopilot),
+      .mission = Mission{spec.mission, scenario.exam.time_coefficient_ratio},
+      .avoider = made(spec.avoider,
+                      [&] { return catalogs.avoiders.make(spec.avoider.name, spec.avoider.params, rng); }),
+      .demand = std::move(demand)};
   agent.tracks.reserve(scenario.vehicles.size());
   return agent;
 }

@@ -10,7 +10,8 @@ namespace {
 
 void check_perception(const PerceptionSpec& spec) {
   if (spec.kind.name != "perfect") {
-    throw InputError(spec.kind.where, spec.kind.path, "unknown perception \"" + spec.kind.name + "\"; known: perfect");
+    throw InputError(spec.kind.where, spec.kind.path,
+                     "unknown perception \"" + spec.kind.name + "\"; known: perfect");
   }
   if (!spec.kind.params.empty()) {
     throw InputError(spec.kind.where, spec.kind.path + "." + spec.kind.params.front().first,
@@ -76,7 +77,8 @@ void Simulation::deliver() {
                  .radius = agent.radius,
                  .priority = arrived ? std::numeric_limits<std::int32_t>::max() : agent.own_priority};
     const Leg* leg = agent.mission.leg();
-    const bool going = leg != nullptr && leg->kind != LegKind::rendezvous && leg->kind != LegKind::keep_position;
+    const bool going =
+        leg != nullptr && leg->kind != LegKind::rendezvous && leg->kind != LegKind::keep_position;
     mailbox_[i] = {.from = agent.id,
                    .sent = tick_,
                    .position = agent.own.position,
@@ -147,11 +149,17 @@ void Simulation::control() {
     const bool transit = is_avoiding(agent.mission.phase());
     SteeringParams steering = agent.steering;
     if (!transit) steering.kind = SteeringKind::proportional;
-    const BodyRequest request =
+    const BodyRequest over_ground =
         hold ? keep_position(agent.hold, agent.own) : steer(steering, agent.command, agent.own.yaw);
 
+    // the vehicle's own controller works on velocities through the water
     const VehicleState& x = agent.vehicle.state();
-    agent.demand = agent.autopilot.control(request, x.v_b, x.omega_b, period_);
+    const Vec3 current_b = x.q_nb.conjugate() * water_.current_n;
+    const BodyRequest request{.surge_mps = over_ground.surge_mps - current_b.x(),
+                              .sway_mps = over_ground.sway_mps - current_b.y(),
+                              .heave_mps = over_ground.heave_mps - current_b.z(),
+                              .yaw_rate_radps = over_ground.yaw_rate_radps};
+    agent.demand = agent.autopilot.control(request, x.v_b - current_b, x.omega_b, period_);
   }
 }
 

@@ -10,10 +10,15 @@
 namespace fairway {
 namespace {
 
-VehicleSpec vehicle(std::uint32_t id, const Vec3& from, const Vec3& to, const std::string& model, const std::string& algorithm) {
-  VehicleSpec spec{.id = id, .name = "v" + std::to_string(id), .model = {.name = model, .path = "model"},
-                   .avoider = {.name = algorithm, .path = "avoider"}, .position = from,
-                   .yaw = std::atan2(to.y() - from.y(), to.x() - from.x()), .radius_m = 1.5,
+VehicleSpec vehicle(std::uint32_t id, const Vec3& from, const Vec3& to, const std::string& model,
+                    const std::string& algorithm) {
+  VehicleSpec spec{.id = id,
+                   .name = "v" + std::to_string(id),
+                   .model = {.name = model, .path = "model"},
+                   .avoider = {.name = algorithm, .path = "avoider"},
+                   .position = from,
+                   .yaw = std::atan2(to.y() - from.y(), to.x() - from.x()),
+                   .radius_m = 1.5,
                    .priority = static_cast<std::int32_t>(id)};
   spec.limits.max_speed = 0.5;
   spec.mission = {{.kind = LegKind::transit, .position = to, .speed_mps = 0.5, .arrival_m = 2.0}};
@@ -38,7 +43,8 @@ std::vector<Measure> measured(const Scenario& scenario) {
   return metrics.measures();
 }
 
-double value(const std::vector<Measure>& measures, const std::string& quantity, int vehicle = Measure::fleet) {
+double value(const std::vector<Measure>& measures, const std::string& quantity,
+             int vehicle = Measure::fleet) {
   for (const Measure& m : measures) {
     if (m.quantity == quantity && m.vehicle == vehicle) return m.value;
   }
@@ -95,7 +101,8 @@ TEST(Simulation, AMissionWaitsAtItsRendezvousForTheSlowest) {
   for (std::uint32_t i = 0; i < 2; ++i) {
     VehicleSpec spec = vehicle(i, {0, 10.0 * i, 5}, {60, 10.0 * i, 5}, "kinematic", "direct");
     const double there = i == 0 ? 5 : 30;
-    spec.mission.insert(spec.mission.begin(), {.kind = LegKind::go_to, .position = {there, 10.0 * i, 5}, .speed_mps = 0.5});
+    spec.mission.insert(spec.mission.begin(),
+                        {.kind = LegKind::go_to, .position = {there, 10.0 * i, 5}, .speed_mps = 0.5});
     spec.mission.insert(spec.mission.begin() + 1, {.kind = LegKind::rendezvous});
     scenario.vehicles.push_back(spec);
   }
@@ -104,7 +111,8 @@ TEST(Simulation, AMissionWaitsAtItsRendezvousForTheSlowest) {
   while (!simulation.is_done()) {
     simulation.step({});
     for (std::size_t i = 0; i < 2; ++i) {
-      if (started[i] < 0 && simulation.agents()[i].mission.phase() == Phase::under_way) started[i] = simulation.time();
+      if (started[i] < 0 && simulation.agents()[i].mission.phase() == Phase::under_way)
+        started[i] = simulation.time();
     }
   }
   EXPECT_GT(started[0], 55.0);  // 29 m at 0.5 m/s
@@ -130,15 +138,20 @@ TEST(Simulation, AnUnknownNameIsRefusedWithItsPlaceAndTheNearest) {
     Simulation{scenario, builtin_catalogs()};
     FAIL() << "accepted";
   } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(), "x.yaml:14:5: vehicles[1].avoider: unknown algorithm \"orca\"; did you mean orca3d?");
+    EXPECT_STREQ(error.what(),
+                 "x.yaml:14:5: vehicles[1].avoider: unknown algorithm \"orca\"; did you mean orca3d?");
   }
-  scenario.vehicles[1].avoider = {.name = "orca3d", .params = {{"time_horizon", 5.0}}, .path = "vehicles[1].avoider",
-                                  .where = {"x.yaml", 14, 5}, .param_where = {{"x.yaml", 15, 7}}};
+  scenario.vehicles[1].avoider = {.name = "orca3d",
+                                  .params = {{"time_horizon", 5.0}},
+                                  .path = "vehicles[1].avoider",
+                                  .where = {"x.yaml", 14, 5},
+                                  .param_where = {{"x.yaml", 15, 7}}};
   try {
     Simulation{scenario, builtin_catalogs()};
     FAIL() << "accepted";
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), testing::StartsWith("x.yaml:15:7: vehicles[1].avoider.time_horizon: unknown parameter"));
+    EXPECT_THAT(error.what(),
+                testing::StartsWith("x.yaml:15:7: vehicles[1].avoider.time_horizon: unknown parameter"));
     EXPECT_THAT(error.what(), testing::HasSubstr("did you mean time_horizon_s?"));
   }
 }
@@ -151,7 +164,8 @@ TEST(Simulation, ACopyCarriesOnAlike) {
     a.step({});
     b.step({});
   }
-  for (std::size_t i = 0; i < 8; ++i) EXPECT_EQ(a.agents()[i].vehicle.state().p_n, b.agents()[i].vehicle.state().p_n);
+  for (std::size_t i = 0; i < 8; ++i)
+    EXPECT_EQ(a.agents()[i].vehicle.state().p_n, b.agents()[i].vehicle.state().p_n);
 }
 
 }  // namespace

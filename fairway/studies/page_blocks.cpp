@@ -15,14 +15,9 @@ json box(std::vector<double> values) {
   for (const double value : values) sum += value;
   const double mean = sum / static_cast<double>(values.size());
   const BoxSummary summary = summarize(std::move(values));
-  return {{"min", summary.low_whisker},
-          {"q1", summary.lower_quartile},
-          {"median", summary.median},
-          {"q3", summary.upper_quartile},
-          {"max", summary.high_whisker},
-          {"mean", mean},
-          {"outliers", summary.outliers},
-          {"count", summary.count}};
+  return {{"min", summary.low_whisker},   {"q1", summary.lower_quartile}, {"median", summary.median},
+          {"q3", summary.upper_quartile}, {"max", summary.high_whisker},  {"mean", mean},
+          {"outliers", summary.outliers}, {"count", summary.count}};
 }
 
 json interval(const MeanEstimate& estimate, std::optional<double> published) {
@@ -32,7 +27,9 @@ json interval(const MeanEstimate& estimate, std::optional<double> published) {
   return point;
 }
 
-json note(std::string_view tone, std::string text) { return {{"kind", "note"}, {"tone", tone}, {"text", std::move(text)}}; }
+json note(std::string_view tone, std::string text) {
+  return {{"kind", "note"}, {"tone", tone}, {"text", std::move(text)}};
+}
 
 json grid(int columns, std::vector<json> blocks) {
   return {{"kind", "grid"}, {"columns", columns}, {"blocks", std::move(blocks)}};
@@ -60,13 +57,14 @@ json comparison_table(std::string title, std::span<const StudyRow> rows) {
   return {{"kind", "table"},
           {"title", std::move(title)},
           {"columns",
-           {column("case", "Case", "text"), column("method", "Method", "text"), column("quantity", "Quantity", "text"),
+           {column("case", "Case", "text"), column("method", "Method", "text"),
+            column("quantity", "Quantity", "text"),
             json{{"key", "published"}, {"label", "Published"}, {"type", "number"}, {"digits", 1}},
             json{{"key", "measured"}, {"label", "Measured"}, {"type", "number"}, {"digits", 1}},
             json{{"key", "low"}, {"label", "95 % from"}, {"type", "number"}, {"digits", 1}},
-            json{{"key", "high"}, {"label", "to"}, {"type", "number"}, {"digits", 1}}, column("runs", "Runs", "number"),
-            column("deviation", "Deviation", "deviation"), column("verdict", "Verdict", "verdict"),
-            column("note", "Note", "text")}},
+            json{{"key", "high"}, {"label", "to"}, {"type", "number"}, {"digits", 1}},
+            column("runs", "Runs", "number"), column("deviation", "Deviation", "deviation"),
+            column("verdict", "Verdict", "verdict"), column("note", "Note", "text")}},
           {"rows", std::move(lines)},
           {"filter", {"case", "method", "quantity"}}};
 }

@@ -15,7 +15,9 @@ namespace {
 constexpr double reproduced_within = 0.15;
 constexpr double partly_within = 0.35;
 
-nlohmann::json finite_or_null(double value) { return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json(); }
+nlohmann::json finite_or_null(double value) {
+  return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json();
+}
 
 nlohmann::json value_json(const ParamValue& value) {
   return std::visit([](const auto& v) { return nlohmann::json(v); }, value);
@@ -72,7 +74,8 @@ nlohmann::json rows_json(std::string_view study, std::span<const StudyRow> rows)
                          {"low", finite_or_null(row.low)},
                          {"high", finite_or_null(row.high)},
                          {"runs", row.runs},
-                         {"deviation_ratio", row.deviation_ratio() ? nlohmann::json(*row.deviation_ratio()) : nlohmann::json()},
+                         {"deviation_ratio",
+                          row.deviation_ratio() ? nlohmann::json(*row.deviation_ratio()) : nlohmann::json()},
                          {"verdict", name_of(row.verdict)},
                          {"note", row.note}};
     if (!row.params.empty()) {
@@ -84,15 +87,19 @@ nlohmann::json rows_json(std::string_view study, std::span<const StudyRow> rows)
 }
 
 std::string rows_text(std::span<const StudyRow> rows) {
-  std::string text = fmt::format("{:<17} {:<11} {:<10} {:<20} {:>10} {:>10} {:>21} {:>6} {:>8}  {}\n", "case", "method",
-                                 "mode", "quantity", "published", "measured", "95 % interval", "runs", "dev.", "verdict");
+  std::string text =
+      fmt::format("{:<17} {:<11} {:<10} {:<20} {:>10} {:>10} {:>21} {:>6} {:>8}  {}\n", "case", "method",
+                  "mode", "quantity", "published", "measured", "95 % interval", "runs", "dev.", "verdict");
   for (const StudyRow& row : rows) {
     if (!row.params.empty()) continue;  // the grid is for --json and the report
     const auto deviation = row.deviation_ratio();
-    const std::string interval = std::isfinite(row.low) ? fmt::format("[{:.1f}, {:.1f}]", row.low, row.high) : "";
-    text += fmt::format("{:<17} {:<11} {:<10} {:<20} {:>10} {:>10.1f} {:>21} {:>6} {:>8}  {}\n", row.cell, row.method,
-                        row.mode, row.quantity, row.published ? fmt::format("{:.1f}", *row.published) : "-", row.measured,
-                        interval, row.runs, deviation ? fmt::format("{:+.1f} %", 100 * *deviation) : "", name_of(row.verdict));
+    const std::string interval =
+        std::isfinite(row.low) ? fmt::format("[{:.1f}, {:.1f}]", row.low, row.high) : "";
+    text += fmt::format("{:<17} {:<11} {:<10} {:<20} {:>10} {:>10.1f} {:>21} {:>6} {:>8}  {}\n", row.cell,
+                        row.method, row.mode, row.quantity,
+                        row.published ? fmt::format("{:.1f}", *row.published) : "-", row.measured, interval,
+                        row.runs, deviation ? fmt::format("{:+.1f} %", 100 * *deviation) : "",
+                        name_of(row.verdict));
   }
   return text;
 }

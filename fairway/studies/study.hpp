@@ -19,24 +19,24 @@ namespace fairway {
 
 /// How a measured value stands to the published one.
 enum class Verdict {
-  reproduced,      ///< within 15 % (counts: equal)
-  within_spread,   ///< farther off, but the published value lies in the 95 % interval of the measured mean
-  partly,          ///< within 35 %
+  reproduced,     ///< within 15 % (counts: equal)
+  within_spread,  ///< farther off, but the published value lies in the 95 % interval of the measured mean
+  partly,         ///< within 35 %
   not_reproduced,
-  no_reference,    ///< nothing published to compare with
+  no_reference,  ///< nothing published to compare with
 };
 std::string_view name_of(Verdict verdict);
 
 /// One published number beside the measured one.
 struct StudyRow {
-  std::string cell;      ///< the published case: "cube20_8"
+  std::string cell;  ///< the published case: "cube20_8"
   std::string method;
-  std::string mode;      ///< "as_coded", "corrected"
+  std::string mode;  ///< "as_coded", "corrected"
   std::string quantity;
-  ParamValues params;    ///< where the case is one of a grid
+  ParamValues params;  ///< where the case is one of a grid
   std::optional<double> published;
   double measured{};
-  double low{-std::numeric_limits<double>::infinity()};   ///< of the 95 % interval
+  double low{-std::numeric_limits<double>::infinity()};  ///< of the 95 % interval
   double high{std::numeric_limits<double>::infinity()};
   int runs{};
   Verdict verdict{Verdict::no_reference};
@@ -50,8 +50,8 @@ struct StudyRow {
 void judge(StudyRow& row, bool is_count);
 
 struct StudyOptions {
-  unsigned jobs{0};     ///< threads; 0 = as many as the machine has
-  int seeds{20};        ///< variations per cell beyond what was published; 0 = the published part alone
+  unsigned jobs{0};  ///< threads; 0 = as many as the machine has
+  int seeds{20};     ///< variations per cell beyond what was published; 0 = the published part alone
   Store* store{nullptr};
   Progress* progress{nullptr};
   const std::atomic<bool>* stop{nullptr};
@@ -61,8 +61,8 @@ struct StudyOptions {
 /// What a study found.
 struct StudyResult {
   std::vector<StudyRow> rows;
-  nlohmann::json page;    ///< report document, as viewer/README.md describes it
-  bool complete{true};    ///< false if stopped before all runs were made
+  nlohmann::json page;  ///< report document, as viewer/README.md describes it
+  bool complete{true};  ///< false if stopped before all runs were made
 };
 
 /// A published experiment and what goes beyond it.

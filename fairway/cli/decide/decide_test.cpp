@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <chrono>
+#include <ctime>
 #include <sstream>
 
 namespace fairway {
@@ -146,24 +146,24 @@ TEST(DecideTest, AnswersAreThereBeforeTheNextLineIsAskedFor) {
   EXPECT_EQ(conversation.answered_before, (std::vector<std::size_t>{0, fresh.size(), 2 * fresh.size()}));
 }
 
-/// Lines with five neighbours each. They take 0.06 s; the bound leaves room for sanitizers and busy
-/// machines, and catches what grows with the lines before.
+/// Lines with five neighbours each. They take 0.05 s of the processor; the bound leaves room for
+/// sanitizers, and catches what grows with the lines before.
 TEST(DecideTest, ManyLinesAreAnsweredQuickly) {
   std::string tracks = ",\"tracks\":[";
   for (int i = 1; i <= 5; ++i) {
     tracks += fmt::format(
-        R"({}{{"id":{},"position":[1.23456789012,-5.678901234,{}],"velocity":[0.12345,0.3456,0],"radius":1}})",
+        R"({}{{"id":{},"position":[1.23456789012,-5.678901,{}],"velocity":[0.12345,0.3456,0],"radius":1}})",
         i > 1 ? "," : "", i, i);
   }
   std::string in;
   for (int i = 0; i < 2'000; ++i) in += line(0, tracks + "],\"params\":{\"gain_ratio\":0.5}");
 
-  const auto start = std::chrono::steady_clock::now();
+  const std::clock_t start = std::clock();
   const std::string out = answers(in, {.algorithm = "counting"});
-  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-  RecordProperty("microseconds_per_line", std::to_string(took.count() * 1e6 / 2'000));
+  const double took = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  RecordProperty("microseconds_per_line", std::to_string(took * 1e6 / 2'000));
   EXPECT_EQ(std::ranges::count(out, '\n'), 2'000);
-  EXPECT_LT(took.count(), 3.0);
+  EXPECT_LT(took, 3.0);
 }
 
 }  // namespace

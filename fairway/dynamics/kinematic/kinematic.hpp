@@ -47,7 +47,8 @@ class Kinematic {
   /// water.
   std::span<const ActuatorInfo> actuators() const { return actuators_; }
 
-  StateRate derivative(const VehicleState& x, const ActuatorValues& u, const Water& water) const noexcept {
+  [[gnu::always_inline]] StateRate derivative(const VehicleState& x, const ActuatorValues& u,
+                                              const Water& water) const noexcept {
     const fossen::Matrix3 R = fossen::rotation(x.q_nb);
     const Vec3 v_c = R.transpose() * water.current_n;
 

@@ -100,7 +100,8 @@ class Sparus2 {
   /// heave_n (positive down), surge_port_n, surge_starboard_n (positive forward).
   std::span<const ActuatorInfo> actuators() const { return actuators_; }
 
-  StateRate derivative(const VehicleState& x, const ActuatorValues& u, const Water& water) const noexcept {
+  [[gnu::always_inline]] StateRate derivative(const VehicleState& x, const ActuatorValues& u,
+                                              const Water& water) const noexcept {
     // the two surge thrusters are mirror images; the heave thruster sits on the z axis and turns nothing
     const double heave = u[0], port = u[1], starboard = u[2];
     return body_.derivative(x, {port + starboard, 0.0, heave}, {0.0, 0.0, surge_arm_ * (port - starboard)},

@@ -53,7 +53,9 @@ inline std::vector<RunSpec> specs(std::size_t count) {
   std::vector<RunSpec> specs;
   for (std::size_t i = 0; i < count; ++i) {
     const std::string method = i % 2 == 0 ? "apf" : "orca3d";
-    specs.push_back({.key = "run" + std::to_string(i), .labels = {{"case", "cube20_8"}, {"method", method}}, .seed = i / 2});
+    specs.push_back({.key = "run" + std::to_string(i),
+                     .labels = {{"case", "cube20_8"}, {"method", method}},
+                     .seed = i / 2});
   }
   return specs;
 }

@@ -27,9 +27,10 @@ std::span<const std::size_t> MessageOrder::of(std::span<const Track> tracks, Rng
   }
   const std::size_t count = std::min(tracks.size(), order_.size());
   for (std::size_t i = 0; i < count; ++i) order_[i] = i;
-  std::sort(order_.begin(), order_.begin() + static_cast<std::ptrdiff_t>(count), [&](std::size_t a, std::size_t b) {
-    return phase_[slot(number(tracks[a].id))] < phase_[slot(number(tracks[b].id))];
-  });
+  std::sort(order_.begin(), order_.begin() + static_cast<std::ptrdiff_t>(count),
+            [&](std::size_t a, std::size_t b) {
+              return phase_[slot(number(tracks[a].id))] < phase_[slot(number(tracks[b].id))];
+            });
   return {order_.data(), count};
 }
 
@@ -72,7 +73,8 @@ void OrcaAsCoded::step_library(Memory& memory, const Situation& s) const noexcep
       const LibraryAgent& other = memory.agents[j];
       const Vec3 p = other.position - agent.position;
       if (j == i || !other.known || p.squaredNorm() >= range2) continue;
-      const Vec3 parting = parting_direction(VehicleId{static_cast<std::uint32_t>(i)}, TrackId{static_cast<std::uint32_t>(j)});
+      const Vec3 parting =
+          parting_direction(VehicleId{static_cast<std::uint32_t>(i)}, TrackId{static_cast<std::uint32_t>(j)});
       const orca::Encounter encounter{p, agent.velocity - other.velocity, 2.0 * s.own.radius, parting};
       const orca::Change change = orca::least_change(encounter, params.time_horizon_s, params.time_step_s);
       half_spaces[count++] = orca::half_space(change, agent.velocity, 0.5);
@@ -112,8 +114,10 @@ Command OrcaAsCoded::decide(const Situation& s, Memory& memory, Context& context
   return {.velocity = velocity, .mode = anyone_near ? Mode::avoid : Mode::cruise, .astern = anyone_near};
 }
 
-Command StopAndWaitAsCoded::decide(const Situation& s, Avoider& inner, Memory& memory, Context& context) const noexcept {
-  const Command command = StopAndWait{{.crit_dist_m = params.crit_dist_m}}.decide(s, inner, memory.rule, context);
+Command StopAndWaitAsCoded::decide(const Situation& s, Avoider& inner, Memory& memory,
+                                   Context& context) const noexcept {
+  const Command command =
+      StopAndWait{{.crit_dist_m = params.crit_dist_m}}.decide(s, inner, memory.rule, context);
   if (command.mode == Mode::hold) {
     memory.waiting = true;
     memory.released = s.time + params.release_s;

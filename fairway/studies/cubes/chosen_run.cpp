@@ -28,7 +28,8 @@ class Curves final : public FrameSink {
     for (std::size_t i = 0; i < paths_.size(); ++i) {
       const Vec3& p = frame.vehicles[i].state.p_n;
       Path& path = paths_[i];
-      if (path.t.empty()) path.goal = {frame.vehicles[i].goal.x(), frame.vehicles[i].goal.y(), frame.vehicles[i].goal.z()};
+      if (path.t.empty())
+        path.goal = {frame.vehicles[i].goal.x(), frame.vehicles[i].goal.y(), frame.vehicles[i].goal.z()};
       path.t.push_back(rounded(static_cast<double>(elapsed) * frame.period));
       path.n.push_back(rounded(p.x()));
       path.e.push_back(rounded(p.y()));
@@ -41,7 +42,8 @@ class Curves final : public FrameSink {
     json vehicles = json::array(), goals = json::array();
     for (std::size_t i = 0; i < paths_.size(); ++i) {
       const Path& path = paths_[i];
-      vehicles.push_back({{"label", fmt::format("robot{}", i)}, {"n", path.n}, {"e", path.e}, {"d", path.d}, {"t", path.t}});
+      vehicles.push_back(
+          {{"label", fmt::format("robot{}", i)}, {"n", path.n}, {"e", path.e}, {"d", path.d}, {"t", path.t}});
       goals.push_back(path.goal);
     }
     return {{"kind", "trajectories"}, {"title", title}, {"vehicles", vehicles}, {"goals", goals}};
@@ -50,7 +52,8 @@ class Curves final : public FrameSink {
   json separations(const std::string& title) const {
     json series = json::array();
     for (std::size_t i = 0; i < paths_.size(); ++i) {
-      series.push_back({{"label", fmt::format("robot{}", i)}, {"x", paths_[i].t}, {"y", paths_[i].separation}});
+      series.push_back(
+          {{"label", fmt::format("robot{}", i)}, {"x", paths_[i].t}, {"y", paths_[i].separation}});
     }
     return {{"kind", "lines"},
             {"title", title},
@@ -83,7 +86,8 @@ class Curves final : public FrameSink {
 
 }  // namespace
 
-std::vector<json> chosen_run_blocks(const CubeCase& cube, const Method& method, Code code, std::uint64_t seed) {
+std::vector<json> chosen_run_blocks(const CubeCase& cube, const Method& method, Code code,
+                                    std::uint64_t seed) {
   const Scenario scenario = cube_scenario(cube, method, code, comparison_tuning(cube, method), seed);
   Curves curves{scenario.vehicles.size()};
   const std::array<FrameSink*, 1> sinks{&curves};

@@ -9,6 +9,7 @@ namespace fairway::cubes {
 
 /// One run made again to be looked at: trajectories, and the least separation of each vehicle over time,
 /// at one point a second.
-std::vector<nlohmann::json> chosen_run_blocks(const CubeCase& cube, const Method& method, Code code, std::uint64_t seed);
+std::vector<nlohmann::json> chosen_run_blocks(const CubeCase& cube, const Method& method, Code code,
+                                              std::uint64_t seed);
 
 }  // namespace fairway::cubes

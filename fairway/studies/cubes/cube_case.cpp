@@ -10,8 +10,9 @@ namespace fairway::cubes {
 namespace {
 
 constexpr std::array cases{
-    CubeCase{"cube20_4", 10, 4, false}, CubeCase{"cube20_8", 10, 8, false}, CubeCase{"cube20_8_retuned", 10, 8, true},
-    CubeCase{"cube60_4", 30, 4, false}, CubeCase{"cube60_8", 30, 8, false}, CubeCase{"cube60_8_retuned", 30, 8, true},
+    CubeCase{"cube20_4", 10, 4, false},        CubeCase{"cube20_8", 10, 8, false},
+    CubeCase{"cube20_8_retuned", 10, 8, true}, CubeCase{"cube60_4", 30, 4, false},
+    CubeCase{"cube60_8", 30, 8, false},        CubeCase{"cube60_8_retuned", 30, 8, true},
 };
 
 constexpr std::array all_methods{
@@ -69,27 +70,32 @@ constexpr std::array<Vertex, 8> vertices{{{+1, +1, false},
                                           {-1, +1, false},
                                           {+1, -1, false}}};
 
-constexpr double speed = 0.5;            // DES_VEL, GOTO_VEL [m/s]
-constexpr double safety_radius = 3.0;    // [m]
-constexpr double goto_tolerance = 5.0;   // per axis [m]
+constexpr double speed = 0.5;           // DES_VEL, GOTO_VEL [m/s]
+constexpr double safety_radius = 3.0;   // [m]
+constexpr double goto_tolerance = 5.0;  // per axis [m]
 constexpr double time_coefficient = 10;
 
 std::vector<Leg> mission_of(const Vertex& vertex, double h) {
   const Vec3 start{h * vertex.north, h * vertex.east, vertex.deep ? 2 * h : 0.0};
   const Vec3 goal{-h * vertex.north, -h * vertex.east, vertex.deep ? 0.0 : 2 * h};
-  return {{.kind = LegKind::go_to, .position = start, .speed_mps = speed, .box_m = Vec3::Constant(goto_tolerance)},
+  return {{.kind = LegKind::go_to,
+           .position = start,
+           .speed_mps = speed,
+           .box_m = Vec3::Constant(goto_tolerance)},
           {.kind = LegKind::rendezvous},
           {.kind = LegKind::transit, .position = goal, .speed_mps = speed, .arrival_m = safety_radius}};
 }
 
 Choice avoider_of(const Method& method, Code code, const Tuning& tuning) {
-  Choice choice{.name = std::string(method.orca ? "orca3d" : "apf") + (code == Code::as_coded ? "_as_coded" : "") +
-                        (method.stop_and_wait ? (code == Code::as_coded ? "+stop_and_wait_as_coded" : "+stop_and_wait") : ""),
-                .path = "avoider"};
+  Choice choice{
+      .name =
+          std::string(method.orca ? "orca3d" : "apf") + (is_as_coded(code) ? "_as_coded" : "") +
+          (method.stop_and_wait ? (is_as_coded(code) ? "+stop_and_wait_as_coded" : "+stop_and_wait") : ""),
+      .path = "avoider"};
   choice.params = {{"crit_dist_m", tuning.crit_dist_m}};
   if (!method.orca) choice.params.emplace_back("w2_ratio", tuning.w2_ratio);
   if (method.orca) choice.params.emplace_back("time_horizon_s", tuning.time_horizon_s);
-  if (method.orca && code == Code::as_coded) choice.params.emplace_back("time_step_s", tuning.time_step_s);
+  if (method.orca && is_as_coded(code)) choice.params.emplace_back("time_step_s", tuning.time_step_s);
   return choice;
 }
 
@@ -98,7 +104,10 @@ Choice avoider_of(const Method& method, Code code, const Tuning& tuning) {
 std::span<const CubeCase> comparison_cases() { return cases; }
 std::span<const Method> methods() { return all_methods; }
 
-std::string_view name_of(Code code) { return code == Code::as_coded ? "as_coded" : "corrected"; }
+std::string_view name_of(Code code) {
+  constexpr std::array names{"as_coded", "as_coded_north", "corrected"};
+  return names[static_cast<std::size_t>(code)];
+}
 
 Tuning comparison_tuning(const CubeCase& cube, const Method& method) {
   if (method.orca) return {.crit_dist_m = 20, .ori_error_rad = 0.6, .time_step_s = cube.retuned ? 0.5 : 1.0};
@@ -118,17 +127,19 @@ std::optional<double> published(std::string_view cube, std::string_view method, 
   return std::nullopt;
 }
 
-Scenario cube_scenario(const CubeCase& cube, const Method& method, Code code, const Tuning& tuning, std::uint64_t seed) {
+Scenario cube_scenario(const CubeCase& cube, const Method& method, Code code, const Tuning& tuning,
+                       std::uint64_t seed) {
   const double diagonal = 2 * cube.half_edge_m * std::sqrt(3.0);
-  Scenario scenario{.name = std::string(cube.name) + " " + std::string(method.name) + " " + std::string(name_of(code)),
-                    .summary = "raja2024: cross a cube to the opposite vertex",
-                    .step_s = 0.05,
-                    .duration_s = (time_coefficient + 2) * diagonal / speed,
-                    .seed = seed,
-                    .coincident_start = true,
-                    .exam = {.crit_dist_m = tuning.crit_dist_m,
-                             .safety_distance_m = safety_radius,
-                             .time_coefficient_ratio = time_coefficient}};
+  Scenario scenario{
+      .name = std::string(cube.name) + " " + std::string(method.name) + " " + std::string(name_of(code)),
+      .summary = "raja2024: cross a cube to the opposite vertex",
+      .step_s = 0.05,
+      .duration_s = (time_coefficient + 2) * diagonal / speed,
+      .seed = seed,
+      .coincident_start = true,
+      .exam = {.crit_dist_m = tuning.crit_dist_m,
+               .safety_distance_m = safety_radius,
+               .time_coefficient_ratio = time_coefficient}};
 
   // what the published runs left to chance
   Rng chance = Rng{seed}.stream("deployment");
@@ -141,7 +152,7 @@ Scenario cube_scenario(const CubeCase& cube, const Method& method, Code code, co
                         .steering = {.name = "turn_then_go",
                                      .params = {{"ori_error_rad", tuning.ori_error_rad}},
                                      .path = "steering"},
-                        .yaw = chance.uniform(-pi, pi),
+                        .yaw = chance.uniform(-pi, pi) * (code == Code::as_coded_north ? 0.0 : 1.0),
                         .start_delay_s = chance.uniform(0.0, 5.0),
                         .radius_m = safety_radius,
                         .priority = static_cast<std::int32_t>(i),

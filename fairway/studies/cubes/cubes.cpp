@@ -6,8 +6,7 @@
 
 #include "fairway/avoidance/direct/direct.hpp"
 #include "fairway/experiment/executor.hpp"
-#include "fairway/metrics/run_metrics.hpp"
-#include "fairway/sim/simulation.hpp"
+#include "fairway/experiment/measure_run.hpp"
 #include "fairway/studies/cubes/as_coded.hpp"
 #include "fairway/studies/cubes/cubes_page.hpp"
 #include "fairway/studies/cubes/findings.hpp"
@@ -15,20 +14,13 @@
 namespace fairway::cubes {
 namespace {
 
-std::vector<Measure> measure(const Cell& cell, std::uint64_t seed, const Catalogs& catalogs,
-                             const std::atomic<bool>* stop) {
-  const Scenario scenario = cube_scenario(*cell.cube, *cell.method, cell.code, cell.tuning, seed);
-  Simulation simulation{scenario, catalogs};
-  RunMetrics metrics{{scenario.exam.crit_dist_m, scenario.exam.safety_distance_m}};
-  const std::array<FrameSink*, 1> sinks{&metrics};
-  while (!simulation.is_done()) {
-    if (stop != nullptr && stop->load(std::memory_order_relaxed)) throw RunAbandoned{};
-    simulation.step(sinks);
-  }
-  return metrics.measures();
+Scenario scenario_of(const PlannedRun& run) {
+  const Cell& cell = *run.cell;
+  return cube_scenario(*cell.cube, *cell.method, cell.code, cell.tuning, run.spec.seed);
 }
 
-std::vector<CellResults> collect(const std::vector<Cell>& cells, std::span<const PlannedRun> plan, const Store& store) {
+std::vector<CellResults> collect(const std::vector<Cell>& cells, std::span<const PlannedRun> plan,
+                                 const Store& store) {
   std::unordered_map<std::string, std::vector<Measure>> by_key;
   for (RunRecord& record : store.all()) {
     if (!record.failure.empty()) throw InputError("run " + record.spec.key + " failed: " + record.failure);
@@ -52,26 +44,32 @@ Catalogs cube_catalogs() {
   return catalogs;
 }
 
-StudyResult run_cubes(const StudyOptions& options) {
-  // everything that is to be run
-  std::vector<Cell> cells = tuning_cells();
-  std::ranges::copy(comparison_cells(Code::as_coded, 0), std::back_inserter(cells));
-  if (options.seeds > 0) std::ranges::copy(comparison_cells(Code::corrected, options.seeds), std::back_inserter(cells));
+std::vector<CellResults> run_cells(const std::vector<Cell>& cells, Store& store,
+                                   const StudyOptions& options) {
   const std::vector<PlannedRun> plan = plan_of(cells);
   std::vector<RunSpec> specs;
   for (const PlannedRun& run : plan) specs.push_back(run.spec);
 
-  // run what the store lacks
-  Store temporary = Store::in_memory();
-  Store& store = options.store != nullptr ? *options.store : temporary;
   const Catalogs catalogs = cube_catalogs();
   const ExecutorReport done = run_missing(
-      specs, [&](std::size_t i) { return measure(*plan[i].cell, plan[i].spec.seed, catalogs, options.stop); }, store,
+      specs, [&](std::size_t i) { return measure_run(scenario_of(plan[i]), catalogs, options.stop); }, store,
       {.jobs = options.jobs, .progress = options.progress, .stop = options.stop});
-  if (done.stopped) return {.complete = false};
+  if (done.stopped) return {};
+  return collect(cells, plan, store);
+}
 
-  // and read the answer out of it
-  const std::vector<CellResults> results = collect(cells, plan, store);
+StudyResult run_cubes(const StudyOptions& options) {
+  std::vector<Cell> cells = tuning_cells();
+  std::ranges::copy(comparison_cells(Code::as_coded, 0), std::back_inserter(cells));
+  if (options.seeds > 0) {
+    std::ranges::copy(heading_cells(), std::back_inserter(cells));
+    std::ranges::copy(comparison_cells(Code::corrected, options.seeds), std::back_inserter(cells));
+  }
+  Store temporary = Store::in_memory();
+  const std::vector<CellResults> results =
+      run_cells(cells, options.store != nullptr ? *options.store : temporary, options);
+  if (results.empty()) return {.complete = false};
+
   StudyResult study{.rows = rows_of(results)};
   study.page = page_of(results, study.rows, options);
   return study;

@@ -20,16 +20,21 @@ using Results = std::vector<CellResults>;
 struct Plotted {
   std::string_view quantity, label;
 };
-constexpr std::array plotted{Plotted{"navigation_time_s", "Navigation time [s]"},
-                             Plotted{"avoidance_time_s", "Avoidance time [s]"},
-                             Plotted{"avoided_count", "Avoided encounters"}, Plotted{"distance_m", "Distance [m]"}};
+constexpr std::array plotted{
+    Plotted{"navigation_time_s", "Navigation time [s]"}, Plotted{"avoidance_time_s", "Avoidance time [s]"},
+    Plotted{"avoided_count", "Avoided encounters"}, Plotted{"distance_m", "Distance [m]"}};
 
-json section(std::string id, std::string title, std::vector<std::string> paragraphs, std::vector<json> blocks) {
-  return {{"id", std::move(id)}, {"title", std::move(title)}, {"paragraphs", std::move(paragraphs)}, {"blocks", std::move(blocks)}};
+json section(std::string id, std::string title, std::vector<std::string> paragraphs,
+             std::vector<json> blocks) {
+  return {{"id", std::move(id)},
+          {"title", std::move(title)},
+          {"paragraphs", std::move(paragraphs)},
+          {"blocks", std::move(blocks)}};
 }
 
 /// A box per value of one parameter, over all cells of the tuning of a method (Figures 16 and 17).
-json tuning_boxes(const Results& results, bool orca, double Tuning::* parameter, std::string_view name, const Plotted& what) {
+json tuning_boxes(const Results& results, bool orca, double Tuning::*parameter, std::string_view name,
+                  const Plotted& what) {
   std::map<double, std::vector<double>> by_value;
   for (const CellResults& cell : results) {
     if (cell.cell->part != Part::tuning || cell.cell->method->orca != orca) continue;
@@ -40,19 +45,17 @@ json tuning_boxes(const Results& results, bool orca, double Tuning::* parameter,
     categories.push_back(number_text(value));
     boxes.push_back(page::box(values));
   }
-  json block{{"kind", "boxes"},
-             {"title", fmt::format("{} by {}", what.label, name)},
-             {"y_label", what.label},
-             {"category_label", name},
-             {"categories", categories},
-             {"series", {{{"label", orca ? "orca3d" : "apf"}, {"boxes", boxes}}}}};
+  json block{
+      {"kind", "boxes"},          {"title", fmt::format("{} by {}", what.label, name)},
+      {"y_label", what.label},    {"category_label", name},
+      {"categories", categories}, {"series", {{{"label", orca ? "orca3d" : "apf"}, {"boxes", boxes}}}}};
   if (what.quantity == "navigation_time_s") block["lines"] = {{{"label", "time limit"}, {"value", 592}}};
   return block;
 }
 
 json tuning_grid(const Results& results, bool orca) {
-  std::vector<std::pair<double Tuning::*, std::string_view>> parameters{{&Tuning::crit_dist_m, "CRIT_DIST [m]"},
-                                                                        {&Tuning::ori_error_rad, "ORI_ERROR [rad]"}};
+  std::vector<std::pair<double Tuning::*, std::string_view>> parameters{
+      {&Tuning::crit_dist_m, "CRIT_DIST [m]"}, {&Tuning::ori_error_rad, "ORI_ERROR [rad]"}};
   if (orca) {
     parameters.emplace_back(&Tuning::time_step_s, "time_step [s]");
     parameters.emplace_back(&Tuning::time_horizon_s, "time_horizon [s]");
@@ -68,7 +71,8 @@ json tuning_grid(const Results& results, bool orca) {
 
 const CellResults* find(const Results& results, const CubeCase& cube, const Method& method, Code code) {
   const auto found = std::ranges::find_if(results, [&](const CellResults& r) {
-    return r.cell->part == Part::comparison && r.cell->cube == &cube && r.cell->method == &method && r.cell->code == code;
+    return r.cell->part == Part::comparison && r.cell->cube == &cube && r.cell->method == &method &&
+           r.cell->code == code;
   });
   return found == results.end() ? nullptr : &*found;
 }
@@ -81,12 +85,13 @@ json robot_boxes(const Results& results, const CubeCase& cube, const Plotted& wh
     const CellResults* cell = find(results, cube, method, Code::as_coded);
     json boxes = json::array();
     for (std::size_t robot = 0; robot < cube.team; ++robot) {
-      boxes.push_back(cell == nullptr ? json() : page::box(cell->values(what.quantity, static_cast<int>(robot))));
+      boxes.push_back(cell == nullptr ? json()
+                                      : page::box(cell->values(what.quantity, static_cast<int>(robot))));
     }
     series.push_back({{"label", method.name}, {"boxes", boxes}});
   }
-  return {{"kind", "boxes"}, {"title", what.label},   {"y_label", what.label}, {"category_label", "robot"},
-          {"categories", categories}, {"series", series}};
+  return {{"kind", "boxes"},           {"title", what.label},      {"y_label", what.label},
+          {"category_label", "robot"}, {"categories", categories}, {"series", series}};
 }
 
 json intervals(const Results& results, Code code, const Plotted& what) {
@@ -102,7 +107,11 @@ json intervals(const Results& results, Code code, const Plotted& what) {
     }
     series.push_back({{"label", method.name}, {"points", points}});
   }
-  return {{"kind", "intervals"}, {"title", what.label}, {"y_label", what.label}, {"categories", categories}, {"series", series}};
+  return {{"kind", "intervals"},
+          {"title", what.label},
+          {"y_label", what.label},
+          {"categories", categories},
+          {"series", series}};
 }
 
 std::vector<StudyRow> chosen_rows(std::span<const StudyRow> rows, std::string_view mode) {
@@ -130,50 +139,63 @@ json facts(const Results& results, std::span<const StudyRow> rows) {
 json corrected_section(const Results& results, std::span<const StudyRow> rows, int seeds) {
   std::vector<json> blocks;
   for (const Plotted& what : plotted) blocks.push_back(intervals(results, Code::corrected, what));
-  return section("corrected", "The methods as printed, in the right frames",
-                 {fmt::format("The comparison again with the general methods of this library: repulsion summed afresh at each "
-                              "step, velocities in NED, one consistent step of 0.05 s. {} seeds a cell, the same for every "
-                              "method, so that differences pair. Bars are 95 % intervals of the mean; the mark beside each is "
-                              "the published value, which came from other code.",
-                              seeds),
-                  "Totals of collisions and stuck robots are scaled to five runs. ORCA has no time_step of its own here, so "
-                  "its retuned case differs from the other in nothing."},
-                 {page::grid(2, std::move(blocks)), page::comparison_table("Corrected, all cells", chosen_rows(rows, "corrected"))});
+  return section(
+      "corrected", "The methods as printed, in the right frames",
+      {fmt::format(
+           "The comparison again with the general methods of this library: repulsion summed afresh at each "
+           "step, velocities in NED, one consistent step of 0.05 s. {} seeds a cell, the same for every "
+           "method, so that differences pair. Bars are 95 % intervals of the mean; the mark beside each is "
+           "the published value, which came from other code.",
+           seeds),
+       "Totals of collisions and stuck robots are scaled to five runs. ORCA has no time_step of its own "
+       "here, so "
+       "its retuned case differs from the other in nothing."},
+      {page::grid(2, std::move(blocks)),
+       page::comparison_table("Corrected, all cells", chosen_rows(rows, "corrected"))});
 }
 
 }  // namespace
 
 json page_of(const Results& results, std::span<const StudyRow> rows, const StudyOptions& options) {
   json sections = json::array();
-  sections.push_back(section("published", "Published against measured",
-                             findings(results, rows),
-                             {page::grid(2, {intervals(results, Code::as_coded, plotted[0]), intervals(results, Code::as_coded, plotted[3])}),
+  sections.push_back(section("published", "Published against measured", findings(results, rows),
+                             {page::grid(2, {intervals(results, Code::as_coded, plotted[0]),
+                                             intervals(results, Code::as_coded, plotted[3])}),
                               page::comparison_table("As coded, all cells", chosen_rows(rows, "as_coded"))}));
-  sections.push_back(section("causes", "What does not reproduce, and why", causes(), {}));
-  sections.push_back(section("tuning-apf", "Parameter setting, APF (Figure 16)", {}, {tuning_grid(results, false)}));
-  sections.push_back(section("tuning-orca", "Parameter setting, ORCA (Figure 17)", {}, {tuning_grid(results, true)}));
+  sections.push_back(section(
+      "causes", "What does not reproduce, and why", causes(rows),
+      {page::comparison_table("Everyone heading north at the origin", chosen_rows(rows, "as_coded_north"))}));
+  sections.push_back(
+      section("tuning-apf", "Parameter setting, APF (Figure 16)", {}, {tuning_grid(results, false)}));
+  sections.push_back(
+      section("tuning-orca", "Parameter setting, ORCA (Figure 17)", {}, {tuning_grid(results, true)}));
 
   std::vector<json> figures;
   for (const CubeCase& cube : comparison_cases()) {
     std::vector<json> blocks;
     for (const Plotted& what : plotted) blocks.push_back(robot_boxes(results, cube, what));
     json block = page::grid(2, std::move(blocks));
-    block["title"] = fmt::format("{} m cube, {} vehicles{}", 2 * cube.half_edge_m, cube.team, cube.retuned ? ", retuned" : "");
+    block["title"] = fmt::format("{} m cube, {} vehicles{}", 2 * cube.half_edge_m, cube.team,
+                                 cube.retuned ? ", retuned" : "");
     figures.push_back(std::move(block));
   }
-  sections.push_back(section("robots", "Comparison by robot (Figures 18 to 23)", {"As coded, five runs a box."}, std::move(figures)));
+  sections.push_back(section("robots", "Comparison by robot (Figures 18 to 23)",
+                             {"As coded, five runs a box."}, std::move(figures)));
   if (options.seeds > 0) sections.push_back(corrected_section(results, rows, options.seeds));
 
   const CubeCase& busy = comparison_cases()[1];
-  sections.push_back(section("run", "A run in detail", {"Eight vehicles in the small cube under ORCA as printed, from the first tick under way."},
-                             chosen_run_blocks(busy, methods()[1], Code::corrected, 1)));
+  sections.push_back(
+      section("run", "A run in detail",
+              {"Eight vehicles in the small cube under ORCA as printed, from the first tick under way."},
+              chosen_run_blocks(busy, methods()[1], Code::corrected, 1)));
 
-  return {{"title", "Crossing a cube"},
-          {"subtitle", "raja2024: APF and ORCA, each with and without stop-and-wait; 4 and 8 Sparus II vehicles"},
-          {"version", fmt::format("fairway {}", fairway_version)},
-          {"command", options.command},
-          {"facts", facts(results, rows)},
-          {"sections", std::move(sections)}};
+  return {
+      {"title", "Crossing a cube"},
+      {"subtitle", "raja2024: APF and ORCA, each with and without stop-and-wait; 4 and 8 Sparus II vehicles"},
+      {"version", fmt::format("fairway {}", fairway_version)},
+      {"command", options.command},
+      {"facts", facts(results, rows)},
+      {"sections", std::move(sections)}};
 }
 
 }  // namespace fairway::cubes

@@ -18,12 +18,12 @@ struct Quantity {
 std::span<const Quantity> published_quantities();
 
 /// Every published number beside the measured one: means with a 95 % t interval over runs; totals of
-/// collisions and stuck robots, scaled to five runs; the share of runs without collision with Wilson's
-/// interval. Tuning cells carry their parameters.
+/// collisions and stuck robots, scaled to five runs, with a Poisson interval; the share of runs without
+/// collision with Wilson's interval. Tuning cells carry their parameters.
 std::vector<StudyRow> rows_of(const std::vector<CellResults>& results);
 
 /// What was found out about the differences, by experiment (docs/studies/cubes.md).
-std::vector<std::string> causes();
+std::vector<std::string> causes(std::span<const StudyRow> rows);
 
 /// What the rows say of the published claims, in sentences: trends of the parameter phase, cells that do not
 /// reproduce and why.

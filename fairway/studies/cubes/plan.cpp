@@ -2,6 +2,7 @@
 #include "fairway/studies/cubes/plan.hpp"
 
 #include "fairway/core/text.hpp"
+#include "fairway/experiment/digest.hpp"
 #include "fairway/experiment/version.hpp"
 #include "fairway/scenario/load.hpp"
 
@@ -15,16 +16,6 @@ constexpr std::array ori_errors{0.4, 0.6, 0.8};
 constexpr std::array w2s{0.5, 2.5, 500.0};
 constexpr std::array time_steps{0.1, 0.5, 1.0};
 constexpr std::array time_horizons{5.0, 10.0, 20.0};
-
-/// FNV-1a over the text.
-std::string digest(std::string_view text) {
-  std::uint64_t hash = 14695981039346656037ULL;
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
-  constexpr std::string_view digits = "0123456789abcdef";
-  std::string hex;
-  for (int shift = 60; shift >= 0; shift -= 4) hex += digits[(hash >> static_cast<unsigned>(shift)) & 15U];
-  return hex;
-}
 
 }  // namespace
 
@@ -41,7 +32,8 @@ ParamValues Cell::varied() const {
 }
 
 Labels Cell::labels() const {
-  Labels labels{{"case", name()}, {"method", std::string(method->name)}, {"mode", std::string(name_of(code))}};
+  Labels labels{
+      {"case", name()}, {"method", std::string(method->name)}, {"mode", std::string(name_of(code))}};
   for (const auto& [name, value] : varied()) labels.emplace_back(name, number_text(std::get<double>(value)));
   return labels;
 }
@@ -59,7 +51,9 @@ std::vector<Cell> tuning_cells() {
       }
       for (const double time_step : time_steps) {
         for (const double horizon : time_horizons) {
-          add(methods()[1], {.crit_dist_m = crit_dist, .ori_error_rad = ori_error, .time_step_s = time_step,
+          add(methods()[1], {.crit_dist_m = crit_dist,
+                             .ori_error_rad = ori_error,
+                             .time_step_s = time_step,
                              .time_horizon_s = horizon});
         }
       }
@@ -73,9 +67,17 @@ std::vector<Cell> comparison_cells(Code code, int runs) {
   for (const CubeCase& cube : comparison_cases()) {
     for (const Method& method : methods()) {
       cells.push_back({Part::comparison, &cube, &method, code, comparison_tuning(cube, method),
-                       code == Code::as_coded ? published_runs : runs});
+                       is_as_coded(code) ? published_runs : runs});
     }
   }
+  return cells;
+}
+
+std::vector<Cell> heading_cells() {
+  std::vector<Cell> cells = comparison_cells(Code::as_coded_north, published_runs);
+  std::erase_if(cells, [](const Cell& cell) {
+    return cell.method->orca || cell.cube->team != 8 || cell.cube->half_edge_m < 30;
+  });
   return cells;
 }
 
@@ -83,12 +85,13 @@ std::vector<PlannedRun> plan_of(const std::vector<Cell>& cells) {
   std::vector<PlannedRun> plan;
   for (const Cell& cell : cells) {
     // the seed stands in the scenario in one place, so one digest serves the cell
-    const std::string scenario = digest(to_yaml(cube_scenario(*cell.cube, *cell.method, cell.code, cell.tuning, 0)));
+    const std::string scenario =
+        Digest::of(to_yaml(cube_scenario(*cell.cube, *cell.method, cell.code, cell.tuning, 0)));
     for (int run = 1; run <= cell.runs; ++run) {
       const auto seed = static_cast<std::uint64_t>(run);
       std::string key = "cubes/" + cell.name() + "/" + std::string(cell.method->name) + "/" +
-                        std::string(name_of(cell.code)) + "/" + scenario + "/" + std::to_string(results_epoch) + "/" +
-                        std::to_string(seed);
+                        std::string(name_of(cell.code)) + "/" + scenario + "/" +
+                        std::to_string(results_epoch) + "/" + std::to_string(seed);
       plan.push_back({&cell, {std::move(key), cell.labels(), seed}});
     }
   }
@@ -99,7 +102,8 @@ std::vector<double> CellResults::values(std::string_view quantity, int vehicle) 
   std::vector<double> found;
   for (const auto& run : runs) {
     for (const Measure& measure : run) {
-      if (measure.quantity == quantity && (vehicle == -2 || measure.vehicle == vehicle)) found.push_back(measure.value);
+      if (measure.quantity == quantity && (vehicle == -2 || measure.vehicle == vehicle))
+        found.push_back(measure.value);
     }
   }
   return found;

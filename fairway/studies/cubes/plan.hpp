@@ -37,6 +37,9 @@ std::vector<Cell> tuning_cells();
 /// Six cases by four methods (section V-B).
 std::vector<Cell> comparison_cells(Code code, int runs);
 
+/// The cells in which the heading at the origin matters most: APF, eight vehicles, the large cube.
+std::vector<Cell> heading_cells();
+
 /// One run of a cell.
 struct PlannedRun {
   const Cell* cell{};

@@ -33,7 +33,7 @@ export function signed_percent(ratio: number): string {
 /** Decimals with which every value of a column shows at least three significant digits, two at most. */
 export function column_digits(values: number[]): number {
   if (values.every((value) => Number.isInteger(value))) return 0;
-  const largest = Math.max(0, ...values.map(Math.abs));
+  const largest = values.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
   return largest >= 100 ? 1 : largest >= 1 ? 2 : 3;
 }
 

@@ -41,8 +41,9 @@ export function tick_digits(values: number[]): number {
 /** A domain that holds the values, ends on round numbers and starts at zero where zero is near. */
 export function nice_domain(values: number[], count: number, top?: number): [number, number] {
   const known = values.filter(Number.isFinite);
-  let low = known.length > 0 ? Math.min(...known) : 0;
-  let high = top ?? (known.length > 0 ? Math.max(...known) : 1);
+  // Long curves have more values than a call can have arguments.
+  let low = known.length > 0 ? known.reduce((a, b) => Math.min(a, b)) : 0;
+  let high = top ?? (known.length > 0 ? known.reduce((a, b) => Math.max(a, b)) : 1);
   if (low >= 0 && low < 0.6 * high) low = 0;
   if (!(high > low)) [low, high] = low === 0 ? [0, 1] : [low - Math.abs(low) * 0.1, low + Math.abs(low) * 0.1];
   const step = nice_step(high - low, count);

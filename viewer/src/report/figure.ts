@@ -107,7 +107,10 @@ function data_button(chart: Chart, panel: HTMLElement): HTMLButtonElement {
     title: 'Show the numbers behind this chart', 'aria-label': 'Show the numbers behind this chart',
   }, 'Data');
   button.addEventListener('click', () => {
-    if (panel.childElementCount === 0) panel.append(table_body(chart.data, `${chart.data.title}, data`).element);
+    if (panel.childElementCount === 0) {
+      const data = chart.data();
+      panel.append(table_body(data, `${data.title}, data`).element);
+    }
     panel.hidden = !panel.hidden;
     button.setAttribute('aria-expanded', String(!panel.hidden));
   });
@@ -134,7 +137,10 @@ export function figure(chart: Chart, options: FigureOptions): HTMLElement {
     return true;
   });
   const csv = action_button('CSV', 'Save the numbers behind this chart as CSV', 'saved',
-    () => save_text(`${name}.csv`, 'text/csv', to_csv(chart.data, chart.data.rows)));
+    () => {
+    const data = chart.data();
+    save_text(`${name}.csv`, 'text/csv', to_csv(data, data.rows));
+  });
   const panel = h('div', { class: 'data-panel', id: `${id}-data`, hidden: true });
 
   const controls = chart.controls?.(redraw);

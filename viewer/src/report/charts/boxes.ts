@@ -124,7 +124,7 @@ export function boxes_chart(block: BoxesBlock, palettes: Palettes): Chart {
   return {
     legend,
     summary: summary_of(block),
-    data: {
+    data: () => ({
       kind: 'table', title: block.title, note: '', filter: [],
       columns: [
         text('category', block.category_label || 'category'), text('series', 'series'),
@@ -135,7 +135,7 @@ export function boxes_chart(block: BoxesBlock, palettes: Palettes): Chart {
         category: block.categories[i]!, series: label, count: box.count, min: box.min, q1: box.q1, median: box.median,
         q3: box.q3, max: box.max, mean: box.mean, outliers: box.outliers.map(short).join(' '),
       }])),
-    },
+    }),
     draw: (view) => draw(block, palettes, view),
   };
 }

@@ -43,7 +43,7 @@ export interface Chart {
   /** One or two sentences for who does not see the drawing. */
   summary: string;
   /** The numbers behind the drawing. */
-  data: TableBlock;
+  data(): TableBlock;
   draw(view: View): Drawing;
   /** Buttons and sliders of this kind of chart. */
   controls?(redraw: () => void): HTMLElement;

@@ -95,7 +95,7 @@ export function intervals_chart(block: IntervalsBlock, palettes: Palettes): Char
     ],
     summary: `Values of ${block.y_label || 'the measure'} with intervals, ${block.categories.length} categories, ` +
       `${block.series.map(({ label }) => label).join(', ')}.${coverage}`,
-    data: {
+    data: () => ({
       kind: 'table', title: block.title, note: '', filter: [],
       columns: [
         column('category', block.category_label || 'category', 'text'), column('series', 'series', 'text'),
@@ -103,7 +103,7 @@ export function intervals_chart(block: IntervalsBlock, palettes: Palettes): Char
       ],
       rows: block.series.flatMap(({ label, points }) => points.flatMap((point, i) =>
         point === null ? [] : [{ category: block.categories[i]!, series: label, ...point }])),
-    },
+    }),
     draw: (view) => draw(block, palettes, view),
   };
 }

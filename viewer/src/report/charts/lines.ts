@@ -146,7 +146,7 @@ export function lines_chart(block: LinesBlock, palettes: Palettes): Chart {
       ...block.lines.map(({ label }) => ({ label, glyph: 'rule' as const, toggles: false })),
     ],
     summary: `Lines of ${block.y_label || 'y'} over ${block.x_label || 'x'}. ${ranges.join('; ')}.`,
-    data: {
+    data: () => ({
       kind: 'table', title: block.title, note: '', filter: [],
       columns: [
         { key: 'series', label: 'series', unit: '', type: 'text', digits: null },
@@ -154,7 +154,7 @@ export function lines_chart(block: LinesBlock, palettes: Palettes): Chart {
         { key: 'y', label: block.y_label || 'y', unit: '', type: 'number', digits: null },
       ],
       rows: curves.flatMap(({ label, points }) => points.map(({ x, y }) => ({ series: label, x, y }))),
-    },
+    }),
     draw: (view) => draw(block, curves, view),
   };
 }

@@ -186,7 +186,7 @@ export function trajectories_chart(block: TrajectoriesBlock, palettes: Palettes)
     ],
     summary: `Trajectories of ${tracks.length} vehicles in a space of ${size.join(' by ')} metres (north, east, down)` +
       (Number.isFinite(end) ? ` over ${short(end - start)} seconds.` : '.') + (flat ? '' : ' Arrow keys turn the view.'),
-    data: {
+    data: () => ({
       kind: 'table', title: block.title, note: '', filter: [],
       columns: [
         { key: 'vehicle', label: 'vehicle', unit: '', type: 'text', digits: null },
@@ -195,7 +195,7 @@ export function trajectories_chart(block: TrajectoriesBlock, palettes: Palettes)
       ],
       rows: block.vehicles.flatMap(({ label, n, e, d, t }) => n.map((_, i) =>
         ({ vehicle: label, t: t[i] ?? null, n: n[i]!, e: e[i]!, d: d[i]! }))),
-    },
+    }),
     draw: (view) => draw(scene, state, flat, view),
     controls: (redraw) => {
       const shown = flat ? null : view_buttons(state, redraw);

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/experiment/measure_run.hpp"
+
+#include "fairway/experiment/executor.hpp"
+#include "fairway/sim/simulation.hpp"
+
+namespace fairway {
+
+RunMetrics metrics_for(const Scenario& scenario) {
+  std::vector<Obstacle> obstacles;
+  for (const ObstacleSpec& spec : scenario.obstacles) obstacles.push_back(spec.view());
+  return RunMetrics{{scenario.exam.crit_dist_m, scenario.exam.safety_distance_m}, std::move(obstacles)};
+}
+
+std::vector<Measure> measure_run(const Scenario& scenario, const Catalogs& catalogs,
+                                 const std::atomic<bool>* stop) {
+  Simulation simulation{scenario, catalogs};
+  RunMetrics metrics = metrics_for(scenario);
+  const std::array<FrameSink*, 1> sinks{&metrics};
+  while (!simulation.is_done()) {
+    if (stop != nullptr && stop->load(std::memory_order_relaxed)) throw RunAbandoned{};
+    simulation.step(sinks);
+  }
+  return metrics.measures();
+}
+
+}  // namespace fairway

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <atomic>
+#include <vector>
+
+#include "fairway/metrics/run_metrics.hpp"
+#include "fairway/scenario/scenario.hpp"
+#include "fairway/sim/catalogs.hpp"
+
+namespace fairway {
+
+/// Every metric, with the scenario's counting rules and obstacles. The scenario must outlive it.
+RunMetrics metrics_for(const Scenario& scenario);
+
+/// Runs a scenario and measures it. Throws RunAbandoned as soon as `stop` is true, InputError for what the
+/// catalogs do not accept.
+std::vector<Measure> measure_run(const Scenario& scenario, const Catalogs& catalogs,
+                                 const std::atomic<bool>* stop = nullptr);
+
+}  // namespace fairway

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/studies/cubes/cubes.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "fairway/sim/simulation.hpp"
+#include "fairway/studies/cubes/as_coded.hpp"
+#include "fairway/studies/cubes/findings.hpp"
+
+namespace fairway::cubes {
+namespace {
+
+/// One run of each method in the smallest case, as coded and corrected.
+std::vector<Cell> few_cells() {
+  std::vector<Cell> cells = comparison_cells(Code::as_coded, 1);
+  std::erase_if(cells, [](const Cell& cell) { return cell.cube->name != "cube20_4"; });
+  std::vector<Cell> corrected = comparison_cells(Code::corrected, 2);
+  for (const Cell& cell : corrected) {
+    if (cell.cube->name == "cube20_4") cells.push_back(cell);
+  }
+  for (Cell& cell : cells) cell.runs = 2;
+  return cells;
+}
+
+std::string csv_of(const Store& store) {
+  std::ostringstream csv;
+  store.export_csv(csv);
+  return csv.str();
+}
+
+TEST(Cubes, TheExperimentHasThePublishedSize) {
+  const auto count = [](const std::vector<Cell>& cells) {
+    int runs = 0;
+    for (const Cell& cell : cells) runs += cell.runs;
+    return std::pair{cells.size(), runs};
+  };
+  EXPECT_EQ(count(tuning_cells()), std::pair(std::size_t{144}, 720));
+  EXPECT_EQ(count(comparison_cells(Code::as_coded, 0)), std::pair(std::size_t{24}, 120));
+}
+
+TEST(Cubes, AnyNumberOfThreadsGivesTheSameBits) {
+  const std::vector<Cell> cells = few_cells();
+  Store one = Store::in_memory(), three = Store::in_memory();
+  run_cells(cells, one, {.jobs = 1});
+  run_cells(cells, three, {.jobs = 3});
+  EXPECT_EQ(csv_of(one), csv_of(three));
+}
+
+TEST(Cubes, WhatTheStoreHasIsNotRunAgain) {
+  const std::vector<Cell> cells = few_cells();
+  Store store = Store::in_memory();
+  const auto first = run_cells(cells, store, {});
+  std::atomic<bool> stop{true};  // nothing may be begun, and nothing needs to be
+  const auto second = run_cells(cells, store, {.stop = &stop});
+  ASSERT_EQ(second.size(), first.size());
+  for (std::size_t i = 0; i < first.size(); ++i) EXPECT_EQ(first[i].runs, second[i].runs);
+}
+
+TEST(Cubes, EveryPublishedNumberHasARowWithAVerdict) {
+  const std::vector<Cell> cells = few_cells();
+  Store store = Store::in_memory();
+  const std::vector<StudyRow> rows = rows_of(run_cells(cells, store, {}));
+  for (const Method& method : methods()) {
+    for (const Quantity& quantity : published_quantities()) {
+      const auto row = std::ranges::find_if(rows, [&](const StudyRow& r) {
+        return r.mode == "as_coded" && r.method == method.name && r.quantity == quantity.name;
+      });
+      ASSERT_NE(row, rows.end());
+      EXPECT_EQ(row->published, published("cube20_4", method.name, quantity.name));
+      EXPECT_NE(row->verdict, Verdict::no_reference);
+    }
+  }
+}
+
+TEST(Cubes, EveryoneStartsFacingAwayFromTheGoalAndShortOfTheVertex) {
+  for (const CubeCase& cube : {comparison_cases()[1], comparison_cases()[4]}) {
+    const Scenario scenario = cube_scenario(cube, methods()[0], Code::as_coded, {}, 1);
+    Simulation simulation{scenario, cube_catalogs()};
+    while (!is_avoiding(simulation.agents()[0].mission.phase())) simulation.step({});
+    double sum = 0;
+    for (const Agent& agent : simulation.agents()) {
+      const Vec3 to_goal = agent.mission.leg()->position - agent.vehicle.state().p_n;
+      const double ahead = std::cos(agent.own.yaw) * to_goal.x() + std::sin(agent.own.yaw) * to_goal.y();
+      EXPECT_LT(ahead, 0.0);
+      sum += to_goal.norm();
+    }
+    // published means: 29.6 m and 100.0 m
+    EXPECT_NEAR(sum / 8, cube.half_edge_m < 20 ? 29.6 : 100.0, cube.half_edge_m < 20 ? 1.0 : 1.0);
+  }
+}
+
+// ---- the published code's ways ----------------------------------------------------------------
+
+Situation with(std::span<const Track> tracks) {
+  return {.period = 0.05,
+          .own = {.radius = 3},
+          .goal = {.position = {30, 0, 0}, .cruise_speed = 0.5},
+          .tracks = tracks};
+}
+
+TEST(ApfAsCoded, RepulsionGrowsWithEveryMessageAndIsForgottenOnlyWhenNobodyIsNear) {
+  Avoider apf{ApfAsCoded{{}}};
+  const std::array<Track, 1> near{Track{.id = TrackId{1}, .position = {4.8, 0, 0}}};  // V_i = 0.2
+  const std::array<Track, 1> far{Track{.id = TrackId{1}, .position = {9, 0, 0}}};
+
+  // W1 = 1 ahead, 0.5 * 0.2 back a message: the tenth brings it to a stop, then it backs
+  Command command;
+  for (int message = 1; message <= 9; ++message) {
+    command = apf.decide(with(near));
+    EXPECT_GT(command.velocity.x(), 0.0) << message;
+  }
+  for (int message = 0; message < 6; ++message) command = apf.decide(with(near));
+  EXPECT_NEAR(command.velocity.x(), -0.5, 1e-12);
+  EXPECT_TRUE(command.astern);
+
+  command = apf.decide(with(far));
+  EXPECT_NEAR(command.velocity.x(), 0.5, 1e-12);
+  EXPECT_EQ(command.mode, Mode::cruise);
+}
+
+TEST(OrcaAsCoded, TakesBodyVelocitiesForVelocitiesOverGround) {
+  // two head-on along the east axis: in body axes both seem to go north, so neither seems to approach
+  Situation s = with({});
+  s.own.velocity = {0, 0.5, 0};
+  s.own.yaw = pi / 2;
+  s.goal.position = {0, 30, 0};
+  const std::array<Track, 1> other{
+      Track{.id = TrackId{1}, .position = {0, 8, 0}, .velocity = {0, -0.5, 0}, .yaw = -pi / 2, .radius = 3}};
+  s.tracks = other;
+  s.limits.max_speed = 0.5;
+  Avoider as_coded{OrcaAsCoded{{.time_step_s = 0.05}}};
+  const Catalog catalog = builtin_avoiders();
+  Avoider corrected = catalog.make("orca3d");
+  EXPECT_GT(as_coded.decide(s).velocity.y(), corrected.decide(s).velocity.y());
+}
+
+TEST(StopAndWaitAsCoded, GoesOnOnlyAfterTheHoldIsReleased) {
+  Avoider avoider{StopAndWaitAsCoded{{.release_s = 1.0}}, cube_catalogs().avoiders.make("direct")};
+  const std::array<Track, 1> near{Track{.id = TrackId{0}, .position = {5, 0, 0}, .priority = 0}};
+  Situation s = with(near);
+  s.own.id = VehicleId{1};
+  s.own.priority = 1;
+  EXPECT_EQ(avoider.decide(s).mode, Mode::hold);
+  s.tracks = {};
+  for (s.time = 0.5; s.time < 0.99; s.time += 0.1) EXPECT_EQ(avoider.decide(s).mode, Mode::hold) << s.time;
+  s.time = 1.01;
+  EXPECT_EQ(avoider.decide(s).mode, Mode::cruise);
+}
+
+}  // namespace
+}  // namespace fairway::cubes
