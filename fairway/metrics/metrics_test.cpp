@@ -119,7 +119,9 @@ TEST(FleetMetric, ClearanceIsNegativeInsideAnObstacle) {
     metrics.write({Tick{0}, 0.0, 1.0, vehicles});
   }
   for (const Measure& m : metrics.measures()) {
-    if (m.quantity == "obstacle_clearance_m") EXPECT_NEAR(m.value, -1.0, 1e-12);
+    if (m.quantity == "obstacle_clearance_m") {
+      EXPECT_NEAR(m.value, -1.0, 1e-12);
+    }
   }
 }
 
