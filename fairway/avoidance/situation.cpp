@@ -2,11 +2,12 @@
 #include "fairway/avoidance/situation.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace fairway {
 namespace {
 
-bool is_length(double value) { return std::isfinite(value) && value >= 0.0; }
+bool is_length(double value) { return value >= 0.0 && value <= std::numeric_limits<double>::max(); }
 
 bool is_usable(const Track& track) {
   return is_finite(track.position) && is_finite(track.velocity) && is_length(track.radius);

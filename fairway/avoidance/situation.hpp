@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -58,7 +59,7 @@ struct Situation {
     if (goal.velocity) return clamp_norm(*goal.velocity, limits.max_speed);
     const Vec3 to_goal = goal.position - own.position;
     const double distance = to_goal.norm();
-    const double wanted = std::fmin(std::fmin(goal.cruise_speed, limits.max_speed), distance / period);
+    const double wanted = std::min({goal.cruise_speed, limits.max_speed, distance / period});
     return distance > 0.0 ? Vec3{(wanted / distance) * to_goal} : Vec3{Vec3::Zero()};
   }
 };

@@ -16,16 +16,15 @@ bool is_at(const Leg& leg, const Vec3& position) {
 
 }  // namespace
 
-Mission::Mission(std::vector<Leg> legs, double stuck_after)
-    : legs_{std::move(legs)}, stuck_after_{stuck_after} {}
+Mission::Mission(std::vector<Leg> legs, double stuck_after) : legs_{std::move(legs)}, stuck_after_{stuck_after} {
+  for (std::size_t i = 0; i < legs_.size(); ++i) {
+    if (legs_[i].kind == LegKind::rendezvous) past_last_rendezvous_ = i + 1;
+  }
+}
 
 int Mission::rendezvous_reached() const {
-  const auto is_rendezvous = [](const Leg& leg) { return leg.kind == LegKind::rendezvous; };
-  const auto past = legs_.begin() + static_cast<std::ptrdiff_t>(index_);
-  const bool more_to_come = std::any_of(past, legs_.end(), is_rendezvous);
-  if (!more_to_come) return std::numeric_limits<int>::max();
-  const auto reached = static_cast<int>(std::count_if(legs_.begin(), past, is_rendezvous));
-  return reached + (is_rendezvous(*past) ? 1 : 0);
+  if (index_ >= past_last_rendezvous_) return std::numeric_limits<int>::max();
+  return rendezvous_passed_ + (legs_[index_].kind == LegKind::rendezvous ? 1 : 0);
 }
 
 bool Mission::is_complete(const Leg& leg, const Ownship& own, double time,
@@ -63,6 +62,7 @@ void Mission::advance(const Ownship& own, double time, bool everyone_ready) noex
   }
   while (const Leg* present = leg()) {
     if (!is_complete(*present, own, time, everyone_ready)) break;
+    if (present->kind == LegKind::rendezvous) ++rendezvous_passed_;
     ++index_;
     begin_leg(own, time);
     everyone_ready = false;  // the next rendezvous is for another instant

@@ -30,8 +30,10 @@ class Mission {
   void begin_leg(const Ownship& own, double time) noexcept;
 
   std::vector<Leg> legs_;
+  std::size_t past_last_rendezvous_{0};  ///< index of the first leg after it
   double stuck_after_;
   std::size_t index_{0};
+  int rendezvous_passed_{0};
   Phase phase_{Phase::deploying};
   bool begun_{false};
   double leg_start_{};  ///< [s]

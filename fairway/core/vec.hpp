@@ -11,7 +11,7 @@ namespace fairway {
 using Vec3 = Eigen::Vector3d;
 
 inline bool is_finite(const Vec3& a) {
-  return std::isfinite(a.x()) && std::isfinite(a.y()) && std::isfinite(a.z());
+  return 0.0 * a.x() + 0.0 * a.y() + 0.0 * a.z() == 0.0;  // NaN and infinities times zero are NaN
 }
 
 /// `a` scaled to unit length, or zero if it has none.
