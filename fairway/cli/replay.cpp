@@ -23,12 +23,12 @@ struct ReplayFlags {
 };
 
 /// Simulates the recorded scenario again beside the recording.
-int verify(const Recording& recording, const std::string& name, bool json) {
+int verify(const Recording& recording, const std::string& name, bool as_json) {
   const Scenario scenario = parse_scenario(recording.info().scenario_yaml, name + " (scenario)");
   HashChecker checker{recording};
   const std::array<FrameSink*, 1> sinks{&checker};
   Simulation{scenario, builtin_catalogs()}.run(sinks);
-  if (json) {
+  if (as_json) {
     std::cout << nlohmann::json{{"recording", name},
                                 {"same", checker.same()},
                                 {"verdict", checker.describe()}}
@@ -52,7 +52,7 @@ void export_to(const Recording& recording, const std::string& file) {
 }
 
 /// What is in the recording, from its frames alone.
-void summarise(const Recording& recording, const std::string& name, bool json) {
+void summarise(const Recording& recording, const std::string& name, bool as_json) {
   const RecordingInfo& info = recording.info();
   const Scenario scenario = parse_scenario(info.scenario_yaml, name + " (scenario)");
   RunMetrics metrics = metrics_for(scenario);
@@ -64,7 +64,7 @@ void summarise(const Recording& recording, const std::string& name, bool json) {
   for (const Measure& m : metrics.measures()) {
     if (m.vehicle == Measure::fleet && std::isfinite(m.value)) document[m.quantity] = m.value;
   }
-  if (json) {
+  if (as_json) {
     std::cout << document.dump(2) << "\n";
     return;
   }

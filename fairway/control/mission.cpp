@@ -16,7 +16,8 @@ bool is_at(const Leg& leg, const Vec3& position) {
 
 }  // namespace
 
-Mission::Mission(std::vector<Leg> legs, double stuck_after) : legs_{std::move(legs)}, stuck_after_{stuck_after} {
+Mission::Mission(std::vector<Leg> legs, double stuck_after)
+    : legs_{std::move(legs)}, stuck_after_{stuck_after} {
   for (std::size_t i = 0; i < legs_.size(); ++i) {
     if (legs_[i].kind == LegKind::rendezvous) past_last_rendezvous_ = i + 1;
   }

@@ -22,19 +22,19 @@ using mcap::Opcode;
 constexpr int compression_level = 1;
 
 // A record under construction at the end of a buffer: the length is filled in when it is complete.
-class Record {
+class RecordScope {
  public:
-  Record(Bytes& out, Opcode opcode) : out_{out} {
+  RecordScope(Bytes& out, Opcode opcode) : out_{out} {
     put(out_, static_cast<std::uint8_t>(opcode));
     put(out_, std::uint64_t{0});
     start_ = out_.size();
   }
-  ~Record() {
+  ~RecordScope() {
     const std::uint64_t length = out_.size() - start_;
     std::memcpy(out_.data() + start_ - sizeof(length), &length, sizeof(length));
   }
-  Record(const Record&) = delete;
-  Record& operator=(const Record&) = delete;
+  RecordScope(const RecordScope&) = delete;
+  RecordScope& operator=(const RecordScope&) = delete;
 
  private:
   Bytes& out_;
@@ -80,7 +80,7 @@ McapWriter::McapWriter(const std::string& path, std::string_view profile, std::s
   emit(mcap::magic);
   scratch_.clear();
   {
-    const Record record{scratch_, Opcode::header};
+    const RecordScope record{scratch_, Opcode::header};
     put_string(scratch_, profile);
     put_string(scratch_, library);
   }
@@ -110,7 +110,7 @@ std::uint16_t McapWriter::add_schema(std::string_view name, std::string_view enc
   const auto id = static_cast<std::uint16_t>(++schema_count_);
   const std::size_t start = schema_records_.size();
   {
-    const Record record{schema_records_, Opcode::schema};
+    const RecordScope record{schema_records_, Opcode::schema};
     put(schema_records_, id);
     put_string(schema_records_, name);
     put_string(schema_records_, encoding);
@@ -129,7 +129,7 @@ std::uint16_t McapWriter::add_channel(std::uint16_t schema, std::string_view top
   channels_.emplace_back();
   const std::size_t start = channel_records_.size();
   {
-    const Record record{channel_records_, Opcode::channel};
+    const RecordScope record{channel_records_, Opcode::channel};
     put(channel_records_, id);
     put(channel_records_, schema);
     put_string(channel_records_, topic);
@@ -144,12 +144,12 @@ void McapWriter::add_metadata(std::string_view name, const Map& entries) {
   flush_chunk();
   scratch_.clear();
   {
-    const Record record{scratch_, Opcode::metadata};
+    const RecordScope record{scratch_, Opcode::metadata};
     put_string(scratch_, name);
     put_map(scratch_, entries);
   }
   {
-    const Record index{metadata_indexes_, Opcode::metadata_index};
+    const RecordScope index{metadata_indexes_, Opcode::metadata_index};
     put(metadata_indexes_, offset_);
     put(metadata_indexes_, std::uint64_t{scratch_.size()});
     put_string(metadata_indexes_, name);
@@ -163,7 +163,7 @@ void McapWriter::attach(std::string_view name, std::string_view media_type, std:
   constexpr std::uint64_t no_time = 0;
   scratch_.clear();
   {
-    const Record record{scratch_, Opcode::attachment};
+    const RecordScope record{scratch_, Opcode::attachment};
     put(scratch_, no_time);
     put(scratch_, no_time);
     put_string(scratch_, name);
@@ -173,7 +173,7 @@ void McapWriter::attach(std::string_view name, std::string_view media_type, std:
     put(scratch_, crc32(ByteView{scratch_}.subspan(mcap::prefix_size)));
   }
   {
-    const Record index{attachment_indexes_, Opcode::attachment_index};
+    const RecordScope index{attachment_indexes_, Opcode::attachment_index};
     put(attachment_indexes_, offset_);
     put(attachment_indexes_, std::uint64_t{scratch_.size()});
     put(attachment_indexes_, no_time);
@@ -199,7 +199,7 @@ void McapWriter::write(std::uint16_t channel, std::uint64_t time, ByteView messa
 
   // message
   {
-    const Record record{chunk_, Opcode::message};
+    const RecordScope record{chunk_, Opcode::message};
     put(chunk_, channel);
     put(chunk_, static_cast<std::uint32_t>(c.count));
     put(chunk_, time);
@@ -239,7 +239,7 @@ void McapWriter::flush_chunk() {
 
   // where each channel's messages are in it, and where this is said
   {
-    const Record index{chunk_indexes_, Opcode::chunk_index};
+    const RecordScope index{chunk_indexes_, Opcode::chunk_index};
     put(chunk_indexes_, chunk_start_);
     put(chunk_indexes_, chunk_end_);
     put(chunk_indexes_, chunk_offset);
@@ -252,7 +252,7 @@ void McapWriter::flush_chunk() {
         if (entries.empty()) continue;
         put(chunk_indexes_, static_cast<std::uint16_t>(id));
         put(chunk_indexes_, offset_ + scratch_.size());
-        const Record record{scratch_, Opcode::message_index};
+        const RecordScope record{scratch_, Opcode::message_index};
         put(scratch_, static_cast<std::uint16_t>(id));
         put(scratch_, static_cast<std::uint32_t>(entries.size()));
         put(scratch_, entries);
@@ -270,7 +270,7 @@ void McapWriter::flush_chunk() {
 }
 
 void McapWriter::put_statistics(Bytes& out) const {
-  const Record record{out, Opcode::statistics};
+  const RecordScope record{out, Opcode::statistics};
   put(out, message_count_);
   put(out, static_cast<std::uint16_t>(schema_count_));
   put(out, static_cast<std::uint32_t>(channels_.size()));
@@ -292,7 +292,7 @@ void McapWriter::finish() {
   // end of the data section
   scratch_.clear();
   {
-    const Record record{scratch_, Opcode::data_end};
+    const RecordScope record{scratch_, Opcode::data_end};
     put(scratch_, crc_);
   }
   emit(scratch_);
@@ -302,7 +302,7 @@ void McapWriter::finish() {
   Bytes summary, offsets;
   const auto add_group = [&](Opcode opcode, ByteView records) {
     if (records.empty()) return;
-    const Record record{offsets, Opcode::summary_offset};
+    const RecordScope record{offsets, Opcode::summary_offset};
     put(offsets, static_cast<std::uint8_t>(opcode));
     put(offsets, summary_start + summary.size());
     put(offsets, std::uint64_t{records.size()});

@@ -24,7 +24,7 @@ Key<Leg> arrival() {
   return entry;
 }
 
-const Kinds<Leg>& kinds() {
+const Kinds<Leg>& leg_kinds() {
   const auto position =
       key("position_m", &Leg::position, vector(anywhere), "The goal [n, e, d].", Needed::yes);
   const auto speed =
@@ -91,7 +91,7 @@ void append_legs(const Value& list, const std::string& path, std::vector<Leg>& l
       append_legs({named_mission(item, *name), "missions." + *name, reading}, path, legs, depth + 1);
     } else {
       legs.push_back(
-          read_tagged(Value{item.tree(), fmt::format("{}[{}]", path, legs.size()), reading}, kinds()));
+          read_tagged(Value{item.tree(), fmt::format("{}[{}]", path, legs.size()), reading}, leg_kinds()));
     }
   }
 }
@@ -151,7 +151,7 @@ void check_missions(const Value& missions) {
       if (const std::string* name = run_target(item)) {
         named_mission(item, *name);
       } else {
-        read_tagged(item, kinds());
+        read_tagged(item, leg_kinds());
       }
     }
   }
@@ -159,7 +159,7 @@ void check_missions(const Value& missions) {
 }
 
 Form<std::vector<Leg>> mission() {
-  std::vector<Tree> items = tagged_schemas(kinds());
+  std::vector<Tree> items = tagged_schemas(leg_kinds());
   items.push_back(detail::object_schema(
       {{"run", detail::described(name().schema, "A named mission, spliced in.")}}, {"run"}));
   return {.read =
@@ -171,7 +171,7 @@ Form<std::vector<Leg>> mission() {
           .write = [](const std::vector<Leg>& legs) -> std::optional<Tree> {
             if (legs.empty()) return {};
             Tree list = Tree::list();
-            for (const Leg& leg : legs) list.items.push_back(write_tagged(leg, kinds()));
+            for (const Leg& leg : legs) list.items.push_back(write_tagged(leg, leg_kinds()));
             return list;
           },
           .schema = Tree::map({{"type", Tree::quote("array")},

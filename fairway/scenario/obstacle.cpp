@@ -44,7 +44,7 @@ void check_polygon(const Value& value, const ObstacleSpec& polygon) {
   }
 }
 
-const Kinds<ObstacleSpec>& kinds() {
+const Kinds<ObstacleSpec>& obstacle_kinds() {
   static const Kinds<ObstacleSpec> table{
       {"sphere",
        "A ball.",
@@ -68,10 +68,11 @@ const Kinds<ObstacleSpec>& kinds() {
 }  // namespace
 
 Form<ObstacleSpec> obstacle() {
-  return {
-      .read = [](const Value& value) { return read_tagged(value, kinds()); },
-      .write = [](const ObstacleSpec& spec) -> std::optional<Tree> { return write_tagged(spec, kinds()); },
-      .schema = Tree::map({{"oneOf", Tree::list(tagged_schemas(kinds()))}})};
+  return {.read = [](const Value& value) { return read_tagged(value, obstacle_kinds()); },
+          .write = [](const ObstacleSpec& spec) -> std::optional<Tree> {
+            return write_tagged(spec, obstacle_kinds());
+          },
+          .schema = Tree::map({{"oneOf", Tree::list(tagged_schemas(obstacle_kinds()))}})};
 }
 
 }  // namespace fairway::yaml
