@@ -8,15 +8,15 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::string_view range_key = "range_m";
+constexpr Bounds range_bounds = above_to(0.0, 1e7);
 
 Form<PerceptionSpec> perception() {
-  constexpr Bounds range = above_to(0.0, 1e7);
   const Form<Choice> kind = choice("kind", Needed::yes);
   Tree schema = kind.schema;
   schema.find("anyOf")
       ->items[1]
       .find("properties")
-      ->set(range_key, detail::described(number_schema(range),
+      ->set(range_key, detail::described(number_schema(range_bounds),
                                          "Nobody farther away is perceived. Default: no such limit."));
 
   return {.read =
@@ -25,7 +25,7 @@ Form<PerceptionSpec> perception() {
                 if (spec.kind.name.empty()) spec.kind.name = "perfect";
                 for (std::size_t i = 0; i < value.tree().keys.size(); ++i) {
                   const std::string& key = value.tree().keys[i];
-                  if (key == range_key) spec.range_m = value.entry(i).number(range);
+                  if (key == range_key) spec.range_m = value.entry(i).number(range_bounds);
                   const bool slip = key != range_key && (key == "range" || key.starts_with("range_"));
                   if (slip) value.refuse_key(i, "unknown key; did you mean range_m?");
                 }
