@@ -38,9 +38,7 @@ class Avoider {
     if (!is_usable(situation)) return {.mode = Mode::infeasible};
     Context context{rng_, sketch};
     Command command = self_->decide(situation, context);
-    if (!is_finite(command.velocity) || (command.heading && !std::isfinite(*command.heading))) {
-      return {.mode = Mode::infeasible};
-    }
+    if (!is_finite(command)) return {.mode = Mode::infeasible};
     command.velocity = within(situation, command.velocity);
     return command;
   }

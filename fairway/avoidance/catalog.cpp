@@ -48,7 +48,7 @@ Avoider Catalog::make(std::string_view name, const ParamValues& values, Rng rng)
   std::vector<std::string_view> known;
   for (const ParamInfo& param : accepted) known.push_back(param.name);
   for (const auto& [param, value] : values) {
-    if (std::ranges::find(known, param) == known.end()) {
+    if (std::ranges::find(known, list_of_param(param)) == known.end()) {
       throw InputError({}, param, "unknown parameter of " + std::string(name) + suggestion(param, known));
     }
   }

@@ -4,9 +4,11 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string_view>
 
 #include "fairway/core/params.hpp"
 #include "fairway/core/vec.hpp"
+#include "fairway/core/wrench.hpp"
 
 namespace fairway {
 
@@ -30,7 +32,19 @@ struct Command {
   bool astern{false};             ///< the vehicle may go stern first rather than turn round
   std::optional<double> heading;  ///< desired yaw, where the method commands one [rad]
 
+  /// Where the method commands forces: a vehicle that knows how its actuators push carries these out, any
+  /// other follows `velocity`, which is where the forces are meant to lead. [N, N m, body]
+  std::optional<Wrench> wrench;
+
+  /// Why, in a few words for people, where `mode` does not say it. Text that outlives the program's run.
+  std::string_view note;
+
   friend bool operator==(const Command&, const Command&) = default;
 };
+
+inline bool is_finite(const Command& command) {
+  return is_finite(command.velocity) && (!command.heading || std::isfinite(*command.heading)) &&
+         (!command.wrench || command.wrench->allFinite());
+}
 
 }  // namespace fairway

@@ -30,9 +30,10 @@ bool is_usable(const Obstacle& obstacle) {
 
 bool is_usable(const Situation& s) noexcept {
   return s.period > 0.0 && std::isfinite(s.period) && is_finite(s.own.position) &&
-         is_finite(s.own.velocity) && std::isfinite(s.own.yaw) && is_length(s.own.radius) &&
-         is_finite(s.goal.position) && (!s.goal.velocity || is_finite(*s.goal.velocity)) &&
-         is_length(s.goal.cruise_speed) && s.limits.max_speed >= 0.0 && s.limits.max_climb_rate >= 0.0 &&
+         is_finite(s.own.velocity) && std::isfinite(s.own.yaw) && std::isfinite(s.own.yaw_rate) &&
+         is_length(s.own.radius) && is_finite(s.goal.position) &&
+         (!s.goal.velocity || is_finite(*s.goal.velocity)) && is_length(s.goal.cruise_speed) &&
+         s.limits.max_speed >= 0.0 && s.limits.max_climb_rate >= 0.0 &&
          s.limits.min_depth <= s.limits.max_depth &&
          std::ranges::all_of(s.tracks, [](const Track& t) { return is_usable(t); }) &&
          std::ranges::all_of(s.obstacles, [](const Obstacle& o) { return is_usable(o); });

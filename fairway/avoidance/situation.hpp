@@ -8,6 +8,7 @@
 
 #include "fairway/core/ids.hpp"
 #include "fairway/core/limits.hpp"
+#include "fairway/core/onboard_model.hpp"
 #include "fairway/core/shapes.hpp"
 #include "fairway/core/vec.hpp"
 
@@ -19,11 +20,12 @@ struct Ownship {
   Vec3 position = Vec3::Zero();  ///< [m, NED]
   Vec3 velocity = Vec3::Zero();  ///< over ground [m/s, NED]
   double yaw{};                  ///< [rad], 0 north, positive to starboard
+  double yaw_rate{};             ///< [rad/s]
   double radius{1.0};            ///< of the enclosing sphere [m]
   std::int32_t priority{};       ///< the smaller number has the right of way
 };
 
-/// Another vehicle as perceived: possibly late, noisy, or no longer there.
+/// Another vehicle, or anything else that moves, as perceived: possibly late, noisy, or no longer there.
 struct Track {
   TrackId id{};
   Vec3 position = Vec3::Zero();     ///< extrapolated to the situation's time [m, NED]
@@ -33,6 +35,7 @@ struct Track {
   double age{};                     ///< since the last measurement or message [s]
   std::int32_t priority{};          ///< the smaller number has the right of way
   std::optional<Vec3> destination;  ///< where it says it is going [m, NED]
+  bool reacts{true};                ///< false: it keeps its course whatever comes, as a drifting object does
 };
 
 /// Where the mission wants to be, and how fast.
@@ -50,6 +53,7 @@ struct Situation {
   Ownship own;
   Goal goal;
   Limits limits;                        ///< `Avoider` holds every command to these
+  const OnboardModel* model{nullptr};   ///< null where nothing is known of forces
   std::span<const Track> tracks;        ///< nearest first; equal ranges by id
   std::span<const Obstacle> obstacles;  ///< what does not move
 

@@ -39,7 +39,7 @@ double decision_ns(const std::string& algorithm, Scene scene, int neighbours, do
   std::vector<encounters::Encounter> scenes;
   for (std::uint64_t i = 0; i < 1024; ++i) scenes.push_back(scene(neighbours, Rng{1}.stream("frozen", i)));
   const std::vector<Situation> situations(scenes.begin(), scenes.end());
-  Avoider avoider = builtin_avoiders().make(algorithm);
+  Avoider avoider = builtin_catalogs().avoiders.make(algorithm);
   Rng rng{2};
   constexpr std::int64_t batch = 20000;
   double checksum = 0.0;

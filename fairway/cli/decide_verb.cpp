@@ -4,6 +4,7 @@
 
 #include "fairway/cli/decide/decide.hpp"
 #include "fairway/cli/program.hpp"
+#include "fairway/sim/catalogs.hpp"
 
 namespace fairway::cli {
 
@@ -28,7 +29,8 @@ void add_decide(CLI::App& app, Program& program) {
     program.chosen = [=] {
       std::ios::sync_with_stdio(false);
       std::cin.tie(nullptr);
-      decide_lines(std::cin, std::cout, builtin_avoiders(), {*algorithm, settings_of(*settings), *keep});
+      decide_lines(std::cin, std::cout, builtin_catalogs().avoiders,
+                   {*algorithm, settings_of(*settings), *keep});
       return ok;
     };
   });

@@ -32,6 +32,7 @@ json params_json(const std::vector<ParamInfo>& params) {
       entry["range"] = {bound(p.range.lo), bound(p.range.hi)};
     }
     if (p.type == "choice") entry["choices"] = p.choices;
+    if (p.type == "list") entry["items"] = params_json(p.items);
     list.push_back(std::move(entry));
   }
   return list;
@@ -102,18 +103,24 @@ std::string text_of(const json& value) {
   return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
+void print_entry(const json& entry, const std::string& list = {}) {
+  const std::string name = list + entry["name"].get<std::string>();
+  std::string range;
+  if (entry.contains("range"))
+    range = fmt::format("[{}, {}]", text_of(entry["range"][0]), text_of(entry["range"][1]));
+  if (entry.contains("choices")) range = entry["choices"].dump();
+  if (entry.contains("items")) range = "list";
+  const std::string value = entry.contains("default") ? text_of(entry["default"]) : "";
+  std::cout << fmt::format("  {:<32} {:<12} {:<24} {}\n", name, value, range,
+                           entry["meaning"].get<std::string>());
+  if (!entry.contains("items")) return;
+  for (const json& item : entry["items"]) print_entry(item, name + "[i].");
+}
+
 void print_table(const json& entries, std::string_view title) {
   if (entries.empty()) return;
   std::cout << title << "\n";
-  for (const json& entry : entries) {
-    std::string range;
-    if (entry.contains("range"))
-      range = fmt::format("[{}, {}]", text_of(entry["range"][0]), text_of(entry["range"][1]));
-    if (entry.contains("choices")) range = entry["choices"].dump();
-    const std::string value = entry.contains("default") ? text_of(entry["default"]) : "";
-    std::cout << fmt::format("  {:<32} {:<12} {:<24} {}\n", entry["name"].get<std::string>(), value, range,
-                             entry["meaning"].get<std::string>());
-  }
+  for (const json& entry : entries) print_entry(entry);
 }
 
 void print(const json& document) {

@@ -21,7 +21,7 @@ struct Item {
 
 std::vector<Item> algorithms() {
   std::vector<Item> items;
-  const Catalog catalog = builtin_avoiders();
+  const Catalog catalog = builtin_catalogs().avoiders;
   for (const Catalog::Entry& entry : catalog.entries()) {
     const std::string note = entry.wraps ? "; wraps another: orca3d+" + std::string(entry.info.name) : "";
     items.push_back({std::string(entry.info.name), std::string(entry.info.title) + note});

@@ -5,6 +5,7 @@
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <numeric>
 
 #include "fairway/cli/program.hpp"
 #include "fairway/cli/runner.hpp"
@@ -38,6 +39,7 @@ json document_of(const Scenario& scenario, const RunOutcome& outcome,
           number(measure.value);
     }
   }
+  for (const auto& [vehicle, note] : outcome.notes) document["notes"][vehicle] = note;
   document["expect"] = json::array();
   for (const Judgement& judgement : judgements) {
     document["expect"].push_back({{"metric", judgement.expectation.metric},
@@ -47,29 +49,46 @@ json document_of(const Scenario& scenario, const RunOutcome& outcome,
   return document;
 }
 
+/// One line a quantity, one column a vehicle; for many vehicles their least, mean and greatest.
+void print_vehicles(const Scenario& scenario, const std::vector<Measure>& measures) {
+  constexpr std::size_t most_columns = 8;
+  const bool each = scenario.vehicles.size() <= most_columns;
+  std::cout << fmt::format("  {:<24}", each ? "of each vehicle" : "of the vehicles");
+  if (each) {
+    for (const VehicleSpec& vehicle : scenario.vehicles) std::cout << fmt::format(" {:>12}", vehicle.name);
+  } else {
+    std::cout << fmt::format(" {:>12} {:>12} {:>12}", "least", "mean", "greatest");
+  }
+  std::cout << "\n";
+
+  std::vector<std::string> quantities;
+  for (const Measure& m : measures) {
+    if (m.vehicle == 0) quantities.push_back(m.quantity);
+  }
+  for (const std::string& quantity : quantities) {
+    std::vector<double> values;
+    for (const Measure& m : measures) {
+      if (m.vehicle != Measure::fleet && m.quantity == quantity) values.push_back(m.value);
+    }
+    if (!each) {
+      const auto [least, greatest] = std::ranges::minmax(values);
+      values = {least, std::reduce(values.begin(), values.end()) / static_cast<double>(values.size()),
+                greatest};
+    }
+    std::cout << fmt::format("  {:<24}", quantity);
+    for (const double value : values) std::cout << fmt::format(" {:>12.6g}", value);
+    std::cout << "\n";
+  }
+}
+
 void print(const Scenario& scenario, const RunOutcome& outcome, const std::vector<Judgement>& judgements) {
   std::cout << fmt::format("{}: {} vehicles, {:.1f} s simulated in {:.2f} s\n", scenario.name,
                            scenario.vehicles.size(), outcome.simulated_s, outcome.wall_s);
   for (const Measure& m : outcome.measures) {
     if (m.vehicle == Measure::fleet) std::cout << fmt::format("  {:<24} {:.6g}\n", m.quantity, m.value);
   }
-  std::cout << fmt::format("  {:<14}", "vehicle");
-  std::vector<std::string> quantities;
-  for (const Measure& m : outcome.measures) {
-    if (m.vehicle == 0) quantities.push_back(m.quantity);
-  }
-  for (const std::string& quantity : quantities) std::cout << fmt::format(" {:>17}", quantity);
-  std::cout << "\n";
-  for (std::size_t i = 0; i < scenario.vehicles.size(); ++i) {
-    std::cout << fmt::format("  {:<14}", scenario.vehicles[i].name);
-    for (const std::string& quantity : quantities) {
-      for (const Measure& m : outcome.measures) {
-        if (m.vehicle == static_cast<int>(i) && m.quantity == quantity)
-          std::cout << fmt::format(" {:>17.6g}", m.value);
-      }
-    }
-    std::cout << "\n";
-  }
+  print_vehicles(scenario, outcome.measures);
+  for (const auto& [vehicle, note] : outcome.notes) std::cout << "  " << vehicle << ": " << note << "\n";
   if (outcome.decisions.count > 0) {
     std::cout << fmt::format("  decisions: {}, mean {:.2f} us, worst {:.1f} us (on this machine)\n",
                              outcome.decisions.count,

@@ -60,6 +60,9 @@ RunOutcome run_scenario(const Scenario& scenario, const std::string& recording,
   outcome.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   outcome.measures = metrics.measures();
   outcome.decisions = simulation.decision_times();
+  for (const Agent& agent : simulation.agents()) {
+    if (!agent.note.empty()) outcome.notes.emplace_back(agent.name, std::string(agent.note));
+  }
   outcome.simulated_s = simulation.time();
   return outcome;
 }

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "fairway/metrics/run_metrics.hpp"
@@ -15,6 +16,7 @@ namespace fairway::cli {
 struct RunOutcome {
   std::vector<Measure> measures;
   DecisionTimes decisions;
+  std::vector<std::pair<std::string, std::string>> notes;  ///< what an avoider said last, by vehicle
   double simulated_s{};
   double wall_s{};
   bool complete{true};  ///< false if stopped

@@ -15,9 +15,11 @@ double BodyRequest::*setpoint_of(std::string_view actuator) {
 
 }  // namespace
 
-Autopilot::Autopilot(const Vehicle& vehicle, const VelocityController::Params& params) {
+Autopilot::Autopilot(const Vehicle& vehicle, const VelocityController::Params& params,
+                     AllocationMethod allocation) {
   if (const Propulsion* propulsion = vehicle.propulsion()) {
     controller_.emplace(*propulsion, vehicle.actuators(), params);
+    allocator_.emplace(*propulsion, vehicle.actuators(), allocation);
     return;
   }
   for (const ActuatorInfo& actuator : vehicle.actuators()) {
@@ -39,6 +41,11 @@ ActuatorValues Autopilot::control(const BodyRequest& request, const Vec3& v_b, c
   for (Eigen::Index i = 0; i < setpoint_count_; ++i)
     command[i] = request.*setpoints_[static_cast<std::size_t>(i)];
   return command;
+}
+
+std::optional<ActuatorValues> Autopilot::push(const Wrench& tau) const noexcept {
+  if (!allocator_) return {};
+  return allocator_->allocate(tau);
 }
 
 void Autopilot::reset() noexcept {

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "fairway/control/body_request.hpp"
+#include "fairway/control/thrust_allocator.hpp"
 #include "fairway/control/velocity_controller.hpp"
 #include "fairway/dynamics/vehicle.hpp"
 
@@ -16,17 +17,22 @@ namespace fairway {
 class Autopilot {
  public:
   /// Throws InputError for a vehicle that can do neither.
-  explicit Autopilot(const Vehicle& vehicle, const VelocityController::Params& params = {});
+  explicit Autopilot(const Vehicle& vehicle, const VelocityController::Params& params = {},
+                     AllocationMethod allocation = AllocationMethod::bounded);
 
   /// The actuator command for the next `h` [s], from velocities through the water [body axes].
   /// Neither allocates nor throws.
   ActuatorValues control(const BodyRequest& request, const Vec3& v_b, const Vec3& omega_b, double h) noexcept;
+
+  /// The actuator command for a wrench about the body origin; nothing where the actuators do not push.
+  std::optional<ActuatorValues> push(const Wrench& tau) const noexcept;
 
   /// Forgets what the integrators have gathered.
   void reset() noexcept;
 
  private:
   std::optional<VelocityController> controller_;
+  std::optional<ThrustAllocator> allocator_;
   std::array<double BodyRequest::*, max_actuators> setpoints_{};  // of each actuator, without a controller
   Eigen::Index setpoint_count_{};
 };

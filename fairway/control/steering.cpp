@@ -23,9 +23,20 @@ Aim aim_of(const Command& command, double speed, double yaw) {
   return {alpha > 0.0 ? alpha - pi : alpha + pi, -1.0};
 }
 
+BodyRequest go_as_you_are(const SteeringParams& params, const Command& command, double yaw) {
+  const double error = wrap_angle(command.heading.value_or(params.heading_rad) - yaw);
+  const Vec3& v = command.velocity;
+  return {.surge_mps = std::cos(yaw) * v.x() + std::sin(yaw) * v.y(),
+          .sway_mps = std::cos(yaw) * v.y() - std::sin(yaw) * v.x(),
+          .heave_mps = v.z(),
+          .yaw_rate_radps = std::clamp(params.turn_gain_hz * error, -params.max_turn_rate_radps,
+                                       params.max_turn_rate_radps)};
+}
+
 }  // namespace
 
 BodyRequest steer(const SteeringParams& params, const Command& command, double yaw) noexcept {
+  if (params.kind == SteeringKind::holonomic) return go_as_you_are(params, command, yaw);
   const double speed = horizontal_norm(command.velocity);
   const Aim aim = aim_of(command, speed, yaw);
   BodyRequest request{.heave_mps = command.velocity.z()};

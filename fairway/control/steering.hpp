@@ -8,15 +8,16 @@
 
 namespace fairway {
 
-/// How a velocity over ground becomes surge, heave and yaw rate of a vehicle that cannot sway.
+/// How a velocity over ground becomes surge, sway, heave and yaw rate.
 enum class SteeringKind {
   turn_then_go,  ///< turn on the spot until nearly aligned, then go (raja2024, Algorithm 1)
   proportional,  ///< turn while going; surge falls with the cosine of the heading error
+  holonomic,     ///< go there by surge and sway and keep the heading, for a vehicle that can
 };
 
 template <>
 struct EnumNames<SteeringKind> {
-  static constexpr std::array names{"turn_then_go", "proportional"};
+  static constexpr std::array names{"turn_then_go", "proportional", "holonomic"};
 };
 
 /// Symbols of raja2024 (Table I): ORI_ERROR, K_ROT_MIN, K_ROT_MAX, ROT_VEL.
@@ -28,6 +29,7 @@ struct SteeringParams {
   double rot_vel_radps = 0.45;
   double turn_gain_hz = 0.5;
   double max_turn_rate_radps = 0.3;
+  double heading_rad = 0.0;
 
   static consteval auto fields() {
     return std::tuple{
@@ -38,8 +40,10 @@ struct SteeringParams {
         field<&SteeringParams::k_rot_max_ratio>({0, 10}, "turn_then_go: turning coefficient while stopped"),
         field<&SteeringParams::rot_vel_radps>({0, 10},
                                               "turn_then_go: rotation speed that the coefficients scale"),
-        field<&SteeringParams::turn_gain_hz>({0, 10}, "proportional: yaw rate per heading error"),
-        field<&SteeringParams::max_turn_rate_radps>({0, 10}, "proportional: largest yaw rate"),
+        field<&SteeringParams::turn_gain_hz>({0, 10}, "proportional, holonomic: yaw rate per heading error"),
+        field<&SteeringParams::max_turn_rate_radps>({0, 10}, "proportional, holonomic: largest yaw rate"),
+        field<&SteeringParams::heading_rad>({-6.3, 6.3},
+                                            "holonomic: kept where the method commands no heading"),
     };
   }
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/core/params.hpp"
 
+#include <charconv>
 #include <cmath>
 
 #include "fairway/core/text.hpp"
@@ -88,6 +89,46 @@ ParamInfo describe_choice(std::string_view name, std::string_view meaning,
   ParamInfo info = info_of(name, "", "choice", {}, meaning, std::string(choices[index]));
   info.choices.assign(choices.begin(), choices.end());
   return info;
+}
+
+ParamInfo describe_list(std::string_view name, std::string_view meaning, std::size_t length,
+                        std::vector<ParamInfo> items) {
+  ParamInfo info = info_of(name, "", "list", {}, meaning, static_cast<double>(length));
+  info.items = std::move(items);
+  return info;
+}
+
+bool names_list(std::string_view name, std::string_view list) {
+  return name.starts_with(list) && (name.size() == list.size() || name[list.size()] == '[');
+}
+
+std::size_t list_length(std::string_view name, const ParamValue& value) {
+  const double* given = std::get_if<double>(&value);
+  const bool fits = given != nullptr && *given >= 0.0 && *given <= static_cast<double>(max_list_items) &&
+                    *given == std::floor(*given);
+  if (!fits) refuse(name, value, "a list of up to " + std::to_string(max_list_items) + " items");
+  return static_cast<std::size_t>(*given);
+}
+
+ListStep list_step(std::string_view name, std::string_view list, std::size_t length) {
+  const std::string_view rest = name.substr(list.size() + 1);
+  ListStep step;
+  const auto [stop, error] = std::from_chars(rest.data(), rest.data() + rest.size(), step.index);
+  const std::string_view tail{stop, static_cast<std::size_t>(rest.data() + rest.size() - stop)};
+  if (error != std::errc{} || !tail.starts_with("].") || tail.size() < 3) {
+    throw InputError({}, std::string(name), "expected " + std::string(list) + "[index].parameter");
+  }
+  if (step.index >= length) {
+    throw InputError({}, std::string(name), "the list has " + std::to_string(length) + " items");
+  }
+  step.member = tail.substr(2);
+  return step;
+}
+
+InputError in_list(std::string_view name, std::string_view member, const InputError& error) {
+  std::string_view message = error.what();
+  if (message.starts_with(member)) message.remove_prefix(std::min(message.size(), member.size() + 2));
+  return InputError({}, std::string(name), std::string(message));
 }
 
 }  // namespace fairway::detail

@@ -43,15 +43,23 @@ struct Field {
   std::string_view meaning;
 };
 
+/// A list of structs as a parameter: `layout: [{x_m: 1}, {x_m: 2}]`. As flat values it is its length and then
+/// its items, `layout` = 2, `layout[0].x_m` = 1, `layout[1].x_m` = 2.
+inline constexpr std::size_t max_list_items = 64;
+
+/// "layout" of "layout[3].x_m"; any other name as it is.
+constexpr std::string_view list_of_param(std::string_view name) { return name.substr(0, name.find('[')); }
+
 /// A field with its present value, its type erased: what `describe` and the schema print.
 struct ParamInfo {
   std::string name;
   std::string unit;  ///< "s", "mps", "" for switches and choices
-  std::string type;  ///< "number", "integer", "boolean", "choice"
+  std::string type;  ///< "number", "integer", "boolean", "choice", "list"
   Range range{};
   std::string meaning;
-  ParamValue value;                  ///< default, or present value
+  ParamValue value;                  ///< default, or present value; of a list its length
   std::vector<std::string> choices;  ///< of a choice
+  std::vector<ParamInfo> items;      ///< of a list: what each item has, with its defaults
 };
 
 namespace detail {
@@ -80,6 +88,11 @@ consteval std::string_view unit_of(std::string_view name) {
   throw "name a parameter after its unit: turn_step_deg, clearance_m, swarm_count";
 }
 
+template <class T>
+inline constexpr bool is_list = false;
+template <class Item>
+inline constexpr bool is_list<std::vector<Item>> = true;
+
 template <class>
 struct member_of;
 template <class O, class T>
@@ -99,11 +112,12 @@ consteval auto field(Range range, std::string_view meaning) {
                                                                meaning};
 }
 
-/// A switch (bool) or a choice (an enumeration with EnumNames).
+/// A switch (bool), a choice (an enumeration with EnumNames), or a list of structs.
 template <auto Member>
 consteval auto field(std::string_view meaning) {
   using Traits = detail::member_of<decltype(Member)>;
-  static_assert(std::same_as<typename Traits::value, bool> || std::is_enum_v<typename Traits::value>,
+  using Value = typename Traits::value;
+  static_assert(std::same_as<Value, bool> || std::is_enum_v<Value> || detail::is_list<Value>,
                 "a number needs a range");
   return Field<typename Traits::owner, typename Traits::value>{
       Member, detail::member_name<Member>(), "", {0, 0}, meaning};
@@ -119,7 +133,8 @@ struct NoParams {
 
 template <Reflected P, class Visitor>
 constexpr void for_each_field(Visitor&& visit) {
-  std::apply([&](const auto&... f) { (visit(f), ...); }, P::fields());
+  constexpr auto all = P::fields();  // a name of its own: clang 16 fails on the call in the argument
+  std::apply([&](const auto&... f) { (visit(f), ...); }, all);
 }
 
 namespace detail {
@@ -152,6 +167,24 @@ ParamInfo describe(std::string_view name, std::string_view, Range, std::string_v
   return describe_choice(name, meaning, EnumNames<E>::names, static_cast<std::size_t>(value));
 }
 
+ParamInfo describe_list(std::string_view name, std::string_view meaning, std::size_t length,
+                        std::vector<ParamInfo> items);
+
+/// What follows the name of a list in "layout[3].x_m".
+struct ListStep {
+  std::size_t index{};
+  std::string_view member;
+};
+
+/// True for "layout" and for "layout[3].x_m" where the list is "layout".
+bool names_list(std::string_view name, std::string_view list);
+/// The length that a list is given. Throws unless it is one.
+std::size_t list_length(std::string_view name, const ParamValue& value);
+/// A refusal by an item, told with the whole name.
+InputError in_list(std::string_view name, std::string_view member, const InputError& error);
+/// Throws if `name` is not an item of a list of `length`.
+ListStep list_step(std::string_view name, std::string_view list, std::size_t length);
+
 }  // namespace detail
 
 /// Names of all parameters, in order of declaration.
@@ -162,15 +195,45 @@ std::vector<std::string_view> param_names() {
   return names;
 }
 
+template <Reflected P>
+bool set_param(P& params, std::string_view name, const ParamValue& value, bool optional = false);
+
+namespace detail {
+
+/// Sets the length, which empties the list, or one value of one item.
+template <Reflected Item>
+void assign_list(std::vector<Item>& list, std::string_view name, std::string_view list_name,
+                 const ParamValue& value) {
+  if (name == list_name) {
+    list.assign(list_length(name, value), Item{});
+    return;
+  }
+  const ListStep step = list_step(name, list_name, list.size());
+  try {
+    set_param(list[step.index], step.member, value);
+  } catch (const InputError& error) {
+    throw in_list(name, step.member, error);
+  }
+}
+
+}  // namespace detail
+
 /// Sets one parameter by name. Throws InputError naming the parameter, what was given and what is
 /// accepted; an unknown name gets the nearest known one. False instead of a throw when `optional`.
 template <Reflected P>
-bool set_param(P& params, std::string_view name, const ParamValue& value, bool optional = false) {
+bool set_param(P& params, std::string_view name, const ParamValue& value, bool optional) {
   bool known = false;
   for_each_field<P>([&](const auto& f) {
-    if (f.name != name) return;
-    known = true;
-    detail::assign(params.*(f.member), name, f.range, value);
+    auto& member = params.*(f.member);
+    if constexpr (detail::is_list<std::remove_cvref_t<decltype(member)>>) {
+      if (!detail::names_list(name, f.name)) return;
+      known = true;
+      detail::assign_list(member, name, f.name, value);
+    } else {
+      if (f.name != name) return;
+      known = true;
+      detail::assign(member, name, f.range, value);
+    }
   });
   if (!known && !optional) {
     throw InputError({}, std::string(name), "unknown parameter" + suggestion(name, param_names<P>()));
@@ -183,7 +246,14 @@ template <Reflected P>
 std::vector<ParamInfo> describe_params(const P& params = {}) {
   std::vector<ParamInfo> infos;
   for_each_field<P>([&](const auto& f) {
-    infos.push_back(detail::describe(f.name, f.unit, f.range, f.meaning, params.*(f.member)));
+    const auto& member = params.*(f.member);
+    using Member = std::remove_cvref_t<decltype(member)>;
+    if constexpr (detail::is_list<Member>) {
+      infos.push_back(detail::describe_list(f.name, f.meaning, member.size(),
+                                            describe_params<typename Member::value_type>()));
+    } else {
+      infos.push_back(detail::describe(f.name, f.unit, f.range, f.meaning, member));
+    }
   });
   return infos;
 }

@@ -83,5 +83,69 @@ TEST(Text, NumbersReadBackToTheSameBits) {
   EXPECT_EQ(std::get<std::string>(parse_value("5 m")), "5 m");
 }
 
+struct Rib {
+  double at_m = 0.0;
+  bool cracked = false;
+
+  static consteval auto fields() {
+    return std::tuple{field<&Rib::at_m>({0, 10}, "from the bow"), field<&Rib::cracked>("whether it holds")};
+  }
+};
+
+struct Skeleton {
+  std::vector<Rib> ribs{{1.0}, {2.0}, {3.0}};
+  double keel_m = 5.0;
+
+  static consteval auto fields() {
+    return std::tuple{field<&Skeleton::ribs>("in order"), field<&Skeleton::keel_m>({0, 9}, "its length")};
+  }
+};
+
+std::string skeleton_refusal(std::string_view name, const ParamValue& value) {
+  Skeleton skeleton;
+  try {
+    set_param(skeleton, name, value);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(ListParams, AnItemOfTheDefaultCanBeChanged) {
+  Skeleton skeleton;
+  set_param(skeleton, "ribs[1].at_m", 7.0);
+  set_param(skeleton, "ribs[2].cracked", true);
+  EXPECT_EQ(skeleton.ribs[1].at_m, 7.0);
+  EXPECT_TRUE(skeleton.ribs[2].cracked);
+  EXPECT_EQ(skeleton.ribs[0].at_m, 1.0);
+}
+
+TEST(ListParams, ALengthReplacesTheDefault) {
+  Skeleton skeleton;
+  set_param(skeleton, "ribs", 2.0);
+  ASSERT_EQ(skeleton.ribs.size(), 2U);
+  EXPECT_EQ(skeleton.ribs[1].at_m, 0.0);
+}
+
+TEST(ListParams, ARefusalNamesTheItem) {
+  EXPECT_EQ(skeleton_refusal("ribs[3].at_m", 1.0), "ribs[3].at_m: the list has 3 items");
+  EXPECT_EQ(skeleton_refusal("ribs[0].at_m", 11.0), "ribs[0].at_m: is 11; expected a number in [0, 10]");
+  EXPECT_EQ(skeleton_refusal("ribs[0].at_cm", 1.0), "ribs[0].at_cm: unknown parameter; did you mean at_m?");
+  EXPECT_EQ(skeleton_refusal("ribs[x].at_m", 1.0), "ribs[x].at_m: expected ribs[index].parameter");
+  EXPECT_EQ(skeleton_refusal("ribs[0]at_m", 1.0), "ribs[0]at_m: expected ribs[index].parameter");
+  EXPECT_EQ(skeleton_refusal("ribs", 65.0), "ribs: is 65; expected a list of up to 64 items");
+  EXPECT_EQ(skeleton_refusal("ribs", std::string("three")),
+            "ribs: is \"three\"; expected a list of up to 64 items");
+}
+
+TEST(ListParams, AreDescribedWithTheirItems) {
+  const std::vector<ParamInfo> infos = describe_params<Skeleton>();
+  ASSERT_EQ(infos.size(), 2U);
+  EXPECT_EQ(infos[0].type, "list");
+  EXPECT_EQ(std::get<double>(infos[0].value), 3.0);
+  ASSERT_EQ(infos[0].items.size(), 2U);
+  EXPECT_EQ(infos[0].items[0].name, "at_m");
+}
+
 }  // namespace
 }  // namespace fairway

@@ -60,4 +60,12 @@ SurfacePoint nearest_point(const Obstacle& obstacle, const Vec3& p) noexcept {
   return {p, std::numeric_limits<double>::infinity()};
 }
 
+Vec3 centre_of(const Obstacle& obstacle) noexcept {
+  if (obstacle.kind == Obstacle::Kind::segment) return 0.5 * (obstacle.from + obstacle.to);
+  if (obstacle.kind == Obstacle::Kind::sphere || obstacle.vertices.empty()) return obstacle.position;
+  Vec3 sum = Vec3::Zero();
+  for (const Vec3& vertex : obstacle.vertices) sum += vertex;
+  return sum / static_cast<double>(obstacle.vertices.size());
+}
+
 }  // namespace fairway

@@ -20,6 +20,19 @@ struct Obstacle {
   Vec3 from = Vec3::Zero();        ///< [m, NED]
   Vec3 to = Vec3::Zero();          ///< [m, NED]
   std::span<const Vec3> vertices;  ///< [m, NED]; at least three
+  bool charted{true};              ///< known before the mission; else met on the way
+};
+
+/// A solid that may drift at a constant velocity; only spheres do.
+struct DriftingObstacle {
+  Obstacle start;                ///< where it is at time 0
+  Vec3 velocity = Vec3::Zero();  ///< [m/s, NED]
+
+  Obstacle at(double time) const noexcept {
+    Obstacle now = start;
+    now.position += time * velocity;
+    return now;
+  }
 };
 
 /// The surface point of an obstacle nearest to `p`, and how far away it is.
@@ -30,5 +43,9 @@ struct SurfacePoint {
 
 /// O(1), or O(vertices) for a polygon. At the exact centre of a sphere the point lies due north.
 SurfacePoint nearest_point(const Obstacle& obstacle, const Vec3& p) noexcept;
+
+/// Where the obstacle is, as one point: the centre of a sphere, the middle of a segment, the mean of a
+/// polygon's vertices (at the depth of their mean). [m, NED]
+Vec3 centre_of(const Obstacle& obstacle) noexcept;
 
 }  // namespace fairway

@@ -10,17 +10,16 @@
 
 #include "fairway/core/params.hpp"
 #include "fairway/core/state.hpp"
+#include "fairway/core/wrench.hpp"
 
 namespace fairway {
 
-/// At most this many actuators on one vehicle, so that their values never allocate.
-inline constexpr int max_actuators = 16;
+/// At most this many actuators on one vehicle, so that their values never allocate: six vehicles of five
+/// thrusters each in one rigid body, and two more.
+inline constexpr int max_actuators = 32;
 
 /// One value per actuator, in the order of the model's `actuators()`.
 using ActuatorValues = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_actuators, 1>;
-
-/// Forces and moments about the body origin: X, Y, Z, K, M, N [N, N m, body].
-using Wrench = Eigen::Matrix<double, 6, 1>;
 
 /// A thruster, rudder or setpoint that a vehicle is driven by.
 struct ActuatorInfo {

@@ -7,9 +7,11 @@
 namespace fairway {
 
 RunMetrics metrics_for(const Scenario& scenario) {
-  std::vector<Obstacle> obstacles;
-  for (const ObstacleSpec& spec : scenario.obstacles) obstacles.push_back(spec.view());
-  return RunMetrics{{scenario.exam.crit_dist_m, scenario.exam.safety_distance_m}, std::move(obstacles)};
+  Surroundings surroundings;
+  for (const ObstacleSpec& spec : scenario.obstacles)
+    surroundings.obstacles.push_back({spec.view(), spec.velocity});
+  for (const VehicleSpec& spec : scenario.vehicles) surroundings.radii.push_back(spec.radius_m);
+  return RunMetrics{{scenario.exam.crit_dist_m, scenario.exam.safety_distance_m}, std::move(surroundings)};
 }
 
 std::vector<Measure> measure_run(const Scenario& scenario, const Catalogs& catalogs,

@@ -24,6 +24,8 @@ const std::vector<QuantityInfo>& FleetMetric::quantities() {
       {"nearest_m", true, "least distance to any other vehicle"},
       {"obstacle_clearance_m", true,
        "least distance from the centre to the surface of an obstacle; negative inside one"},
+      {"footprint_clearance_m", true,
+       "least distance from the vehicle's sphere to the surface of an obstacle; negative once they touch"},
       {"energy_j", true, "drawn by the actuators while under way"},
       {"hold_time_s", true, "time waiting on purpose while under way"},
       {"infeasible_count", true, "decisions that found no safe choice"},
@@ -54,8 +56,9 @@ void FleetMetric::see_vehicle(const Frame& frame, std::size_t index) {
     if (vehicle.command.mode == Mode::hold) own.hold_time += frame.period;
     if (vehicle.command.mode == Mode::infeasible) ++own.infeasible;
   }
-  for (const Obstacle& obstacle : obstacles_) {
-    own.clearance = std::fmin(own.clearance, nearest_point(obstacle, vehicle.state.p_n).distance);
+  for (const DriftingObstacle& obstacle : surroundings_.obstacles) {
+    own.clearance =
+        std::fmin(own.clearance, nearest_point(obstacle.at(frame.time), vehicle.state.p_n).distance);
   }
   if (vehicle.phase != Phase::arrived || !own.arrived) last_arrival_ = frame.time;
   own.arrived = vehicle.phase == Phase::arrived;
@@ -94,6 +97,8 @@ void FleetMetric::report(std::vector<Measure>& measures) const {
     const int vehicle = static_cast<int>(i);
     measures.push_back({"nearest_m", vehicle, std::sqrt(own_[i].nearest2)});
     measures.push_back({"obstacle_clearance_m", vehicle, own_[i].clearance});
+    const double radius = i < surroundings_.radii.size() ? surroundings_.radii[i] : 0.0;
+    measures.push_back({"footprint_clearance_m", vehicle, own_[i].clearance - radius});
     measures.push_back({"energy_j", vehicle, own_[i].energy});
     measures.push_back({"hold_time_s", vehicle, own_[i].hold_time});
     measures.push_back({"infeasible_count", vehicle, static_cast<double>(own_[i].infeasible)});

@@ -9,15 +9,20 @@
 
 namespace fairway {
 
+/// What the frames of a run do not say, and its metrics need.
+struct Surroundings {
+  std::vector<DriftingObstacle> obstacles;  ///< whoever owns their vertices outlives the metrics
+  std::vector<double> radii;                ///< of the vehicles' spheres, by index [m]; 0 where not given
+};
+
 /// What raja2024 does not measure: pair events, separation, makespan, arrivals, energy, holding. Counted
 /// from the first tick in which anyone is under way; vehicles that are still deploying are left out.
 class FleetMetric final : public Metric {
  public:
   static const std::vector<QuantityInfo>& quantities();
 
-  /// Distances to `obstacles` are measured too; whoever owns their vertices outlives this.
-  explicit FleetMetric(double safety_distance_m, std::vector<Obstacle> obstacles = {})
-      : safety_distance_{safety_distance_m}, obstacles_{std::move(obstacles)} {}
+  explicit FleetMetric(double safety_distance_m, Surroundings surroundings = {})
+      : safety_distance_{safety_distance_m}, surroundings_{std::move(surroundings)} {}
   void see(const Frame& frame) override;
   void report(std::vector<Measure>& measures) const override;
 
@@ -35,7 +40,7 @@ class FleetMetric final : public Metric {
   void see_pairs(const Frame& frame);
 
   double safety_distance_;
-  std::vector<Obstacle> obstacles_;
+  Surroundings surroundings_;
   bool started_{false};
   double start_time_{};
   double last_arrival_{};

@@ -111,7 +111,7 @@ TEST(FleetMetric, MakespanEndsWithTheLastArrival) {
 
 TEST(FleetMetric, ClearanceIsNegativeInsideAnObstacle) {
   const Obstacle ball{.kind = Obstacle::Kind::sphere, .position = {4, 0, 0}, .radius = 3};
-  RunMetrics metrics{{6, 3}, {ball}};
+  RunMetrics metrics{{6, 3}, {.obstacles = {{.start = ball}}, .radii = {0.5}}};
   std::array<VehicleFrame, 1> vehicles{};
   vehicles[0].phase = Phase::under_way;
   for (const double x : {-4.0, 0.0, 2.0}) {
@@ -138,6 +138,46 @@ TEST(Metrics, EveryQuantityIsDescribedAndNothingElseIsReported) {
     });
     EXPECT_TRUE(known) << m.quantity;
   }
+}
+
+double measured(const RunMetrics& metrics, std::string_view quantity) {
+  for (const Measure& m : metrics.measures()) {
+    if (m.quantity == quantity) return m.value;
+  }
+  return std::nan("");
+}
+
+TEST(FleetMetric, ClearanceFollowsAnObstacleThatDrifts) {
+  const Obstacle ball{.kind = Obstacle::Kind::sphere, .position = {10, 0, 0}, .radius = 1};
+  RunMetrics metrics{{6, 3}, {.obstacles = {{ball, {-1, 0, 0}}}, .radii = {2.0}}};
+  std::array<VehicleFrame, 1> vehicles{};
+  vehicles[0].phase = Phase::under_way;
+  for (int i = 0; i < 5; ++i) metrics.write({Tick{i}, 1.0 * i, 1.0, vehicles});
+  EXPECT_NEAR(measured(metrics, "obstacle_clearance_m"), 5.0, 1e-12);   // 10 - 4 - 1
+  EXPECT_NEAR(measured(metrics, "footprint_clearance_m"), 3.0, 1e-12);  // 2 m less
+}
+
+TEST(EffortMetric, PowersAreForceTimesVelocityAlongEachAxis) {
+  RunMetrics metrics{{6, 3}};
+  std::array<VehicleFrame, 1> vehicles{};
+  vehicles[0].phase = Phase::under_way;
+  vehicles[0].power = 7.0;
+  const auto see = [&](int tick, double surge, double force, double yaw_rate, double moment) {
+    vehicles[0].state.p_n.x() += surge;
+    vehicles[0].state.v_b.x() = surge;
+    vehicles[0].state.omega_b.z() = yaw_rate;
+    vehicles[0].wrench << force, 0, 0, 0, 0, moment;
+    metrics.write({Tick{tick}, 1.0 * tick, 1.0, vehicles});
+  };
+  see(0, 2.0, 3.0, 0.0, 0.0);   // drives with 6 W
+  see(1, 2.0, -4.0, 0.5, 8.0);  // brakes with 8 W, turns with 4 W
+  EXPECT_NEAR(measured(metrics, "rms_surge_power_w"), std::sqrt((36.0 + 64.0) / 2), 1e-12);
+  EXPECT_NEAR(measured(metrics, "mean_surge_power_w"), 7.0, 1e-12);
+  EXPECT_NEAR(measured(metrics, "rms_yaw_power_w"), std::sqrt(16.0 / 2), 1e-12);
+  EXPECT_NEAR(measured(metrics, "body_energy_j"), 6.0 + 8.0 + 4.0, 1e-12);
+  EXPECT_NEAR(measured(metrics, "mean_thruster_power_w"), 7.0, 1e-12);
+  EXPECT_NEAR(measured(metrics, "path_length_m"), 2.0, 1e-12);
+  EXPECT_NEAR(measured(metrics, "displacement_m"), 2.0, 1e-12);
 }
 
 }  // namespace

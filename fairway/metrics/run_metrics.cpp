@@ -7,12 +7,14 @@ std::vector<Measure> RunMetrics::measures() const {
   std::vector<Measure> all;
   encounters_.report(all);
   fleet_.report(all);
+  effort_.report(all);
   return all;
 }
 
 std::vector<QuantityInfo> all_quantities() {
   std::vector<QuantityInfo> all = EncounterMetric::quantities();
   all.insert(all.end(), FleetMetric::quantities().begin(), FleetMetric::quantities().end());
+  all.insert(all.end(), EffortMetric::quantities().begin(), EffortMetric::quantities().end());
   return all;
 }
 

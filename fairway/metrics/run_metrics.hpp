@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "fairway/metrics/effort.hpp"
 #include "fairway/metrics/encounters.hpp"
 #include "fairway/metrics/fleet.hpp"
 
@@ -11,12 +12,13 @@ namespace fairway {
 /// Every metric of a run, as one sink of frames.
 class RunMetrics final : public FrameSink {
  public:
-  explicit RunMetrics(EncounterRules rules, std::vector<Obstacle> obstacles = {})
-      : encounters_{rules}, fleet_{rules.safety_distance_m, std::move(obstacles)} {}
+  explicit RunMetrics(EncounterRules rules, Surroundings surroundings = {})
+      : encounters_{rules}, fleet_{rules.safety_distance_m, std::move(surroundings)} {}
 
   void write(const Frame& frame) override {
     encounters_.see(frame);
     fleet_.see(frame);
+    effort_.see(frame);
   }
 
   /// All quantities, in a fixed order. Infinite where nothing was seen (no pair: no separation).
@@ -25,6 +27,7 @@ class RunMetrics final : public FrameSink {
  private:
   EncounterMetric encounters_;
   FleetMetric fleet_;
+  EffortMetric effort_;
 };
 
 /// Every quantity that RunMetrics reports.

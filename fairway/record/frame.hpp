@@ -21,6 +21,7 @@ struct VehicleFrame {
   double goal_speed{};                ///< along the leg [m/s]
   std::span<const double> actuators;  ///< state, in the order of the model
   double power{};                     ///< drawn by the actuators [W]
+  Wrench wrench = Wrench::Zero();     ///< of the actuators on the vehicle [N, N m, body]
 };
 
 /// What was true at one instant and what was decided on it. Metrics and the viewer know nothing else.

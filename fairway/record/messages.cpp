@@ -34,6 +34,9 @@ void skip_header(CdrReader& cdr) {
   cdr.skip_text();
 }
 
+std::span<const double> values(const Wrench& w) { return {w.data(), 6}; }
+std::span<double> values(Wrench& w) { return {w.data(), 6}; }
+
 template <class E>
 E enumerator(std::uint8_t value, const char* what) {
   if (value >= EnumNames<E>::names.size()) {
@@ -83,11 +86,15 @@ void encode_status(Bytes& out, Stamp stamp, Tick tick, const VehicleFrame& vehic
   cdr.number(static_cast<std::uint8_t>(vehicle.command.mode));
   cdr.boolean(vehicle.command.astern);
   cdr.boolean(vehicle.command.heading.has_value());
+  cdr.boolean(vehicle.command.wrench.has_value());
   cdr.array(values(vehicle.command.velocity));
   cdr.number(vehicle.command.heading.value_or(0.0));
+  const Wrench commanded = vehicle.command.wrench.value_or(Wrench{Wrench::Zero()});
+  cdr.array(values(commanded));
   cdr.array(values(vehicle.goal));
   cdr.number(vehicle.goal_speed);
   cdr.number(vehicle.power);
+  cdr.array(values(vehicle.wrench));
   cdr.sequence(vehicle.actuators);
 }
 
@@ -139,12 +146,17 @@ Tick decode_status(ByteView message, VehicleFrame& vehicle, std::vector<double>&
   vehicle.command.mode = enumerator<Mode>(cdr.number<std::uint8_t>(), "mode");
   vehicle.command.astern = cdr.boolean();
   const bool has_heading = cdr.boolean();
+  const bool has_wrench = cdr.boolean();
   cdr.array(values(vehicle.command.velocity));
   const auto heading = cdr.number<double>();
   if (has_heading) vehicle.command.heading = heading;
+  Wrench commanded;
+  cdr.array(values(commanded));
+  if (has_wrench) vehicle.command.wrench = commanded;
   cdr.array(values(vehicle.goal));
   vehicle.goal_speed = cdr.number<double>();
   vehicle.power = cdr.number<double>();
+  cdr.array(values(vehicle.wrench));
   cdr.sequence(actuators);
   cdr.finish();
   return tick;

@@ -19,6 +19,10 @@ std::string word(E value) {
   return EnumNames<E>::names[static_cast<std::size_t>(value)];
 }
 
+std::string axis_text(const std::optional<Wrench>& wrench, int axis) {
+  return wrench ? number_text((*wrench)[axis]) : std::string{};
+}
+
 constexpr std::array list{
     Quantity{"id", [](V v) { return std::to_string(number(v.id)); }},
     Quantity{"phase", [](V v) { return word(v.phase); }},
@@ -47,9 +51,21 @@ constexpr std::array list{
     Quantity{"command_d_mps", [](V v) { return number_text(v.command.velocity.z()); }},
     Quantity{"command_heading_rad",
              [](V v) { return v.command.heading ? number_text(*v.command.heading) : std::string{}; }},
+    Quantity{"command_force_x_n", [](V v) { return axis_text(v.command.wrench, 0); }},
+    Quantity{"command_force_y_n", [](V v) { return axis_text(v.command.wrench, 1); }},
+    Quantity{"command_force_z_n", [](V v) { return axis_text(v.command.wrench, 2); }},
+    Quantity{"command_moment_k_nm", [](V v) { return axis_text(v.command.wrench, 3); }},
+    Quantity{"command_moment_m_nm", [](V v) { return axis_text(v.command.wrench, 4); }},
+    Quantity{"command_moment_n_nm", [](V v) { return axis_text(v.command.wrench, 5); }},
     Quantity{"mode", [](V v) { return word(v.command.mode); }},
     Quantity{"astern", [](V v) { return std::string(v.command.astern ? "true" : "false"); }},
     Quantity{"power_w", [](V v) { return number_text(v.power); }},
+    Quantity{"force_x_n", [](V v) { return number_text(v.wrench[0]); }},
+    Quantity{"force_y_n", [](V v) { return number_text(v.wrench[1]); }},
+    Quantity{"force_z_n", [](V v) { return number_text(v.wrench[2]); }},
+    Quantity{"moment_k_nm", [](V v) { return number_text(v.wrench[3]); }},
+    Quantity{"moment_m_nm", [](V v) { return number_text(v.wrench[4]); }},
+    Quantity{"moment_n_nm", [](V v) { return number_text(v.wrench[5]); }},
 };
 
 // number_text() tells every two doubles apart, but not the payloads of NaN

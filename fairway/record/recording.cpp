@@ -42,19 +42,19 @@ T number_entry(const McapReader::Map& map, const std::string& key) {
   return value;
 }
 
-// A recording of ours, and not of a later format.
+// A recording of ours, in this format.
 const McapReader::Map& check_origin(const McapReader& mcap) {
   if (!mcap.metadata().contains(std::string(layout::run_metadata))) {
     throw Malformed{"not a recording of fairway: an MCAP file by '" + mcap.library() + "'"};
   }
   const auto& run = metadata(mcap, layout::run_metadata);
   const int format = number_entry<int>(run, "format");
-  if (format > layout::format) {
+  if (format < 1) damaged("format is " + std::to_string(format) + "; expected 1 or more");
+  if (format != layout::format) {
     throw Malformed{"a recording of format " + std::to_string(format) + ", made by fairway " +
                     entry(run, "version") + "; expected format " + std::to_string(layout::format) +
-                    " or older: use a newer fairway"};
+                    (format > layout::format ? ": use a newer fairway" : ": run its scenario again")};
   }
-  if (format < 1) damaged("format is " + std::to_string(format) + "; expected 1");
   return run;
 }
 

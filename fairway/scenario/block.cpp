@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/scenario/block.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "fairway/core/text.hpp"
@@ -153,6 +155,50 @@ Form<std::uint64_t> seed() { return whole<std::uint64_t>(); }
 Form<std::uint32_t> identifier() { return whole<std::uint32_t>(); }
 Form<std::int32_t> integer() { return whole<std::int32_t>(); }
 
+namespace {
+
+/// One value, or a list of mappings as flat values: its length, then `key[0].x_m` and so on.
+void read_param(const Value& value, const std::string& key, const Location& where, Choice& choice) {
+  const auto add = [&](std::string name, ParamValue param, const Location& at) {
+    choice.params.emplace_back(std::move(name), std::move(param));
+    choice.param_where.push_back(at);
+  };
+  if (!value.tree().is_list()) {
+    add(key, value.param(), where);
+    return;
+  }
+  add(key, static_cast<double>(value.tree().items.size()), where);
+  for (std::size_t i = 0; i < value.tree().items.size(); ++i) {
+    const Value item = value.entry(i);
+    if (!item.tree().is_map()) item.expected("a mapping of parameters");
+    for (std::size_t k = 0; k < item.tree().keys.size(); ++k) {
+      add(fmt::format("{}[{}].{}", key, i, item.tree().keys[k]), item.entry(k).param(),
+          item.tree().where_of(k).location());
+    }
+  }
+}
+
+Tree param_tree(const ParamValue& value) {
+  if (const double* real = std::get_if<double>(&value)) return Tree::number(*real);
+  if (const bool* on = std::get_if<bool>(&value)) return Tree::word(*on ? "true" : "false");
+  return Tree::quote(std::get<std::string>(value));
+}
+
+/// The list whose length is params[at], from the items that follow; `at` moves to the last of them.
+Tree list_tree(const ParamValues& params, std::size_t& at) {
+  const std::string prefix = params[at].first + "[";
+  Tree list = Tree::list(
+      std::vector<Tree>(static_cast<std::size_t>(std::get<double>(params[at].second)), Tree::map()));
+  while (at + 1 < params.size() && params[at + 1].first.starts_with(prefix)) {
+    const auto& [name, value] = params[++at];
+    const std::size_t index = std::stoul(name.substr(prefix.size()));
+    if (index < list.items.size()) list.items[index].set(name.substr(name.find("].") + 2), param_tree(value));
+  }
+  return list;
+}
+
+}  // namespace
+
 Choice read_choice(const Value& value, std::string_view name_key, Needed needed,
                    const std::vector<std::string_view>& except) {
   Choice choice{.path = value.path(), .where = value.tree().where.location()};
@@ -169,8 +215,7 @@ Choice read_choice(const Value& value, std::string_view name_key, Needed needed,
       choice.name = name().read(value.entry(i));
       choice.where = value.tree().items[i].where.location();
     } else if (std::ranges::find(except, key) == except.end()) {
-      choice.params.emplace_back(key, value.entry(i).param());
-      choice.param_where.push_back(value.tree().where_of(i).location());
+      read_param(value.entry(i), key, value.tree().where_of(i).location(), choice);
     }
   }
   if (choice.name.empty() && needed == Needed::yes && !value.reading().partial) {
@@ -183,14 +228,10 @@ Tree write_choice(const Choice& choice, std::string_view name_key) {
   if (choice.params.empty()) return Tree::quote(choice.name);
   Tree map = Tree::map();
   if (!choice.name.empty()) map.set(name_key, Tree::quote(choice.name));
-  for (const auto& [key, value] : choice.params) {
-    if (const double* real = std::get_if<double>(&value)) {
-      map.set(key, Tree::number(*real));
-    } else if (const bool* on = std::get_if<bool>(&value)) {
-      map.set(key, Tree::word(*on ? "true" : "false"));
-    } else {
-      map.set(key, Tree::quote(std::get<std::string>(value)));
-    }
+  for (std::size_t i = 0; i < choice.params.size(); ++i) {
+    const std::string key = choice.params[i].first;
+    const bool list = i + 1 < choice.params.size() && choice.params[i + 1].first.starts_with(key + "[");
+    map.set(key, list ? list_tree(choice.params, i) : param_tree(choice.params[i].second));
   }
   return map;
 }

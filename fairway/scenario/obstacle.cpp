@@ -44,22 +44,37 @@ void check_polygon(const Value& value, const ObstacleSpec& polygon) {
   }
 }
 
+Key<ObstacleSpec> charted() {
+  Key<ObstacleSpec> entry =
+      key("charted", &ObstacleSpec::charted, flag(),
+          "Known to everyone beforehand; else only once it is perceived. Default true.");
+  entry.write = [](const ObstacleSpec& spec) -> std::optional<Tree> {
+    if (spec.charted) return {};
+    return Tree::word("false");
+  };
+  return entry;
+}
+
 const Kinds<ObstacleSpec>& obstacle_kinds() {
   static const Kinds<ObstacleSpec> table{
       {"sphere",
        "A ball.",
        {key("position_m", &ObstacleSpec::position, vector(anywhere), "Its centre [n, e, d].", Needed::yes),
-        key("radius_m", &ObstacleSpec::radius, number(above_to(0.0, 1e6)), "Its radius.", Needed::yes)},
+        key("radius_m", &ObstacleSpec::radius, number(above_to(0.0, 1e6)), "Its radius.", Needed::yes),
+        key("velocity_mps", &ObstacleSpec::velocity, vector_unless_zero(from_to(-100.0, 100.0)),
+            "It drifts, [n, e, d] over ground, from its position at the start. Default: it does not."),
+        charted()},
        {}},
       {"segment",
        "A thin wall.",
        {key("from_m", &ObstacleSpec::from, vector(anywhere), "One end [n, e, d].", Needed::yes),
-        key("to_m", &ObstacleSpec::to, vector(anywhere), "The other end [n, e, d].", Needed::yes)},
+        key("to_m", &ObstacleSpec::to, vector(anywhere), "The other end [n, e, d].", Needed::yes), charted()},
        check_segment},
       {"polygon",
        "A solid vertical prism through every depth.",
        {key("vertices_m", &ObstacleSpec::vertices, vertices(),
-            "Its corners [n, e] or [n, e, d], counter-clockwise with n as x and e as y.", Needed::yes)},
+            "Its corners [n, e] or [n, e, d], counter-clockwise with n as x and e as y.", Needed::yes),
+        charted()},
        check_polygon},
   };
   return table;

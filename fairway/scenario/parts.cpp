@@ -3,41 +3,51 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace fairway::yaml {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr std::string_view range_key = "range_m";
-constexpr Bounds range_bounds = above_to(0.0, 1e7);
+
+/// What every kind of perception has.
+Block<PerceptionSpec> perception_ranges() {
+  constexpr Bounds range = above_to(0.0, 1e7);
+  return {key("range_m", &PerceptionSpec::range_m, number_unless(infinity, range),
+              "Nobody farther away is perceived. Default: no such limit."),
+          key("obstacle_range_m", &PerceptionSpec::obstacle_range_m, number_unless(infinity, range),
+              "An obstacle that is not charted, or drifts, is perceived this near to the vehicle's sphere. "
+              "Default: no such limit.")};
+}
 
 Form<PerceptionSpec> perception() {
-  const Form<Choice> kind = choice("kind", Needed::yes);
-  Tree schema = kind.schema;
-  schema.find("anyOf")
-      ->items[1]
-      .find("properties")
-      ->set(range_key, detail::described(number_schema(range_bounds),
-                                         "Nobody farther away is perceived. Default: no such limit."));
+  const Block<PerceptionSpec> ranges = perception_ranges();
+  const std::vector<std::string_view> names{"range_m", "obstacle_range_m"};
+  Tree schema = choice("kind", Needed::yes).schema;
+  Tree* properties = schema.find("anyOf")->items[1].find("properties");
+  for (const Key<PerceptionSpec>& range : ranges)
+    properties->set(range.name, detail::described(range.schema, range.meaning));
 
   return {.read =
-              [](const Value& value) {
-                PerceptionSpec spec{.kind = read_choice(value, "kind", Needed::no, {range_key})};
+              [ranges, names](const Value& value) {
+                PerceptionSpec spec{.kind = read_choice(value, "kind", Needed::no, names)};
                 if (spec.kind.name.empty()) spec.kind.name = "perfect";
                 for (std::size_t i = 0; i < value.tree().keys.size(); ++i) {
                   const std::string& key = value.tree().keys[i];
-                  if (key == range_key) spec.range_m = value.entry(i).number(range_bounds);
-                  const bool slip = key != range_key && (key == "range" || key.starts_with("range_"));
+                  const auto named = [&](const Key<PerceptionSpec>& range) { return range.name == key; };
+                  const auto range = std::ranges::find_if(ranges, named);
+                  if (range != ranges.end()) range->read(value.entry(i), spec);
+                  const bool slip = range == ranges.end() && (key == "range" || key.starts_with("range_"));
                   if (slip) value.refuse_key(i, "unknown key; did you mean range_m?");
                 }
                 return spec;
               },
-          .write = [](const PerceptionSpec& spec) -> std::optional<Tree> {
-            if (spec.range_m == infinity) return write_choice(spec.kind, "kind");
-            Tree tree =
-                Tree::map({{"kind", Tree::quote(spec.kind.name)}, {"range_m", Tree::number(spec.range_m)}});
-            if (spec.kind.params.empty()) return tree;
-            Tree params = write_choice(spec.kind, "kind");
-            for (std::size_t i = 0; i < params.keys.size(); ++i) tree.set(params.keys[i], params.items[i]);
+          .write = [ranges](const PerceptionSpec& spec) -> std::optional<Tree> {
+            Tree tree = write_choice(spec.kind, "kind");
+            const std::optional<Tree> given = write_block(ranges, spec);
+            if (!given) return tree;
+            if (!tree.is_map()) tree = Tree::map({{"kind", Tree::quote(spec.kind.name)}});
+            for (std::size_t i = 0; i < given->keys.size(); ++i) tree.set(given->keys[i], given->items[i]);
             return tree;
           },
           .schema = std::move(schema)};
@@ -186,7 +196,7 @@ const Block<Scenario>& scenario_block() {
       key("stop_when_done", &Scenario::stop_when_done, flag(),
           "End when everyone has arrived or is stuck. Default true."),
       key("obstacles", &Scenario::obstacles, list_of(obstacle(), "obstacles"),
-          "What is solid and does not move."),
+          "What is solid. Nothing here reacts to anyone."),
       missions(),
       defaults(),
       vehicles(),

@@ -26,9 +26,12 @@ struct Choice {
   std::vector<Location> param_where;  ///< of each parameter; may be empty
 };
 
-/// An obstacle that owns its vertices.
+/// An obstacle that owns its vertices. A sphere may drift: then it is perceived as a track, not as an
+/// obstacle.
 struct ObstacleSpec {
   Obstacle::Kind kind{};
+  bool charted{true};            ///< known to everyone beforehand
+  Vec3 velocity = Vec3::Zero();  ///< of a sphere that drifts [m/s, NED]
   Vec3 position = Vec3::Zero();
   double radius{};
   Vec3 from = Vec3::Zero();
@@ -36,16 +39,18 @@ struct ObstacleSpec {
   std::vector<Vec3> vertices;
 
   /// Valid while this lives and its vertices stay.
-  Obstacle view() const { return {kind, position, radius, from, to, vertices}; }
+  Obstacle view() const { return {kind, position, radius, from, to, vertices, charted}; }
+  bool moves() const { return !velocity.isZero(0.0); }
 };
 
 /// One vehicle, with everything that is its own.
 struct VehicleSpec {
   std::uint32_t id{};
   std::string name;
-  Choice model;     ///< of the vehicle catalog
-  Choice avoider;   ///< of the avoidance catalog
-  Choice steering;  ///< how a velocity becomes a body request; name empty = the model's usual one
+  Choice model;       ///< of the vehicle catalog
+  Choice avoider;     ///< of the avoidance catalog
+  Choice steering;    ///< how a velocity becomes a body request; name empty = the model's usual one
+  Choice allocation;  ///< how commanded forces are shared out among the thrusters; name empty = bounded
   Vec3 position = Vec3::Zero();  ///< at the start [m, NED]
   double yaw{};                  ///< at the start [rad]
   double speed{};                ///< surge at the start [m/s]
@@ -67,6 +72,7 @@ struct Exam {
 struct PerceptionSpec {
   Choice kind{.name = "perfect"};
   double range_m{std::numeric_limits<double>::infinity()};
+  double obstacle_range_m{std::numeric_limits<double>::infinity()};  ///< for what is not charted
 };
 
 /// A bound on a metric that a run must keep: `collision_count: 0`, `makespan_s: {max: 120}`.

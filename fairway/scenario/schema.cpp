@@ -19,10 +19,15 @@ Tree definitions() {
   Tree distribution =
       Tree::map({{"description", Tree::quote("Drawn once, from the seed and the value's path.")},
                  {"oneOf", Tree::list({pair_schema("uniform"), pair_schema("normal")})}});
-  Tree parameter = Tree::map(
-      {{"anyOf", Tree::list({Tree::map({{"type", Tree::list({Tree::quote("number"), Tree::quote("boolean"),
-                                                             Tree::quote("string")})}}),
-                             Tree::map({{"$ref", Tree::quote("#/$defs/distribution")}})})}});
+  const Tree drawn = Tree::map({{"$ref", Tree::quote("#/$defs/distribution")}});
+  const Tree plain = Tree::map(
+      {{"type", Tree::list({Tree::quote("number"), Tree::quote("boolean"), Tree::quote("string")})}});
+  const Tree value = Tree::map({{"anyOf", Tree::list({plain, drawn})}});
+  const Tree item = Tree::map({{"type", Tree::quote("object")}, {"additionalProperties", value}});
+  const Tree list = Tree::map({{"type", Tree::quote("array")},
+                               {"items", item},
+                               {"maxItems", Tree::word(std::to_string(max_list_items))}});
+  Tree parameter = Tree::map({{"anyOf", Tree::list({plain, drawn, list})}});
   return Tree::map({{"distribution", std::move(distribution)}, {"parameter", std::move(parameter)}});
 }
 

@@ -109,6 +109,9 @@ const Block<VehicleSpec>& vehicle_block() {
           "How it avoids; `fairway list algorithms`. direct avoids nobody.", Needed::yes),
       key("steering", &VehicleSpec::steering, choice("kind", Needed::no),
           "How a velocity is steered. Default: the model's usual way."),
+      key("allocation", &VehicleSpec::allocation, choice("method", Needed::yes),
+          "How commanded forces are shared out among the thrusters: bounded or pseudo_inverse. Default "
+          "bounded."),
       group("start", start_block(), "Where and how it begins.", Needed::yes),
       key("radius_m", &VehicleSpec::radius_m, number(from_to(0.0, 1000.0)),
           "Of the sphere that others keep clear of. Default 1."),
@@ -140,6 +143,7 @@ Form<VehicleSpec> vehicle() {
                 vehicle.model.path = value.path() + ".model";
                 vehicle.avoider.path = value.path() + ".avoider";
                 vehicle.steering.path = value.path() + ".steering";
+                vehicle.allocation.path = value.path() + ".allocation";
                 read_block(value, vehicle_block(), vehicle);
                 return vehicle;
               },

@@ -25,9 +25,36 @@ auto made(const Choice& choice, Make make) {
   }
 }
 
+struct AllocationParams {
+  AllocationMethod method = AllocationMethod::bounded;
+  static consteval auto fields() {
+    return std::tuple{field<&AllocationParams::method>("how forces are shared out among the thrusters")};
+  }
+};
+
+AllocationMethod allocation_of(const VehicleSpec& spec) {
+  AllocationParams params;
+  return made(spec.allocation, [&] {
+    if (!spec.allocation.name.empty()) set_param(params, "method", spec.allocation.name);
+    for (const auto& [name, value] : spec.allocation.params) set_param(params, name, value);
+    return params.method;
+  });
+}
+
+/// Whether the thrusters push sideways.
+bool can_sway(const Propulsion& propulsion) {
+  return propulsion.effectiveness.row(1).norm() > 1e-6 * propulsion.effectiveness.norm();
+}
+
 SteeringParams steering_of(const VehicleSpec& spec, const Vehicle& vehicle) {
   SteeringParams params;
-  if (vehicle.propulsion() == nullptr) params.kind = SteeringKind::proportional;
+  const Propulsion* propulsion = vehicle.propulsion();
+  if (propulsion == nullptr) {
+    params.kind = SteeringKind::proportional;
+  } else if (can_sway(*propulsion)) {
+    params.kind = SteeringKind::holonomic;
+    params.heading_rad = spec.yaw;
+  }
   return made(spec.steering, [&] {
     if (!spec.steering.name.empty()) set_param(params, "kind", spec.steering.name);
     for (const auto& [name, value] : spec.steering.params) set_param(params, name, value);
@@ -49,7 +76,7 @@ Agent make_agent(const VehicleSpec& spec, const Scenario& scenario, const Catalo
   Vehicle vehicle =
       made(spec.model, [&] { return catalogs.vehicles.make(spec.model.name, spec.model.params); });
   vehicle.set_state(start_of(spec));
-  Autopilot autopilot = made(spec.model, [&] { return Autopilot{vehicle}; });
+  Autopilot autopilot = made(spec.model, [&] { return Autopilot{vehicle, {}, allocation_of(spec)}; });
   const SteeringParams steering = steering_of(spec, vehicle);
   ActuatorValues demand = vehicle.actuator_state();
 
@@ -61,13 +88,15 @@ Agent make_agent(const VehicleSpec& spec, const Scenario& scenario, const Catalo
       .own_priority = spec.priority,
       .limits = spec.limits,
       .steering = steering,
-      .vehicle = std::move(vehicle),
+      .model = onboard_model(vehicle),
+      .vehicle = vehicle,
       .autopilot = std::move(autopilot),
       .mission = Mission{spec.mission, scenario.exam.time_coefficient_ratio},
       .avoider = made(spec.avoider,
                       [&] { return catalogs.avoiders.make(spec.avoider.name, spec.avoider.params, rng); }),
       .demand = std::move(demand)};
-  agent.tracks.reserve(scenario.vehicles.size());
+  agent.tracks.reserve(scenario.vehicles.size() + scenario.obstacles.size());
+  agent.obstacles.reserve(scenario.obstacles.size());
   return agent;
 }
 

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "fairway/avoidance/avoider.hpp"
 #include "fairway/control/autopilot.hpp"
 #include "fairway/control/guidance.hpp"
 #include "fairway/control/mission.hpp"
+#include "fairway/control/onboard_model.hpp"
 #include "fairway/control/steering.hpp"
 #include "fairway/scenario/scenario.hpp"
 #include "fairway/sim/catalogs.hpp"
@@ -24,6 +27,7 @@ struct Agent {
   std::int32_t own_priority{};
   Limits limits;
   SteeringParams steering;
+  std::optional<OnboardModel> model;  ///< of its dynamics, as known on board
 
   // what moves and remembers
   Vehicle vehicle;
@@ -34,9 +38,11 @@ struct Agent {
   // this tick's values
   Ownship own;
   std::vector<Track> tracks;
+  std::vector<Obstacle> obstacles;  ///< as far as it knows of them
   Command command;
   HoldPoint hold;
   bool holding{false};
+  std::string_view note;  ///< of the last command that had one
   ActuatorValues demand;
 };
 

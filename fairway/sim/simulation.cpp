@@ -15,8 +15,15 @@ void check_perception(const PerceptionSpec& spec) {
   }
   if (!spec.kind.params.empty()) {
     throw InputError(spec.kind.where, spec.kind.path + "." + spec.kind.params.front().first,
-                     "perfect perception takes no parameter but range_m");
+                     "perfect perception takes no parameter but range_m and obstacle_range_m");
   }
+}
+
+/// Of the actuators at their present state; zero where they do not push.
+Wrench wrench_of(const Vehicle& vehicle) {
+  const Propulsion* propulsion = vehicle.propulsion();
+  if (propulsion == nullptr) return Wrench::Zero();
+  return propulsion->effectiveness * vehicle.actuator_state();
 }
 
 }  // namespace
@@ -25,12 +32,11 @@ Simulation::Simulation(const Scenario& scenario, const Catalogs& catalogs)
     : period_{scenario.step_s},
       last_tick_{static_cast<std::int64_t>(std::floor(scenario.duration_s / scenario.step_s + 1e-9))},
       stop_when_done_{scenario.stop_when_done},
-      range_{scenario.perception.range_m},
+      reach_{scenario.perception.range_m, scenario.perception.obstacle_range_m},
       water_{scenario.current_n, scenario.water_density_kgpm3},
-      obstacle_specs_{scenario.obstacles},
-      perception_{scenario.vehicles.size()} {
+      obstacles_{scenario.obstacles},
+      perception_{scenario.vehicles.size() + scenario.obstacles.size()} {
   check_perception(scenario.perception);
-  for (const ObstacleSpec& spec : obstacle_specs_) obstacles_.push_back(spec.view());
 
   const Rng rng{scenario.seed};
   for (const VehicleSpec& spec : scenario.vehicles) {
@@ -74,6 +80,7 @@ void Simulation::deliver() {
                  .position = x.p_n,
                  .velocity = x.v_n(),
                  .yaw = yaw_of(x.q_nb),
+                 .yaw_rate = x.omega_b.z(),
                  .radius = agent.radius,
                  .priority = arrived ? std::numeric_limits<std::int32_t>::max() : agent.own_priority};
     const Leg* leg = agent.mission.leg();
@@ -96,10 +103,13 @@ bool Simulation::everyone_ready(std::size_t index) const {
 }
 
 void Simulation::perceive() {
+  obstacles_.move_to(time());
   for (std::size_t i = 0; i < agents_.size(); ++i) {
     Agent& agent = agents_[i];
     if (time() >= agent.start_delay) agent.mission.advance(agent.own, time(), everyone_ready(i));
-    if (is_avoiding(agent.mission.phase())) perception_.perceive(mailbox_, i, range_, agent.tracks);
+    if (!is_avoiding(agent.mission.phase())) continue;
+    perception_.perceive(mailbox_, obstacles_.drifters(), i, reach_, agent.tracks);
+    perceive_obstacles(obstacles_.fixed(), agent.own.position, agent.radius, reach_, agent.obstacles);
   }
 }
 
@@ -122,8 +132,9 @@ Command Simulation::decide(Agent& agent) {
                                .own = agent.own,
                                .goal = {.position = leg->position, .cruise_speed = leg->speed_mps},
                                .limits = agent.limits,
+                               .model = agent.model ? &*agent.model : nullptr,
                                .tracks = agent.tracks,
-                               .obstacles = obstacles_});
+                               .obstacles = agent.obstacles});
 }
 
 void Simulation::decide() {
@@ -141,6 +152,15 @@ void Simulation::decide() {
 
 void Simulation::control() {
   for (Agent& agent : agents_) {
+    if (!agent.command.note.empty()) agent.note = agent.command.note;
+    if (agent.command.wrench) {
+      if (const std::optional<ActuatorValues> pushed = agent.autopilot.push(*agent.command.wrench)) {
+        agent.demand = *pushed;
+        agent.holding = false;
+        continue;
+      }
+    }
+
     // a hold begins where the vehicle is when it is told to
     const bool hold = agent.command.mode == Mode::hold;
     if (hold && !agent.holding) agent.hold = {agent.own.position, agent.own.yaw};
@@ -176,7 +196,8 @@ void Simulation::record(std::span<FrameSink* const> sinks) {
                  .goal = leg != nullptr ? leg->position : agent.own.position,
                  .goal_speed = leg != nullptr ? leg->speed_mps : 0.0,
                  .actuators = {actuators.data(), static_cast<std::size_t>(actuators.size())},
-                 .power = agent.vehicle.power()};
+                 .power = agent.vehicle.power(),
+                 .wrench = wrench_of(agent.vehicle)};
   }
   const Frame frame{tick_, time(), period_, frame_};
   for (FrameSink* sink : sinks) sink->write(frame);

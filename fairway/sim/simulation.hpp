@@ -59,10 +59,9 @@ class Simulation {
   double period_;
   Tick last_tick_;
   bool stop_when_done_;
-  double range_;
+  Reach reach_;
   Water water_;
-  std::vector<ObstacleSpec> obstacle_specs_;
-  std::vector<Obstacle> obstacles_;
+  ObstacleField obstacles_;
 
   Tick tick_{0};
   std::vector<Agent> agents_;

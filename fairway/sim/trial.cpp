@@ -103,7 +103,7 @@ Settings read_settings(const VehicleCatalog::Entry& entry, const ParamValues& va
   Settings settings;
   const std::vector<std::string> names = setting_names(entry);
   for (const auto& [name, value] : values) {
-    if (std::ranges::find(names, name) == names.end()) {
+    if (std::ranges::find(names, list_of_param(name)) == names.end()) {
       throw InputError({}, name, "unknown setting" + suggestion(name, {names.begin(), names.end()}));
     }
     const bool taken =

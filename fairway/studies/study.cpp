@@ -26,7 +26,8 @@ nlohmann::json value_json(const ParamValue& value) {
 }  // namespace
 
 std::string_view name_of(Verdict verdict) {
-  constexpr std::array names{"reproduced", "within_spread", "partly", "not_reproduced", "no_reference"};
+  constexpr std::array names{"reproduced", "reproduced_assuming", "within_spread",
+                             "partly",     "not_reproduced",      "no_reference"};
   return names[static_cast<std::size_t>(verdict)];
 }
 

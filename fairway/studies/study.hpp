@@ -19,7 +19,8 @@ namespace fairway {
 
 /// How a measured value stands to the published one.
 enum class Verdict {
-  reproduced,     ///< within 15 % (counts: equal)
+  reproduced,           ///< within 15 % (counts: equal)
+  reproduced_assuming,  ///< likewise, under an assumption that the note states and the publication does not
   within_spread,  ///< farther off, but the published value lies in the 95 % interval of the measured mean
   partly,         ///< within 35 %
   not_reproduced,

@@ -96,7 +96,16 @@ void append_answer(const Command& command, bool planar, std::string& out) {
   append_number(planar ? 0.0 : command.velocity.z(), out);
   out += "],\"mode\":\"";
   out += EnumNames<Mode>::names.at(static_cast<std::size_t>(command.mode));
-  out += "\"}\n";
+  out += '"';
+  if (command.wrench) {
+    out += ",\"wrench\":[";
+    for (Eigen::Index axis = 0; axis < 6; ++axis) {
+      if (axis > 0) out += ',';
+      append_number((*command.wrench)[axis], out);
+    }
+    out += ']';
+  }
+  out += "}\n";
 }
 
 bool is_blank(std::string_view line) { return line.find_first_not_of(" \t\r") == std::string_view::npos; }

@@ -175,6 +175,11 @@ double JsonAt::whole(double lo, double hi) const {
   return value_->number;
 }
 
+bool JsonAt::flag() const {
+  if (value_->kind != Json::Kind::boolean) refuse("expected true or false");
+  return value_->on;
+}
+
 ParamValue JsonAt::param() const {
   if (value_->kind == Json::Kind::boolean) return value_->on;
   if (value_->kind == Json::Kind::text) return value_->text;

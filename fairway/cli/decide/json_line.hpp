@@ -51,6 +51,7 @@ class JsonAt {
   const std::string& text() const;
   /// A whole number in [lo, hi], both exact in a double.
   double whole(double lo, double hi) const;
+  bool flag() const;
   ParamValue param() const;
 
   const Json& value() const { return *value_; }

@@ -27,12 +27,14 @@ std::int32_t read_priority(const JsonAt& object, std::uint32_t id) {
 }
 
 Ownship read_own(const JsonAt& at) {
-  at.expect_keys({"id", "position", "velocity", "yaw", "radius", "priority"});
+  at.expect_keys({"id", "position", "velocity", "yaw", "yaw_rate", "radius", "priority"});
   const std::uint32_t id = read_id(at.at("id"));
+  const std::optional<JsonAt> yaw_rate = at.find("yaw_rate");
   return {.id = VehicleId{id},
           .position = at.at("position").vector(),
           .velocity = at.at("velocity").vector(),
           .yaw = at.at("yaw").number(),
+          .yaw_rate = yaw_rate ? yaw_rate->number() : 0.0,
           .radius = at.at("radius").not_negative(),
           .priority = read_priority(at, id)};
 }
@@ -64,7 +66,7 @@ Goal read_goal(const JsonAt& line, const Limits& limits) {
 }
 
 Track read_track(const JsonAt& at) {
-  at.expect_keys({"id", "position", "velocity", "radius", "yaw", "age", "priority", "destination"});
+  at.expect_keys({"id", "position", "velocity", "radius", "yaw", "age", "priority", "destination", "reacts"});
   const std::uint32_t id = read_id(at.at("id"));
   Track track{.id = TrackId{id},
               .position = at.at("position").vector(),
@@ -74,6 +76,7 @@ Track read_track(const JsonAt& at) {
   if (const auto yaw = at.find("yaw")) track.yaw = yaw->number();
   if (const auto age = at.find("age")) track.age = age->not_negative();
   if (const auto destination = at.find("destination")) track.destination = destination->vector();
+  if (const auto reacts = at.find("reacts")) track.reacts = reacts->flag();
   return track;
 }
 
@@ -120,20 +123,38 @@ void read_obstacles(const JsonAt& at, DecideRequest& request) {
     const std::string& kind = kind_at.text();
 
     if (kind == "sphere") {
-      item.expect_keys({"kind", "position", "radius"});
+      item.expect_keys({"kind", "position", "radius", "charted"});
       request.obstacles.push_back({.kind = Obstacle::Kind::sphere,
                                    .position = item.at("position").vector(),
                                    .radius = item.at("radius").not_negative()});
     } else if (kind == "segment") {
-      item.expect_keys({"kind", "from", "to"});
+      item.expect_keys({"kind", "from", "to", "charted"});
       request.obstacles.push_back(
           {.kind = Obstacle::Kind::segment, .from = item.at("from").vector(), .to = item.at("to").vector()});
     } else if (kind == "polygon") {
-      item.expect_keys({"kind", "vertices"});
+      item.expect_keys({"kind", "vertices", "charted"});
       request.vertices.push_back(read_vertices(item));
       request.obstacles.push_back({.kind = Obstacle::Kind::polygon, .vertices = request.vertices.back()});
     } else {
       kind_at.refuse("expected sphere, segment or polygon");
+    }
+    if (const auto charted = item.find("charted")) request.obstacles.back().charted = charted->flag();
+  }
+}
+
+/// Each entry of `object` as `prefix` + its key; a list of objects as its length and its flat items.
+void read_params(const JsonAt& object, const std::string& prefix, ParamValues& params) {
+  for (const std::string& key : object.keys()) {
+    const JsonAt at = object.at(key);
+    if (at.value().kind != Json::Kind::list || !prefix.empty()) {
+      params.emplace_back(prefix + key, at.param());
+      continue;
+    }
+    params.emplace_back(key, static_cast<double>(at.size()));
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      const JsonAt item = at.item(i);
+      if (item.value().kind != Json::Kind::object) item.refuse("expected an object");
+      read_params(item, fmt::format("{}[{}].", key, i), params);
     }
   }
 }
@@ -160,7 +181,7 @@ DecideRequest parse_situation(std::string_view text, std::size_t line) {
 
   if (const auto params = at.find("params")) {
     if (params->value().kind != Json::Kind::object) params->refuse("expected an object");
-    for (const std::string& key : params->keys()) request.params.emplace_back(key, params->at(key).param());
+    read_params(*params, "", request.params);
   }
   return request;
 }

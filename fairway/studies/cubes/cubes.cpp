@@ -2,14 +2,13 @@
 #include "fairway/studies/cubes/cubes.hpp"
 
 #include <algorithm>
-#include <unordered_map>
 
 #include "fairway/avoidance/direct/direct.hpp"
-#include "fairway/experiment/executor.hpp"
 #include "fairway/experiment/measure_run.hpp"
 #include "fairway/studies/cubes/as_coded.hpp"
 #include "fairway/studies/cubes/cubes_page.hpp"
 #include "fairway/studies/cubes/findings.hpp"
+#include "fairway/studies/study_runs.hpp"
 
 namespace fairway::cubes {
 namespace {
@@ -17,23 +16,6 @@ namespace {
 Scenario scenario_of(const PlannedRun& run) {
   const Cell& cell = *run.cell;
   return cube_scenario(*cell.cube, *cell.method, cell.code, cell.tuning, run.spec.seed);
-}
-
-std::vector<CellResults> collect(const std::vector<Cell>& cells, std::span<const PlannedRun> plan,
-                                 const Store& store) {
-  std::unordered_map<std::string, std::vector<Measure>> by_key;
-  for (RunRecord& record : store.all()) {
-    if (!record.failure.empty()) throw InputError("run " + record.spec.key + " failed: " + record.failure);
-    by_key.emplace(std::move(record.spec.key), std::move(record.measures));
-  }
-  std::vector<CellResults> results;
-  for (const Cell& cell : cells) results.push_back({&cell, {}});
-  for (const PlannedRun& run : plan) {
-    const auto found = by_key.find(run.spec.key);
-    if (found == by_key.end()) continue;
-    results[static_cast<std::size_t>(run.cell - cells.data())].runs.push_back(found->second);
-  }
-  return results;
 }
 
 }  // namespace
@@ -44,18 +26,22 @@ Catalogs cube_catalogs() {
   return catalogs;
 }
 
-std::vector<CellResults> run_cells(const std::vector<Cell>& cells, Store& store,
-                                   const StudyOptions& options) {
+std::vector<CellResults> run_cells(const std::vector<Cell>& cells, const StudyOptions& options) {
   const std::vector<PlannedRun> plan = plan_of(cells);
-  std::vector<RunSpec> specs;
-  for (const PlannedRun& run : plan) specs.push_back(run.spec);
-
+  std::vector<StudyRun> runs;
+  for (const PlannedRun& run : plan) runs.push_back({run.spec, [&run] { return scenario_of(run); }});
   const Catalogs catalogs = cube_catalogs();
-  const ExecutorReport done = run_missing(
-      specs, [&](std::size_t i) { return measure_run(scenario_of(plan[i]), catalogs, options.stop); }, store,
-      {.jobs = options.jobs, .progress = options.progress, .stop = options.stop});
-  if (done.stopped) return {};
-  return collect(cells, plan, store);
+  const auto measure = [&](const Scenario& scenario, const std::atomic<bool>* stop) {
+    return measure_run(scenario, catalogs, stop);
+  };
+  auto measures = make_runs(runs, measure, options);
+  if (!measures) return {};
+
+  std::vector<CellResults> results;
+  for (const Cell& cell : cells) results.push_back({&cell, {}});
+  for (std::size_t i = 0; i < plan.size(); ++i)
+    results[static_cast<std::size_t>(plan[i].cell - cells.data())].runs.push_back(std::move((*measures)[i]));
+  return results;
 }
 
 StudyResult run_cubes(const StudyOptions& options) {
@@ -65,9 +51,7 @@ StudyResult run_cubes(const StudyOptions& options) {
     std::ranges::copy(heading_cells(), std::back_inserter(cells));
     std::ranges::copy(comparison_cells(Code::corrected, options.seeds), std::back_inserter(cells));
   }
-  Store temporary = Store::in_memory();
-  const std::vector<CellResults> results =
-      run_cells(cells, options.store != nullptr ? *options.store : temporary, options);
+  const std::vector<CellResults> results = run_cells(cells, options);
   if (results.empty()) return {.complete = false};
 
   StudyResult study{.rows = rows_of(results)};

@@ -13,9 +13,9 @@ Study study();
 /// What comes with fairway, and the published code's ways (as_coded.hpp).
 Catalogs cube_catalogs();
 
-/// Makes the runs of these cells that the store lacks. Empty if stopped before all were made. `cells` must
-/// outlive the results.
-std::vector<CellResults> run_cells(const std::vector<Cell>& cells, Store& store, const StudyOptions& options);
+/// Makes the runs of these cells that the options' store lacks. Empty if stopped before all were made.
+/// `cells` must outlive the results.
+std::vector<CellResults> run_cells(const std::vector<Cell>& cells, const StudyOptions& options);
 
 /// The whole experiment: parameter phase and comparison phase as coded, five runs a cell, then the
 /// comparison corrected, `options.seeds` runs a cell.

@@ -44,17 +44,17 @@ TEST(Cubes, TheExperimentHasThePublishedSize) {
 TEST(Cubes, AnyNumberOfThreadsGivesTheSameBits) {
   const std::vector<Cell> cells = few_cells();
   Store one = Store::in_memory(), three = Store::in_memory();
-  run_cells(cells, one, {.jobs = 1});
-  run_cells(cells, three, {.jobs = 3});
+  run_cells(cells, {.jobs = 1, .store = &one});
+  run_cells(cells, {.jobs = 3, .store = &three});
   EXPECT_EQ(csv_of(one), csv_of(three));
 }
 
 TEST(Cubes, WhatTheStoreHasIsNotRunAgain) {
   const std::vector<Cell> cells = few_cells();
   Store store = Store::in_memory();
-  const auto first = run_cells(cells, store, {});
+  const auto first = run_cells(cells, {.store = &store});
   std::atomic<bool> stop{true};  // nothing may be begun, and nothing needs to be
-  const auto second = run_cells(cells, store, {.stop = &stop});
+  const auto second = run_cells(cells, {.store = &store, .stop = &stop});
   ASSERT_EQ(second.size(), first.size());
   for (std::size_t i = 0; i < first.size(); ++i) EXPECT_EQ(first[i].runs, second[i].runs);
 }
@@ -62,7 +62,7 @@ TEST(Cubes, WhatTheStoreHasIsNotRunAgain) {
 TEST(Cubes, EveryPublishedNumberHasARowWithAVerdict) {
   const std::vector<Cell> cells = few_cells();
   Store store = Store::in_memory();
-  const std::vector<StudyRow> rows = rows_of(run_cells(cells, store, {}));
+  const std::vector<StudyRow> rows = rows_of(run_cells(cells, {.store = &store}));
   for (const Method& method : methods()) {
     for (const Quantity& quantity : published_quantities()) {
       const auto row = std::ranges::find_if(rows, [&](const StudyRow& r) {

@@ -8,6 +8,7 @@ import type { Cell, Column } from './model';
 /** Verdicts from the best to the worst, which is also how they sort. */
 export const verdicts: Record<string, { symbol: string; words: string }> = {
   reproduced: { symbol: '✓', words: 'reproduced' },
+  reproduced_assuming: { symbol: '✓*', words: 'reproduced, assuming' },
   within_spread: { symbol: '≈', words: 'within spread' },
   partly: { symbol: '◐', words: 'partly' },
   not_reproduced: { symbol: '✕', words: 'not reproduced' },
