@@ -20,6 +20,7 @@ if(NOT CMAKE_SCRIPT_MODE_FILE)
       COMMENT "Embedding ${file}"
       VERBATIM)
     target_sources(${target} PRIVATE ${output})
+    add_custom_target(fairway_embedded DEPENDS ${output})
   endfunction()
   return()
 endif()

@@ -23,6 +23,8 @@ std::vector<std::string> everybody() {
   for (const Catalog::Entry& entry : catalog.entries()) names.emplace_back(entry.info.name);
   names.emplace_back("apf+stop_and_wait");
   names.emplace_back("orca3d+stop_and_wait");
+  names.emplace_back("orca3d+safety_filter");
+  names.emplace_back("wall_following+safety_filter");
   return names;
 }
 
@@ -276,8 +278,9 @@ TEST(Catalog, RefusesAValueOutOfRangeAndSaysWhatIsAccepted) {
               testing::HasSubstr("one of clamped, bang_bang"));
 }
 
-TEST(Catalog, KnowsStopAndWaitByItsShortName) {
+TEST(Catalog, KnowsWrappersByTheirShortNames) {
   EXPECT_EQ(builtin_avoiders().make("apf+saw").info().name, "stop_and_wait");
+  EXPECT_EQ(builtin_avoiders().make("apf+cbf").info().name, "safety_filter");
 }
 
 TEST(Catalog, ListsTheParametersOfAllLayersOnce) {

@@ -2,14 +2,25 @@
 #include "fairway/avoidance/apf/apf.hpp"
 #include "fairway/avoidance/catalog.hpp"
 #include "fairway/avoidance/direct/direct.hpp"
+#include "fairway/avoidance/hard_switching/hard_switching.hpp"
 #include "fairway/avoidance/orca3d/orca3d.hpp"
+#include "fairway/avoidance/safety_filter/safety_filter.hpp"
 #include "fairway/avoidance/stop_and_wait/stop_and_wait.hpp"
+#include "fairway/avoidance/wall_following/wall_following.hpp"
 
 namespace fairway {
 
 Catalog builtin_avoiders() {
-  return Catalog{}.add<Direct>().add<Apf>().add<Orca3d>().add_wrapper<StopAndWait, Direct>().alias(
-      "saw", "stop_and_wait");
+  return Catalog{}
+      .add<Direct>()
+      .add<Apf>()
+      .add<Orca3d>()
+      .add<HardSwitching>()
+      .add<WallFollowing>()
+      .add_wrapper<StopAndWait, Direct>()
+      .add_wrapper<SafetyFilter, Direct>()
+      .alias("saw", "stop_and_wait")
+      .alias("cbf", "safety_filter");
 }
 
 }  // namespace fairway

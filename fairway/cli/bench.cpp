@@ -81,9 +81,9 @@ Scenario crossing(const std::string& model, const std::string& algorithm) {
 /// Vehicle-steps per second on one core.
 double steps_per_second(const std::string& model, const std::string& algorithm, double budget_s) {
   Simulation simulation{crossing(model, algorithm), builtin_catalogs()};
-  constexpr int batch = 2000;
+  constexpr std::int64_t batch = 2000;
   const double seconds = seconds_per_operation(budget_s, batch * 8, [&] {
-    for (int i = 0; i < batch; ++i) simulation.step({});
+    for (std::int64_t i = 0; i < batch; ++i) simulation.step({});
   });
   return 1.0 / seconds;
 }

@@ -29,7 +29,7 @@ void write_file(const std::filesystem::path& path, const std::string& text) {
 }
 
 std::filesystem::path prepared(const std::string& out, const std::string& name) {
-  const std::filesystem::path directory = std::filesystem::path(out) / name;
+  std::filesystem::path directory = std::filesystem::path(out) / name;
   std::error_code error;
   std::filesystem::create_directories(directory, error);
   if (error) throw InputError(directory.string() + ": cannot be made a folder: " + error.message());

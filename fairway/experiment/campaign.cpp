@@ -32,7 +32,7 @@ std::optional<std::string> read_file(const std::string& file) {
   return text;
 }
 
-std::vector<CampaignScenario> read_scenarios(const CampaignFile& written, const std::string& file) {
+std::vector<CampaignScenario> load_scenarios(const CampaignFile& written, const std::string& file) {
   std::vector<CampaignScenario> scenarios;
   std::unordered_set<std::string> cases;
   for (const CampaignScenarioFile& scenario : written.scenarios) {
@@ -178,7 +178,7 @@ Campaign parse_campaign(std::string_view yaml, const std::string& file, const Ch
   Campaign campaign{.name = written.name,
                     .summary = written.summary,
                     .file = file,
-                    .scenarios = read_scenarios(written, file),
+                    .scenarios = load_scenarios(written, file),
                     .cells = {},
                     .seed_count = written.seed_count,
                     .specs = {},

@@ -16,10 +16,8 @@ using yaml::Tree;
 using yaml::Value;
 
 template <class T>
-Form<T> read_only(std::function<T(const Value&)> read, Tree schema) {
-  return {.read = std::move(read),
-          .write = [](const T&) { return std::optional<Tree>{}; },
-          .schema = std::move(schema)};
+Form<T> read_only(std::function<T(const Value&)> read, const Tree& schema) {
+  return {.read = std::move(read), .write = [](const T&) { return std::optional<Tree>{}; }, .schema = schema};
 }
 
 Tree schema_text(std::string_view json) { return yaml::parse_tree(json, "schema"); }

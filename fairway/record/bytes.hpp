@@ -28,6 +28,8 @@ class Malformed : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+[[noreturn]] inline void damaged(const std::string& what) { throw Malformed{"damaged recording: " + what}; }
+
 /// Appends a block.
 inline void put(Bytes& out, ByteView block) {
   const std::size_t before = out.size();

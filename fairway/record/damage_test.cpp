@@ -112,7 +112,7 @@ TEST(DamagedRecording, WithAHugeLengthTakesNoMemoryForIt) {
 
 // Files whose checksums are right and whose content is not.
 struct Forgery {
-  std::string format = "1";
+  std::string format = "2";
   std::string vehicles = R"([{"id":1,"name":"a","model":"m","topic":"/a"}])";
   std::string end_hash = "0";
   std::string frame_count = "0";
@@ -167,8 +167,12 @@ void write_status(McapWriter& mcap, std::int64_t tick) {
 
 TEST(ForgedRecording, IsRefusedForWhatIsWrongInIt) {
   EXPECT_EQ(Forgery{}.refusal_of(), "");
-  EXPECT_THAT((Forgery{.format = "2"}.refusal_of()),
-              HasSubstr("a recording of format 2, made by fairway 9.9; expected format 1 or older"));
+  EXPECT_THAT(
+      (Forgery{.format = "3"}.refusal_of()),
+      HasSubstr("a recording of format 3, made by fairway 9.9; expected format 2: use a newer fairway"));
+  EXPECT_THAT(
+      (Forgery{.format = "1"}.refusal_of()),
+      HasSubstr("a recording of format 1, made by fairway 9.9; expected format 2: run its scenario again"));
   EXPECT_THAT((Forgery{.format = "x"}.refusal_of()), HasSubstr("format is 'x'; expected a number"));
   EXPECT_THAT((Forgery{.vehicles = "[{"}.refusal_of()), HasSubstr("list of vehicles"));
   EXPECT_THAT((Forgery{.vehicles = R"([{"id":"a"}])"}.refusal_of()), HasSubstr("list of vehicles"));

@@ -16,8 +16,6 @@ using mcap::Opcode;
 // larger chunks are refused before memory is taken: the writer closes one at 1 MiB
 constexpr std::uint64_t max_chunk_size = std::uint64_t{64} << 20U;
 
-[[noreturn]] void damaged(const std::string& what) { throw Malformed{"damaged recording: " + what}; }
-
 struct Record {
   Opcode opcode{};
   ByteView content;

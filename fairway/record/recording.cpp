@@ -18,8 +18,6 @@ namespace fairway {
 
 namespace {
 
-[[noreturn]] void damaged(const std::string& what) { throw Malformed{"damaged recording: " + what}; }
-
 const McapReader::Map& metadata(const McapReader& mcap, std::string_view name) {
   const auto found = mcap.metadata().find(std::string(name));
   if (found == mcap.metadata().end()) damaged("metadata '" + std::string(name) + "' is missing");

@@ -43,10 +43,9 @@ void check_keys(const Value& value, const std::vector<std::string_view>& names,
   }
 }
 
-Tree object_schema(std::vector<std::pair<std::string, Tree>> properties,
+Tree object_schema(const std::vector<std::pair<std::string, Tree>>& properties,
                    const std::vector<std::string_view>& needed) {
-  Tree schema =
-      Tree::map({{"type", Tree::quote("object")}, {"properties", Tree::map(std::move(properties))}});
+  Tree schema = Tree::map({{"type", Tree::quote("object")}, {"properties", Tree::map(properties)}});
   if (!needed.empty()) {
     Tree names = Tree::list();
     for (const std::string_view name : needed) names.items.push_back(Tree::quote(name));

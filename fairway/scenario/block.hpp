@@ -60,7 +60,7 @@ void check_keys(const Value& value, const std::vector<std::string_view>& names,
                 const std::vector<std::string_view>& needed);
 
 /// A JSON schema's object of the given properties.
-Tree object_schema(std::vector<std::pair<std::string, Tree>> properties,
+Tree object_schema(const std::vector<std::pair<std::string, Tree>>& properties,
                    const std::vector<std::string_view>& needed);
 Tree described(Tree schema, std::string_view meaning);
 
@@ -101,7 +101,7 @@ Tree schema_of(const Block<Owner>& block) {
   std::vector<std::pair<std::string, Tree>> properties;
   for (const Key<Owner>& key : block)
     properties.emplace_back(key.name, detail::described(key.schema, key.meaning));
-  return detail::object_schema(std::move(properties), detail::names_of(block, true));
+  return detail::object_schema(properties, detail::names_of(block, true));
 }
 
 /// A mapping as a value of its own.

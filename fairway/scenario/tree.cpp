@@ -9,11 +9,11 @@ namespace fairway::yaml {
 
 Tree Tree::number(double value) { return word(number_text(value)); }
 
-Tree Tree::map(std::vector<std::pair<std::string, Tree>> entries) {
+Tree Tree::map(const std::vector<std::pair<std::string, Tree>>& entries) {
   Tree tree{.kind = Kind::map};
-  for (auto& [key, value] : entries) {
-    tree.keys.push_back(std::move(key));
-    tree.items.push_back(std::move(value));
+  for (const auto& [key, value] : entries) {
+    tree.keys.push_back(key);
+    tree.items.push_back(value);
   }
   return tree;
 }

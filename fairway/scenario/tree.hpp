@@ -42,7 +42,7 @@ struct Tree {
   }
   static Tree number(double value);
   static Tree list(std::vector<Tree> items = {}) { return {.kind = Kind::list, .items = std::move(items)}; }
-  static Tree map(std::vector<std::pair<std::string, Tree>> entries = {});
+  static Tree map(const std::vector<std::pair<std::string, Tree>>& entries = {});
 
   bool is_null() const { return kind == Kind::null; }
   bool is_scalar() const { return kind == Kind::scalar; }

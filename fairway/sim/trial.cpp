@@ -250,10 +250,11 @@ void append_row(std::string& text, double time, const VehicleState& x) {
 /// Moves `vehicle` by `duration` [s] in equal steps no longer than step_s.
 void hold(Vehicle& vehicle, const ActuatorValues& input, const Water& water, double duration,
           const Execution& execution) {
-  const double steps = std::fmax(1.0, std::ceil(duration / execution.step_s * (1.0 - 1e-12)));
-  const double h = duration / steps;
+  const auto steps =
+      static_cast<std::int64_t>(std::fmax(1.0, std::ceil(duration / execution.step_s * (1.0 - 1e-12))));
+  const double h = duration / static_cast<double>(steps);
   if (!execution.actuator_dynamics) vehicle.set_actuator_state(input);
-  for (double i = 0.0; i < steps; ++i) {
+  for (std::int64_t i = 0; i < steps; ++i) {
     if (execution.actuator_dynamics) {
       vehicle.step(input, water, h);
     } else {

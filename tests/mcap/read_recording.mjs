@@ -87,6 +87,12 @@ function actuators(row) {
   return values;
 }
 
+/** X, Y, Z, K, M, N; zeros where there is none. */
+function wrench(row, prefix) {
+  const names = ["force_x_n", "force_y_n", "force_z_n", "moment_k_nm", "moment_m_nm", "moment_n_nm"];
+  return names.map((name) => number(row[prefix + name] || "0"));
+}
+
 /** A status message, from a row and the constants of its schema. */
 function expectedStatus(row, constants) {
   return {
@@ -96,11 +102,14 @@ function expectedStatus(row, constants) {
     mode: constants.get(`MODE_${row.mode.toUpperCase()}`),
     astern: row.astern === "true",
     has_heading: row.command_heading_rad !== "",
+    has_wrench: row.command_force_x_n !== "",
     command_velocity_mps: [row.command_n_mps, row.command_e_mps, row.command_d_mps].map(number),
     command_heading_rad: row.command_heading_rad === "" ? 0 : number(row.command_heading_rad),
+    command_wrench: wrench(row, "command_"),
     goal_m: [row.goal_n_m, row.goal_e_m, row.goal_d_m].map(number),
     goal_speed_mps: number(row.goal_speed_mps),
     power_w: number(row.power_w),
+    wrench: wrench(row, ""),
     actuators: actuators(row),
   };
 }

@@ -49,7 +49,7 @@ Command Orca3d::decide(const Situation& s, Memory&, Context& context) const noex
   const Vec3& v_opt = s.own.velocity;
   HalfSpaces half_spaces;
 
-  // vehicles share the work of avoiding each other
+  // vehicles share the work of avoiding each other; what does not react leaves all of it to us
   int neighbours = 0;
   for (const Track& track : s.tracks) {
     const Vec3 p = track.position - s.own.position;
@@ -58,10 +58,10 @@ Command Orca3d::decide(const Situation& s, Memory&, Context& context) const noex
     const orca::Encounter encounter{p, v_opt - track.velocity, s.own.radius + track.radius,
                                     parting_direction(s.own.id, track.id)};
     const orca::Change change = orca::least_change(encounter, params.time_horizon_s, s.period);
-    half_spaces.add(orca::half_space(change, v_opt, params.responsibility_ratio));
+    half_spaces.add(orca::half_space(change, v_opt, track.reacts ? params.responsibility_ratio : 1.0));
   }
 
-  // what does not move leaves all of it to us
+  // and so does what does not move
   for (const Obstacle& obstacle : s.obstacles) {
     const SurfacePoint surface = nearest_point(obstacle, s.own.position);
     if (surface.distance > range) continue;

@@ -17,7 +17,7 @@ namespace fairway {
 ///     p, v       relative position p_B - p_A and velocity v_A - v_B
 ///     r_A + r_B  R, own.radius + track.radius
 ///     v_opt      own.velocity
-///     1/2        responsibility_ratio
+///     1/2        responsibility_ratio; 1 for tracks that do not react
 struct Orca3d {
   static constexpr AlgorithmInfo info{
       .name = "orca3d",

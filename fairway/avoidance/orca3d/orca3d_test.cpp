@@ -51,6 +51,15 @@ TEST(Orca3d, FullResponsibilityTakesAllOfTheChange) {
   EXPECT_LT((command.velocity - (Vec3(1.0, 0.0, 0.0) + 0.5 * normal)).norm(), 1e-14);
 }
 
+TEST(Orca3d, WhatDoesNotReactLeavesAllOfTheChangeToUs) {
+  Encounter e = encounters::head_on(8.0);
+  const Command shared = decide(e);
+  e.tracks[0].reacts = false;
+  EXPECT_EQ(decide(e), decide(encounters::head_on(8.0), {.responsibility_ratio = 1.0}));
+  EXPECT_EQ(decide(e), decide(e, {.responsibility_ratio = 0.0}));
+  EXPECT_GT((decide(e).velocity - shared.velocity).norm(), 0.2);
+}
+
 TEST(Orca3d, MeetingBeyondTheHorizonChangesNothing) {
   // 8 m at 2 m/s with R = 2: they touch after 3 s
   EXPECT_EQ(decide(encounters::head_on(8.0), {.time_horizon_s = 2.9}).velocity, Vec3(1.0, 0.0, 0.0));

@@ -115,7 +115,7 @@ inline Encounter cube_centre(int count = 8, int own = 0, double edge = 20.0, dou
   s.period = 0.5;
   s.limits.max_speed = 0.5;
   for (int i = 0; i < count; ++i) {
-    const Vec3 start = vertices[static_cast<std::size_t>(i)];
+    const Vec3& start = vertices[static_cast<std::size_t>(i)];
     const Vec3 goal = 2.0 * centre - start;
     const Vec3 position = start + progress * (goal - start);
     const Vec3 velocity = 0.5 * unit(Vec3{goal - start});

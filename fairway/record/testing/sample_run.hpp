@@ -40,10 +40,12 @@ class SampleRun {
       v.command.mode = static_cast<Mode>(rng.index(EnumNames<Mode>::names.size()));
       v.command.astern = rng.index(2) == 1;
       if (rng.index(2) == 1) v.command.heading = rng.normal();
+      if (rng.index(2) == 1) v.command.wrench = (Wrench() << draw(), draw()).finished();
       v.phase = static_cast<Phase>(rng.index(EnumNames<Phase>::names.size()));
       v.goal = 100.0 * draw();
       v.goal_speed = rng.uniform(0.0, 2.0);
       v.power = rng.uniform(0.0, 500.0);
+      v.wrench << draw(), draw();
       for (std::size_t a = 0; a < i; ++a) actuators[k].push_back(rng.normal());
       vehicles.push_back(v);
     }

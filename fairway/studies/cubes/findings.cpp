@@ -17,8 +17,6 @@ constexpr std::array quantities{Quantity{"navigation_time_s", false}, Quantity{"
                                 Quantity{"avoided_count", false},     Quantity{"distance_m", false},
                                 Quantity{"collision_count", true},    Quantity{"stuck_count", true}};
 
-constexpr double published_runs = 5;
-
 /// What is known of a cell that comes out differently.
 std::string cause(const Cell& cell, const StudyRow& row) {
   if (cell.code == Code::corrected || !row.published) return "";

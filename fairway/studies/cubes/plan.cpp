@@ -9,8 +9,6 @@
 namespace fairway::cubes {
 namespace {
 
-constexpr int published_runs = 5;
-
 constexpr std::array crit_dists{6.0, 7.0, 10.0, 20.0};
 constexpr std::array ori_errors{0.4, 0.6, 0.8};
 constexpr std::array w2s{0.5, 2.5, 500.0};

@@ -10,6 +10,9 @@
 
 namespace fairway::cubes {
 
+/// A cell as published.
+inline constexpr int published_runs = 5;
+
 /// Which part of the experiment a run belongs to.
 enum class Part { tuning, comparison };
 
