@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/avoidance/hard_switching/point_sensors.hpp"
+
+#include <cmath>
+
+#include "fairway/core/angles.hpp"
+
+namespace fairway {
+namespace {
+
+Vec3 sensor_at(const Ownship& own, const PointSensors& sensors, int index) {
+  const double bearing = own.yaw + 2.0 * pi * index / sensors.count;
+  return own.position + sensors.arm * Vec3{std::cos(bearing), std::sin(bearing), 0.0};
+}
+
+}  // namespace
+
+std::optional<Detection> nearest_detected(const Situation& s, const PointSensors& sensors) noexcept {
+  std::optional<Detection> nearest;
+  const auto see = [&](const Detection& d) {
+    if (d.distance <= sensors.range && (!nearest || d.distance < nearest->distance)) nearest = d;
+  };
+  const auto from_all = [&](auto distance_from) {
+    double least = distance_from(sensor_at(s.own, sensors, 0));
+    for (int i = 1; i < sensors.count; ++i)
+      least = std::fmin(least, distance_from(sensor_at(s.own, sensors, i)));
+    return least;
+  };
+
+  for (const Obstacle& obstacle : s.obstacles) {
+    const auto distance = [&](const Vec3& sensor) { return nearest_point(obstacle, sensor).distance; };
+    see({centre_of(obstacle), Vec3::Zero(), from_all(distance)});
+  }
+  for (const Track& track : s.tracks) {
+    const auto distance = [&](const Vec3& sensor) { return (track.position - sensor).norm() - track.radius; };
+    see({track.position, track.velocity, from_all(distance)});
+  }
+  return nearest;
+}
+
+}  // namespace fairway

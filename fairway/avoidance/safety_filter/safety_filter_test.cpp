@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/avoidance/safety_filter/safety_filter.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "fairway/avoidance/direct/direct.hpp"
+#include "fairway/avoidance/testing/encounters.hpp"
+#include "fairway/core/testing/allocations.hpp"
+
+namespace fairway {
+namespace {
+
+using encounters::Encounter;
+
+Avoider around_direct(SafetyFilter::Params params = {}) {
+  return Avoider{SafetyFilter{params}, Avoider{Direct{{}}}};
+}
+
+/// Answers with the velocity and the forces it was made with.
+struct Always {
+  static constexpr AlgorithmInfo info{.name = "always"};
+  using Params = NoParams;
+  using Memory = NoMemory;
+  Params params;
+  Command command;
+  Command decide(const Situation&, Memory&, Context&) const noexcept { return command; }
+};
+
+Avoider around(const Command& command, SafetyFilter::Params params = {}) {
+  return Avoider{SafetyFilter{params}, Avoider{Always{{}, command}}};
+}
+
+/// Own ship of radius 1 m at the surface at rest, 40 m south of its goal.
+Encounter at_rest() {
+  Encounter e = encounters::shifted(encounters::open_water(), {0.0, 0.0, -50.0});
+  e.situation.own.velocity.setZero();
+  e.situation.goal.position = {40.0, 0.0, 0.0};
+  return e;
+}
+
+Obstacle sphere(double north, double east, double radius) {
+  return {.kind = Obstacle::Kind::sphere, .position = {north, east, 0.0}, .radius = radius};
+}
+
+struct Passage {
+  double clearance = 1e9;  ///< between own sphere and every surface [m]
+  double arrival = -1.0;   ///< first within 1 m of the goal [s]
+  int infeasible = 0;
+};
+
+/// Carries out velocities with a first-order lag [s], at once if zero; tracks keep their velocity.
+Passage passage(Encounter e, double duration, double lag, Avoider avoider = around_direct()) {
+  Passage p;
+  Situation& s = e.situation;
+  for (int k = 0; k < static_cast<int>(duration / s.period); ++k) {
+    s.time = k * s.period;
+    const Command command = avoider.decide(e.sorted());
+    p.infeasible += command.mode == Mode::infeasible ? 1 : 0;
+    const double kept = lag > 0.0 ? std::exp(-s.period / lag) : 0.0;
+    const Vec3 change = (1.0 - kept) * (command.velocity - s.own.velocity);
+    const double travelled = lag > 0.0 ? s.period - lag * (1.0 - kept) : s.period;
+    s.own.position += s.period * s.own.velocity + travelled * (command.velocity - s.own.velocity);
+    s.own.velocity += change;
+    for (Track& t : e.tracks) {
+      t.position += s.period * t.velocity;
+      p.clearance = std::fmin(p.clearance, (t.position - s.own.position).norm() - t.radius - s.own.radius);
+    }
+    for (const Obstacle& o : e.obstacles)
+      p.clearance = std::fmin(p.clearance, nearest_point(o, s.own.position).distance - s.own.radius);
+    if (p.arrival < 0.0 && (s.own.position - s.goal.position).norm() <= 1.0) p.arrival = s.time;
+  }
+  return p;
+}
+
+TEST(SafetyFilter, LeavesTheAnswerAsItIsWhereNothingIsNear) {
+  const Command asked{.velocity = {0.3, 0.1, -0.2},
+                      .mode = Mode::hold,
+                      .heading = 0.4,
+                      .wrench = Wrench::Constant(3.0),
+                      .note = "as it was"};
+  Encounter e = at_rest();
+  e.obstacles = {sphere(33.1, 0.0, 1.0)};  // 31.1 m from sphere to surface
+  EXPECT_EQ(around(asked).decide(e), asked);
+}
+
+TEST(SafetyFilter, LeavesTheAnswerAsItIsWhereItKeepsClear) {
+  const Command asked{.velocity = {-1.0, 0.1, 0.0}, .heading = 0.4};
+  Encounter e = at_rest();
+  e.obstacles = {sphere(8.0, 0.0, 1.0)};
+  EXPECT_EQ(around(asked).decide(e), asked);
+}
+
+TEST(SafetyFilter, AWrenchWithoutAModelIsLeftOutIfAnythingIsNear) {
+  const Command asked{.velocity = {-1.0, 0.0, 0.0}, .wrench = Wrench::Constant(3.0)};
+  Encounter e = at_rest();
+  e.obstacles = {sphere(8.0, 0.0, 1.0)};
+  EXPECT_FALSE(around(asked).decide(e).wrench.has_value());
+}
+
+TEST(SafetyFilter, CutsTheVelocityBackToWhatTheBarrierAllows) {
+  // 6 m between centres, R = 1 + 1 + 0.5: h = 29.75, at rest. Delta . a >= -k1 k2 h / 2, so no faster than
+  // T k1 k2 h / (2 * 6) towards it
+  Encounter e = at_rest();
+  e.obstacles = {sphere(6.0, 0.0, 1.0)};
+  const Command command = around_direct({.sidestep_ratio = 0.0}).decide(e);
+  EXPECT_EQ(command.mode, Mode::avoid);
+  EXPECT_NEAR(command.velocity.x(), 1.5 * 0.3 * 0.3 * 29.75 / 12.0, 1e-12);
+  EXPECT_NEAR(command.velocity.y(), 0.0, 1e-12);
+}
+
+TEST(SafetyFilter, StepsAsideToStarboardOfWhatIsDeadAhead) {
+  Encounter e = at_rest();
+  e.obstacles = {sphere(6.0, 0.0, 1.0)};
+  const Vec3 back = around_direct({.sidestep_ratio = 0.0}).decide(e).velocity;
+  const Vec3 aside = around_direct().decide(e).velocity;
+  EXPECT_NEAR(aside.x(), back.x(), 1e-12);
+  EXPECT_NEAR(aside.y(), 0.2 * (1.0 - back.x()), 1e-12);
+}
+
+TEST(SafetyFilter, WithTheLimitOfAccelerationItBrakesSoonerAndNeverHarder) {
+  Encounter e = at_rest();
+  e.situation.limits.max_acceleration = 0.1;
+  e.situation.own.velocity = {0.5, 0.0, 0.0};
+  e.obstacles = {sphere(6.0, 0.0, 1.0)};
+  for (double bearing = -3.0; bearing < 3.0; bearing += 0.3) {
+    const Vec3 asked{std::cos(bearing), std::sin(bearing), 0.0};
+    const Command command = around({.velocity = asked}).decide(e);
+    if (command.velocity == asked) continue;
+    EXPECT_LE((command.velocity - e.situation.own.velocity).norm(), 0.1 * 1.5 * (1 + 1e-9)) << bearing;
+  }
+}
+
+/// Eight spheres, a triangle and a wall between own ship and its goal; none within 1 m of own sphere.
+struct Field {
+  Encounter encounter = at_rest();
+  std::array<Vec3, 3> triangle;
+
+  explicit Field(Rng rng) {
+    std::vector<Obstacle>& obstacles = encounter.obstacles;
+    const auto add = [&](const Obstacle& o) {
+      if (nearest_point(o, Vec3::Zero()).distance > 2.0) obstacles.push_back(o);
+    };
+    while (obstacles.size() < 8)
+      add(sphere(rng.uniform(0.0, 40.0), rng.uniform(-12.0, 12.0), rng.uniform(0.2, 3.0)));
+    const Vec3 corner{rng.uniform(6.0, 30.0), rng.uniform(-10.0, 10.0), 0.0};
+    triangle = {corner, corner + Vec3{5.0, -1.0, 0.0}, corner + Vec3{2.0, 5.0, 0.0}};
+    add({.kind = Obstacle::Kind::polygon, .vertices = triangle});
+    add({.kind = Obstacle::Kind::segment, .from = corner, .to = corner - Vec3{3.0, 4.0, 0.0}});
+  }
+  Field(const Field&) = delete;
+};
+
+TEST(SafetyFilter, AThousandFieldsAreCrossedWithoutATouch) {
+  constexpr std::array lags{0.0, 0.5, 1.5};  // up to response_s
+  double clearance = 1e9;
+  int infeasible = 0, arrived = 0;
+  for (std::uint64_t i = 0; i < 1000; ++i) {
+    const Field field{Rng{1}.stream("field", i)};
+    const Passage p = passage(field.encounter, 60.0, lags[i % 3]);
+    clearance = std::fmin(clearance, p.clearance);
+    infeasible += p.infeasible;
+    arrived += p.arrival > 0.0 ? 1 : 0;
+  }
+  EXPECT_GT(clearance, 0.5 - 1e-6);  // measured 0.50000004: the margin
+  EXPECT_EQ(infeasible, 0);
+  EXPECT_GT(arrived, 300);  // measured 340 within 60 s: it is no planner
+}
+
+TEST(SafetyFilter, WhatComesHeadOnAndDoesNotReactIsPassed) {
+  Encounter e = at_rest();
+  e.tracks = {encounters::track(1, {35.0, 0.0, 0.0}, {-0.5, 0.0, 0.0}, 2.0)};
+  e.tracks[0].reacts = false;
+  for (const double lag : {0.0, 1.0, 1.5}) {
+    const Passage p = passage(e, 150.0, lag);
+    EXPECT_GT(p.clearance, 0.5) << lag;  // measured 1.15 to 1.40
+    EXPECT_GT(p.arrival, 0.0) << lag;
+  }
+}
+
+TEST(SafetyFilter, OfWhatReactsHalfIsLeftToIt) {
+  Encounter e = at_rest();
+  e.situation.own.velocity = {1.0, 0.0, 0.0};
+  e.tracks = {encounters::track(1, {8.0, 0.0, 0.0}, {-1.0, 0.0, 0.0})};
+  const SafetyFilter::Params straight{.sidestep_ratio = 0.0};
+  const double shared = 1.0 - around_direct(straight).decide(e).velocity.x();
+  e.tracks[0].reacts = false;
+  e.situation.limits.max_speed = 100.0;
+  const double alone = 1.0 - around_direct(straight).decide(e).velocity.x();
+  EXPECT_GT(shared, 0.1);
+  EXPECT_NEAR(shared, 0.5455, 1e-3);
+  EXPECT_NEAR(alone, 0.9172, 1e-3);
+}
+
+TEST(SafetyFilter, TwoWhoBothUseItPassEachOther) {
+  std::array<Encounter, 2> agents{at_rest(), at_rest()};
+  agents[1].situation.own = {.id = VehicleId{1}, .position = {40.0, 0.0, 0.0}, .yaw = pi};
+  agents[1].situation.goal.position = {0.0, 0.0, 0.0};
+  std::array<Avoider, 2> avoiders{around_direct(), around_direct()};
+  double clearance = 1e9;
+  for (int step = 0; step < 1500; ++step) {
+    std::array<Command, 2> commands;
+    for (std::uint32_t k = 0; k < 2; ++k) {
+      const Ownship& other = agents[1 - k].situation.own;
+      agents[k].tracks = {encounters::track(1 - k, other.position, other.velocity)};
+      commands[k] = avoiders[k].decide(agents[k]);
+    }
+    for (std::uint32_t k = 0; k < 2; ++k) {
+      Ownship& own = agents[k].situation.own;
+      own.velocity += 0.1 / 1.5 * (commands[k].velocity - own.velocity);
+      own.position += 0.1 * own.velocity;
+    }
+    clearance = std::fmin(clearance,
+                          (agents[0].situation.own.position - agents[1].situation.own.position).norm() - 2.0);
+  }
+  EXPECT_GT(clearance, 0.5);  // measured 2.28
+  for (const Encounter& e : agents)
+    EXPECT_LT((e.situation.own.position - e.situation.goal.position).norm(), 0.5);
+}
+
+TEST(SafetyFilter, TooLateItBrakesToStopAtTheMarginAndSaysSo) {
+  // 3 m/s towards a surface 6 m beyond the margin: 3^2 / (2 * 6) = 0.75 m/s2, 1.125 m/s less in 1.5 s
+  Encounter e = at_rest();
+  e.situation.limits.max_speed = 3.0;
+  e.situation.goal.cruise_speed = 3.0;
+  e.situation.own.velocity = {3.0, 0.0, 0.0};
+  e.obstacles = {sphere(1008.5, 0.0, 1001.0)};
+  const Command command = around_direct({.sidestep_ratio = 0.0}).decide(e);
+  EXPECT_FALSE(command.note.empty());
+  EXPECT_EQ(command.mode, Mode::avoid);
+  EXPECT_LE(command.velocity.x(), 3.0 - 1.125 + 1e-9);
+  const Passage p = passage(e, 100.0, 1.5);
+  EXPECT_GT(p.clearance, 0.5 - 1e-6);  // measured 0.50006
+}
+
+TEST(SafetyFilter, AllocatesNothing) {
+  Encounter e = at_rest();
+  for (int i = 0; i < 10; ++i) e.obstacles.push_back(sphere(6.0 + i, 2.0 * i - 9.0, 1.0));
+  Avoider avoider = around_direct();
+  const long before = allocation_count();
+  EXPECT_EQ(avoider.decide(e).mode, Mode::avoid);
+  EXPECT_EQ(allocation_count(), before);
+}
+
+}  // namespace
+}  // namespace fairway
