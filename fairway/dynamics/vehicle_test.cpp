@@ -83,7 +83,8 @@ TEST(Vehicle, SettingActuatorsAndDriftingIsAStepWithoutLag) {
 }
 
 TEST(Vehicle, ACopyIsASnapshot) {
-  for (const VehicleCatalog::Entry& entry : builtin_vehicles().entries()) {
+  const VehicleCatalog catalog = builtin_vehicles();
+  for (const VehicleCatalog::Entry& entry : catalog.entries()) {
     Vehicle vehicle = entry.make({});
     const ActuatorValues command = values(0.2, 0.3, 0.1);
     for (int i = 0; i < 20; ++i) vehicle.step(command, {}, 0.05);
@@ -100,7 +101,8 @@ TEST(Vehicle, ACopyIsASnapshot) {
 }
 
 TEST(Vehicle, StepsWithoutAllocating) {
-  for (const VehicleCatalog::Entry& entry : builtin_vehicles().entries()) {
+  const VehicleCatalog catalog = builtin_vehicles();
+  for (const VehicleCatalog::Entry& entry : catalog.entries()) {
     Vehicle vehicle = entry.make({});
     const ActuatorValues command = values(0.2, 0.3, 0.1);
     const long before = allocation_count();
@@ -114,7 +116,8 @@ TEST(Vehicle, StepsWithoutAllocating) {
 }
 
 TEST(VehicleCatalog, EveryVehicleIsDescribedAndStaysFiniteUnderFullCommands) {
-  for (const VehicleCatalog::Entry& entry : builtin_vehicles().entries()) {
+  const VehicleCatalog catalog = builtin_vehicles();
+  for (const VehicleCatalog::Entry& entry : catalog.entries()) {
     Vehicle vehicle = entry.make({});
     EXPECT_FALSE(entry.info.title.empty());
     EXPECT_FALSE(entry.info.source.empty());

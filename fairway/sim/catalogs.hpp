@@ -3,6 +3,7 @@
 
 #include "fairway/avoidance/catalog.hpp"
 #include "fairway/dynamics/catalog.hpp"
+#include "fairway/planning/builtin.hpp"
 
 namespace fairway {
 
@@ -13,6 +14,10 @@ struct Catalogs {
 };
 
 /// All that comes with fairway.
-inline Catalogs builtin_catalogs() { return {builtin_avoiders(), builtin_vehicles()}; }
+inline Catalogs builtin_catalogs() {
+  Catalogs catalogs{builtin_avoiders(), builtin_vehicles()};
+  add_planners(catalogs.avoiders);
+  return catalogs;
+}
 
 }  // namespace fairway

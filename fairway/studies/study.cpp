@@ -8,6 +8,7 @@
 
 #include "fairway/core/names.hpp"
 #include "fairway/studies/cubes/cubes.hpp"
+#include "fairway/studies/transport/transport.hpp"
 
 namespace fairway {
 namespace {
@@ -50,7 +51,7 @@ void judge(StudyRow& row, bool is_count) {
 }
 
 std::span<const Study> builtin_studies() {
-  static const std::array all{cubes::study()};
+  static const std::array all{cubes::study(), transport::study()};
   return all;
 }
 
@@ -89,14 +90,15 @@ nlohmann::json rows_json(std::string_view study, std::span<const StudyRow> rows)
 
 std::string rows_text(std::span<const StudyRow> rows) {
   std::string text =
-      fmt::format("{:<17} {:<11} {:<10} {:<20} {:>10} {:>10} {:>21} {:>6} {:>8}  {}\n", "case", "method",
+      fmt::format("{:<17} {:<22} {:<12} {:<25} {:>10} {:>10} {:>21} {:>6} {:>9}  {}\n", "case", "method",
                   "mode", "quantity", "published", "measured", "95 % interval", "runs", "dev.", "verdict");
   for (const StudyRow& row : rows) {
     if (!row.params.empty()) continue;  // the grid is for --json and the report
     const auto deviation = row.deviation_ratio();
-    const std::string interval =
-        std::isfinite(row.low) ? fmt::format("[{:.1f}, {:.1f}]", row.low, row.high) : "";
-    text += fmt::format("{:<17} {:<11} {:<10} {:<20} {:>10} {:>10.1f} {:>21} {:>6} {:>8}  {}\n", row.cell,
+    const std::string interval = std::isfinite(row.low) && row.low < row.high
+                                     ? fmt::format("[{:.1f}, {:.1f}]", row.low, row.high)
+                                     : "";
+    text += fmt::format("{:<17} {:<22} {:<12} {:<25} {:>10} {:>10.1f} {:>21} {:>6} {:>9}  {}\n", row.cell,
                         row.method, row.mode, row.quantity,
                         row.published ? fmt::format("{:.1f}", *row.published) : "-", row.measured, interval,
                         row.runs, deviation ? fmt::format("{:+.1f} %", 100 * *deviation) : "",

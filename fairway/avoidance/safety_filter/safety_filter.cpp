@@ -156,8 +156,7 @@ void draw(Sketch& sketch, const Command& inner, const Command& filtered) {
 
 }  // namespace
 
-Command SafetyFilter::decide(const Situation& s, Avoider& inner, Memory&, Context& context) const noexcept {
-  Command asked = inner.decide(s, context.sketch);
+Command SafetyFilter::filtered(const Situation& s, const Command& asked, Sketch* sketch) const noexcept {
   const bool by_forces = asked.wrench && has_masses(s.model);
   const Barriers barriers{params, s, by_forces ? 0.0 : params.response_s};
   if (barriers.empty()) return asked;
@@ -181,7 +180,7 @@ Command SafetyFilter::decide(const Situation& s, Avoider& inner, Memory&, Contex
   answer.mode = choice->is_feasible() ? Mode::avoid : Mode::infeasible;
   if (barriers.any_late()) answer.note = "closing in faster than the safety filter lets: it began too late";
   if (!choice->is_feasible()) answer.note = "nothing within the bounds keeps clear of all";
-  if (context.sketch) draw(*context.sketch, asked, answer);
+  if (sketch != nullptr) draw(*sketch, asked, answer);
   return answer;
 }
 

@@ -52,7 +52,7 @@ struct SafetyFilter {
   /// The inner avoider's answer itself if it keeps clear. Otherwise Mode::avoid; Mode::infeasible if nothing
   /// within the bounds keeps clear of all, with what violates it least. `Command::note` says if it began too
   /// late. Without a model a wrench cannot be judged and is left out if anything is near.
-  Command decide(const Situation& s, Avoider& inner, Memory& memory, Context& context) const noexcept {
+  Command decide(const Situation& s, Avoider& inner, Memory&, Context& context) const noexcept {
     return filtered(s, inner.decide(s, context.sketch), context.sketch);
   }
 

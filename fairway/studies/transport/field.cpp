@@ -2,6 +2,7 @@
 #include "fairway/studies/transport/field.hpp"
 
 #include <algorithm>
+#include <bitset>
 
 #include "fairway/core/rng.hpp"
 
@@ -29,7 +30,7 @@ ObstacleSpec sphere(const Vec3& at, double radius) {
 }
 
 void add_discs(Field& field, FieldKind kind, Rng rng) {
-  const std::uint64_t count = 6 + rng.index(5);
+  const std::uint64_t count = 8 + rng.index(7);
   while (field.obstacles.size() < count) {
     const double radius = rng.uniform(1.0, 4.0);
     const Vec3 at = place_in(rng, 0.0, edge);
@@ -56,69 +57,76 @@ void add_drifters(Field& field, Rng rng) {
   }
 }
 
-/// What a disc can reach on a grid, step by step in time.
+/// What a disc can reach on a grid, step by step in time. A row of cells is a row of bits.
 class ReachableSet {
  public:
-  explicit ReachableSet(const Field& field) : free_(cells, 1), reached_(cells, 0), next_(cells, 0) {
+  explicit ReachableSet(const Field& field) {
+    for (Row& row : free_) row.set();
     for (const ObstacleSpec& obstacle : field.obstacles) {
       if (!obstacle.moves()) cover(free_, obstacle.position, obstacle.radius + inflation);
     }
-    const auto [row, column] = cell_of(field.start);
-    reached_[index(row, column)] = free_[index(row, column)];
+    mark(reached_, field.start, size);
+    for (std::size_t i = 0; i < rows; ++i) reached_[i] &= free_[i];
   }
 
   void step(const Field& field, double time) {
-    for (int row = 1; row + 1 < rows; ++row) {
-      for (int column = 1; column + 1 < rows; ++column) {
-        const std::size_t i = index(row, column);
-        const int near =
-            reached_[i] | reached_[i - 1] | reached_[i + 1] | reached_[i - rows] | reached_[i + rows];
-        next_[i] = static_cast<unsigned char>(near & free_[i]);
-      }
+    Grid next;
+    for (std::size_t i = 0; i < rows; ++i) {
+      next[i] = reached_[i] | reached_[i] << 1 | reached_[i] >> 1;
+      if (i > 0) next[i] |= reached_[i - 1];
+      if (i + 1 < rows) next[i] |= reached_[i + 1];
+      next[i] &= free_[i];
     }
     for (const ObstacleSpec& obstacle : field.obstacles) {
       if (obstacle.moves())
-        cover(next_, obstacle.position + time * obstacle.velocity, obstacle.radius + inflation);
+        cover(next, obstacle.position + time * obstacle.velocity, obstacle.radius + inflation);
     }
-    std::swap(reached_, next_);
+    reached_ = next;
   }
 
   bool holds_near(const Vec3& goal, double distance) const {
-    for (int row = 0; row < rows; ++row) {
-      for (int column = 0; column < rows; ++column) {
-        if (reached_[index(row, column)] != 0 && (centre(row, column) - goal).norm() <= distance) return true;
-      }
+    Grid near{};
+    mark(near, goal, distance);
+    for (std::size_t i = 0; i < rows; ++i) {
+      if ((near[i] & reached_[i]).any()) return true;
     }
     return false;
   }
 
  private:
-  static constexpr double size = 0.5;      // of a cell [m]
-  static constexpr double corner = -10.0;  // of the grid [m]
-  static constexpr int rows = 140;         // 70 m
-  static constexpr std::size_t cells = std::size_t{rows} * rows;
+  static constexpr double size = 0.5;       // of a cell [m]
+  static constexpr double corner = -10.0;   // of the grid [m]
+  static constexpr std::size_t rows = 140;  // 70 m
   static constexpr double inflation = footprint_radius + 0.5;
+  using Row = std::bitset<rows>;
+  using Grid = std::array<Row, rows>;
 
-  static std::size_t index(int row, int column) { return static_cast<std::size_t>(row * rows + column); }
-  static Vec3 centre(int row, int column) {
-    return {corner + size * (row + 0.5), corner + size * (column + 0.5), 0.0};
-  }
-  static std::pair<int, int> cell_of(const Vec3& p) {
-    return {static_cast<int>((p.x() - corner) / size), static_cast<int>((p.y() - corner) / size)};
-  }
-
-  /// Takes the cells of a disc out.
-  static void cover(std::vector<unsigned char>& set, const Vec3& at, double radius) {
-    const auto [low_row, low_column] = cell_of(at - Vec3{radius, radius, 0.0});
-    const auto [high_row, high_column] = cell_of(at + Vec3{radius, radius, 0.0});
-    for (int row = std::max(0, low_row); row <= std::min(rows - 1, high_row); ++row) {
-      for (int column = std::max(0, low_column); column <= std::min(rows - 1, high_column); ++column) {
-        if (horizontal_norm(centre(row, column) - at) < radius) set[index(row, column)] = 0;
+  /// Calls `visit(row, column)` for the cells whose centres lie in a disc.
+  template <class Visit>
+  static void for_disc(const Vec3& at, double radius, const Visit& visit) {
+    const auto clamped = [](double cell) {
+      return static_cast<std::size_t>(std::clamp(cell, 0.0, static_cast<double>(rows)));
+    };
+    const Vec3 low = (at.array() - radius - corner) / size;
+    const Vec3 high = (at.array() + radius - corner) / size + 1.0;
+    for (std::size_t row = clamped(low.x()); row < clamped(high.x()); ++row) {
+      for (std::size_t column = clamped(low.y()); column < clamped(high.y()); ++column) {
+        const double n = corner + size * (static_cast<double>(row) + 0.5) - at.x();
+        const double e = corner + size * (static_cast<double>(column) + 0.5) - at.y();
+        if (n * n + e * e < radius * radius) visit(row, column);
       }
     }
   }
 
-  std::vector<unsigned char> free_, reached_, next_;
+  static void cover(Grid& grid, const Vec3& at, double radius) {
+    for_disc(at, radius, [&](std::size_t row, std::size_t column) { grid[row].reset(column); });
+  }
+  static void mark(Grid& grid, const Vec3& at, double radius) {
+    for_disc(at, radius, [&](std::size_t row, std::size_t column) { grid[row].set(column); });
+  }
+
+  Grid free_{};
+  Grid reached_{};
 };
 
 }  // namespace
@@ -137,10 +145,11 @@ Field random_field(FieldKind kind, std::uint64_t seed) {
 }
 
 bool has_escape(const Field& field) {
-  constexpr double step = 2.0, patience = 1200.0, arrival = 1.0;  // [s, s, m]
+  constexpr double step = 2.0, arrival = 1.0;  // [s, m]
+  constexpr int steps = 600;
   ReachableSet set{field};
-  for (double time = step; time <= patience; time += step) {
-    set.step(field, time);
+  for (int i = 1; i <= steps; ++i) {
+    set.step(field, step * i);
     if (set.holds_near(field.goal, arrival)) return true;
   }
   return false;

@@ -23,7 +23,7 @@ std::string_view name_of(FieldKind kind);
 /// The footprint of the transport system: a disc that holds the four tips [m].
 inline constexpr double footprint_radius = 3.2;
 
-/// A square of 50 m with 6 to 10 discs of 1 to 4 m, to be crossed from corner to corner.
+/// A square of 50 m with 8 to 14 discs of 1 to 4 m, to be crossed from corner to corner.
 struct Field {
   Vec3 start = Vec3::Zero();
   Vec3 goal{50.0, 50.0, 0.0};

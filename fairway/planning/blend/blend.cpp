@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/planning/blend/blend.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <limits>
+
+#include "fairway/core/angles.hpp"
+
+namespace fairway {
+namespace {
+
+using Params = Blend::Params;
+using Memory = Blend::Memory;
+using Stage = Blend::Stage;
+
+constexpr double sample_s = 1.0;  ///< between points at which a trajectory is looked at
+
+/// The situation to whom everything met so far is charted.
+std::vector<Obstacle> chart_of(const Situation& s, const Finds& finds) {
+  std::vector<Obstacle> chart = finds.charted();
+  std::ranges::copy_if(s.obstacles, std::back_inserter(chart), &Obstacle::charted);
+  return chart;
+}
+
+std::shared_ptr<const Plan> planned(const Params& params, const Situation& s, const Finds& finds,
+                                    Context& context) {
+  const std::vector<Obstacle> chart = chart_of(s, finds);
+  Situation known = s;
+  known.obstacles = chart;
+  const auto seed = static_cast<std::uint32_t>(context.rng.next() >> 32U);
+  return std::make_shared<const Plan>(make_plan(params, plan_task(params, known), seed));
+}
+
+Vec2 place_at(const Memory& memory, double time) { return memory.plan->trajectory.sample(time).position; }
+
+/// Whether a track, kept at its velocity, comes nearer than the radii to who follows the trajectory.
+bool meets_track(const Params& params, const Situation& s, const Memory& memory) {
+  const double duration = memory.plan->trajectory.duration();
+  for (double ahead = 0.0; ahead <= params.lookahead_s; ahead += sample_s) {
+    const Vec2 own = place_at(memory, std::fmin(duration, memory.progress_s + ahead));
+    for (const Track& track : s.tracks) {
+      const Vec3 there = track.position + ahead * track.velocity;
+      const double room = s.own.radius + track.radius + params.margin_m;
+      if ((there.head<2>() - own).norm() < room) return true;
+    }
+  }
+  return false;
+}
+
+/// Whether what was met lies on the trajectory within the lookahead.
+bool meets_find(const Params& params, const Memory& memory) {
+  if (!memory.met) return false;
+  const double end = std::fmin(memory.plan->trajectory.duration(), memory.progress_s + params.lookahead_s);
+  for (double time = memory.progress_s; time <= end; time += sample_s) {
+    if (!memory.met->is_free(place_at(memory, time))) return true;
+  }
+  return false;
+}
+
+bool can_go_straight(const Memory& memory, const Vec2& from, const Vec2& to) {
+  return memory.plan->task.map.is_free(from, to) && (!memory.met || memory.met->is_free(from, to));
+}
+
+/// The nearest point of the trajectory ahead that can be gone to straight and has a free way on; behind what
+/// blocks it, if something does.
+std::optional<double> way_back(const Params& params, const Situation& s, const Memory& memory) {
+  const Vec2 own = seen_from_above(s.own.position);
+  std::optional<double> best;
+  double nearest = std::numeric_limits<double>::infinity();
+  Memory there = memory;
+  for (double time = memory.progress_s; time <= memory.plan->trajectory.duration(); time += sample_s) {
+    const Vec2 point = place_at(memory, time);
+    const double distance = (point - own).norm();
+    if (distance >= nearest || !can_go_straight(memory, own, point)) continue;
+    there.progress_s = time;
+    if (meets_find(params, there)) continue;
+    nearest = distance;
+    best = time;
+  }
+  return best;
+}
+
+/// Where going round is meant to lead: the next point of the trajectory behind what blocks it.
+Vec2 behind_block(const Params& params, const Memory& memory) {
+  const double duration = memory.plan->trajectory.duration();
+  Memory there = memory;
+  for (double time = memory.progress_s; time <= duration; time += sample_s) {
+    there.progress_s = time;
+    if (!meets_find(params, there)) return place_at(memory, std::fmin(duration, time + params.lookahead_s));
+  }
+  return memory.plan->task.goal;
+}
+
+/// How long it takes from here by the plan that there is: round the block on half a circle, and on.
+double expected_time(const Params& params, const Situation& s, const Memory& memory) {
+  const double speed = memory.plan->task.limits.max_speed_mps;
+  const double duration = memory.plan->trajectory.duration();
+  Memory there = memory;
+  double rejoin = duration;
+  for (double time = memory.progress_s; time <= duration; time += sample_s) {
+    there.progress_s = time;
+    if (meets_find(params, there)) continue;
+    rejoin = time;
+    break;
+  }
+  const double round = 0.5 * pi * (place_at(memory, rejoin) - seen_from_above(s.own.position)).norm();
+  return round / speed + duration - rejoin;
+}
+
+void adopt(std::shared_ptr<const Plan> plan, Memory& memory) {
+  memory.plan = std::move(plan);
+  memory.stage = Stage::following;
+  memory.progress_s = 0.0;
+  memory.wall = {};
+}
+
+/// Takes note of what was not charted; plans anew if it lies in the way and that is quicker.
+void learn(const Params& params, const Situation& s, Memory& memory, Context& context) {
+  if (!memory.finds.add(s.obstacles)) return;
+  const std::vector<Obstacle> met = memory.finds.charted();
+  memory.met = std::make_shared<const PlanarMap>(met, s.own.radius + params.margin_m);
+  if (!params.replan || memory.plan->status != PlanStatus::ready) return;
+
+  Memory whole = memory;
+  Params everything = params;
+  everything.lookahead_s = memory.plan->trajectory.duration();
+  if (!meets_find(everything, whole)) return;
+  std::shared_ptr<const Plan> other = planned(params, s, memory.finds, context);
+  if (other->status != PlanStatus::ready) return;
+  const double expected = expected_time(params, s, memory);
+  if (other->trajectory.duration() * (1.0 + params.replan_gain_ratio) < expected)
+    adopt(std::move(other), memory);
+}
+
+Command go_round(const Params& params, const Situation& s, const Vec2& target, Memory& memory,
+                 Context& context) {
+  WallFollowing wall;
+  wall.params.form = WallFollowingForm::corrected;
+  wall.params.standoff_m = params.standoff_m;
+  Situation towards = s;
+  towards.goal.position.head<2>() = target;
+  Command command = wall.decide(towards, memory.wall, context);
+  command.mode = std::max(command.mode, Mode::avoid);
+  return command;
+}
+
+/// The velocity along the trajectory and back to it; its clock waits for who is off it.
+Command follow(const Params& params, const Situation& s, double elapsed, Memory& memory) {
+  const Trajectory& trajectory = memory.plan->trajectory;
+  const double error = (place_at(memory, memory.progress_s) - seen_from_above(s.own.position)).norm();
+  const double rate = std::clamp(2.0 - error / params.slack_m, 0.0, 1.0);
+  memory.progress_s = std::fmin(trajectory.duration(), memory.progress_s + rate * elapsed);
+
+  const TrajectorySample now = trajectory.sample(memory.progress_s);
+  const Vec2 back = params.position_bandwidth_radps * (now.position - seen_from_above(s.own.position));
+  const Vec2 velocity = rate * now.velocity + back;
+  const double speed = std::fmin(s.limits.max_speed, std::fmax(s.goal.cruise_speed, now.velocity.norm()));
+  return {.velocity = clamp_norm({velocity.x(), velocity.y(), 0.0}, speed)};
+}
+
+/// What to do before the filter.
+Command choose(const Params& params, const Situation& s, double elapsed, Memory& memory, Context& context) {
+  if (memory.plan->status != PlanStatus::ready) {
+    Command command = go_round(params, s, seen_from_above(s.goal.position), memory, context);
+    command.note = note_of(memory.plan->status);
+    return command;
+  }
+
+  const bool blocked = meets_find(params, memory) || meets_track(params, s, memory);
+  const Vec2 next = place_at(memory, memory.progress_s);
+  const Vec2 own = seen_from_above(s.own.position);
+  const bool astray = (next - own).norm() > params.slack_m && !can_go_straight(memory, own, next);
+  if (memory.stage == Stage::following && (blocked || astray)) memory.stage = Stage::going_round;
+  if (memory.stage == Stage::going_round) {
+    const std::optional<double> back = way_back(params, s, memory);
+    if (back) {
+      Memory there = memory;
+      there.progress_s = *back;
+      if (!meets_track(params, s, there)) {
+        memory.progress_s = *back;
+        memory.stage = Stage::following;
+        memory.wall = {};
+      }
+    }
+  }
+  if (memory.stage == Stage::following) return follow(params, s, elapsed, memory);
+  return go_round(params, s, behind_block(params, memory), memory, context);
+}
+
+}  // namespace
+
+Command Blend::decide(const Situation& s, Memory& memory, Context& context) const noexcept {
+  try {
+    const bool other_goal = memory.plan && memory.plan->task.goal != seen_from_above(s.goal.position);
+    if (!memory.plan || other_goal) adopt(planned(params, s, memory.finds, context), memory);
+    learn(params, s, memory, context);
+    const double elapsed = memory.last_time ? s.time - *memory.last_time : 0.0;
+    memory.last_time = s.time;
+
+    const Command wanted = choose(params, s, elapsed, memory, context);
+    if (!params.filter) return wanted;
+    SafetyFilter filter;
+    filter.params.margin_m = params.margin_m;
+    return filter.filtered(s, wanted, context.sketch);
+  } catch (const std::exception&) {
+    return {.mode = Mode::infeasible, .note = "planning was not possible"};
+  }
+}
+
+}  // namespace fairway

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/planning/planar_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "fairway/core/error.hpp"
+
+namespace fairway {
+namespace {
+
+double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+double distance_to_line(const Vec2& p, const Vec2& a, const Vec2& b) {
+  const Vec2 ab = b - a;
+  const double length2 = ab.squaredNorm();
+  const double t = length2 > 0.0 ? std::clamp((p - a).dot(ab) / length2, 0.0, 1.0) : 0.0;
+  return (p - (a + t * ab)).norm();
+}
+
+/// True if the lines cross at a point inside both.
+bool cross_each_other(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
+  return cross(b - a, c - a) * cross(b - a, d - a) < 0.0 && cross(d - c, a - c) * cross(d - c, b - c) < 0.0;
+}
+
+double distance_between_lines(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
+  if (cross_each_other(a, b, c, d)) return 0.0;
+  return std::min({distance_to_line(a, c, d), distance_to_line(b, c, d), distance_to_line(c, a, b),
+                   distance_to_line(d, a, b)});
+}
+
+bool is_sound(const Obstacle& obstacle) {
+  switch (obstacle.kind) {
+    case Obstacle::Kind::sphere:
+      return is_finite(obstacle.position) && obstacle.radius >= 0.0 && std::isfinite(obstacle.radius);
+    case Obstacle::Kind::segment:
+      return is_finite(obstacle.from) && is_finite(obstacle.to);
+    case Obstacle::Kind::polygon:
+      return obstacle.vertices.size() >= 3 &&
+             std::ranges::all_of(obstacle.vertices, [](const Vec3& v) { return is_finite(v); });
+  }
+  return false;
+}
+
+Vec3 at_depth_zero(const Vec3& p) { return {p.x(), p.y(), 0.0}; }
+
+Vec3 at_depth_zero(const Vec2& p) { return {p.x(), p.y(), 0.0}; }
+
+}  // namespace
+
+PlanarMap::Solid PlanarMap::flattened(const Obstacle& obstacle) {
+  Solid solid{.kind = obstacle.kind};
+  switch (obstacle.kind) {
+    case Obstacle::Kind::sphere:
+      solid.position = at_depth_zero(obstacle.position);
+      solid.radius = obstacle.radius;
+      break;
+    case Obstacle::Kind::segment:
+      solid.from = at_depth_zero(obstacle.from);
+      solid.to = at_depth_zero(obstacle.to);
+      break;
+    case Obstacle::Kind::polygon:
+      for (const Vec3& vertex : obstacle.vertices) solid.vertices.push_back(at_depth_zero(vertex));
+      break;
+  }
+  return solid;
+}
+
+SurfacePoint PlanarMap::Solid::nearest(const Vec2& p) const noexcept {
+  return nearest_point(
+      {.kind = kind, .position = position, .radius = radius, .from = from, .to = to, .vertices = vertices},
+      at_depth_zero(p));
+}
+
+double PlanarMap::Solid::distance(const Vec2& a, const Vec2& b) const noexcept {
+  switch (kind) {
+    case Obstacle::Kind::sphere:
+      return std::fmax(0.0, distance_to_line(position.head<2>(), a, b) - radius);
+    case Obstacle::Kind::segment:
+      return distance_between_lines(a, b, from.head<2>(), to.head<2>());
+    case Obstacle::Kind::polygon:
+      break;
+  }
+  if (nearest(a).distance <= 0.0) return 0.0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0, j = vertices.size() - 1; i < vertices.size(); j = i++) {
+    least = std::fmin(least, distance_between_lines(a, b, vertices[j].head<2>(), vertices[i].head<2>()));
+  }
+  return least;
+}
+
+Eigen::AlignedBox2d PlanarMap::Solid::bounds() const {
+  Eigen::AlignedBox2d box;
+  switch (kind) {
+    case Obstacle::Kind::sphere:
+      box.extend(Vec2{position.head<2>().array() - radius});
+      box.extend(Vec2{position.head<2>().array() + radius});
+      break;
+    case Obstacle::Kind::segment:
+      box.extend(Vec2{from.head<2>()});
+      box.extend(Vec2{to.head<2>()});
+      break;
+    case Obstacle::Kind::polygon:
+      for (const Vec3& vertex : vertices) box.extend(Vec2{vertex.head<2>()});
+      break;
+  }
+  return box;
+}
+
+PlanarMap::PlanarMap(std::span<const Obstacle> obstacles, double inflation_m) : inflation_{inflation_m} {
+  if (!(inflation_m >= 0.0 && std::isfinite(inflation_m))) {
+    throw InputError("the inflation of a map must be 0 m or more, not " + std::to_string(inflation_m));
+  }
+  for (const Obstacle& obstacle : obstacles) {
+    if (!is_sound(obstacle)) {
+      throw InputError("obstacles[" + std::to_string(solids_.size()) + "] of a map has no usable shape");
+    }
+    solids_.push_back(flattened(obstacle));
+    const Eigen::AlignedBox2d box = solids_.back().bounds();
+    bounds_.extend(Vec2{box.min().array() - inflation_});
+    bounds_.extend(Vec2{box.max().array() + inflation_});
+  }
+}
+
+double PlanarMap::clearance(const Vec2& p) const noexcept {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Solid& solid : solids_) least = std::fmin(least, solid.nearest(p).distance);
+  return least - inflation_;
+}
+
+double PlanarMap::clearance(const Vec2& a, const Vec2& b) const noexcept {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Solid& solid : solids_) least = std::fmin(least, solid.distance(a, b));
+  return least - inflation_;
+}
+
+Vec2 PlanarMap::outward(const Vec2& p) const noexcept {
+  SurfacePoint nearest{.distance = std::numeric_limits<double>::infinity()};
+  for (const Solid& solid : solids_) {
+    const SurfacePoint candidate = solid.nearest(p);
+    if (candidate.distance < nearest.distance) nearest = candidate;
+  }
+  const Vec2 away = p - seen_from_above(nearest.point);
+  if (!std::isfinite(nearest.distance) || nearest.distance == 0.0) return Vec2::UnitX();
+  return away / nearest.distance;  // towards the surface from inside, where the distance is negative
+}
+
+double length_of(std::span<const Vec2> points) noexcept {
+  double length = 0.0;
+  for (std::size_t i = 1; i < points.size(); ++i) length += (points[i] - points[i - 1]).norm();
+  return length;
+}
+
+PlanarMap PlanarMap::grown(double more_m) const {
+  PlanarMap map = *this;
+  map.inflation_ += more_m;
+  if (!bounds_.isEmpty()) {
+    map.bounds_.min().array() -= more_m;
+    map.bounds_.max().array() += more_m;
+  }
+  return map;
+}
+
+}  // namespace fairway

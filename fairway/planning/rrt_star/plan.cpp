@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/planning/rrt_star/plan.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace fairway {
+namespace {
+
+constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+/// The speed at which `axis` drags with `force` [m/s].
+double speed_against(const OnboardModel& model, int axis, double force) {
+  const double linear = model.linear_damping[axis];
+  const double quadratic = model.quadratic_damping[axis];
+  if (quadratic <= 0.0) return linear > 0.0 ? force / linear : unlimited;
+  return (std::sqrt(linear * linear + 4.0 * quadratic * force) - linear) / (2.0 * quadratic);
+}
+
+/// What half of the force of surge and of sway holds against drag, and accelerates.
+TrajectoryLimits limits_of(const OnboardModel& model) {
+  TrajectoryLimits limits{unlimited, unlimited};
+  for (const int axis : {0, 1}) {
+    const double half = 0.5 * std::fmin(-model.least[axis], model.greatest[axis]);
+    if (!(half > 0.0)) continue;
+    limits.max_speed_mps = std::fmin(limits.max_speed_mps, speed_against(model, axis, half));
+    limits.max_acceleration_mps2 = std::fmin(limits.max_acceleration_mps2, half / model.mass[axis]);
+  }
+  return limits;
+}
+
+TrajectoryLimits limits_for(const PlanParams& params, const Situation& s) {
+  const TrajectoryLimits thrust =
+      s.model != nullptr ? limits_of(*s.model) : TrajectoryLimits{unlimited, unlimited};
+  const double speed = params.max_speed_mps > 0.0 ? params.max_speed_mps
+                                                  : std::fmin(s.goal.cruise_speed, thrust.max_speed_mps);
+  const double acceleration = params.max_acceleration_mps2 > 0.0
+                                  ? params.max_acceleration_mps2
+                                  : std::fmin(s.limits.max_acceleration, thrust.max_acceleration_mps2);
+  return {std::fmin(speed, s.limits.max_speed), acceleration};
+}
+
+/// From the start through the given waypoints; one where the vehicle is already is no segment.
+std::vector<Vec2> given_path(const PlanParams& params, const Vec2& start) {
+  std::vector<Vec2> path{start};
+  for (const Waypoint& waypoint : params.waypoints) {
+    const Vec2 next{waypoint.n_m, waypoint.e_m};
+    if (next != path.back()) path.push_back(next);
+  }
+  return path;
+}
+
+/// With slack; without it where there is no room for any.
+PathResult path_for(const PlanParams& params, const PlanTask& task, std::uint32_t seed) {
+  if (!params.waypoints.empty()) return {.waypoints = given_path(params, task.start)};
+  const PathRequest request{.start = task.start,
+                            .goal = task.goal,
+                            .search = params.planner,
+                            .iterations_count = params.iterations_count,
+                            .range_m = params.range_m,
+                            .seed = seed};
+  if (params.slack_m > 0.0) {
+    PathResult roomy = plan_path(task.map.grown(params.slack_m), request);
+    if (roomy.status == PathStatus::found) return roomy;
+  }
+  return plan_path(task.map, request);
+}
+
+PlanStatus status_of(PathStatus status) {
+  switch (status) {
+    case PathStatus::found:
+      return PlanStatus::ready;
+    case PathStatus::start_blocked:
+      return PlanStatus::start_blocked;
+    case PathStatus::goal_blocked:
+      return PlanStatus::goal_blocked;
+    case PathStatus::no_path:
+      break;
+  }
+  return PlanStatus::no_path;
+}
+
+}  // namespace
+
+PlanTask plan_task(const PlanParams& params, const Situation& s) {
+  std::vector<Obstacle> charted;
+  std::ranges::copy_if(s.obstacles, std::back_inserter(charted), &Obstacle::charted);
+  const Vec2 goal = params.waypoints.empty() ? seen_from_above(s.goal.position)
+                                             : Vec2{params.waypoints.back().n_m, params.waypoints.back().e_m};
+  return {.start = seen_from_above(s.own.position),
+          .goal = goal,
+          .map = PlanarMap{charted, s.own.radius + params.clearance_m},
+          .limits = limits_for(params, s)};
+}
+
+std::string_view note_of(PlanStatus status) noexcept {
+  constexpr std::array<std::string_view, 7> notes{"",
+                                                  "start is inside an inflated obstacle",
+                                                  "goal is inside an inflated obstacle",
+                                                  "no path to the goal",
+                                                  "no speed that the vehicle may make",
+                                                  "the waypoints lead through an inflated obstacle",
+                                                  "planning failed"};
+  return notes[static_cast<std::size_t>(status)];
+}
+
+Plan make_plan(const PlanParams& params, PlanTask task, std::uint32_t seed) {
+  Plan plan{.task = std::move(task)};
+  const TrajectoryLimits& limits = plan.task.limits;
+  if (!(limits.max_speed_mps > 0.0 && limits.max_acceleration_mps2 > 0.0)) {
+    plan.status = PlanStatus::no_speed;
+    return plan;
+  }
+
+  PathResult path = path_for(params, plan.task, seed);
+  plan.status = status_of(path.status);
+  if (plan.status != PlanStatus::ready) return plan;
+  plan.path = std::move(path.waypoints);
+
+  FitOptions options{.limits = limits,
+                     .segment_time_s = params.segment_time_s,
+                     .joining = params.rest_to_rest ? Joining::rest_to_rest : Joining::smooth};
+  FittedTrajectory fitted = fit_trajectory(plan.path, plan.task.map, options);
+  plan.fit = fitted.status;
+  if (plan.fit == FitStatus::violates) {
+    options.joining = Joining::rest_to_rest;
+    fitted = fit_trajectory(plan.path, plan.task.map, options);
+    if (fitted.status == FitStatus::violates) plan.status = PlanStatus::waypoints_blocked;
+  }
+  plan.trajectory = std::move(fitted.trajectory);
+  return plan;
+}
+
+}  // namespace fairway

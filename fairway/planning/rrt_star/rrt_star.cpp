@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/planning/rrt_star/rrt_star.hpp"
+
+#include <exception>
+#include <utility>
+
+namespace fairway {
+namespace {
+
+/// True if a plan that failed might do better now.
+bool is_other(const PlanTask& before, const PlanTask& now, double near) {
+  return before.goal != now.goal || before.map != now.map || (before.start - now.start).norm() > near ||
+         before.limits.max_speed_mps != now.limits.max_speed_mps ||
+         before.limits.max_acceleration_mps2 != now.limits.max_acceleration_mps2;
+}
+
+bool needs_plan(const RrtStar::Memory& memory, const PlanParams& params, const Situation& s) {
+  if (!memory.plan) return true;
+  const Plan& plan = *memory.plan;
+  if (plan.status != PlanStatus::ready) return is_other(plan.task, plan_task(params, s), s.own.radius);
+  return params.waypoints.empty() && plan.task.goal != seen_from_above(s.goal.position);
+}
+
+/// The plan for the situation; one that could not even be tried is a failed one.
+Plan plan_for(const PlanParams& params, const Situation& s, std::uint32_t seed) {
+  PlanTask task = plan_task(params, s);
+  try {
+    return make_plan(params, task, seed);
+  } catch (const std::exception&) {
+    return {.task = std::move(task), .status = PlanStatus::failed};
+  }
+}
+
+void draw(Sketch& sketch, const Plan& plan, double depth) {
+  const auto at_depth = [depth](const Vec2& p) { return Vec3{p.x(), p.y(), depth}; };
+  std::vector<Vec3> points;
+  for (const Vec2& waypoint : plan.path) points.push_back(at_depth(waypoint));
+  sketch.path(points, "path");
+
+  constexpr int pieces = 256;
+  points.clear();
+  for (int i = 0; i <= pieces; ++i) {
+    const double time = plan.trajectory.duration() * i / pieces;
+    points.push_back(at_depth(plan.trajectory.sample(time).position));
+  }
+  sketch.path(points, "trajectory");
+}
+
+}  // namespace
+
+Command RrtStar::decide(const Situation& s, Memory& memory, Context& context) const noexcept {
+  try {
+    if (needs_plan(memory, params, s)) {
+      const auto seed = static_cast<std::uint32_t>(context.rng.next() >> 32U);
+      memory = {std::make_shared<const Plan>(plan_for(params, s, seed)), s.time, {}};
+    }
+    const Plan& plan = *memory.plan;
+    if (plan.status != PlanStatus::ready) return {.mode = Mode::infeasible, .note = note_of(plan.status)};
+    if (context.sketch != nullptr) draw(*context.sketch, plan, s.own.position.z());
+
+    Command command =
+        TrajectoryTracker{params}.follow(plan.trajectory, s.time - memory.begin_s, s, memory.tracking);
+    const bool is_clear = plan.task.map.is_free(seen_from_above(s.own.position), plan.task.goal);
+    command.mode = is_clear ? Mode::cruise : Mode::avoid;
+    return command;
+  } catch (const std::exception&) {
+    return {.mode = Mode::infeasible, .note = note_of(PlanStatus::failed)};
+  }
+}
+
+}  // namespace fairway

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/planning/rrt_star/rrt_star.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <thread>
+
+#include "fairway/avoidance/catalog.hpp"
+#include "fairway/avoidance/testing/encounters.hpp"
+#include "fairway/planning/builtin.hpp"
+#include "fairway/planning/testing/four_obstacles.hpp"
+#include "fairway/planning/testing/planar_vessel.hpp"
+
+namespace fairway {
+namespace {
+
+using encounters::Encounter;
+
+/// The transport system at the start of the four-obstacle case.
+Encounter four_obstacle_encounter() {
+  Encounter e;
+  e.situation = {.time = 5.0,
+                 .period = 0.1,
+                 .own = {.position = {0, 0, 7}, .radius = 3.2},
+                 .goal = {.position = {22, 35, 7}, .cruise_speed = 0.3},
+                 .limits = {.max_speed = 0.5, .max_acceleration = 0.05}};
+  e.obstacles = four_obstacles::obstacles();
+  return e;
+}
+
+Avoider avoider(const ParamValues& params = {}, std::uint64_t seed = 1) {
+  Catalog catalog;
+  add_planners(catalog);
+  return catalog.make("rrt_star", params, Rng{seed});
+}
+
+/// Carries out each command exactly for a period.
+void move(Encounter& e, const Command& command) {
+  Situation& s = e.situation;
+  s.own.position += s.period * command.velocity;
+  s.own.velocity = command.velocity;
+  s.time += s.period;
+}
+
+/// What an algorithm draws.
+struct Drawing : Sketch {
+  void velocity(const Vec3&, std::string_view) override {}
+  void half_space(const Vec3&, const Vec3&, std::string_view) override {}
+  void path(std::span<const Vec3> points, std::string_view meaning) override {
+    paths.emplace_back(meaning, std::vector<Vec3>{points.begin(), points.end()});
+  }
+  void sphere(const Vec3&, double, std::string_view) override {}
+
+  std::vector<std::pair<std::string, std::vector<Vec3>>> paths;
+};
+
+TEST(RrtStar, TakesAVelocityDrivenVehicleToTheGoalClearOfObstacles) {
+  Encounter e = four_obstacle_encounter();
+  Avoider helm = avoider();
+  const PlanarMap map = four_obstacles::map();
+  double closest = 1e9;
+  int avoiding = 0, steps = 0;
+  for (; steps < 4000; ++steps) {
+    const Command command = helm.decide(e);
+    ASSERT_NE(command.mode, Mode::infeasible);
+    EXPECT_FALSE(command.wrench);
+    avoiding += command.mode == Mode::avoid ? 1 : 0;
+    move(e, command);
+    closest = std::fmin(closest, map.clearance(seen_from_above(e.situation.own.position)));
+  }
+  EXPECT_LT((e.situation.own.position - e.situation.goal.position).norm(), 1e-3);
+  EXPECT_EQ(e.situation.own.position.z(), 7.0);
+  EXPECT_GT(closest, -0.01);  // velocities are held for 0.1 s; measured 0.15
+  EXPECT_GT(avoiding, 300);   // until the goal is in sight
+  EXPECT_LT(avoiding, steps);
+}
+
+TEST(RrtStar, TakesAForceDrivenVehicleAlongItsTrajectory) {
+  const OnboardModel model = transport_model();
+  Encounter e = four_obstacle_encounter();
+  e.situation.period = 0.02;
+  e.situation.time = 0.0;
+  e.situation.model = &model;
+  PlanarVessel vessel{.model = model};
+  const RrtStar algorithm{{}};
+  RrtStar::Memory memory;
+  Rng rng{3};
+  Context context{rng};
+  double squares = 0.0;
+  int steps = 0;
+  do {
+    e.situation.own.position << vessel.position, 7.0;
+    e.situation.own.velocity << vessel.velocity(), 0.0;
+    e.situation.own.yaw = vessel.yaw;
+    e.situation.own.yaw_rate = vessel.yaw_rate;
+    const Command command = algorithm.decide(e, memory, context);
+    const Vec2 wanted = memory.plan->trajectory.sample(e.situation.time).position;
+    squares += (wanted - vessel.position).squaredNorm();
+    vessel.move(command.wrench.value(), e.situation.period);
+    e.situation.time = ++steps * e.situation.period;
+  } while (e.situation.time < memory.plan->trajectory.duration());
+  EXPECT_LT(std::sqrt(squares / steps), 0.05);  // measured 1.5e-3
+  EXPECT_LT((vessel.position - four_obstacles::goal).norm(), 0.05);
+}
+
+TEST(RrtStar, TheSameSituationsAndSeedGiveTheSameBits) {
+  const auto run = [](const ParamValues& params) {
+    Encounter e = four_obstacle_encounter();
+    Avoider helm = avoider(params, 9);
+    std::vector<Command> commands;
+    for (int i = 0; i < 50; ++i) {
+      commands.push_back(helm.decide(e));
+      move(e, commands.back());
+    }
+    return commands;
+  };
+  for (const std::string search : {"rrt_star", "informed_rrt_star", "bit_star"}) {
+    const ParamValues params{{"planner", search}};
+    const std::vector<Command> expected = run(params);
+    std::vector<std::vector<Command>> others(4);
+    {
+      std::vector<std::jthread> threads;
+      for (auto& other : others) threads.emplace_back([&] { other = run(params); });
+    }
+    for (const auto& other : others) EXPECT_EQ(other, expected) << search;
+  }
+}
+
+TEST(RrtStar, ACopyReplays) {
+  Encounter e = four_obstacle_encounter();
+  Avoider helm = avoider();
+  Avoider before = helm;
+  for (int i = 0; i < 20; ++i) move(e, helm.decide(e));
+  Avoider after = helm;
+  Encounter again = e;
+  for (int i = 0; i < 20; ++i) {
+    const Command command = helm.decide(e);
+    EXPECT_EQ(after.decide(again), command);
+    move(e, command);
+    move(again, command);
+  }
+  Encounter fresh = four_obstacle_encounter();
+  EXPECT_EQ(before.decide(fresh), avoider().decide(fresh));
+}
+
+TEST(RrtStar, InOpenWaterItGoesStraightAndCruises) {
+  Encounter e = four_obstacle_encounter();
+  e.obstacles.clear();
+  Avoider helm = avoider();
+  for (int i = 0; i < 100; ++i) {
+    const Command command = helm.decide(e);
+    EXPECT_EQ(command.mode, Mode::cruise);
+    EXPECT_NEAR(command.velocity.x() * 35 - command.velocity.y() * 22, 0.0, 1e-12);
+    move(e, command);
+  }
+}
+
+TEST(RrtStar, WhatIsNotChartedIsNotSeen) {
+  Encounter charted = four_obstacle_encounter(), uncharted = charted, open = charted;
+  for (Obstacle& obstacle : uncharted.obstacles) obstacle.charted = false;
+  open.obstacles.clear();
+  charted.situation.time = uncharted.situation.time = open.situation.time = 5.0;
+  Avoider seeing = avoider(), blind = avoider(), free = avoider();
+  Command with, without, none;
+  for (int i = 0; i < 200; ++i) {
+    with = seeing.decide(charted);
+    without = blind.decide(uncharted);
+    none = free.decide(open);
+    for (Encounter* e : {&charted, &uncharted, &open}) e->situation.time += 0.1;
+  }
+  EXPECT_EQ(without, none);
+  EXPECT_NE(with.velocity, none.velocity);
+}
+
+TEST(RrtStar, AnotherGoalIsAnotherPlan) {
+  Encounter e = four_obstacle_encounter();
+  const RrtStar algorithm{{}};
+  RrtStar::Memory memory;
+  Rng rng{3};
+  Context context{rng};
+  (void)algorithm.decide(e, memory, context);
+  const auto first = memory.plan;
+  e.situation.time += 10.0;
+  (void)algorithm.decide(e, memory, context);
+  EXPECT_EQ(memory.plan, first);
+  e.situation.goal.position = {0, 30, 7};
+  (void)algorithm.decide(e, memory, context);
+  EXPECT_NE(memory.plan, first);
+  EXPECT_EQ(memory.begin_s, 15.0);
+  EXPECT_EQ(memory.plan->task.goal, Vec2(0, 30));
+}
+
+TEST(RrtStar, WithoutAPlanItStaysAndSaysWhy) {
+  Encounter start = four_obstacle_encounter(), goal = start, walled = start;
+  start.situation.own.position = {10, 15, 7};
+  goal.situation.goal.position = {10, 33, 7};
+  const Vec3 a{18, 31, 0}, b{26, 31, 0}, c{26, 39, 0}, d{18, 39, 0};
+  walled.situation.own.radius = 0.5;
+  for (const auto& [from, to] : {std::pair{a, b}, {b, c}, {c, d}, {d, a}}) {
+    walled.obstacles.push_back({.kind = Obstacle::Kind::segment, .from = from, .to = to});
+  }
+  EXPECT_EQ(avoider().decide(start),
+            (Command{.mode = Mode::infeasible, .note = "start is inside an inflated obstacle"}));
+  EXPECT_EQ(avoider().decide(goal),
+            (Command{.mode = Mode::infeasible, .note = "goal is inside an inflated obstacle"}));
+  EXPECT_EQ(avoider().decide(walled), (Command{.mode = Mode::infeasible, .note = "no path to the goal"}));
+}
+
+TEST(RrtStar, AFailureIsRememberedUntilTheSituationChanges) {
+  Encounter e = four_obstacle_encounter();
+  e.situation.goal.position = {10, 33, 7};
+  const RrtStar algorithm{{}};
+  RrtStar::Memory memory;
+  Rng rng{3};
+  Context context{rng};
+  (void)algorithm.decide(e, memory, context);
+  const auto failed = memory.plan;
+  e.situation.time += 1.0;
+  e.situation.own.position.x() += 1.0;
+  (void)algorithm.decide(e, memory, context);
+  EXPECT_EQ(memory.plan, failed);
+  e.situation.own.position.x() -= 5.0;  // by more than its radius
+  (void)algorithm.decide(e, memory, context);
+  EXPECT_NE(memory.plan, failed);
+  e.obstacles.erase(e.obstacles.begin() + 2);  // the one on the goal
+  EXPECT_NE(algorithm.decide(e, memory, context).mode, Mode::infeasible);
+}
+
+TEST(RrtStar, DrawsThePathAndTheTrajectoryAtItsDepth) {
+  Encounter e = four_obstacle_encounter();
+  Drawing drawing;
+  (void)avoider().decide(e, &drawing);
+  ASSERT_EQ(drawing.paths.size(), 2U);
+  EXPECT_EQ(drawing.paths[0].first, "path");
+  EXPECT_EQ(drawing.paths[1].first, "trajectory");
+  for (const auto& [meaning, points] : drawing.paths) {
+    EXPECT_LT((points.front() - Vec3(0, 0, 7)).norm(), 1e-12) << meaning;
+    EXPECT_LT((points.back() - Vec3(22, 35, 7)).norm(), 1e-9) << meaning;
+  }
+}
+
+TEST(RrtStar, ReadsWaypointsFromFlatParameters) {
+  const ParamValues params{{"segment_time_s", 28.0},    {"waypoints", 2.0},
+                           {"waypoints[0].n_m", 0.0},   {"waypoints[0].e_m", 10.0},
+                           {"waypoints[1].n_m", -10.0}, {"waypoints[1].e_m", 10.0}};
+  Encounter e = four_obstacle_encounter();
+  Drawing drawing;
+  (void)avoider(params).decide(e, &drawing);
+  EXPECT_EQ(drawing.paths.at(0).second, (std::vector<Vec3>{{0, 0, 7}, {0, 10, 7}, {-10, 10, 7}}));
+}
+
+TEST(RrtStar, WhoMayNotMoveDoesNot) {
+  Encounter e = four_obstacle_encounter();
+  e.situation.limits.max_speed = 0.0;
+  EXPECT_EQ(avoider().decide(e).velocity, Vec3(0, 0, 0));
+}
+
+}  // namespace
+}  // namespace fairway

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/studies/transport/field.hpp"
+
+#include <gtest/gtest.h>
+
+namespace fairway::transport {
+namespace {
+
+ObstacleSpec disc(const Vec3& at, double radius) {
+  ObstacleSpec spec{.kind = Obstacle::Kind::sphere};
+  spec.position = at;
+  spec.radius = radius;
+  return spec;
+}
+
+TEST(RandomField, TheKindsOfASeedShareTheirDiscs) {
+  const Field known = random_field(FieldKind::known, 7);
+  const Field moving = random_field(FieldKind::moving, 7);
+  ASSERT_EQ(moving.obstacles.size(), known.obstacles.size() + 3);
+  for (std::size_t i = 0; i < known.obstacles.size(); ++i) {
+    EXPECT_EQ(known.obstacles[i].position, moving.obstacles[i].position);
+    EXPECT_EQ(known.obstacles[i].radius, moving.obstacles[i].radius);
+    EXPECT_TRUE(known.obstacles[i].charted);
+  }
+}
+
+TEST(RandomField, StartAndGoalAreClear) {
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    const Field field = random_field(FieldKind::moving, seed);
+    for (const ObstacleSpec& obstacle : field.obstacles) {
+      EXPECT_GE((obstacle.position - field.start).norm() - obstacle.radius, footprint_radius + 2.0);
+      if (obstacle.moves()) continue;
+      EXPECT_GE((obstacle.position - field.goal).norm() - obstacle.radius, footprint_radius + 2.0);
+    }
+  }
+}
+
+TEST(Escape, AnEmptyFieldHasOne) { EXPECT_TRUE(has_escape({})); }
+
+TEST(Escape, AWalledInStartHasNone) {
+  Field field;
+  for (int i = 0; i < 24; ++i) {
+    const double angle = 2 * pi * i / 24;
+    field.obstacles.push_back(disc({12 * std::cos(angle), 12 * std::sin(angle), 0}, 1.0));
+  }
+  EXPECT_FALSE(has_escape(field));
+}
+
+TEST(Escape, AGapMustTakeTheFootprint) {
+  const auto gap = [](double width) {
+    Field field;
+    for (double e = -30; e <= 70; e += 1.0) {
+      if (std::abs(e - 25.0) > width / 2) field.obstacles.push_back(disc({25, e, 0}, 0.5));
+    }
+    return field;
+  };
+  EXPECT_TRUE(has_escape(gap(12.0)));
+  EXPECT_FALSE(has_escape(gap(6.0)));
+}
+
+TEST(Escape, WhoIsOverrunHasNone) {
+  Field field;
+  ObstacleSpec wall = disc({0, 30, 0}, 25.0);  // as wide as the field, faster than anyone
+  wall.velocity = {0, -5, 0};
+  field.obstacles.push_back(wall);
+  EXPECT_FALSE(has_escape(field));
+}
+
+}  // namespace
+}  // namespace fairway::transport

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/studies/transport/figures.hpp"
+
+#include <cmath>
+
+#include "fairway/planning/path_planner.hpp"
+#include "fairway/sim/simulation.hpp"
+#include "fairway/studies/transport/field.hpp"
+#include "fairway/studies/transport/voyage_log.hpp"
+
+namespace fairway::transport {
+namespace {
+
+using nlohmann::json;
+
+double rounded(double value) { return std::round(value * 100.0) / 100.0; }
+
+/// Where the first vehicle is, and what is commanded of it, once a second.
+class Curve final : public FrameSink {
+ public:
+  explicit Curve(double period) : stride_{std::llround(1.0 / period)} {}
+
+  void write(const Frame& frame) override {
+    if (count(frame.tick) % stride_ != 0) return;
+    const VehicleFrame& vehicle = frame.vehicles.front();
+    const Wrench wrench = vehicle.command.wrench.value_or(vehicle.wrench);
+    t_.push_back(rounded(frame.time));
+    n_.push_back(rounded(vehicle.state.p_n.x()));
+    e_.push_back(rounded(vehicle.state.p_n.y()));
+    surge_.push_back(rounded(wrench[0]));
+    sway_.push_back(rounded(wrench[1]));
+    yaw_.push_back(rounded(wrench[5]));
+  }
+
+  json track(std::string_view label) const {
+    return {{"label", label}, {"n", n_}, {"e", e_}, {"d", std::vector<double>(n_.size(), 0.0)}, {"t", t_}};
+  }
+
+  json forces() const {
+    const auto series = [&](const char* label, const std::vector<double>& y) {
+      return json{{"label", label}, {"x", t_}, {"y", y}};
+    };
+    return {{"kind", "lines"},
+            {"title", "Forces commanded"},
+            {"x_label", "time [s]"},
+            {"y_label", "surge, sway [N]; yaw [N m]"},
+            {"series", {series("surge", surge_), series("sway", sway_), series("yaw", yaw_)}}};
+  }
+
+  /// North and east over time beside what should be followed.
+  json responses(const Trajectory& reference) const {
+    std::vector<double> north, east;
+    for (const double time : t_) {
+      const Vec2 p = reference.sample(time).position;
+      north.push_back(rounded(p.x()));
+      east.push_back(rounded(p.y()));
+    }
+    const auto series = [&](const char* label, const std::vector<double>& y) {
+      return json{{"label", label}, {"x", t_}, {"y", y}};
+    };
+    return {{"kind", "lines"},
+            {"title", "Response and trajectory"},
+            {"x_label", "time [s]"},
+            {"y_label", "position [m]"},
+            {"series",
+             {series("north", n_), series("north, desired", north), series("east", e_),
+              series("east, desired", east)}}};
+  }
+
+ private:
+  std::int64_t stride_;
+  std::vector<double> t_, n_, e_, surge_, sway_, yaw_;
+};
+
+json spheres_of(const std::vector<ObstacleSpec>& obstacles) {
+  json spheres = json::array();
+  for (const ObstacleSpec& spec : obstacles) {
+    const std::array centre{spec.position.x(), spec.position.y(), spec.position.z()};
+    const char* label = spec.moves() ? "drifts" : spec.charted ? "charted" : "not charted";
+    spheres.push_back({{"centre", centre}, {"radius", spec.radius}, {"label", label}});
+  }
+  return spheres;
+}
+
+json scene(const std::string& title, json vehicles, const std::vector<ObstacleSpec>& obstacles,
+           const Vec3& goal) {
+  return {{"kind", "trajectories"},
+          {"title", title},
+          {"vehicles", std::move(vehicles)},
+          {"goals", json::array({{goal.x(), goal.y(), goal.z()}})},
+          {"spheres", spheres_of(obstacles)}};
+}
+
+Curve followed(const Scenario& scenario) {
+  Curve curve{scenario.step_s};
+  const std::array<FrameSink*, 1> sinks{&curve};
+  Simulation{scenario, builtin_catalogs()}.run(sinks);
+  return curve;
+}
+
+json polyline(std::string_view label, std::span<const Vec2> points) {
+  std::vector<double> n, e;
+  for (const Vec2& p : points) {
+    n.push_back(rounded(p.x()));
+    e.push_back(rounded(p.y()));
+  }
+  return {{"label", label}, {"n", n}, {"e", e}, {"d", std::vector<double>(n.size(), 0.0)}};
+}
+
+}  // namespace
+
+std::vector<json> redrawn(const PublishedRun& run, const std::string& title) {
+  const Scenario scenario = scenario_of(run, Plant::paper_compat);
+  const Curve compat = followed(scenario);
+  const Curve physical = followed(scenario_of(run, Plant::physical));
+  std::vector<json> blocks{scene(title, {compat.track("paper_compat"), physical.track("physical")},
+                                 obstacles_of(run.which), goal_of(run.which)),
+                           compat.forces()};
+  if (const auto reference = printed_reference(scenario.vehicles.front()))
+    blocks.push_back(compat.responses(*reference));
+  return blocks;
+}
+
+json ways(const std::string& title, std::span<const Method> methods,
+          const std::vector<ObstacleSpec>& obstacles, const Vec3& goal) {
+  json vehicles = json::array();
+  for (const Method& method : methods)
+    vehicles.push_back(followed(voyage("way", method, obstacles, goal, 600.0, 1)).track(method.name));
+  return scene(title, std::move(vehicles), obstacles, goal);
+}
+
+json planned_paths() {
+  const std::vector<ObstacleSpec> specs = obstacles_of(Case::four_obstacles);
+  std::vector<Obstacle> obstacles;
+  for (const ObstacleSpec& spec : specs) obstacles.push_back(spec.view());
+  const PlanarMap map{obstacles, footprint_radius};
+  const Vec3 goal = goal_of(Case::four_obstacles);
+  const PathResult path = plan_path(map, {.goal = goal.head<2>(), .seed = 1});
+
+  std::vector<Vec2> table_7;
+  const auto reference =
+      printed_reference(scenario_of(published_runs().back(), Plant::paper_compat).vehicles.front());
+  for (std::size_t i = 0; i < reference->segments().size(); ++i)
+    table_7.push_back(reference->derivative(i, 0, 0.0));
+  table_7.push_back(reference->sample(reference->duration()).position);
+  return scene("Figure 8: the path of Table 7 and one planned here, discs inflated to 4.2 m",
+               {polyline("Table 7", table_7), polyline("rrt_star", path.waypoints)}, specs, goal);
+}
+
+}  // namespace fairway::transport

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/studies/transport/plan.hpp"
+
+#include <fmt/format.h>
+
+#include <limits>
+
+#include "fairway/experiment/digest.hpp"
+#include "fairway/experiment/version.hpp"
+#include "fairway/scenario/load.hpp"
+
+namespace fairway::transport {
+namespace {
+
+constexpr double field_duration = 900.0;  // [s]
+
+/// The key holds a digest of the scenario, so that a changed scenario makes another run.
+void add_run(Cell& cell, std::function<Scenario()> scenario, std::uint64_t seed) {
+  const std::string digest = Digest::of(to_yaml(scenario()));
+  std::string key = fmt::format("transport/{}/{}/{}/{}/{}/{}", cell.place, cell.method, cell.mode, digest,
+                                results_epoch, seed);
+  Labels labels{{"case", cell.place}, {"method", cell.method}, {"mode", cell.mode}};
+  cell.runs.push_back({{std::move(key), std::move(labels), seed}, std::move(scenario)});
+}
+
+Cell cell_of(std::string_view place, const Method& method, Plant plant) {
+  return {
+      .place = std::string(place), .method = std::string(method.name), .mode = std::string(name_of(plant))};
+}
+
+}  // namespace
+
+double Cell::value(std::size_t i, std::string_view quantity) const {
+  for (const Measure& measure : results[i]) {
+    if (measure.quantity == quantity) return measure.value;
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+std::vector<Cell> published_cells() {
+  std::vector<Cell> cells;
+  for (const PublishedRun& run : published_runs()) {
+    for (const Plant plant : plants) {
+      Cell cell = cell_of(name_of(run.which), run.method, plant);
+      add_run(
+          cell, [&run, plant] { return scenario_of(run, plant); }, 1);
+      cells.push_back(std::move(cell));
+    }
+  }
+  return cells;
+}
+
+std::span<const Method> compared_methods() {
+  static const ParamValues corrected{{"form", std::string("corrected")}};
+  static const std::array methods{
+      Method{"direct+filter", "direct+safety_filter", {}},
+      Method{"hard_switching", "hard_switching", {}},
+      Method{"hard_switching+filter", "hard_switching+safety_filter", {}},
+      Method{"wall_following", "wall_following", {}},
+      Method{"wall_following+filter", "wall_following+safety_filter", {}},
+      Method{"corrected", "wall_following", corrected},
+      Method{"corrected+filter", "wall_following+safety_filter", corrected},
+      Method{"rrt_star", "rrt_star", {}},
+      Method{"rrt_star+filter", "rrt_star+safety_filter", {}},
+      Method{"blend", "blend", {}},
+      Method{"orca3d", "orca3d", {{"time_horizon_s", 20.0}, {"obstacle_time_horizon_s", 20.0}}},
+      Method{"orca3d+filter",
+             "orca3d+safety_filter",
+             {{"time_horizon_s", 20.0}, {"obstacle_time_horizon_s", 20.0}}},
+  };
+  return methods;
+}
+
+std::vector<Cell> case_cells() {
+  std::vector<Cell> cells;
+  for (const Case which : {Case::one_obstacle, Case::four_obstacles, Case::unknown_obstacle}) {
+    for (const Method& method : compared_methods()) {
+      Cell cell = cell_of(name_of(which), method, Plant::physical);
+      const auto scenario = [which, &method] {
+        return voyage(name_of(which), method, obstacles_of(which), goal_of(which), field_duration, 1);
+      };
+      add_run(cell, scenario, 1);
+      cells.push_back(std::move(cell));
+    }
+  }
+  return cells;
+}
+
+std::vector<Cell> field_cells(int seeds) {
+  std::vector<Cell> cells;
+  for (const FieldKind kind : field_kinds) {
+    for (const Method& method : compared_methods()) {
+      Cell cell = cell_of(name_of(kind), method, Plant::physical);
+      for (int i = 1; i <= seeds; ++i) {
+        const auto seed = static_cast<std::uint64_t>(i);
+        const auto scenario = [kind, &method, seed] {
+          Field field = random_field(kind, seed);
+          return voyage(name_of(kind), method, std::move(field.obstacles), field.goal, field_duration, seed);
+        };
+        add_run(cell, scenario, seed);
+      }
+      cells.push_back(std::move(cell));
+    }
+  }
+  return cells;
+}
+
+}  // namespace fairway::transport

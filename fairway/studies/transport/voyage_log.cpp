@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/studies/transport/voyage_log.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "fairway/experiment/executor.hpp"
+#include "fairway/experiment/measure_run.hpp"
+#include "fairway/studies/transport/field.hpp"
+
+namespace fairway::transport {
+namespace {
+
+constexpr double arrived_within = 1.0;  // [m]
+
+/// The sensors of the publication: at the tips of the four vehicles.
+std::array<Vec3, 4> tips_of(const VehicleState& state) {
+  std::array<Vec3, 4> tips;
+  for (std::size_t i = 0; i < tips.size(); ++i) {
+    const double angle = yaw_of(state.q_nb) + 0.5 * pi * static_cast<double>(i);
+    tips[i] = state.p_n + footprint_radius * Vec3{std::cos(angle), std::sin(angle), 0.0};
+  }
+  return tips;
+}
+
+}  // namespace
+
+VoyageLog::VoyageLog(const Scenario& scenario, const Trajectory* reference)
+    : goal_{scenario.vehicles.front().mission.front().position},
+      reference_{reference},
+      detections_(scenario.obstacles.size()) {
+  for (const ObstacleSpec& spec : scenario.obstacles) obstacles_.push_back(spec.view());
+}
+
+void VoyageLog::write(const Frame& frame) {
+  see_forces(frame);
+  see_detection(frame.vehicles.front());
+  see_progress(frame);
+}
+
+void VoyageLog::see_forces(const Frame& frame) {
+  const std::optional<Wrench>& commanded = frame.vehicles.front().command.wrench;
+  if (!commanded) return;
+  if (!first_) first_ = commanded;
+  greatest_ = greatest_.cwiseMax(*commanded);
+  greatest_[5] = std::fmax(greatest_[5], -(*commanded)[5]);
+}
+
+void VoyageLog::see_detection(const VehicleFrame& vehicle) {
+  const bool avoids = vehicle.command.mode == Mode::avoid;
+  const bool begins = avoids && !avoiding_;
+  avoiding_ = avoids;
+  if (!avoids || !vehicle.command.wrench) return;
+
+  // the obstacle that is nearest to any tip
+  std::size_t nearest = 0;
+  double surface = std::numeric_limits<double>::infinity();
+  double centre = surface;
+  for (std::size_t i = 0; i < obstacles_.size(); ++i) {
+    for (const Vec3& tip : tips_of(vehicle.state)) {
+      const double distance = nearest_point(obstacles_[i], tip).distance;
+      if (distance >= surface) continue;
+      surface = distance;
+      centre = (tip - centre_of(obstacles_[i])).norm();
+      nearest = i;
+    }
+  }
+  if (obstacles_.empty()) return;
+  if (begins && !switch_distance_) switch_distance_ = centre;
+  if (!detections_[nearest])
+    detections_[nearest] = {(*vehicle.command.wrench)[0], (*vehicle.command.wrench)[1]};
+}
+
+void VoyageLog::see_progress(const Frame& frame) {
+  const Vec3& p = frame.vehicles.front().state.p_n;
+  if (!goal_time_ && (p - goal_).norm() <= arrived_within) goal_time_ = frame.time;
+  if (reference_ == nullptr || frame.time > reference_->duration()) return;
+  const Vec2 error = p.head<2>() - reference_->sample(frame.time).position;
+  square_error_.head<2>() += frame.period * error.cwiseAbs2();
+  followed_time_ += frame.period;
+}
+
+void VoyageLog::report(std::vector<Measure>& measures) const {
+  const auto add = [&](std::string quantity, double value) {
+    measures.push_back({std::move(quantity), 0, value});
+  };
+  if (first_) {
+    add("initial_surge_force_n", (*first_)[0]);
+    add("initial_sway_force_n", (*first_)[1]);
+    add("peak_surge_force_n", greatest_[0]);
+    add("peak_sway_force_n", greatest_[1]);
+    add("peak_yaw_moment_nm", greatest_[5]);
+  }
+  for (std::size_t i = 0; i < detections_.size(); ++i) {
+    if (!detections_[i]) continue;
+    add(fmt::format("detection_{}_surge_force_n", i + 1), detections_[i]->surge_force);
+    add(fmt::format("detection_{}_sway_force_n", i + 1), detections_[i]->sway_force);
+  }
+  if (switch_distance_) add("switch_distance_m", *switch_distance_);
+  if (goal_time_) add("goal_time_s", *goal_time_);
+  if (reference_ != nullptr) {
+    std::vector<Vec2> waypoints{reference_->sample(0.0).position};
+    for (std::size_t i = 0; i < reference_->segments().size(); ++i)
+      waypoints.push_back(reference_->derivative(i, 0, 1.0));
+    add("planned_length_m", length_of(waypoints));
+  }
+  if (followed_time_ > 0.0) {
+    add("rmse_north_m", std::sqrt(square_error_.x() / followed_time_));
+    add("rmse_east_m", std::sqrt(square_error_.y() / followed_time_));
+  }
+}
+
+std::optional<Trajectory> printed_reference(const VehicleSpec& vehicle) {
+  double segment_time = 0.0;
+  std::vector<Vec2> waypoints;
+  for (const auto& [name, value] : vehicle.avoider.params) {
+    if (name == "segment_time_s") segment_time = std::get<double>(value);
+    if (name == "waypoints") waypoints.resize(static_cast<std::size_t>(std::get<double>(value)));
+    if (!name.starts_with("waypoints[")) continue;
+    const std::size_t index = std::stoul(name.substr(std::string_view("waypoints[").size()));
+    waypoints[index][name.ends_with(".n_m") ? 0 : 1] = std::get<double>(value);
+  }
+  if (segment_time <= 0.0 || waypoints.size() < 2) return {};
+  return minimum_snap(waypoints, std::vector<double>(waypoints.size() - 1, segment_time));
+}
+
+std::vector<Measure> measure_voyage(const Scenario& scenario, const Catalogs& catalogs,
+                                    const std::atomic<bool>* stop) {
+  const std::optional<Trajectory> reference = printed_reference(scenario.vehicles.front());
+  Simulation simulation{scenario, catalogs};
+  RunMetrics metrics = metrics_for(scenario);
+  VoyageLog log{scenario, reference ? &*reference : nullptr};
+  const std::array<FrameSink*, 2> sinks{&metrics, &log};
+  while (!simulation.is_done()) {
+    if (stop != nullptr && stop->load(std::memory_order_relaxed)) throw RunAbandoned{};
+    simulation.step(sinks);
+  }
+
+  std::vector<Measure> measures = metrics.measures();
+  double net = 0.0;
+  for (const Measure& m : measures) {
+    if (m.quantity == "rms_surge_power_w" || m.quantity == "rms_sway_power_w" ||
+        m.quantity == "rms_yaw_power_w")
+      net += m.value;
+  }
+  measures.push_back({"net_power_w", 0, net});
+  log.report(measures);
+  return measures;
+}
+
+}  // namespace fairway::transport
