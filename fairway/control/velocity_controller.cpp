@@ -56,6 +56,8 @@ VelocityController::VelocityController(const Propulsion& propulsion, std::span<c
   const Eigen::MatrixXd all = propulsion.effectiveness;
   const std::vector<int> rows = independent_rows(all);
   if (rows.empty()) throw InputError("the actuators push nowhere: no velocity can be controlled");
+  if (static_cast<std::size_t>(thrusters) > rows.size())
+    allocator_.emplace(propulsion, actuators, AllocationMethod::bounded);
   Eigen::MatrixXd B(static_cast<Eigen::Index>(rows.size()), thrusters);
   for (std::size_t i = 0; i < rows.size(); ++i) B.row(static_cast<Eigen::Index>(i)) = all.row(rows[i]);
   Eigen::MatrixXd inverse = B.transpose() * (B * B.transpose()).inverse();
@@ -99,7 +101,15 @@ void VelocityController::observe(const Axis& axis, Memory& memory, double veloci
   memory.velocity = velocity;
 }
 
-void VelocityController::allocate(std::array<double, 4>& missing, ActuatorValues& u) const noexcept {
+ActuatorValues VelocityController::allocate(std::array<double, 4>& missing) const noexcept {
+  if (!allocator_) return share_in_turn(missing);
+  Wrench tau = Wrench::Zero();
+  for (std::size_t i = 0; i < axis_count_; ++i) tau[axes_[i].row] = missing[i];
+  return allocator_->allocate(tau);
+}
+
+ActuatorValues VelocityController::share_in_turn(std::array<double, 4>& missing) const noexcept {
+  ActuatorValues u = ActuatorValues::Zero(lowest_.size()).cwiseMax(lowest_).cwiseMin(highest_);
   // one axis after the other takes what the limits leave; the second round uses room that the first made:
   // thrust ahead lets the reversing thruster of a turn give more
   for (int round = 0; round < 2; ++round) {
@@ -116,7 +126,7 @@ void VelocityController::allocate(std::array<double, 4>& missing, ActuatorValues
       missing[i] *= 1.0 - scale;
     }
   }
-  u = u.cwiseMax(lowest_).cwiseMin(highest_);
+  return u.cwiseMax(lowest_).cwiseMin(highest_);
 }
 
 void VelocityController::follow(const ActuatorValues& command, double h) noexcept {
@@ -147,8 +157,7 @@ ActuatorValues VelocityController::control(const BodyRequest& request, const Vec
                  axis.mass * (axis.bandwidth * (r - nu) - memories_[i].unexplained);
   }
 
-  ActuatorValues u = ActuatorValues::Zero(lowest_.size()).cwiseMax(lowest_).cwiseMin(highest_);
-  allocate(missing, u);
+  const ActuatorValues u = allocate(missing);
   follow(u, h);
   return u;
 }

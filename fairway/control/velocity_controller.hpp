@@ -2,9 +2,11 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 
 #include "fairway/control/body_request.hpp"
+#include "fairway/control/thrust_allocator.hpp"
 #include "fairway/dynamics/propulsion.hpp"
 
 namespace fairway {
@@ -23,8 +25,8 @@ namespace fairway {
 /// beyond what the thrusters give cannot wind it up, since they do what the model expects of them.
 ///
 /// Where the thrusters cannot give all of tau, yaw is served first, then heave, surge and sway, each as far
-/// as the asymmetric limits leave room. Not optimal: an exhaustive allocation can find some more room in
-/// corners of the limits.
+/// as the asymmetric limits leave room. With as many thrusters as axes there is no other way to share; with
+/// more, ThrustAllocator finds the nearest wrench that the limits allow.
 ///
 /// A value: a copy carries on alike. control(): O(axes x actuators), neither allocates nor throws.
 class VelocityController {
@@ -84,7 +86,8 @@ class VelocityController {
   };
 
   void observe(const Axis& axis, Memory& memory, double velocity) const noexcept;
-  void allocate(std::array<double, 4>& missing, ActuatorValues& u) const noexcept;
+  ActuatorValues allocate(std::array<double, 4>& missing) const noexcept;
+  ActuatorValues share_in_turn(std::array<double, 4>& missing) const noexcept;
   void follow(const ActuatorValues& command, double h) noexcept;
 
   std::array<Axis, 4> axes_;  // in order of priority
@@ -93,6 +96,8 @@ class VelocityController {
   ActuatorValues lowest_;
   ActuatorValues highest_;
   ActuatorValues time_constants_;
+
+  std::optional<ThrustAllocator> allocator_;  // of more thrusters than axes
 
   std::array<Memory, 4> memories_{};
   ActuatorValues thrust_;       // of the actuators now, by their limits and lags

@@ -10,6 +10,9 @@ namespace fairway {
 /// unless the name carries a frame suffix: `v_b` is in body axes (forward, starboard, down).
 using Vec3 = Eigen::Vector3d;
 
+/// A vector in the horizontal plane: north and east, or ahead and to starboard.
+using Vec2 = Eigen::Vector2d;
+
 inline bool is_finite(const Vec3& a) {
   return 0.0 * a.x() + 0.0 * a.y() + 0.0 * a.z() == 0.0;  // NaN and infinities times zero are NaN
 }

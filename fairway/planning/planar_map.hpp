@@ -10,9 +10,6 @@
 
 namespace fairway {
 
-/// A vector in the horizontal plane: north, east.
-using Vec2 = Eigen::Vector2d;
-
 inline Vec2 seen_from_above(const Vec3& p) { return p.head<2>(); }
 
 /// Obstacles seen from above, each grown by the size of who has to pass: a planner's world, in which the

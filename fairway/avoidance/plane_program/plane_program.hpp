@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <Eigen/Core>
 #include <cstddef>
 #include <limits>
 #include <span>
 
-namespace fairway {
+#include "fairway/core/vec.hpp"
 
-/// A vector in the horizontal plane: north, east unless said otherwise.
-using Vec2 = Eigen::Vector2d;
+namespace fairway {
 
 /// The points x with normal . x >= offset.
 struct HalfPlane {

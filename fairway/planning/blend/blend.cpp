@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "fairway/core/angles.hpp"
+#include "fairway/planning/blend/space_time.hpp"
 
 namespace fairway {
 namespace {
@@ -150,7 +151,7 @@ Command go_round(const Params& params, const Situation& s, const Vec2& target, M
 Command follow(const Params& params, const Situation& s, double elapsed, Memory& memory) {
   const Trajectory& trajectory = memory.plan->trajectory;
   const double error = (place_at(memory, memory.progress_s) - seen_from_above(s.own.position)).norm();
-  const double rate = std::clamp(2.0 - error / params.slack_m, 0.0, 1.0);
+  const double rate = std::clamp(2.0 - error / params.leash_m, 0.0, 1.0);
   memory.progress_s = std::fmin(trajectory.duration(), memory.progress_s + rate * elapsed);
 
   const TrajectorySample now = trajectory.sample(memory.progress_s);
@@ -158,6 +159,54 @@ Command follow(const Params& params, const Situation& s, double elapsed, Memory&
   const Vec2 velocity = rate * now.velocity + back;
   const double speed = std::fmin(s.limits.max_speed, std::fmax(s.goal.cruise_speed, now.velocity.norm()));
   return {.velocity = clamp_norm({velocity.x(), velocity.y(), 0.0}, speed)};
+}
+
+/// Whether a mover is near enough to be reckoned with, wherever the trajectory leads.
+bool mover_is_near(const Situation& s) {
+  constexpr double near = 4.0;  // between the spheres [m]
+  return std::ranges::any_of(s.tracks, [&](const Track& track) {
+    return (track.position - s.own.position).norm() < s.own.radius + track.radius + near;
+  });
+}
+
+/// The velocity of a way through space and time around the movers, looked for once a second; with less margin
+/// where there is none with all of it. Nothing if there is none at all.
+std::optional<Vec3> dodge(const Params& params, const Situation& s, Memory& memory) {
+  constexpr double every = 1.0;  // [s]
+  if (s.time < memory.dodge_until_s) return memory.dodge;
+  memory.dodge_until_s = s.time + every;
+  memory.dodge.reset();
+
+  std::vector<const PlanarMap*> maps{&memory.plan->task.map};
+  if (memory.met) maps.push_back(memory.met.get());
+  const double speed = std::fmin(s.goal.cruise_speed, s.limits.max_speed);
+  const Vec2 own = seen_from_above(s.own.position);
+  for (const double share : {1.0, 0.5, 0.1}) {
+    const auto leg = way_through({.from = own,
+                                  .towards = behind_block(params, memory),
+                                  .speed = speed,
+                                  .radius = s.own.radius,
+                                  .margin = share * params.margin_m,
+                                  .maps = maps,
+                                  .tracks = s.tracks});
+    if (!leg) continue;
+    const Vec2 velocity = (leg->to - own) / leg->duration;
+    memory.dodge = Vec3{velocity.x(), velocity.y(), 0.0};
+    break;
+  }
+  return memory.dodge;
+}
+
+/// Back to the trajectory if it is free from some point ahead that can be gone to straight.
+void come_back(const Params& params, const Situation& s, Memory& memory) {
+  const std::optional<double> back = way_back(params, s, memory);
+  if (!back) return;
+  Memory there = memory;
+  there.progress_s = *back;
+  if (meets_track(params, s, there)) return;
+  memory.progress_s = *back;
+  memory.stage = Stage::following;
+  memory.wall = {};
 }
 
 /// What to do before the filter.
@@ -168,23 +217,19 @@ Command choose(const Params& params, const Situation& s, double elapsed, Memory&
     return command;
   }
 
-  const bool blocked = meets_find(params, memory) || meets_track(params, s, memory);
+  const bool mover = meets_track(params, s, memory);
   const Vec2 next = place_at(memory, memory.progress_s);
   const Vec2 own = seen_from_above(s.own.position);
-  const bool astray = (next - own).norm() > params.slack_m && !can_go_straight(memory, own, next);
-  if (memory.stage == Stage::following && (blocked || astray)) memory.stage = Stage::going_round;
-  if (memory.stage == Stage::going_round) {
-    const std::optional<double> back = way_back(params, s, memory);
-    if (back) {
-      Memory there = memory;
-      there.progress_s = *back;
-      if (!meets_track(params, s, there)) {
-        memory.progress_s = *back;
-        memory.stage = Stage::following;
-        memory.wall = {};
-      }
+  const bool astray = (next - own).norm() > params.leash_m && !can_go_straight(memory, own, next);
+  if (mover || astray || meets_find(params, memory)) memory.stage = Stage::going_round;
+  if (mover || mover_is_near(s)) {
+    if (const std::optional<Vec3> velocity = dodge(params, s, memory)) {
+      memory.stage = Stage::going_round;
+      memory.wall = {};
+      return {.velocity = *velocity, .mode = Mode::avoid};
     }
   }
+  if (memory.stage == Stage::going_round) come_back(params, s, memory);
   if (memory.stage == Stage::following) return follow(params, s, elapsed, memory);
   return go_round(params, s, behind_block(params, memory), memory, context);
 }

@@ -32,7 +32,7 @@ struct Blend {
 
   struct Params : PlanParams {
     double lookahead_s = 20.0;
-    double slack_m = 1.0;
+    double leash_m = 1.0;
     double position_bandwidth_radps = 0.3;
     double standoff_m = 0.8;
     double replan_gain_ratio = 0.1;
@@ -46,7 +46,7 @@ struct Blend {
           PlanParams::fields(),
           std::tuple{
               field<&P::lookahead_s>({0, 1000}, "how far ahead the trajectory is checked"),
-              field<&P::slack_m>({0.01, 100}, "off the trajectory by more, its clock waits"),
+              field<&P::leash_m>({0.01, 100}, "off the trajectory by more, its clock waits"),
               field<&P::position_bandwidth_radps>({0, 10}, "velocity command per position error"),
               field<&P::standoff_m>({0, 1000}, "kept from every surface while going round"),
               field<&P::replan_gain_ratio>({0, 10}, "a new plan has to be quicker by this share"),
@@ -71,6 +71,8 @@ struct Blend {
     double progress_s{};              ///< along the trajectory
     std::optional<double> last_time;  ///< of the call before [s]
     WallFollowing::Memory wall;
+    std::optional<Vec3> dodge;  ///< velocity that lets a mover pass, north and east
+    double dodge_until_s{};     ///< when it is looked for again
   };
 
   Params params;

@@ -48,10 +48,11 @@ struct FittedTrajectory {
 };
 
 /// The minimum snap trajectory along a free `path`, checked against the map all along and repaired where
-/// the smooth curve leaves the path for an obstacle: waypoints are inserted on the path where it does, clear
-/// of the obstacle by a margin, and pushed outward where they are close already. At most 30 rounds. A given
-/// segment time is shared among the parts of a segment by their length, and then limits of speed and
-/// acceleration are not looked at.
+/// the smooth curve leaves the path for an obstacle: waypoints are inserted on the path there, clear of the
+/// obstacle by a margin, and pushed outward where they are close already; at most 30 rounds. With times by
+/// length a segment that swings out by more than a tenth of its length is divided likewise, and where an even
+/// pace (even_pace.hpp) is clear and quicker it is taken. A given segment time is shared among the parts of a
+/// segment by their length, and then limits of speed and acceleration are not looked at.
 ///
 /// No violation above `clearance_tolerance_m` is left unless the status says so. A path of one waypoint is
 /// rest. Throws InputError as minimum_snap() and paced() do, and for an empty path.

@@ -10,6 +10,7 @@ namespace fairway::transport {
 namespace {
 
 constexpr double edge = 50.0;
+constexpr double grid_step = 2.0;  // [s]
 
 Vec3 place_in(Rng& rng, double lo, double hi) {
   const double n = rng.uniform(lo, hi);
@@ -60,16 +61,18 @@ void add_drifters(Field& field, Rng rng) {
 /// What a disc can reach on a grid, step by step in time. A row of cells is a row of bits.
 class ReachableSet {
  public:
-  explicit ReachableSet(const Field& field) {
+  /// A disc of `radius` at `start`.
+  ReachableSet(std::span<const ObstacleSpec> obstacles, const Vec3& start, double radius)
+      : obstacles_{obstacles}, radius_{radius} {
     for (Row& row : free_) row.set();
-    for (const ObstacleSpec& obstacle : field.obstacles) {
-      if (!obstacle.moves()) cover(free_, obstacle.position, obstacle.radius + inflation);
+    for (const ObstacleSpec& obstacle : obstacles_) {
+      if (!obstacle.moves()) cover(free_, obstacle.position, obstacle.radius + radius_);
     }
-    mark(reached_, field.start, size);
+    mark(reached_, start, size);
     for (std::size_t i = 0; i < rows; ++i) reached_[i] &= free_[i];
   }
 
-  void step(const Field& field, double time) {
+  void step(double time) {
     Grid next;
     for (std::size_t i = 0; i < rows; ++i) {
       next[i] = reached_[i] | reached_[i] << 1 | reached_[i] >> 1;
@@ -77,11 +80,15 @@ class ReachableSet {
       if (i + 1 < rows) next[i] |= reached_[i + 1];
       next[i] &= free_[i];
     }
-    for (const ObstacleSpec& obstacle : field.obstacles) {
+    for (const ObstacleSpec& obstacle : obstacles_) {
       if (obstacle.moves())
-        cover(next, obstacle.position + time * obstacle.velocity, obstacle.radius + inflation);
+        cover(next, obstacle.position + time * obstacle.velocity, obstacle.radius + radius_);
     }
     reached_ = next;
+  }
+
+  bool empty() const {
+    return std::ranges::none_of(reached_, [](const Row& row) { return row.any(); });
   }
 
   bool holds_near(const Vec3& goal, double distance) const {
@@ -97,7 +104,6 @@ class ReachableSet {
   static constexpr double size = 0.5;       // of a cell [m]
   static constexpr double corner = -10.0;   // of the grid [m]
   static constexpr std::size_t rows = 140;  // 70 m
-  static constexpr double inflation = footprint_radius + 0.5;
   using Row = std::bitset<rows>;
   using Grid = std::array<Row, rows>;
 
@@ -125,6 +131,8 @@ class ReachableSet {
     for_disc(at, radius, [&](std::size_t row, std::size_t column) { grid[row].set(column); });
   }
 
+  std::span<const ObstacleSpec> obstacles_;
+  double radius_;
   Grid free_{};
   Grid reached_{};
 };
@@ -145,14 +153,22 @@ Field random_field(FieldKind kind, std::uint64_t seed) {
 }
 
 bool has_escape(const Field& field) {
-  constexpr double step = 2.0, arrival = 1.0;  // [s, m]
+  constexpr double arrival = 1.0, room = 0.5;  // [m]
   constexpr int steps = 600;
-  ReachableSet set{field};
+  ReachableSet set{field.obstacles, field.start, footprint_radius + room};
   for (int i = 1; i <= steps; ++i) {
-    set.step(field, step * i);
+    set.step(grid_step * i);
     if (set.holds_near(field.goal, arrival)) return true;
   }
   return false;
+}
+
+bool can_stay_clear(std::span<const ObstacleSpec> obstacles, const Vec3& from, double time) {
+  constexpr double room = 0.1;  // [m]
+  constexpr int steps = 60;
+  ReachableSet set{obstacles, from, footprint_radius + room};
+  for (int i = 1; i <= steps; ++i) set.step(time + grid_step * i);
+  return !set.empty();
 }
 
 }  // namespace fairway::transport

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -40,5 +41,10 @@ Field random_field(FieldKind kind, std::uint64_t seed);
 /// to within 1 m of the goal in 1200 s without touching anything, drifters included. Decided by the reachable
 /// set on a grid of 0.5 m and 2 s, so a way narrower than a cell is not seen: "no" is no proof, "yes" is.
 bool has_escape(const Field& field);
+
+/// Whether someone who is at `from` at `time` and knows everything can stay untouched for two minutes,
+/// arriving or not; on the same grid, at the same speed, with a tenth of a metre to spare. "No" means caught:
+/// between what stays and what drifts, nothing slower than that gets out.
+bool can_stay_clear(std::span<const ObstacleSpec> obstacles, const Vec3& from, double time);
 
 }  // namespace fairway::transport

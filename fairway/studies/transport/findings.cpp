@@ -172,6 +172,11 @@ std::vector<StudyRow> comparison_rows(const std::vector<Cell>& cells) {
     rows.push_back(
         share_row(cell, "success_ratio", successes, "arrived and touched nothing; Wilson's interval"));
     rows.push_back(share_row(cell, "untouched_ratio", untouched, "touched nothing; Wilson's interval"));
+    std::size_t avoidable = 0;
+    for (std::size_t i = 0; i < cell.results.size(); ++i)
+      avoidable += cell.value(i, "avoidable_touch_count") > 0.0 ? 1 : 0;
+    rows.push_back(share_row(cell, "avoidable_touch_ratio", avoidable,
+                             "touched something although there was a way out; Wilson's interval"));
     const double clearance = least(cell, "footprint_clearance_m");
     rows.push_back(comparison_row(cell, "least_clearance_m", clearance, clearance, clearance,
                                   "least distance of the footprint from any surface over all runs"));
@@ -221,21 +226,31 @@ std::vector<std::string> claims(const std::vector<Cell>& published) {
 }
 
 std::vector<std::string> field_findings(const std::vector<Cell>& fields, int seeds) {
-  std::vector<std::string> lines;
+  std::vector<std::string> lines{
+      "Whether there is a way out of a touch is decided at the moment when something last came into sight "
+      "before "
+      "it: on a grid of 0.5 m and 2 s, can a disc of the footprint and a tenth of a metre, at no more than "
+      "0.25 m/s, stay "
+      "clear of everything for two minutes? Where it cannot, the vehicle is caught between what stays and "
+      "what "
+      "drifts, and no method is blamed."};
   for (const FieldKind kind : field_kinds) {
-    std::vector<bool> escapes;
+    int escapes = 0;
     for (int seed = 1; seed <= seeds; ++seed)
-      escapes.push_back(has_escape(random_field(kind, static_cast<std::uint64_t>(seed))));
+      escapes += has_escape(random_field(kind, static_cast<std::uint64_t>(seed))) ? 1 : 0;
     lines.push_back(
-        fmt::format("{}: {} of {} fields have an escape for someone who knows all of it beforehand.",
-                    name_of(kind), std::ranges::count(escapes, true), seeds));
+        fmt::format("{}: {} of {} fields can be crossed untouched by someone who knows all of it beforehand.",
+                    name_of(kind), escapes, seeds));
     for (const Cell& cell : fields) {
       if (cell.place != name_of(kind)) continue;
-      std::size_t count = 0;
-      for (std::size_t i = 0; i < cell.results.size(); ++i) count += escapes[i] && touched(cell, i) ? 1 : 0;
-      if (count > 0) {
-        lines.push_back(
-            fmt::format("{}, {}: touched something in {} of them.", name_of(kind), cell.method, count));
+      std::size_t all = 0, avoidable = 0;
+      for (std::size_t i = 0; i < cell.results.size(); ++i) {
+        all += touched(cell, i) ? 1 : 0;
+        avoidable += cell.value(i, "avoidable_touch_count") > 0.0 ? 1 : 0;
+      }
+      if (all > 0) {
+        lines.push_back(fmt::format("{}, {}: touched something in {}, of which {} with a way out.",
+                                    name_of(kind), cell.method, all, avoidable));
       }
     }
   }

@@ -29,7 +29,10 @@ std::array<Vec3, 4> tips_of(const VehicleState& state) {
 }  // namespace
 
 VoyageLog::VoyageLog(const Scenario& scenario, const Trajectory* reference)
-    : goal_{scenario.vehicles.front().mission.front().position},
+    : specs_{scenario.obstacles},
+      sight_{scenario.perception.obstacle_range_m},
+      in_sight_(scenario.obstacles.size()),
+      goal_{scenario.vehicles.front().mission.front().position},
       reference_{reference},
       detections_(scenario.obstacles.size()) {
   for (const ObstacleSpec& spec : scenario.obstacles) obstacles_.push_back(spec.view());
@@ -39,6 +42,7 @@ void VoyageLog::write(const Frame& frame) {
   see_forces(frame);
   see_detection(frame.vehicles.front());
   see_progress(frame);
+  see_danger(frame);
 }
 
 void VoyageLog::see_forces(const Frame& frame) {
@@ -83,6 +87,24 @@ void VoyageLog::see_progress(const Frame& frame) {
   followed_time_ += frame.period;
 }
 
+void VoyageLog::see_danger(const Frame& frame) {
+  const Vec3& p = frame.vehicles.front().state.p_n;
+  double clearance = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < specs_.size(); ++i) {
+    const DriftingObstacle obstacle{obstacles_[i], specs_[i].velocity};
+    const double gap = nearest_point(obstacle.at(frame.time), p).distance - footprint_radius;
+    clearance = std::fmin(clearance, gap);
+    const bool seen = gap <= sight_;
+    if (seen && !in_sight_[i]) {
+      surprised_at_ = p;
+      surprise_time_ = frame.time;
+    }
+    in_sight_[i] = seen;
+  }
+  if (clearance < 0.0 && !touched_with_a_way_out_)
+    touched_with_a_way_out_ = can_stay_clear(specs_, surprised_at_, surprise_time_);
+}
+
 void VoyageLog::report(std::vector<Measure>& measures) const {
   const auto add = [&](std::string quantity, double value) {
     measures.push_back({std::move(quantity), 0, value});
@@ -99,6 +121,7 @@ void VoyageLog::report(std::vector<Measure>& measures) const {
     add(fmt::format("detection_{}_surge_force_n", i + 1), detections_[i]->surge_force);
     add(fmt::format("detection_{}_sway_force_n", i + 1), detections_[i]->sway_force);
   }
+  add("avoidable_touch_count", touched_with_a_way_out_.value_or(false) ? 1.0 : 0.0);
   if (switch_distance_) add("switch_distance_m", *switch_distance_);
   if (goal_time_) add("goal_time_s", *goal_time_);
   if (reference_ != nullptr) {

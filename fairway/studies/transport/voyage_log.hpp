@@ -34,8 +34,15 @@ class VoyageLog final : public FrameSink {
   void see_forces(const Frame& frame);
   void see_detection(const VehicleFrame& vehicle);
   void see_progress(const Frame& frame);
+  void see_danger(const Frame& frame);
 
+  std::vector<ObstacleSpec> specs_;
   std::vector<Obstacle> obstacles_;
+  double sight_;  ///< at which what is not charted is perceived [m]
+  std::vector<bool> in_sight_;
+  Vec3 surprised_at_ = Vec3::Zero();  ///< where it was when something last came into sight
+  double surprise_time_{};
+  std::optional<bool> touched_with_a_way_out_;
   Vec3 goal_;
   const Trajectory* reference_;
 
