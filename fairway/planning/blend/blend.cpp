@@ -31,7 +31,13 @@ std::shared_ptr<const Plan> planned(const Params& params, const Situation& s, co
   Situation known = s;
   known.obstacles = chart;
   const auto seed = static_cast<std::uint32_t>(context.rng.next() >> 32U);
-  return std::make_shared<const Plan>(make_plan(params, plan_task(params, known), seed));
+
+  // where the filter would not let it pass it need not plan to, unless it must
+  PlanParams roomy = params;
+  if (params.filter) roomy.clearance_m = std::fmax(params.clearance_m, params.margin_m);
+  Plan plan = make_plan(roomy, plan_task(roomy, known), seed);
+  if (plan.status != PlanStatus::ready) plan = make_plan(params, plan_task(params, known), seed);
+  return std::make_shared<const Plan>(std::move(plan));
 }
 
 Vec2 place_at(const Memory& memory, double time) { return memory.plan->trajectory.sample(time).position; }

@@ -15,11 +15,13 @@ namespace fairway {
 /// RRT* path-planning and wall-following methods to obtain a complete strategy which would be able to avoid
 /// both stationary and moving obstacles"). It follows the trajectory of a plan over the charted obstacles;
 /// goes round what blocks that trajectory by corrected wall following, and back to it as soon as the way is
-/// free; plans anew, over all that it has met, when that is expected to be quicker; and passes everything
-/// through the safety filter. For any vehicle that can go any way: it commands velocities.
+/// free; lets what moves pass on a way through space and time; plans anew, over all that it has met, when
+/// that is expected to be quicker; and passes everything through the safety filter. For any vehicle that can
+/// go any way: it commands velocities.
 ///
-/// Following is O(obstacles + lookahead x tracks); going round as WallFollowing; planning as make_plan(), a
-/// few ten milliseconds, at the first decision and when something uncharted is met.
+/// Following is O(obstacles + lookahead x tracks); going round as WallFollowing; a way through space and time
+/// a few milliseconds, once a second with a mover near; planning as make_plan(), a few ten milliseconds, at
+/// the first decision and when something uncharted is met.
 struct Blend {
   static constexpr AlgorithmInfo info{
       .name = "blend",

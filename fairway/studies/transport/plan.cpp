@@ -52,6 +52,7 @@ std::vector<Cell> published_cells() {
 
 std::span<const Method> compared_methods() {
   static const ParamValues corrected{{"form", std::string("corrected")}};
+  static const ParamValues roomy{{"clearance_m", 0.5}};  // what the filter keeps
   static const std::array methods{
       Method{"direct+filter", "direct+safety_filter", {}},
       Method{"hard_switching", "hard_switching", {}},
@@ -60,8 +61,8 @@ std::span<const Method> compared_methods() {
       Method{"wall_following+filter", "wall_following+safety_filter", {}},
       Method{"corrected", "wall_following", corrected},
       Method{"corrected+filter", "wall_following+safety_filter", corrected},
-      Method{"rrt_star", "rrt_star", {}},
-      Method{"rrt_star+filter", "rrt_star+safety_filter", {}},
+      Method{"rrt_star", "rrt_star", roomy},
+      Method{"rrt_star+filter", "rrt_star+safety_filter", roomy},
       Method{"blend", "blend", {}},
       Method{"orca3d", "orca3d", {{"time_horizon_s", 20.0}, {"obstacle_time_horizon_s", 20.0}}},
       Method{"orca3d+filter",
