@@ -115,13 +115,13 @@ TEST(SituationJsonTest, ARefusalNamesLineAndPath) {
             "line 17: tracks[0].id: expected a whole number in [0, 4294967295]");
   EXPECT_EQ(refusal("\"radius\":2", "\"radius\":-2"),
             "line 17: tracks[1].radius: expected a number that is not negative, got -2");
-  EXPECT_EQ(refusal("\"full\":true", "\"full\":[]"),
-            "line 17: params.full: expected a number, true, false or text");
+  EXPECT_EQ(refusal("\"full\":true", "\"full\":[1]"),
+            "line 17: params.full[0]: expected an object");
   EXPECT_EQ(refusal("\"sphere\"", "\"ball\""),
             "line 17: obstacles[0].kind: expected sphere, segment or polygon");
   EXPECT_EQ(refusal("\"kind\":\"sphere\",", ""), "line 17: obstacles[0]: the key kind is missing");
   EXPECT_EQ(refusal("\"from\"", "\"radius\":1,\"from\""),
-            "line 17: obstacles[1].radius: unknown key; known: kind, from, to");
+            "line 17: obstacles[1].radius: unknown key; known: kind, from, to, charted");
   EXPECT_EQ(refusal("\"min_depth\":1", "\"min_depth\":99"),
             "line 17: limits: min_depth is below max_depth; depth counts downwards");
   EXPECT_EQ(refusal("\"cruise_speed\"", "\"speed\":1,\"cruise_speed\""),

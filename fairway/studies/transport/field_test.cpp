@@ -69,7 +69,7 @@ TEST(Escape, WhoIsOverrunHasNone) {
 TEST(StayClear, BetweenTwoDiscsAndADrifterThatClosesInThereIsNoWayOut) {
   std::vector<ObstacleSpec> trap{disc({0, 0, 0}, 4), disc({0, 13, 0}, 4), disc({14, 6.5, 0}, 7)};  // a pocket
   const Vec3 inside{5.5, 6.5, 0};
-  EXPECT_TRUE(can_stay_clear(trap, {-20, 0, 0}, 0.0));
+  EXPECT_TRUE(can_stay_clear(trap, {-5, 30, 0}, 0.0));
   ObstacleSpec lid = disc({-6, 6.5, 0}, 6);
   lid.velocity = {0.1, 0, 0};
   trap.push_back(lid);

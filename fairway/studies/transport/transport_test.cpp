@@ -45,7 +45,8 @@ TEST(TransportStudy, FirstForcesAreThePrintedOnes) {
 }
 
 TEST(TransportStudy, PeakYawMomentIsAQuarterTurnTimesTheGain) {
-  EXPECT_NEAR(measured("one_obstacle", "hard_switching", "peak_yaw_moment_nm"), 314.16, 0.05);
+  EXPECT_NEAR(measured("one_obstacle", "hard_switching", "peak_yaw_moment_nm"), 314.2,
+              0.1);  // 200 pi/2, and damping
 }
 
 TEST(TransportStudy, DetectionIsWhereItIsPrinted) {
