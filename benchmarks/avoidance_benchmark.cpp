@@ -66,6 +66,10 @@ BENCHMARK_CAPTURE(avoider, orca3d_congested, "orca3d", encounters::congested)
 BENCHMARK_CAPTURE(avoider, apf_crowd, "apf", encounters::crowd)->Arg(7)->Arg(20)->Arg(100)->Arg(500);
 BENCHMARK_CAPTURE(avoider, stop_and_wait_crowd, "orca3d+stop_and_wait", encounters::crowd)->Arg(7);
 BENCHMARK_CAPTURE(avoider, direct_crowd, "direct", encounters::crowd)->Arg(7);
+BENCHMARK_CAPTURE(avoider, hard_switching_crowd, "hard_switching", encounters::crowd)->Arg(7);
+BENCHMARK_CAPTURE(avoider, wall_following_crowd, "wall_following", encounters::crowd)->Arg(7);
+BENCHMARK_CAPTURE(avoider, filter_crowd, "direct+safety_filter", encounters::crowd)->Arg(7)->Arg(20);
+BENCHMARK_CAPTURE(avoider, filter_congested, "direct+safety_filter", encounters::congested)->Arg(7)->Arg(20);
 
 }  // namespace
 }  // namespace fairway

@@ -30,8 +30,8 @@ BENCHMARK(rk4_step<Kinematic>);
 /// One step of a vehicle of the catalog: limits, lag and RK4.
 void vehicle_step(benchmark::State& bench, std::string_view name) {
   Vehicle vehicle = builtin_vehicles().make(name);
-  ActuatorValues command(3);
-  command << 2.0, 3.0, 1.0;
+  const ActuatorValues command =
+      ActuatorValues::Constant(static_cast<Eigen::Index>(vehicle.actuators().size()), 2.0);
   for (auto _ : bench) {
     vehicle.step(command, sea, h);
     benchmark::DoNotOptimize(vehicle);
@@ -39,6 +39,10 @@ void vehicle_step(benchmark::State& bench, std::string_view name) {
 }
 BENCHMARK_CAPTURE(vehicle_step, sparus2, "sparus2");
 BENCHMARK_CAPTURE(vehicle_step, kinematic, "kinematic");
+BENCHMARK_CAPTURE(vehicle_step, minerva, "minerva");
+BENCHMARK_CAPTURE(vehicle_step, minerva_transport, "minerva_transport");
+BENCHMARK_CAPTURE(vehicle_step, otter, "otter");
+BENCHMARK_CAPTURE(vehicle_step, remus100, "remus100");
 
 /// One call of the autopilot, the request below (0.5 m/s) or far above (5 m/s) what thrusters give.
 void autopilot_call(benchmark::State& bench, std::string_view name, double surge_mps) {
@@ -50,6 +54,8 @@ void autopilot_call(benchmark::State& bench, std::string_view name, double surge
 }
 BENCHMARK_CAPTURE(autopilot_call, sparus2, "sparus2", 0.5);
 BENCHMARK_CAPTURE(autopilot_call, sparus2_saturated, "sparus2", 5.0);
+BENCHMARK_CAPTURE(autopilot_call, minerva_transport, "minerva_transport", 0.5);
+BENCHMARK_CAPTURE(autopilot_call, minerva_transport_saturated, "minerva_transport", 5.0);
 BENCHMARK_CAPTURE(autopilot_call, kinematic, "kinematic", 0.5);
 
 }  // namespace

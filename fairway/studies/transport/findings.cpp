@@ -155,7 +155,8 @@ std::vector<StudyRow> published_rows(const std::vector<Cell>& cells) {
     const Case which = cell.place == name_of(Case::one_obstacle) ? Case::one_obstacle : Case::four_obstacles;
     for (const std::string_view quantity : shown) {
       StudyRow row = published_row(cell, which, quantity);
-      if (row.published || std::isfinite(row.measured)) rows.push_back(std::move(row));
+      const bool telling = std::isfinite(row.measured) && !quantity.starts_with("detection_");
+      if (row.published || telling) rows.push_back(std::move(row));
     }
   }
   return rows;
