@@ -8,7 +8,7 @@
 namespace fairway {
 namespace {
 
-constexpr int yaw = 5;
+constexpr int yaw_axis = 5;
 constexpr double yaw_priority = 30.0;
 constexpr double relative_epsilon = 1e-12;
 constexpr double most_wrench = 1e9;  // [N, N m] no thruster gives it, and its square is finite
@@ -17,7 +17,7 @@ Wrench weights_of(const Eigen::MatrixXd& B) {
   Wrench weights = Wrench::Zero();
   for (int axis = 0; axis < 6; ++axis) {
     const double most = B.cols() > 0 ? B.row(axis).cwiseAbs().maxCoeff() : 0.0;
-    if (most > 0.0) weights[axis] = (axis == yaw ? yaw_priority : 1.0) / most;
+    if (most > 0.0) weights[axis] = (axis == yaw_axis ? yaw_priority : 1.0) / most;
   }
   return weights;
 }

@@ -157,7 +157,7 @@ ActuatorValues VelocityController::control(const BodyRequest& request, const Vec
                  axis.mass * (axis.bandwidth * (r - nu) - memories_[i].unexplained);
   }
 
-  const ActuatorValues u = allocate(missing);
+  ActuatorValues u = allocate(missing);
   follow(u, h);
   return u;
 }

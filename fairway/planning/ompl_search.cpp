@@ -96,7 +96,7 @@ ob::SpaceInformationPtr space_of(const PlanarMap& map, const PathRequest& reques
   plane->setStateSamplerAllocator(
       [seed](const ob::StateSpace* space) { return std::make_shared<SeededSampler>(space, seed); });
 
-  const auto space = std::make_shared<ob::SpaceInformation>(plane);
+  auto space = std::make_shared<ob::SpaceInformation>(plane);
   space->setStateValidityChecker([&map](const ob::State* state) { return map.is_free(point_of(state)); });
   space->setMotionValidator(std::make_shared<ExactMotion>(space, map));
   space->setup();
@@ -109,7 +109,7 @@ ob::ProblemDefinitionPtr problem_of(const ob::SpaceInformationPtr& space, const 
     start[axis] = request.start[axis];
     goal[axis] = request.goal[axis];
   }
-  const auto problem = std::make_shared<ob::ProblemDefinition>(space);
+  auto problem = std::make_shared<ob::ProblemDefinition>(space);
   problem->setStartAndGoalStates(start, goal);
   problem->setOptimizationObjective(std::make_shared<ob::PathLengthOptimizationObjective>(space));
   return problem;

@@ -10,10 +10,10 @@ namespace fairway {
 namespace {
 
 // hull; lengths in m, areas in m2
-constexpr double length = 1.6, diameter = 0.19;
-constexpr double semi_axis_a = 1.0096 * length / 2.0;  // of a spheroid of 31.9 kg
+constexpr double hull_length = 1.6, diameter = 0.19;
+constexpr double semi_axis_a = 1.0096 * hull_length / 2.0;  // of a spheroid of 31.9 kg
 constexpr double semi_axis_b = 1.0096 * diameter / 2.0;
-constexpr double planform = 0.7 * length * diameter;
+constexpr double planform = 0.7 * hull_length * diameter;
 constexpr double aspect_ratio = diameter * diameter / planform;
 constexpr double oswald_efficiency = 0.3;
 constexpr double roll_added_inertia = 0.3;  // r_44, of I_x
@@ -36,7 +36,7 @@ constexpr double K_Q_bollard = 0.0700, K_Q_design = 0.0312;
 constexpr double roll_reaction = 0.1;  // of the propeller's torque, matched to trials
 
 // The published model weighs the hull and cuts its strips in water of another density than all else.
-constexpr double rho = 1026.0, ballast_rho = 1025.0;
+constexpr double sea_density = 1026.0, ballast_density = 1025.0;
 constexpr double gravity_at_trondheim = 9.821784864579081;  // WGS-84 at 63.446827 degrees north [m/s2]
 
 /// Mass and principal moments of a homogeneous spheroid of density `density`: [m, I_x, I_y = I_z].
@@ -48,7 +48,7 @@ Vec3 spheroid(double density) {
 
 /// Diagonal of M_A by Lamb's k-factors (Imlay 1961; Fossen 2021, section 8.4.2).
 fossen::Vector6 added_mass() {
-  const Vec3 water = spheroid(rho);
+  const Vec3 water = spheroid(sea_density);
   const double e2 = 1.0 - semi_axis_b * semi_axis_b / (semi_axis_a * semi_axis_a);
   const double e = std::sqrt(e2), e3 = e * e2;
   const double logarithm = std::log((1.0 + e) / (1.0 - e));
@@ -66,7 +66,7 @@ fossen::Vector6 added_mass() {
 }
 
 fossen::Matrix6 rigid_body() {
-  const Vec3 hull = spheroid(ballast_rho);
+  const Vec3 hull = spheroid(ballast_density);
   return fossen::rigid_body_mass(hull[0], r_g, Vec3{hull[1], hull[2], hull[2]}.asDiagonal());
 }
 
@@ -89,10 +89,10 @@ Remus100::Remus100(const Params& p)
       M_inverse_{M_.inverse()},
       weight_{M_RB_(0, 0) * gravity_at_trondheim},
       parasitic_drag_{p.drag_ratio * pi * semi_axis_b * semi_axis_b / planform},
-      rudder_lift_{0.5 * rho * fin_area * p.rudder_lift_ratio},
-      stern_lift_{0.5 * rho * fin_area * p.stern_lift_ratio},
-      cylinder_{length / diameter},
-      strips_{length, diameter, ballast_rho} {
+      rudder_lift_{0.5 * sea_density * fin_area * p.rudder_lift_ratio},
+      stern_lift_{0.5 * sea_density * fin_area * p.stern_lift_ratio},
+      cylinder_{hull_length / diameter},
+      strips_{hull_length, diameter, ballast_density} {
   D_ = damping_of(p, M_, weight_);
   const Range fin{-largest_fin_angle, largest_fin_angle};
   actuators_ = {
@@ -109,8 +109,9 @@ Remus100::Screw Remus100::propeller(double n_rps, double speed) noexcept {
   const double n2 = n_rps * n_rps;
   const double advance = (1.0 - wake_fraction) * speed / propeller_diameter * n_rps / design_advance;
   const double D2 = propeller_diameter * propeller_diameter;
-  return {rho * D2 * D2 * (K_T_bollard * n2 + (K_T_design - K_T_bollard) * advance),
-          rho * D2 * D2 * propeller_diameter * (K_Q_bollard * n2 + (K_Q_design - K_Q_bollard) * advance)};
+  return {
+      sea_density * D2 * D2 * (K_T_bollard * n2 + (K_T_design - K_T_bollard) * advance),
+      sea_density * D2 * D2 * propeller_diameter * (K_Q_bollard * n2 + (K_Q_design - K_Q_bollard) * advance)};
 }
 
 fossen::Vector6 Remus100::actuator_wrench(const ActuatorValues& u, const Vec3& v) const noexcept {
@@ -132,12 +133,12 @@ fossen::Vector6 Remus100::hull_wrench(const Vec3& v, const Vec3& omega) const no
   const double alpha = std::atan2(v.z(), v.x());
   const double C_L = lift_slope * alpha;
   const double C_D = parasitic_drag_ + C_L * C_L / (pi * oswald_efficiency * aspect_ratio);
-  const double pressure = 0.5 * rho * planform * v.squaredNorm();
+  const double pressure = 0.5 * sea_density * planform * v.squaredNorm();
   const double along = std::hypot(v.x(), v.z());
   const double cosine = along > 0.0 ? v.x() / along : 1.0, sine = along > 0.0 ? v.z() / along : 0.0;
 
   const double across = std::hypot(v.y(), v.z());
-  const auto [drag, twist] = strips_.drag(v, omega, cylinder_.at(across * length / viscosity));
+  const auto [drag, twist] = strips_.drag(v, omega, cylinder_.at(across * hull_length / viscosity));
 
   fossen::Vector6 wrench;
   wrench << drag + pressure * Vec3{sine * C_L - cosine * C_D, 0.0, -cosine * C_L - sine * C_D}, twist;
@@ -186,7 +187,7 @@ StateRate Remus100::derivative(const VehicleState& x, const ActuatorValues& u,
 
 double Remus100::power(const ActuatorValues& u) const noexcept {
   const double n = u[2] / 60.0;
-  return 2.0 * pi * n * rho * std::pow(propeller_diameter, 5) * K_Q_design * n * n;
+  return 2.0 * pi * n * sea_density * std::pow(propeller_diameter, 5) * K_Q_design * n * n;
 }
 
 }  // namespace fairway

@@ -45,7 +45,8 @@ Vec2 place_at(const Memory& memory, double time) { return memory.plan->trajector
 /// Whether a track, kept at its velocity, comes nearer than the radii to who follows the trajectory.
 bool meets_track(const Params& params, const Situation& s, const Memory& memory) {
   const double duration = memory.plan->trajectory.duration();
-  for (double ahead = 0.0; ahead <= params.lookahead_s; ahead += sample_s) {
+  for (int i = 0; i * sample_s <= params.lookahead_s; ++i) {
+    const double ahead = i * sample_s;
     const Vec2 own = place_at(memory, std::fmin(duration, memory.progress_s + ahead));
     for (const Track& track : s.tracks) {
       const Vec3 there = track.position + ahead * track.velocity;
@@ -60,7 +61,8 @@ bool meets_track(const Params& params, const Situation& s, const Memory& memory)
 bool meets_find(const Params& params, const Memory& memory) {
   if (!memory.met) return false;
   const double end = std::fmin(memory.plan->trajectory.duration(), memory.progress_s + params.lookahead_s);
-  for (double time = memory.progress_s; time <= end; time += sample_s) {
+  for (int i = 0; memory.progress_s + i * sample_s <= end; ++i) {
+    const double time = memory.progress_s + i * sample_s;
     if (!memory.met->is_free(place_at(memory, time))) return true;
   }
   return false;
@@ -77,7 +79,8 @@ std::optional<double> way_back(const Params& params, const Situation& s, const M
   std::optional<double> best;
   double nearest = std::numeric_limits<double>::infinity();
   Memory there = memory;
-  for (double time = memory.progress_s; time <= memory.plan->trajectory.duration(); time += sample_s) {
+  for (int i = 0; memory.progress_s + i * sample_s <= memory.plan->trajectory.duration(); ++i) {
+    const double time = memory.progress_s + i * sample_s;
     const Vec2 point = place_at(memory, time);
     const double distance = (point - own).norm();
     if (distance >= nearest || !can_go_straight(memory, own, point)) continue;
@@ -93,7 +96,8 @@ std::optional<double> way_back(const Params& params, const Situation& s, const M
 Vec2 behind_block(const Params& params, const Memory& memory) {
   const double duration = memory.plan->trajectory.duration();
   Memory there = memory;
-  for (double time = memory.progress_s; time <= duration; time += sample_s) {
+  for (int i = 0; memory.progress_s + i * sample_s <= duration; ++i) {
+    const double time = memory.progress_s + i * sample_s;
     there.progress_s = time;
     if (!meets_find(params, there)) return place_at(memory, std::fmin(duration, time + params.lookahead_s));
   }
@@ -106,7 +110,8 @@ double expected_time(const Params& params, const Situation& s, const Memory& mem
   const double duration = memory.plan->trajectory.duration();
   Memory there = memory;
   double rejoin = duration;
-  for (double time = memory.progress_s; time <= duration; time += sample_s) {
+  for (int i = 0; memory.progress_s + i * sample_s <= duration; ++i) {
+    const double time = memory.progress_s + i * sample_s;
     there.progress_s = time;
     if (meets_find(params, there)) continue;
     rejoin = time;
@@ -250,7 +255,7 @@ Command Blend::decide(const Situation& s, Memory& memory, Context& context) cons
     const double elapsed = memory.last_time ? s.time - *memory.last_time : 0.0;
     memory.last_time = s.time;
 
-    const Command wanted = choose(params, s, elapsed, memory, context);
+    Command wanted = choose(params, s, elapsed, memory, context);
     if (!params.filter) return wanted;
     SafetyFilter filter;
     filter.params.margin_m = params.margin_m;
