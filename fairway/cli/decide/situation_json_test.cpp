@@ -115,8 +115,7 @@ TEST(SituationJsonTest, ARefusalNamesLineAndPath) {
             "line 17: tracks[0].id: expected a whole number in [0, 4294967295]");
   EXPECT_EQ(refusal("\"radius\":2", "\"radius\":-2"),
             "line 17: tracks[1].radius: expected a number that is not negative, got -2");
-  EXPECT_EQ(refusal("\"full\":true", "\"full\":[1]"),
-            "line 17: params.full[0]: expected an object");
+  EXPECT_EQ(refusal("\"full\":true", "\"full\":[1]"), "line 17: params.full[0]: expected an object");
   EXPECT_EQ(refusal("\"sphere\"", "\"ball\""),
             "line 17: obstacles[0].kind: expected sphere, segment or polygon");
   EXPECT_EQ(refusal("\"kind\":\"sphere\",", ""), "line 17: obstacles[0]: the key kind is missing");

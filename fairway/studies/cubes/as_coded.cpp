@@ -116,8 +116,7 @@ Command OrcaAsCoded::decide(const Situation& s, Memory& memory, Context& context
 
 Command StopAndWaitAsCoded::decide(const Situation& s, Avoider& inner, Memory& memory,
                                    Context& context) const noexcept {
-  Command command =
-      StopAndWait{{.crit_dist_m = params.crit_dist_m}}.decide(s, inner, memory.rule, context);
+  Command command = StopAndWait{{.crit_dist_m = params.crit_dist_m}}.decide(s, inner, memory.rule, context);
   if (command.mode == Mode::hold) {
     memory.waiting = true;
     memory.released = s.time + params.release_s;
