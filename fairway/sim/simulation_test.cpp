@@ -82,6 +82,27 @@ TEST(Simulation, AStepDoesNotAllocate) {
   }
 }
 
+TEST(Simulation, AStepOfMethodsThatCommandForcesDoesNotAllocate) {
+  for (const char* algorithm :
+       {"hard_switching", "wall_following", "wall_following+safety_filter", "orca3d+safety_filter"}) {
+    Scenario scenario = swap("minerva_transport", algorithm);
+    ObstacleSpec rock{.kind = Obstacle::Kind::sphere};
+    rock.position = {5, 0, 10};
+    rock.radius = 1.0;
+    ObstacleSpec drifter = rock;
+    drifter.position = {-5, 5, 10};
+    drifter.velocity = {0.1, 0, 0};
+    scenario.obstacles = {rock, drifter};
+    Simulation simulation{scenario, builtin_catalogs()};
+    RunMetrics metrics{{6, 3}};
+    const std::array<FrameSink*, 1> sinks{&metrics};
+    for (int i = 0; i < 10; ++i) simulation.step(sinks);
+    const long before = allocation_count();
+    for (int i = 0; i < 1000; ++i) simulation.step(sinks);
+    EXPECT_EQ(allocation_count(), before) << algorithm;
+  }
+}
+
 TEST(Simulation, EveryoneDecidesOnTheSameInstant) {
   // two alike vehicles in a mirrored encounter stay mirrored: neither saw the other's move first
   Scenario scenario{.name = "mirror", .duration_s = 60};

@@ -42,12 +42,13 @@ std::shared_ptr<const Plan> planned(const Params& params, const Situation& s, co
 
 Vec2 place_at(const Memory& memory, double time) { return memory.plan->trajectory.sample(time).position; }
 
-/// Whether a track, kept at its velocity, comes nearer than the radii to who follows the trajectory.
-bool meets_track(const Params& params, const Situation& s, const Memory& memory) {
+/// Whether a track, kept at its velocity, comes nearer than the radii to who follows the trajectory from
+/// `from`.
+bool meets_track(const Params& params, const Situation& s, const Memory& memory, double from) {
   const double duration = memory.plan->trajectory.duration();
   for (int i = 0; i * sample_s <= params.lookahead_s; ++i) {
     const double ahead = i * sample_s;
-    const Vec2 own = place_at(memory, std::fmin(duration, memory.progress_s + ahead));
+    const Vec2 own = place_at(memory, std::fmin(duration, from + ahead));
     for (const Track& track : s.tracks) {
       const Vec3 there = track.position + ahead * track.velocity;
       const double room = s.own.radius + track.radius + params.margin_m;
@@ -57,13 +58,12 @@ bool meets_track(const Params& params, const Situation& s, const Memory& memory)
   return false;
 }
 
-/// Whether what was met lies on the trajectory within the lookahead.
-bool meets_find(const Params& params, const Memory& memory) {
+/// Whether what was met lies on the trajectory within `horizon` [s] of `from`.
+bool meets_find(const Memory& memory, double from, double horizon) {
   if (!memory.met) return false;
-  const double end = std::fmin(memory.plan->trajectory.duration(), memory.progress_s + params.lookahead_s);
-  for (int i = 0; memory.progress_s + i * sample_s <= end; ++i) {
-    const double time = memory.progress_s + i * sample_s;
-    if (!memory.met->is_free(place_at(memory, time))) return true;
+  const double end = std::fmin(memory.plan->trajectory.duration(), from + horizon);
+  for (int i = 0; from + i * sample_s <= end; ++i) {
+    if (!memory.met->is_free(place_at(memory, from + i * sample_s))) return true;
   }
   return false;
 }
@@ -78,47 +78,40 @@ std::optional<double> way_back(const Params& params, const Situation& s, const M
   const Vec2 own = seen_from_above(s.own.position);
   std::optional<double> best;
   double nearest = std::numeric_limits<double>::infinity();
-  Memory there = memory;
   for (int i = 0; memory.progress_s + i * sample_s <= memory.plan->trajectory.duration(); ++i) {
     const double time = memory.progress_s + i * sample_s;
     const Vec2 point = place_at(memory, time);
     const double distance = (point - own).norm();
     if (distance >= nearest || !can_go_straight(memory, own, point)) continue;
-    there.progress_s = time;
-    if (meets_find(params, there)) continue;
+    if (meets_find(memory, time, params.lookahead_s)) continue;
     nearest = distance;
     best = time;
   }
   return best;
 }
 
-/// Where going round is meant to lead: the next point of the trajectory behind what blocks it.
-Vec2 behind_block(const Params& params, const Memory& memory) {
-  const double duration = memory.plan->trajectory.duration();
-  Memory there = memory;
-  for (int i = 0; memory.progress_s + i * sample_s <= duration; ++i) {
+/// When the trajectory is free again for as long as the lookahead; nothing if it never is.
+std::optional<double> free_again(const Params& params, const Memory& memory) {
+  for (int i = 0; memory.progress_s + i * sample_s <= memory.plan->trajectory.duration(); ++i) {
     const double time = memory.progress_s + i * sample_s;
-    there.progress_s = time;
-    if (!meets_find(params, there)) return place_at(memory, std::fmin(duration, time + params.lookahead_s));
+    if (!meets_find(memory, time, params.lookahead_s)) return time;
   }
-  return memory.plan->task.goal;
+  return {};
+}
+
+/// Where going round is meant to lead: beyond the next point of the trajectory behind what blocks it.
+Vec2 behind_block(const Params& params, const Memory& memory) {
+  const std::optional<double> free = free_again(params, memory);
+  if (!free) return memory.plan->task.goal;
+  return place_at(memory, std::fmin(memory.plan->trajectory.duration(), *free + params.lookahead_s));
 }
 
 /// How long it takes from here by the plan that there is: round the block on half a circle, and on.
 double expected_time(const Params& params, const Situation& s, const Memory& memory) {
-  const double speed = memory.plan->task.limits.max_speed_mps;
   const double duration = memory.plan->trajectory.duration();
-  Memory there = memory;
-  double rejoin = duration;
-  for (int i = 0; memory.progress_s + i * sample_s <= duration; ++i) {
-    const double time = memory.progress_s + i * sample_s;
-    there.progress_s = time;
-    if (meets_find(params, there)) continue;
-    rejoin = time;
-    break;
-  }
+  const double rejoin = free_again(params, memory).value_or(duration);
   const double round = 0.5 * pi * (place_at(memory, rejoin) - seen_from_above(s.own.position)).norm();
-  return round / speed + duration - rejoin;
+  return round / memory.plan->task.limits.max_speed_mps + duration - rejoin;
 }
 
 void adopt(std::shared_ptr<const Plan> plan, Memory& memory) {
@@ -135,10 +128,7 @@ void learn(const Params& params, const Situation& s, Memory& memory, Context& co
   memory.met = std::make_shared<const PlanarMap>(met, s.own.radius + params.margin_m);
   if (!params.replan || memory.plan->status != PlanStatus::ready) return;
 
-  Memory whole = memory;
-  Params everything = params;
-  everything.lookahead_s = memory.plan->trajectory.duration();
-  if (!meets_find(everything, whole)) return;
+  if (!meets_find(memory, memory.progress_s, memory.plan->trajectory.duration())) return;
   std::shared_ptr<const Plan> other = planned(params, s, memory.finds, context);
   if (other->status != PlanStatus::ready) return;
   const double expected = expected_time(params, s, memory);
@@ -188,13 +178,14 @@ std::optional<Vec3> dodge(const Params& params, const Situation& s, Memory& memo
   memory.dodge_until_s = s.time + every;
   memory.dodge.reset();
 
+  const Vec2 towards = behind_block(params, memory);
   std::vector<const PlanarMap*> maps{&memory.plan->task.map};
   if (memory.met) maps.push_back(memory.met.get());
   const double speed = std::fmin(s.goal.cruise_speed, s.limits.max_speed);
   const Vec2 own = seen_from_above(s.own.position);
   for (const double share : {1.0, 0.5, 0.1}) {
     const auto leg = way_through({.from = own,
-                                  .towards = behind_block(params, memory),
+                                  .towards = towards,
                                   .speed = speed,
                                   .radius = s.own.radius,
                                   .margin = share * params.margin_m,
@@ -211,10 +202,7 @@ std::optional<Vec3> dodge(const Params& params, const Situation& s, Memory& memo
 /// Back to the trajectory if it is free from some point ahead that can be gone to straight.
 void come_back(const Params& params, const Situation& s, Memory& memory) {
   const std::optional<double> back = way_back(params, s, memory);
-  if (!back) return;
-  Memory there = memory;
-  there.progress_s = *back;
-  if (meets_track(params, s, there)) return;
+  if (!back || meets_track(params, s, memory, *back)) return;
   memory.progress_s = *back;
   memory.stage = Stage::following;
   memory.wall = {};
@@ -228,11 +216,12 @@ Command choose(const Params& params, const Situation& s, double elapsed, Memory&
     return command;
   }
 
-  const bool mover = meets_track(params, s, memory);
+  const bool mover = meets_track(params, s, memory, memory.progress_s);
   const Vec2 next = place_at(memory, memory.progress_s);
   const Vec2 own = seen_from_above(s.own.position);
   const bool astray = (next - own).norm() > params.leash_m && !can_go_straight(memory, own, next);
-  if (mover || astray || meets_find(params, memory)) memory.stage = Stage::going_round;
+  if (mover || astray || meets_find(memory, memory.progress_s, params.lookahead_s))
+    memory.stage = Stage::going_round;
   if (mover || mover_is_near(s)) {
     if (const std::optional<Vec3> velocity = dodge(params, s, memory)) {
       memory.stage = Stage::going_round;

@@ -100,6 +100,17 @@ StudyRow published_row(const Cell& cell, Case which, std::string_view quantity) 
 
 bool arrived(const Cell& cell, std::size_t i) { return cell.value(i, "arrived_ratio") == 1.0; }
 bool touched(const Cell& cell, std::size_t i) { return cell.value(i, "footprint_clearance_m") < 0.0; }
+bool touched_with_a_way_out(const Cell& cell, std::size_t i) {
+  return cell.value(i, "avoidable_touch_count") > 0.0;
+}
+bool succeeded(const Cell& cell, std::size_t i) { return arrived(cell, i) && !touched(cell, i); }
+
+/// Runs of the cell of which `is` holds.
+std::size_t count_runs(const Cell& cell, bool (*is)(const Cell&, std::size_t)) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < cell.results.size(); ++i) count += is(cell, i) ? 1 : 0;
+  return count;
+}
 
 /// The finite values of a quantity over the runs that arrived.
 std::vector<double> of_arrived(const Cell& cell, std::string_view quantity) {
@@ -165,18 +176,11 @@ std::vector<StudyRow> published_rows(const std::vector<Cell>& cells) {
 std::vector<StudyRow> comparison_rows(const std::vector<Cell>& cells) {
   std::vector<StudyRow> rows;
   for (const Cell& cell : cells) {
-    std::size_t untouched = 0, successes = 0;
-    for (std::size_t i = 0; i < cell.results.size(); ++i) {
-      untouched += touched(cell, i) ? 0 : 1;
-      successes += arrived(cell, i) && !touched(cell, i) ? 1 : 0;
-    }
-    rows.push_back(
-        share_row(cell, "success_ratio", successes, "arrived and touched nothing; Wilson's interval"));
+    const std::size_t untouched = cell.results.size() - count_runs(cell, touched);
+    rows.push_back(share_row(cell, "success_ratio", count_runs(cell, succeeded),
+                             "arrived and touched nothing; Wilson's interval"));
     rows.push_back(share_row(cell, "untouched_ratio", untouched, "touched nothing; Wilson's interval"));
-    std::size_t avoidable = 0;
-    for (std::size_t i = 0; i < cell.results.size(); ++i)
-      avoidable += cell.value(i, "avoidable_touch_count") > 0.0 ? 1 : 0;
-    rows.push_back(share_row(cell, "avoidable_touch_ratio", avoidable,
+    rows.push_back(share_row(cell, "avoidable_touch_ratio", count_runs(cell, touched_with_a_way_out),
                              "touched something although there was a way out; Wilson's interval"));
     const double clearance = least(cell, "footprint_clearance_m");
     rows.push_back(comparison_row(cell, "least_clearance_m", clearance, clearance, clearance,
@@ -244,11 +248,8 @@ std::vector<std::string> field_findings(const std::vector<Cell>& fields, int see
                     name_of(kind), escapes, seeds));
     for (const Cell& cell : fields) {
       if (cell.place != name_of(kind)) continue;
-      std::size_t all = 0, avoidable = 0;
-      for (std::size_t i = 0; i < cell.results.size(); ++i) {
-        all += touched(cell, i) ? 1 : 0;
-        avoidable += cell.value(i, "avoidable_touch_count") > 0.0 ? 1 : 0;
-      }
+      const std::size_t all = count_runs(cell, touched);
+      const std::size_t avoidable = count_runs(cell, touched_with_a_way_out);
       if (all > 0) {
         lines.push_back(fmt::format("{}, {}: touched something in {}, of which {} with a way out.",
                                     name_of(kind), cell.method, all, avoidable));

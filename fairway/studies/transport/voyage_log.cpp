@@ -9,6 +9,7 @@
 
 #include "fairway/experiment/executor.hpp"
 #include "fairway/experiment/measure_run.hpp"
+#include "fairway/planning/rrt_star/rrt_star.hpp"
 #include "fairway/studies/transport/field.hpp"
 
 namespace fairway::transport {
@@ -137,17 +138,14 @@ void VoyageLog::report(std::vector<Measure>& measures) const {
 }
 
 std::optional<Trajectory> printed_reference(const VehicleSpec& vehicle) {
-  double segment_time = 0.0;
+  if (vehicle.avoider.name != RrtStar::info.name) return {};
+  RrtStar::Params params;
+  for (const auto& [name, value] : vehicle.avoider.params) set_param(params, name, value);
+  if (params.segment_time_s <= 0.0 || params.waypoints.size() < 2) return {};
+
   std::vector<Vec2> waypoints;
-  for (const auto& [name, value] : vehicle.avoider.params) {
-    if (name == "segment_time_s") segment_time = std::get<double>(value);
-    if (name == "waypoints") waypoints.resize(static_cast<std::size_t>(std::get<double>(value)));
-    if (!name.starts_with("waypoints[")) continue;
-    const std::size_t index = std::stoul(name.substr(std::string_view("waypoints[").size()));
-    waypoints[index][name.ends_with(".n_m") ? 0 : 1] = std::get<double>(value);
-  }
-  if (segment_time <= 0.0 || waypoints.size() < 2) return {};
-  return minimum_snap(waypoints, std::vector<double>(waypoints.size() - 1, segment_time));
+  for (const Waypoint& waypoint : params.waypoints) waypoints.emplace_back(waypoint.n_m, waypoint.e_m);
+  return minimum_snap(waypoints, std::vector<double>(waypoints.size() - 1, params.segment_time_s));
 }
 
 std::vector<Measure> measure_voyage(const Scenario& scenario, const Catalogs& catalogs,
