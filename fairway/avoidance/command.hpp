@@ -32,6 +32,10 @@ struct Command {
   bool astern{false};             ///< the vehicle may go stern first rather than turn round
   std::optional<double> heading;  ///< desired yaw, where the method commands one [rad]
 
+  /// Desired yaw rate, where the method commands one; then the part of `velocity` along the present heading
+  /// is the surge it wants, astern if negative. [rad/s, positive to starboard]
+  std::optional<double> turn_rate;
+
   /// Where the method commands forces: a vehicle that knows how its actuators push carries these out, any
   /// other follows `velocity`, which is where the forces are meant to lead. [N, N m, body]
   std::optional<Wrench> wrench;
@@ -44,6 +48,7 @@ struct Command {
 
 inline bool is_finite(const Command& command) {
   return is_finite(command.velocity) && (!command.heading || std::isfinite(*command.heading)) &&
+         (!command.turn_rate || std::isfinite(*command.turn_rate)) &&
          (!command.wrench || command.wrench->allFinite());
 }
 

@@ -37,12 +37,18 @@ BodyRequest go_as_you_are(const SteeringParams& params, const Command& command, 
 
 BodyRequest steer(const SteeringParams& params, const Command& command, double yaw) noexcept {
   if (params.kind == SteeringKind::holonomic) return go_as_you_are(params, command, yaw);
+  if (command.turn_rate) {
+    return {.surge_mps = std::cos(yaw) * command.velocity.x() + std::sin(yaw) * command.velocity.y(),
+            .heave_mps = command.velocity.z(),
+            .yaw_rate_radps = *command.turn_rate};
+  }
   const double speed = horizontal_norm(command.velocity);
   const Aim aim = aim_of(command, speed, yaw);
   BodyRequest request{.heave_mps = command.velocity.z()};
 
-  if (params.kind == SteeringKind::proportional) {
-    request.surge_mps = aim.direction * speed * std::fmax(0.0, std::cos(aim.alpha));
+  if (params.kind != SteeringKind::turn_then_go) {
+    const bool waits = params.kind == SteeringKind::proportional;
+    request.surge_mps = aim.direction * speed * (waits ? std::fmax(0.0, std::cos(aim.alpha)) : 1.0);
     request.yaw_rate_radps =
         std::clamp(params.turn_gain_hz * aim.alpha, -params.max_turn_rate_radps, params.max_turn_rate_radps);
     return request;

@@ -10,14 +10,15 @@ namespace fairway {
 
 /// How a velocity over ground becomes surge, sway, heave and yaw rate.
 enum class SteeringKind {
-  turn_then_go,  ///< turn on the spot until nearly aligned, then go (raja2024, Algorithm 1)
-  proportional,  ///< turn while going; surge falls with the cosine of the heading error
-  holonomic,     ///< go there by surge and sway and keep the heading, for a vehicle that can
+  turn_then_go,      ///< turn on the spot until nearly aligned, then go (raja2024, Algorithm 1)
+  proportional,      ///< turn while going; surge falls with the cosine of the heading error
+  holonomic,         ///< go there by surge and sway and keep the heading, for a vehicle that can
+  speed_and_course,  ///< keep the speed while turning towards the course (campos2019: v and omega of theta)
 };
 
 template <>
 struct EnumNames<SteeringKind> {
-  static constexpr std::array names{"turn_then_go", "proportional", "holonomic"};
+  static constexpr std::array names{"turn_then_go", "proportional", "holonomic", "speed_and_course"};
 };
 
 /// Symbols of raja2024 (Table I): ORI_ERROR, K_ROT_MIN, K_ROT_MAX, ROT_VEL.
@@ -40,8 +41,8 @@ struct SteeringParams {
         field<&SteeringParams::k_rot_max_ratio>({0, 10}, "turn_then_go: turning coefficient while stopped"),
         field<&SteeringParams::rot_vel_radps>({0, 10},
                                               "turn_then_go: rotation speed that the coefficients scale"),
-        field<&SteeringParams::turn_gain_hz>({0, 10}, "proportional, holonomic: yaw rate per heading error"),
-        field<&SteeringParams::max_turn_rate_radps>({0, 10}, "proportional, holonomic: largest yaw rate"),
+        field<&SteeringParams::turn_gain_hz>({0, 10}, "all but turn_then_go: yaw rate per heading error"),
+        field<&SteeringParams::max_turn_rate_radps>({0, 10}, "all but turn_then_go: largest yaw rate"),
         field<&SteeringParams::heading_rad>({-6.3, 6.3},
                                             "holonomic: kept where the method commands no heading"),
     };
@@ -50,7 +51,8 @@ struct SteeringParams {
 
 /// The body request that carries out `command` from the present heading. With `command.astern` a
 /// velocity behind the beam is met stern first (Algorithm 1, lines 14 to 41, with |alpha| in lines 27
-/// and 30). A velocity that is purely vertical leaves the heading alone.
+/// and 30). A velocity that is purely vertical leaves the heading alone. A commanded turn rate is taken as it
+/// is, with the velocity's part along the heading as surge; only `holonomic` has no use for it.
 BodyRequest steer(const SteeringParams& params, const Command& command, double yaw) noexcept;
 
 }  // namespace fairway

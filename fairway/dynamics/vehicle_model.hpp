@@ -10,6 +10,7 @@
 
 #include "fairway/core/params.hpp"
 #include "fairway/core/state.hpp"
+#include "fairway/core/water.hpp"
 #include "fairway/core/wrench.hpp"
 
 namespace fairway {
@@ -27,12 +28,6 @@ struct ActuatorInfo {
   std::string meaning;
   Range range{};             ///< hard limits
   double time_constant_s{};  ///< of the first-order lag from command to state; 0 = none
-};
-
-/// The water around one vehicle at one instant.
-struct Water {
-  Vec3 current_n = Vec3::Zero();  ///< [m/s, NED], taken as irrotational
-  double density{1000.0};         ///< [kg/m3]
 };
 
 /// Time derivative of a VehicleState.

@@ -33,7 +33,8 @@ std::uint64_t frame_hash(const Frame& frame) noexcept {
     hash.add(std::uint64_t{number(v.id)} | static_cast<std::uint64_t>(v.phase) << 32U |
              static_cast<std::uint64_t>(command.mode) << 40U | std::uint64_t{command.astern} << 48U |
              std::uint64_t{command.heading.has_value()} << 56U |
-             std::uint64_t{command.wrench.has_value()} << 57U);
+             std::uint64_t{command.wrench.has_value()} << 57U |
+             std::uint64_t{command.turn_rate.has_value()} << 58U);
 
     hash.add(v.state.p_n);
     hash.add(std::span{v.state.q_nb.coeffs().data(), 4});
@@ -41,6 +42,7 @@ std::uint64_t frame_hash(const Frame& frame) noexcept {
     hash.add(v.state.omega_b);
     hash.add(command.velocity);
     hash.add(std::bit_cast<std::uint64_t>(command.heading.value_or(0.0)));
+    if (command.turn_rate) hash.add(std::bit_cast<std::uint64_t>(*command.turn_rate));
     if (command.wrench) hash.add(std::span{command.wrench->data(), 6});
     hash.add(v.goal);
     hash.add(std::bit_cast<std::uint64_t>(v.goal_speed));

@@ -6,7 +6,7 @@
 namespace fairway::layout {
 
 // What writer and reader agree on; README.md explains it.
-inline constexpr int format = 2;  ///< grows when another fairway could not read the file
+inline constexpr int format = 3;  ///< grows when another fairway could not read the file
 
 inline constexpr std::string_view frame_topic = "/fairway/frame";
 inline constexpr std::string_view transforms_topic = "/tf";

@@ -86,9 +86,11 @@ void encode_status(Bytes& out, Stamp stamp, Tick tick, const VehicleFrame& vehic
   cdr.number(static_cast<std::uint8_t>(vehicle.command.mode));
   cdr.boolean(vehicle.command.astern);
   cdr.boolean(vehicle.command.heading.has_value());
+  cdr.boolean(vehicle.command.turn_rate.has_value());
   cdr.boolean(vehicle.command.wrench.has_value());
   cdr.array(values(vehicle.command.velocity));
   cdr.number(vehicle.command.heading.value_or(0.0));
+  cdr.number(vehicle.command.turn_rate.value_or(0.0));
   const Wrench commanded = vehicle.command.wrench.value_or(Wrench{Wrench::Zero()});
   cdr.array(values(commanded));
   cdr.array(values(vehicle.goal));
@@ -146,10 +148,13 @@ Tick decode_status(ByteView message, VehicleFrame& vehicle, std::vector<double>&
   vehicle.command.mode = enumerator<Mode>(cdr.number<std::uint8_t>(), "mode");
   vehicle.command.astern = cdr.boolean();
   const bool has_heading = cdr.boolean();
+  const bool has_turn_rate = cdr.boolean();
   const bool has_wrench = cdr.boolean();
   cdr.array(values(vehicle.command.velocity));
   const auto heading = cdr.number<double>();
   if (has_heading) vehicle.command.heading = heading;
+  const auto turn_rate = cdr.number<double>();
+  if (has_turn_rate) vehicle.command.turn_rate = turn_rate;
   Wrench commanded;
   cdr.array(values(commanded));
   if (has_wrench) vehicle.command.wrench = commanded;

@@ -51,6 +51,8 @@ constexpr std::array list{
     Quantity{"command_d_mps", [](V v) { return number_text(v.command.velocity.z()); }},
     Quantity{"command_heading_rad",
              [](V v) { return v.command.heading ? number_text(*v.command.heading) : std::string{}; }},
+    Quantity{"command_turn_rate_radps",
+             [](V v) { return v.command.turn_rate ? number_text(*v.command.turn_rate) : std::string{}; }},
     Quantity{"command_force_x_n", [](V v) { return axis_text(v.command.wrench, 0); }},
     Quantity{"command_force_y_n", [](V v) { return axis_text(v.command.wrench, 1); }},
     Quantity{"command_force_z_n", [](V v) { return axis_text(v.command.wrench, 2); }},

@@ -97,6 +97,10 @@ void append_answer(const Command& command, bool planar, std::string& out) {
   out += "],\"mode\":\"";
   out += EnumNames<Mode>::names.at(static_cast<std::size_t>(command.mode));
   out += '"';
+  if (command.turn_rate) {
+    out += ",\"turn_rate\":";
+    append_number(*command.turn_rate, out);
+  }
   if (command.wrench) {
     out += ",\"wrench\":[";
     for (Eigen::Index axis = 0; axis < 6; ++axis) {

@@ -40,6 +40,7 @@ class SampleRun {
       v.command.mode = static_cast<Mode>(rng.index(EnumNames<Mode>::names.size()));
       v.command.astern = rng.index(2) == 1;
       if (rng.index(2) == 1) v.command.heading = rng.normal();
+      if (rng.index(2) == 1) v.command.turn_rate = rng.normal();
       if (rng.index(2) == 1) v.command.wrench = (Wrench() << draw(), draw()).finished();
       v.phase = static_cast<Phase>(rng.index(EnumNames<Phase>::names.size()));
       v.goal = 100.0 * draw();
