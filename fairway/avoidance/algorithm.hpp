@@ -20,12 +20,13 @@ struct Context {
 
 /// What to print about an algorithm, and where it comes from.
 struct AlgorithmInfo {
-  std::string_view name;    ///< as written in a scenario: "orca3d"
-  std::string_view title;   ///< "Optimal reciprocal collision avoidance in three dimensions"
-  std::string_view source;  ///< the paper and the equations implemented
-  bool planar = false;      ///< thinks in the horizontal plane: reads and writes d = 0
-  bool allocates = false;   ///< true only for planners that must
-  bool isotropic = true;    ///< turning the scene about the vertical turns the answer
+  std::string_view name;           ///< as written in a scenario: "orca3d"
+  std::string_view title;          ///< "Optimal reciprocal collision avoidance in three dimensions"
+  std::string_view source;         ///< the paper and the equations implemented
+  bool planar = false;             ///< thinks in the horizontal plane: reads and writes d = 0
+  bool allocates = false;          ///< true only for planners that must
+  bool isotropic = true;           ///< turning the scene about the vertical turns the answer
+  bool steers_by_heading = false;  ///< reckons with the turn: goes straight for the goal once it heads for it
 };
 
 /// For algorithms that remember nothing.

@@ -6,6 +6,7 @@
 #include "fairway/dynamics/otter/otter.hpp"
 #include "fairway/dynamics/remus100/remus100.hpp"
 #include "fairway/dynamics/sparus2/sparus2.hpp"
+#include "fairway/dynamics/zarco/zarco.hpp"
 
 namespace fairway {
 
@@ -17,7 +18,8 @@ VehicleCatalog builtin_vehicles() {
       .add<MinervaTransport>()
       .add<Otter>()
       .add<OtterByThrust>()
-      .add<Remus100>();
+      .add<Remus100>()
+      .add<Zarco>();
 }
 
 }  // namespace fairway

@@ -8,6 +8,7 @@
 
 #include "fairway/core/error.hpp"
 #include "fairway/record/cdr.hpp"
+#include "fairway/record/layout.hpp"
 #include "fairway/record/mcap_reader.hpp"
 #include "fairway/record/mcap_writer.hpp"
 #include "fairway/record/messages.hpp"
@@ -112,7 +113,7 @@ TEST(DamagedRecording, WithAHugeLengthTakesNoMemoryForIt) {
 
 // Files whose checksums are right and whose content is not.
 struct Forgery {
-  std::string format = "2";
+  std::string format = std::to_string(layout::format);
   std::string vehicles = R"([{"id":1,"name":"a","model":"m","topic":"/a"}])";
   std::string end_hash = "0";
   std::string frame_count = "0";
@@ -168,11 +169,11 @@ void write_status(McapWriter& mcap, std::int64_t tick) {
 TEST(ForgedRecording, IsRefusedForWhatIsWrongInIt) {
   EXPECT_EQ(Forgery{}.refusal_of(), "");
   EXPECT_THAT(
-      (Forgery{.format = "3"}.refusal_of()),
-      HasSubstr("a recording of format 3, made by fairway 9.9; expected format 2: use a newer fairway"));
+      (Forgery{.format = "4"}.refusal_of()),
+      HasSubstr("a recording of format 4, made by fairway 9.9; expected format 3: use a newer fairway"));
   EXPECT_THAT(
-      (Forgery{.format = "1"}.refusal_of()),
-      HasSubstr("a recording of format 1, made by fairway 9.9; expected format 2: run its scenario again"));
+      (Forgery{.format = "2"}.refusal_of()),
+      HasSubstr("a recording of format 2, made by fairway 9.9; expected format 3: run its scenario again"));
   EXPECT_THAT((Forgery{.format = "x"}.refusal_of()), HasSubstr("format is 'x'; expected a number"));
   EXPECT_THAT((Forgery{.vehicles = "[{"}.refusal_of()), HasSubstr("list of vehicles"));
   EXPECT_THAT((Forgery{.vehicles = R"([{"id":"a"}])"}.refusal_of()), HasSubstr("list of vehicles"));

@@ -76,12 +76,12 @@ std::optional<Tree> write_vector(const Vec3& v) {
 }
 
 template <std::integral T>
-Form<T> whole() {
-  return {.read = [](const Value& value) { return value.whole<T>(); },
+Form<T> whole(T lo = std::numeric_limits<T>::min(), T hi = std::numeric_limits<T>::max()) {
+  return {.read = [lo, hi](const Value& value) { return value.whole<T>(lo, hi); },
           .write = [](const T& value) -> std::optional<Tree> { return Tree::word(std::to_string(value)); },
           .schema = Tree::map({{"type", Tree::quote("integer")},
-                               {"minimum", Tree::word(std::to_string(std::numeric_limits<T>::min()))},
-                               {"maximum", Tree::word(std::to_string(std::numeric_limits<T>::max()))}})};
+                               {"minimum", Tree::word(std::to_string(lo))},
+                               {"maximum", Tree::word(std::to_string(hi))}})};
 }
 
 }  // namespace
@@ -153,6 +153,7 @@ Form<std::string> name() {
 Form<std::uint64_t> seed() { return whole<std::uint64_t>(); }
 Form<std::uint32_t> identifier() { return whole<std::uint32_t>(); }
 Form<std::int32_t> integer() { return whole<std::int32_t>(); }
+Form<std::int32_t> integer(std::int32_t lo, std::int32_t hi) { return whole(lo, hi); }
 
 namespace {
 

@@ -162,6 +162,8 @@ Form<std::string> name();
 Form<std::uint64_t> seed();
 Form<std::uint32_t> identifier();
 Form<std::int32_t> integer();
+/// From `lo` to `hi`.
+Form<std::int32_t> integer(std::int32_t lo, std::int32_t hi);
 
 /// Something chosen by name, with parameters of its own: `orca3d`, or a mapping in which `name_key`
 /// holds the name and all other keys are parameters.

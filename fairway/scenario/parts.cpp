@@ -184,6 +184,8 @@ const Block<Scenario>& scenario_block() {
       key("summary", &Scenario::summary, text(), "One line about it."),
       key("step_s", &Scenario::step_s, number(above_to(0.0, 1.0)),
           "The control period and integration step. Default 0.05."),
+      key("steps_per_decision_count", &Scenario::steps_per_decision, integer(1, 10000),
+          "Avoiders decide at every so many steps. Default 1."),
       key("duration_s", &Scenario::duration_s, number(above_to(0.0, 1e7)),
           "The run ends here at the latest. Default 600."),
       key("seed", &Scenario::seed, seed(), "Of everything that is drawn. Default 1."),

@@ -88,6 +88,7 @@ struct Scenario {
   std::string name;
   std::string summary;
   double step_s{0.05};       ///< the control period and the integration step
+  std::int32_t steps_per_decision{1};  ///< avoiders decide at every so many steps
   double duration_s{600.0};  ///< the run ends here at the latest
   std::uint64_t seed{1};
   double water_density_kgpm3{1000.0};

@@ -251,6 +251,7 @@ TEST(WriteTest, TheTextIsWhatAPersonWouldWrite) {
   EXPECT_EQ(to_yaml(s), R"(fairway: 1
 name: a b
 step_s: 0.05
+steps_per_decision_count: 1
 duration_s: 600
 seed: 1
 water:

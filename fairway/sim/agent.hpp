@@ -12,6 +12,7 @@
 #include "fairway/control/mission.hpp"
 #include "fairway/control/onboard_model.hpp"
 #include "fairway/control/steering.hpp"
+#include "fairway/core/tick.hpp"
 #include "fairway/scenario/scenario.hpp"
 #include "fairway/sim/catalogs.hpp"
 
@@ -34,6 +35,8 @@ struct Agent {
   Autopilot autopilot;
   Mission mission;
   Avoider avoider;
+
+  Tick next_decision{0};  ///< of the avoider
 
   // this tick's values
   Ownship own;

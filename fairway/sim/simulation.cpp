@@ -30,6 +30,7 @@ Wrench wrench_of(const Vehicle& vehicle) {
 
 Simulation::Simulation(const Scenario& scenario, const Catalogs& catalogs)
     : period_{scenario.step_s},
+      steps_per_decision_{scenario.steps_per_decision},
       last_tick_{static_cast<std::int64_t>(std::floor(scenario.duration_s / scenario.step_s + 1e-9))},
       stop_when_done_{scenario.stop_when_done},
       reach_{scenario.perception.range_m, scenario.perception.obstacle_range_m},
@@ -107,10 +108,15 @@ void Simulation::perceive() {
   for (std::size_t i = 0; i < agents_.size(); ++i) {
     Agent& agent = agents_[i];
     if (time() >= agent.start_delay) agent.mission.advance(agent.own, time(), everyone_ready(i));
-    if (!is_avoiding(agent.mission.phase())) continue;
+    if (!is_avoiding(agent.mission.phase())) agent.next_decision = tick_;
+    if (!is_deciding(agent)) continue;
     perception_.perceive(mailbox_, obstacles_.drifters(), i, reach_, agent.tracks);
     perceive_obstacles(obstacles_.fixed(), agent.own.position, agent.radius, reach_, agent.obstacles);
   }
+}
+
+bool Simulation::is_deciding(const Agent& agent) const {
+  return is_avoiding(agent.mission.phase()) && agent.next_decision == tick_;
 }
 
 Command Simulation::decide(Agent& agent) {
@@ -128,7 +134,7 @@ Command Simulation::decide(Agent& agent) {
       break;
   }
   return agent.avoider.decide({.time = time(),
-                               .period = period_,
+                               .period = steps_per_decision_ * period_,
                                .own = agent.own,
                                .goal = {.position = leg->position, .cruise_speed = leg->speed_mps},
                                .limits = agent.limits,
@@ -139,7 +145,10 @@ Command Simulation::decide(Agent& agent) {
 
 void Simulation::decide() {
   for (Agent& agent : agents_) {
-    if (!timing_ || !is_avoiding(agent.mission.phase())) {
+    const bool deciding = is_deciding(agent);
+    if (is_avoiding(agent.mission.phase()) && !deciding) continue;
+    if (deciding) agent.next_decision = Tick{count(tick_) + steps_per_decision_};
+    if (!timing_ || !deciding) {
       agent.command = decide(agent);
       continue;
     }

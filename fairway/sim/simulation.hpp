@@ -54,9 +54,11 @@ class Simulation {
   void move();
 
   bool everyone_ready(std::size_t index) const;
+  bool is_deciding(const Agent& agent) const;
   Command decide(Agent& agent);
 
   double period_;
+  std::int32_t steps_per_decision_;
   Tick last_tick_;
   bool stop_when_done_;
   Reach reach_;

@@ -67,6 +67,26 @@ TEST(Simulation, TheSameScenarioGivesTheSameBits) {
   }
 }
 
+TEST(Simulation, BetweenDecisionsACommandStands) {
+  Scenario scenario = swap("kinematic", "apf");
+  scenario.steps_per_decision = 4;
+  Simulation simulation{scenario, builtin_catalogs()};
+  simulation.time_decisions();
+  int changes = 0;
+  Command before = simulation.agents()[0].command;
+  for (int i = 0; i < 400; ++i) {
+    simulation.step({});
+    const Command& now = simulation.agents()[0].command;
+    if (i % 4 != 0) {
+      EXPECT_EQ(now, before) << i;
+    }
+    changes += now == before ? 0 : 1;
+    before = now;
+  }
+  EXPECT_EQ(simulation.decision_times().count, 100 * 8);
+  EXPECT_GT(changes, 50);
+}
+
 TEST(Simulation, AStepDoesNotAllocate) {
   for (const char* model : {"sparus2", "kinematic"}) {
     for (const char* algorithm : {"direct", "apf", "orca3d", "apf+stop_and_wait", "orca3d+stop_and_wait"}) {
