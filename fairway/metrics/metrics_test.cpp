@@ -180,5 +180,28 @@ TEST(EffortMetric, PowersAreForceTimesVelocityAlongEachAxis) {
   EXPECT_NEAR(measured(metrics, "displacement_m"), 2.0, 1e-12);
 }
 
+TEST(SmoothnessMetric, TurnsAndChangesOfSpeedAddUpWhileUnderWay) {
+  RunMetrics metrics{{6.0, 3.0}};
+  const auto see = [&](int tick, double yaw, double surge, Phase phase) {
+    std::array<VehicleFrame, 1> vehicles{};
+    vehicles[0].phase = phase;
+    vehicles[0].state.q_nb = quaternion_of({.yaw = yaw});
+    vehicles[0].state.v_b.x() = surge;
+    metrics.write({Tick{tick}, seconds(Tick{tick}, 1.0), 1.0, vehicles});
+  };
+  see(0, 2.0, 0.5, Phase::deploying);  // does not count
+  see(1, 3.0, 1.0, Phase::under_way);
+  see(2, -3.0, 1.5, Phase::under_way);  // through south: 0.283 rad
+  see(3, 3.0, 0.75, Phase::under_way);
+  see(4, 0.0, 0.0, Phase::arrived);  // nor does this
+  double turned = 0.0, changed = 0.0;
+  for (const Measure& m : metrics.measures()) {
+    if (m.quantity == "heading_change_rad") turned = m.value;
+    if (m.quantity == "speed_change_mps") changed = m.value;
+  }
+  EXPECT_NEAR(turned, 2 * (2 * pi - 6.0), 1e-12);
+  EXPECT_NEAR(changed, 1.25, 1e-12);
+}
+
 }  // namespace
 }  // namespace fairway

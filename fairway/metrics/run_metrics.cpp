@@ -8,6 +8,7 @@ std::vector<Measure> RunMetrics::measures() const {
   encounters_.report(all);
   fleet_.report(all);
   effort_.report(all);
+  smoothness_.report(all);
   return all;
 }
 
@@ -15,6 +16,7 @@ std::vector<QuantityInfo> all_quantities() {
   std::vector<QuantityInfo> all = EncounterMetric::quantities();
   all.insert(all.end(), FleetMetric::quantities().begin(), FleetMetric::quantities().end());
   all.insert(all.end(), EffortMetric::quantities().begin(), EffortMetric::quantities().end());
+  all.insert(all.end(), SmoothnessMetric::quantities().begin(), SmoothnessMetric::quantities().end());
   return all;
 }
 

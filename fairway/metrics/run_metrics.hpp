@@ -6,6 +6,7 @@
 #include "fairway/metrics/effort.hpp"
 #include "fairway/metrics/encounters.hpp"
 #include "fairway/metrics/fleet.hpp"
+#include "fairway/metrics/smoothness.hpp"
 
 namespace fairway {
 
@@ -19,6 +20,7 @@ class RunMetrics final : public FrameSink {
     encounters_.see(frame);
     fleet_.see(frame);
     effort_.see(frame);
+    smoothness_.see(frame);
   }
 
   /// All quantities, in a fixed order. Infinite where nothing was seen (no pair: no separation).
@@ -28,6 +30,7 @@ class RunMetrics final : public FrameSink {
   EncounterMetric encounters_;
   FleetMetric fleet_;
   EffortMetric effort_;
+  SmoothnessMetric smoothness_;
 };
 
 /// Every quantity that RunMetrics reports.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/studies/page_blocks.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace fairway::page {
@@ -67,6 +68,47 @@ json comparison_table(std::string title, std::span<const StudyRow> rows) {
             column("verdict", "Verdict", "verdict"), column("note", "Note", "text")}},
           {"rows", std::move(lines)},
           {"filter", {"case", "method", "quantity"}}};
+}
+
+json method_intervals(std::span<const StudyRow> rows, std::span<const Method> methods,
+                      std::string_view quantity, const char* label, const std::vector<std::string>& places) {
+  json series = json::array();
+  for (const Method& method : methods) {
+    json points = json::array();
+    for (const std::string& place : places) {
+      const auto row = std::ranges::find_if(rows, [&](const StudyRow& r) {
+        return r.cell == place && r.method == method.name && r.quantity == quantity;
+      });
+      const bool known = row != rows.end() && std::isfinite(row->measured) && std::isfinite(row->low);
+      points.push_back(known ? json{{"value", row->measured}, {"low", row->low}, {"high", row->high}}
+                             : json());
+    }
+    series.push_back({{"label", method.name}, {"points", points}});
+  }
+  return {{"kind", "intervals"},
+          {"title", label},
+          {"y_label", label},
+          {"categories", places},
+          {"series", series}};
+}
+
+json section(const char* id, const char* title, std::vector<std::string> paragraphs,
+             std::vector<json> blocks) {
+  return {{"id", id}, {"title", title}, {"paragraphs", std::move(paragraphs)}, {"blocks", std::move(blocks)}};
+}
+
+json scene(const std::string& title, json tracks, std::span<const ObstacleSpec> obstacles, const Vec3& goal) {
+  json spheres = json::array();
+  for (const ObstacleSpec& spec : obstacles) {
+    const std::array centre{spec.position.x(), spec.position.y(), spec.position.z()};
+    const char* label = spec.moves() ? "drifts" : spec.charted ? "charted" : "not charted";
+    spheres.push_back({{"centre", centre}, {"radius", spec.radius}, {"label", label}});
+  }
+  return {{"kind", "trajectories"},
+          {"title", title},
+          {"vehicles", std::move(tracks)},
+          {"goals", json::array({{goal.x(), goal.y(), goal.z()}})},
+          {"spheres", std::move(spheres)}};
 }
 
 }  // namespace fairway::page

@@ -5,6 +5,7 @@
 
 #include "fairway/planning/path_planner.hpp"
 #include "fairway/sim/simulation.hpp"
+#include "fairway/studies/page_blocks.hpp"
 #include "fairway/studies/transport/field.hpp"
 #include "fairway/studies/transport/voyage_log.hpp"
 
@@ -72,25 +73,6 @@ class Curve final : public FrameSink {
   std::vector<double> t_, n_, e_, surge_, sway_, yaw_;
 };
 
-json spheres_of(const std::vector<ObstacleSpec>& obstacles) {
-  json spheres = json::array();
-  for (const ObstacleSpec& spec : obstacles) {
-    const std::array centre{spec.position.x(), spec.position.y(), spec.position.z()};
-    const char* label = spec.moves() ? "drifts" : spec.charted ? "charted" : "not charted";
-    spheres.push_back({{"centre", centre}, {"radius", spec.radius}, {"label", label}});
-  }
-  return spheres;
-}
-
-json scene(const std::string& title, json vehicles, const std::vector<ObstacleSpec>& obstacles,
-           const Vec3& goal) {
-  return {{"kind", "trajectories"},
-          {"title", title},
-          {"vehicles", std::move(vehicles)},
-          {"goals", json::array({{goal.x(), goal.y(), goal.z()}})},
-          {"spheres", spheres_of(obstacles)}};
-}
-
 Curve followed(const Scenario& scenario) {
   Curve curve{scenario.step_s};
   const std::array<FrameSink*, 1> sinks{&curve};
@@ -113,8 +95,8 @@ std::vector<json> redrawn(const PublishedRun& run, const std::string& title) {
   const Scenario scenario = scenario_of(run, Plant::paper_compat);
   const Curve compat = followed(scenario);
   const Curve physical = followed(scenario_of(run, Plant::physical));
-  std::vector<json> blocks{scene(title, {compat.track("paper_compat"), physical.track("physical")},
-                                 obstacles_of(run.which), goal_of(run.which)),
+  std::vector<json> blocks{page::scene(title, {compat.track("paper_compat"), physical.track("physical")},
+                                       obstacles_of(run.which), goal_of(run.which)),
                            compat.forces()};
   if (const auto reference = printed_reference(scenario.vehicles.front()))
     blocks.push_back(compat.responses(*reference));
@@ -126,7 +108,7 @@ json ways(const std::string& title, std::span<const Method> methods,
   json vehicles = json::array();
   for (const Method& method : methods)
     vehicles.push_back(followed(voyage("way", method, obstacles, goal, 600.0, 1)).track(method.name));
-  return scene(title, std::move(vehicles), obstacles, goal);
+  return page::scene(title, std::move(vehicles), obstacles, goal);
 }
 
 json planned_paths() {
@@ -143,8 +125,8 @@ json planned_paths() {
   for (std::size_t i = 0; i < reference->segments().size(); ++i)
     table_7.push_back(reference->derivative(i, 0, 0.0));
   table_7.push_back(reference->sample(reference->duration()).position);
-  return scene("Figure 8: the path of Table 7 and one planned here, discs inflated to 4.2 m",
-               {polyline("Table 7", table_7), polyline("rrt_star", path.waypoints)}, specs, goal);
+  return page::scene("Figure 8: the path of Table 7 and one planned here, discs inflated to 4.2 m",
+                     {polyline("Table 7", table_7), polyline("rrt_star", path.waypoints)}, specs, goal);
 }
 
 }  // namespace fairway::transport

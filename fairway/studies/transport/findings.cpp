@@ -3,10 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
-
-#include "fairway/experiment/statistics.hpp"
 
 namespace fairway::transport {
 namespace {
@@ -98,66 +95,9 @@ StudyRow published_row(const Cell& cell, Case which, std::string_view quantity) 
   return row;
 }
 
-bool arrived(const Cell& cell, std::size_t i) { return cell.value(i, "arrived_ratio") == 1.0; }
-bool touched(const Cell& cell, std::size_t i) { return cell.value(i, "footprint_clearance_m") < 0.0; }
 bool touched_with_a_way_out(const Cell& cell, std::size_t i) {
   return cell.value(i, "avoidable_touch_count") > 0.0;
 }
-bool succeeded(const Cell& cell, std::size_t i) { return arrived(cell, i) && !touched(cell, i); }
-
-/// Runs of the cell of which `is` holds.
-std::size_t count_runs(const Cell& cell, bool (*is)(const Cell&, std::size_t)) {
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < cell.results.size(); ++i) count += is(cell, i) ? 1 : 0;
-  return count;
-}
-
-/// The finite values of a quantity over the runs that arrived.
-std::vector<double> of_arrived(const Cell& cell, std::string_view quantity) {
-  std::vector<double> values;
-  for (std::size_t i = 0; i < cell.results.size(); ++i) {
-    const double value = cell.value(i, quantity);
-    if (arrived(cell, i) && std::isfinite(value)) values.push_back(value);
-  }
-  return values;
-}
-
-StudyRow comparison_row(const Cell& cell, std::string_view quantity, double measured, double low, double high,
-                        std::string note) {
-  return {.cell = cell.place,
-          .method = cell.method,
-          .mode = cell.mode,
-          .quantity = std::string(quantity),
-          .measured = measured,
-          .low = low,
-          .high = high,
-          .runs = static_cast<int>(cell.results.size()),
-          .note = std::move(note)};
-}
-
-StudyRow share_row(const Cell& cell, std::string_view quantity, std::size_t count, std::string note) {
-  const RateEstimate rate = wilson_interval(count, cell.results.size());
-  return comparison_row(cell, quantity, rate.rate, rate.low, rate.high, std::move(note));
-}
-
-StudyRow mean_row(const Cell& cell, std::string_view quantity) {
-  const MeanEstimate mean = estimate_mean(of_arrived(cell, quantity));
-  return comparison_row(cell, quantity, mean.mean, mean.low, mean.high, "of the runs that arrived");
-}
-
-double least(const Cell& cell, std::string_view quantity) {
-  double value = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < cell.results.size(); ++i) value = std::fmin(value, cell.value(i, quantity));
-  return value;
-}
-
-const Cell& find(const std::vector<Cell>& cells, std::string_view place, std::string_view method,
-                 std::string_view mode) {
-  return *std::ranges::find_if(cells, [&](const Cell& cell) {
-    return cell.place == place && cell.method == method && cell.mode == mode;
-  });
-}
-
 }  // namespace
 
 std::vector<StudyRow> published_rows(const std::vector<Cell>& cells) {
@@ -183,8 +123,8 @@ std::vector<StudyRow> comparison_rows(const std::vector<Cell>& cells) {
     rows.push_back(share_row(cell, "avoidable_touch_ratio", count_runs(cell, touched_with_a_way_out),
                              "touched something although there was a way out; Wilson's interval"));
     const double clearance = least(cell, "footprint_clearance_m");
-    rows.push_back(comparison_row(cell, "least_clearance_m", clearance, clearance, clearance,
-                                  "least distance of the footprint from any surface over all runs"));
+    rows.push_back(cell_row(cell, "least_clearance_m", clearance, clearance, clearance,
+                            "least distance of the footprint from any surface over all runs"));
     for (const std::string_view quantity :
          {"navigation_time_s", "path_length_m", "body_energy_j", "energy_j"})
       rows.push_back(mean_row(cell, quantity));
@@ -194,11 +134,11 @@ std::vector<StudyRow> comparison_rows(const std::vector<Cell>& cells) {
 
 std::vector<std::string> claims(const std::vector<Cell>& published) {
   const std::string_view compat = name_of(Plant::paper_compat), physical = name_of(Plant::physical);
-  const Cell& hard = find(published, "one_obstacle", "hard_switching", compat);
-  const Cell& hard_physical = find(published, "one_obstacle", "hard_switching", physical);
-  const Cell& wall = find(published, "one_obstacle", "wall_following", compat);
-  const Cell& wall_four = find(published, "four_obstacles", "wall_following", compat);
-  const Cell& path = find(published, "four_obstacles", "rrt_star", compat);
+  const Cell& hard = find_cell(published, "one_obstacle", "hard_switching", compat);
+  const Cell& hard_physical = find_cell(published, "one_obstacle", "hard_switching", physical);
+  const Cell& wall = find_cell(published, "one_obstacle", "wall_following", compat);
+  const Cell& wall_four = find_cell(published, "four_obstacles", "wall_following", compat);
+  const Cell& path = find_cell(published, "four_obstacles", "rrt_star", compat);
   const auto energy = [](const Cell& cell) { return cell.value(0, "body_energy_j") / 1000.0; };
 
   return {

@@ -1,27 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/studies/transport/plan.hpp"
 
-#include <fmt/format.h>
-
-#include <limits>
-
-#include "fairway/experiment/digest.hpp"
-#include "fairway/experiment/version.hpp"
-#include "fairway/scenario/load.hpp"
-
 namespace fairway::transport {
 namespace {
 
 constexpr double field_duration = 900.0;  // [s]
-
-/// The key holds a digest of the scenario, so that a changed scenario makes another run.
-void add_run(Cell& cell, std::function<Scenario()> scenario, std::uint64_t seed) {
-  const std::string digest = Digest::of(to_yaml(scenario()));
-  std::string key = fmt::format("transport/{}/{}/{}/{}/{}/{}", cell.place, cell.method, cell.mode, digest,
-                                results_epoch, seed);
-  Labels labels{{"case", cell.place}, {"method", cell.method}, {"mode", cell.mode}};
-  cell.runs.push_back({{std::move(key), std::move(labels), seed}, std::move(scenario)});
-}
 
 Cell cell_of(std::string_view place, const Method& method, Plant plant) {
   return {
@@ -30,20 +13,13 @@ Cell cell_of(std::string_view place, const Method& method, Plant plant) {
 
 }  // namespace
 
-double Cell::value(std::size_t i, std::string_view quantity) const {
-  for (const Measure& measure : results[i]) {
-    if (measure.quantity == quantity) return measure.value;
-  }
-  return std::numeric_limits<double>::quiet_NaN();
-}
-
 std::vector<Cell> published_cells() {
   std::vector<Cell> cells;
   for (const PublishedRun& run : published_runs()) {
     for (const Plant plant : plants) {
       Cell cell = cell_of(name_of(run.which), run.method, plant);
-      add_run(
-          cell, [&run, plant] { return scenario_of(run, plant); }, 1);
+      cell.add_run(
+          "transport", [&run, plant] { return scenario_of(run, plant); }, 1);
       cells.push_back(std::move(cell));
     }
   }
@@ -80,7 +56,7 @@ std::vector<Cell> case_cells() {
       const auto scenario = [which, &method] {
         return voyage(name_of(which), method, obstacles_of(which), goal_of(which), field_duration, 1);
       };
-      add_run(cell, scenario, 1);
+      cell.add_run("transport", scenario, 1);
       cells.push_back(std::move(cell));
     }
   }
@@ -98,7 +74,7 @@ std::vector<Cell> field_cells(int seeds) {
           Field field = random_field(kind, seed);
           return voyage(name_of(kind), method, std::move(field.obstacles), field.goal, field_duration, seed);
         };
-        add_run(cell, scenario, seed);
+        cell.add_run("transport", scenario, seed);
       }
       cells.push_back(std::move(cell));
     }

@@ -4,23 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "fairway/studies/study_runs.hpp"
+#include "fairway/studies/cell.hpp"
 #include "fairway/studies/transport/field.hpp"
 #include "fairway/studies/transport/transport_case.hpp"
 
 namespace fairway::transport {
-
-/// Runs that differ in their seed only, and what they came to, in order of the seeds.
-struct Cell {
-  std::string place;   ///< case or kind of field
-  std::string method;  ///< as in tables
-  std::string mode;    ///< plant
-  std::vector<StudyRun> runs;
-  std::vector<std::vector<Measure>> results;
-
-  /// A quantity of run `i` of the first vehicle or the fleet; NaN where it was not measured.
-  double value(std::size_t i, std::string_view quantity) const;
-};
 
 /// The four published runs on both plants.
 std::vector<Cell> published_cells();

@@ -7,28 +7,6 @@
 #include "fairway/studies/transport/voyage_log.hpp"
 
 namespace fairway::transport {
-namespace {
-
-std::vector<StudyRun> runs_of(const Results& results) {
-  std::vector<StudyRun> runs;
-  for (const auto* cells : {&results.published, &results.cases, &results.fields}) {
-    for (const Cell& cell : *cells) std::ranges::copy(cell.runs, std::back_inserter(runs));
-  }
-  return runs;
-}
-
-/// Hands the measures, which are in the order of runs_of(), to the cells.
-void hand_out(std::vector<std::vector<Measure>> measures, Results& results) {
-  auto next = measures.begin();
-  for (auto* cells : {&results.published, &results.cases, &results.fields}) {
-    for (Cell& cell : *cells) {
-      for (std::size_t i = 0; i < cell.runs.size(); ++i) cell.results.push_back(std::move(*next++));
-    }
-  }
-}
-
-}  // namespace
-
 StudyResult run_transport(const StudyOptions& options) {
   Results results{.published = published_cells(),
                   .cases = case_cells(),
@@ -38,9 +16,8 @@ StudyResult run_transport(const StudyOptions& options) {
   const auto measure = [&](const Scenario& scenario, const std::atomic<bool>* stop) {
     return measure_voyage(scenario, catalogs, stop);
   };
-  auto measures = make_runs(runs_of(results), measure, options);
-  if (!measures) return {.complete = false};
-  hand_out(std::move(*measures), results);
+  const std::array groups{&results.published, &results.cases, &results.fields};
+  if (!make_cells(groups, measure, options)) return {.complete = false};
 
   results.rows = published_rows(results.published);
   results.published_rows = results.rows.size();

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "fairway/scenario/scenario.hpp"
+#include "fairway/studies/cell.hpp"
 
 namespace fairway::transport {
 
@@ -22,13 +23,6 @@ std::string_view name_of(Plant plant);
 /// that no chart shows.
 enum class Case { one_obstacle, four_obstacles, unknown_obstacle };
 std::string_view name_of(Case which);
-
-/// A way of getting there, with its parameters.
-struct Method {
-  std::string_view name;       ///< in tables
-  std::string_view algorithm;  ///< of the catalog
-  ParamValues params;
-};
 
 /// What a published run was made with.
 struct PublishedRun {

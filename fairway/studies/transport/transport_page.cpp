@@ -14,11 +14,6 @@ namespace {
 
 using nlohmann::json;
 
-json section(const char* id, const char* title, std::vector<std::string> paragraphs,
-             std::vector<json> blocks) {
-  return {{"id", id}, {"title", title}, {"paragraphs", std::move(paragraphs)}, {"blocks", std::move(blocks)}};
-}
-
 std::vector<StudyRow> rows_in_mode(std::span<const StudyRow> rows, std::string_view mode) {
   std::vector<StudyRow> chosen;
   std::ranges::copy_if(rows, std::back_inserter(chosen),
@@ -26,53 +21,31 @@ std::vector<StudyRow> rows_in_mode(std::span<const StudyRow> rows, std::string_v
   return chosen;
 }
 
-/// One quantity of every method, by place, with its interval.
-json intervals(std::span<const StudyRow> rows, std::string_view quantity, const char* label,
-               const std::vector<std::string>& places) {
-  json series = json::array();
-  for (const Method& method : compared_methods()) {
-    json points = json::array();
-    for (const std::string& place : places) {
-      const auto row = std::ranges::find_if(rows, [&](const StudyRow& r) {
-        return r.cell == place && r.method == method.name && r.quantity == quantity;
-      });
-      const bool known = row != rows.end() && std::isfinite(row->measured) && std::isfinite(row->low);
-      points.push_back(known ? json{{"value", row->measured}, {"low", row->low}, {"high", row->high}}
-                             : json());
-    }
-    series.push_back({{"label", method.name}, {"points", points}});
-  }
-  return {{"kind", "intervals"},
-          {"title", label},
-          {"y_label", label},
-          {"categories", places},
-          {"series", series}};
-}
-
 json published_section(const Results& results) {
   const std::span rows = std::span{results.rows}.first(results.published_rows);
-  return section(
+  return page::section(
       "published", "Published against measured", claims(results.published),
       {page::comparison_table("On the compatible plant", rows_in_mode(rows, name_of(Plant::paper_compat))),
        page::comparison_table("On the physical plant", rows_in_mode(rows, name_of(Plant::physical)))});
 }
 
 json plants_section() {
-  return section("plants", "The two plants",
-                 {"The publication gives neither mass nor drag of the transport system. `physical` is "
-                  "composed of four Minerva "
-                  "vehicles, a payload and links from published parts: linear and quadratic drag of every "
-                  "part, Coriolis and "
-                  "centripetal terms, and a yaw inertia in which a swap of two entries in the published data "
-                  "is put right.",
-                  "`paper_compat` leaves the quadratic drag and the Coriolis terms out and keeps the inertia "
-                  "as in the data. It "
-                  "was chosen after seeing the published times: with quadratic drag the goal of the first "
-                  "case takes three "
-                  "times the published 350 s, and with Coriolis terms hard switching never arrives. So "
-                  "agreement on it is agreement "
-                  "under an assumption."},
-                 {});
+  return page::section(
+      "plants", "The two plants",
+      {"The publication gives neither mass nor drag of the transport system. `physical` is "
+       "composed of four Minerva "
+       "vehicles, a payload and links from published parts: linear and quadratic drag of every "
+       "part, Coriolis and "
+       "centripetal terms, and a yaw inertia in which a swap of two entries in the published data "
+       "is put right.",
+       "`paper_compat` leaves the quadratic drag and the Coriolis terms out and keeps the inertia "
+       "as in the data. It "
+       "was chosen after seeing the published times: with quadratic drag the goal of the first "
+       "case takes three "
+       "times the published 350 s, and with Coriolis terms hard switching never arrives. So "
+       "agreement on it is agreement "
+       "under an assumption."},
+      {});
 }
 
 json figures_section() {
@@ -83,8 +56,8 @@ json figures_section() {
     if (i == 3) blocks.push_back(planned_paths());
     for (json& block : redrawn(published_runs()[i], titles[i])) blocks.push_back(std::move(block));
   }
-  return section("figures", "Figures 5 to 9 redrawn", {"Positions north and east, one point a second."},
-                 std::move(blocks));
+  return page::section("figures", "Figures 5 to 9 redrawn", {"Positions north and east, one point a second."},
+                       std::move(blocks));
 }
 
 json cases_section(const Results& results) {
@@ -94,7 +67,7 @@ json cases_section(const Results& results) {
         ways(std::string(name_of(which)), compared_methods(), obstacles_of(which), goal_of(which)));
   }
   blocks.push_back(page::comparison_table("Every method on the three cases", comparison_rows(results.cases)));
-  return section(
+  return page::section(
       "cases", "Every method on the published cases, and on one with an unknown obstacle",
       {"On the physical plant. A run is a success if it arrives and the footprint, a disc of 3.2 m that "
        "holds the four tips, touches nothing."},
@@ -115,23 +88,24 @@ json fields_section(const Results& results) {
                   "for every method. Bars are 95 % intervals.",
                   results.seeds)};
   std::ranges::copy(field_findings(results.fields, results.seeds), std::back_inserter(paragraphs));
-  return section("fields", "Random fields: known, unknown and moving obstacles", std::move(paragraphs),
-                 {page::grid(2, {intervals(rows, "success_ratio", "arrived, nothing touched", places),
-                                 intervals(rows, "untouched_ratio", "nothing touched", places),
-                                 intervals(rows, "navigation_time_s", "time of arrival [s]", places),
-                                 intervals(rows, "body_energy_j", "energy into the body [J]", places)}),
-                  page::comparison_table("All kinds, all methods", rows)});
+  return page::section("fields", "Random fields: known, unknown and moving obstacles", std::move(paragraphs),
+                       {page::grid(2, {page::method_intervals(rows, compared_methods(), "success_ratio",
+                                                              "arrived, nothing touched", places),
+                                       page::method_intervals(rows, compared_methods(), "untouched_ratio",
+                                                              "nothing touched", places),
+                                       page::method_intervals(rows, compared_methods(), "navigation_time_s",
+                                                              "time of arrival [s]", places),
+                                       page::method_intervals(rows, compared_methods(), "body_energy_j",
+                                                              "energy into the body [J]", places)}),
+                        page::comparison_table("All kinds, all methods", rows)});
 }
 
 json facts(const Results& results) {
-  std::size_t runs = 0;
-  for (const auto* cells : {&results.published, &results.cases, &results.fields}) {
-    for (const Cell& cell : *cells) runs += cell.runs.size();
-  }
+  const std::array groups{&results.published, &results.cases, &results.fields};
   const auto count = [&](Verdict verdict) {
     return std::ranges::count(results.rows, verdict, &StudyRow::verdict);
   };
-  return {{{"label", "Runs"}, {"value", std::to_string(runs)}},
+  return {{{"label", "Runs"}, {"value", std::to_string(run_count(groups))}},
           {{"label", "Reproduced"}, {"value", std::to_string(count(Verdict::reproduced))}},
           {{"label", "Reproduced, assuming"}, {"value", std::to_string(count(Verdict::reproduced_assuming))}},
           {{"label", "Not reproduced"},

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/studies/cell.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "fairway/experiment/digest.hpp"
+#include "fairway/experiment/statistics.hpp"
+#include "fairway/experiment/version.hpp"
+#include "fairway/scenario/load.hpp"
+
+namespace fairway {
+
+double Cell::value(std::size_t i, std::string_view quantity) const {
+  for (const Measure& measure : results[i]) {
+    if (measure.quantity == quantity) return measure.value;
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+void Cell::add_run(std::string_view study, std::function<Scenario()> scenario, std::uint64_t seed) {
+  const std::string digest = Digest::of(to_yaml(scenario()));
+  std::string key =
+      fmt::format("{}/{}/{}/{}/{}/{}/{}", study, place, method, mode, digest, results_epoch, seed);
+  Labels labels{{"case", place}, {"method", method}, {"mode", mode}};
+  runs.push_back({{std::move(key), std::move(labels), seed}, std::move(scenario)});
+}
+
+bool make_cells(std::span<std::vector<Cell>* const> groups, const MeasureRun& measure,
+                const StudyOptions& options) {
+  std::vector<StudyRun> runs;
+  for (const std::vector<Cell>* cells : groups) {
+    for (const Cell& cell : *cells) std::ranges::copy(cell.runs, std::back_inserter(runs));
+  }
+  auto measures = make_runs(runs, measure, options);
+  if (!measures) return false;
+
+  auto next = measures->begin();
+  for (std::vector<Cell>* cells : groups) {
+    for (Cell& cell : *cells) {
+      for (std::size_t i = 0; i < cell.runs.size(); ++i) cell.results.push_back(std::move(*next++));
+    }
+  }
+  return true;
+}
+
+std::size_t run_count(std::span<const std::vector<Cell>* const> groups) {
+  std::size_t count = 0;
+  for (const std::vector<Cell>* cells : groups) {
+    for (const Cell& cell : *cells) count += cell.runs.size();
+  }
+  return count;
+}
+
+const Cell& find_cell(const std::vector<Cell>& cells, std::string_view place, std::string_view method,
+                      std::string_view mode) {
+  for (const Cell& cell : cells) {
+    if (cell.place == place && cell.method == method && cell.mode == mode) return cell;
+  }
+  throw std::out_of_range(fmt::format("no cell {} {} {}", place, method, mode));
+}
+
+bool arrived(const Cell& cell, std::size_t i) { return cell.value(i, "arrived_ratio") == 1.0; }
+bool touched(const Cell& cell, std::size_t i) { return cell.value(i, "footprint_clearance_m") < 0.0; }
+bool succeeded(const Cell& cell, std::size_t i) { return arrived(cell, i) && !touched(cell, i); }
+
+std::size_t count_runs(const Cell& cell, bool (*is)(const Cell&, std::size_t)) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < cell.results.size(); ++i) count += is(cell, i) ? 1 : 0;
+  return count;
+}
+
+std::vector<double> of_arrived(const Cell& cell, std::string_view quantity) {
+  std::vector<double> values;
+  for (std::size_t i = 0; i < cell.results.size(); ++i) {
+    const double value = cell.value(i, quantity);
+    if (arrived(cell, i) && std::isfinite(value)) values.push_back(value);
+  }
+  return values;
+}
+
+double least(const Cell& cell, std::string_view quantity) {
+  double value = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < cell.results.size(); ++i) value = std::fmin(value, cell.value(i, quantity));
+  return value;
+}
+
+StudyRow cell_row(const Cell& cell, std::string_view quantity, double measured, double low, double high,
+                  std::string note) {
+  return {.cell = cell.place,
+          .method = cell.method,
+          .mode = cell.mode,
+          .quantity = std::string(quantity),
+          .measured = measured,
+          .low = low,
+          .high = high,
+          .runs = static_cast<int>(cell.results.size()),
+          .note = std::move(note)};
+}
+
+StudyRow share_row(const Cell& cell, std::string_view quantity, std::size_t count, std::string note) {
+  const RateEstimate rate = wilson_interval(count, cell.results.size());
+  return cell_row(cell, quantity, rate.rate, rate.low, rate.high, std::move(note));
+}
+
+StudyRow mean_row(const Cell& cell, std::string_view quantity) {
+  const MeanEstimate mean = estimate_mean(of_arrived(cell, quantity));
+  return cell_row(cell, quantity, mean.mean, mean.low, mean.high, "of the runs that arrived");
+}
+
+}  // namespace fairway

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fairway/studies/study_runs.hpp"
+
+namespace fairway {
+
+/// A way of getting there, with its parameters.
+struct Method {
+  std::string_view name;       ///< in tables
+  std::string_view algorithm;  ///< of the catalog
+  ParamValues params;
+};
+
+/// Runs that differ in their seed only, and what they came to, in order of the seeds.
+struct Cell {
+  std::string place;   ///< case or kind of field
+  std::string method;  ///< as in tables
+  std::string mode;    ///< plant, or how it was varied
+  std::vector<StudyRun> runs;
+  std::vector<std::vector<Measure>> results;
+
+  /// A quantity of run `i` of the first vehicle or the fleet; NaN where it was not measured.
+  double value(std::size_t i, std::string_view quantity) const;
+
+  /// Plans one more run. Its key holds a digest of the scenario, so that a changed scenario makes another
+  /// run.
+  void add_run(std::string_view study, std::function<Scenario()> scenario, std::uint64_t seed);
+};
+
+/// Makes what the store lacks of all runs of all cells, and hands out the results. False if stopped before.
+/// Throws InputError for a run that failed.
+bool make_cells(std::span<std::vector<Cell>* const> groups, const MeasureRun& measure,
+                const StudyOptions& options);
+
+/// Number of runs in all cells.
+std::size_t run_count(std::span<const std::vector<Cell>* const> groups);
+
+/// The cell of that place, method and mode. Throws std::out_of_range.
+const Cell& find_cell(const std::vector<Cell>& cells, std::string_view place, std::string_view method,
+                      std::string_view mode);
+
+// what became of run `i` of the first vehicle
+bool arrived(const Cell& cell, std::size_t i);
+bool touched(const Cell& cell, std::size_t i);    ///< its sphere met an obstacle
+bool succeeded(const Cell& cell, std::size_t i);  ///< arrived, nothing touched
+
+/// Runs of which `is` holds.
+std::size_t count_runs(const Cell& cell, bool (*is)(const Cell&, std::size_t));
+
+/// The finite values of a quantity over the runs that arrived.
+std::vector<double> of_arrived(const Cell& cell, std::string_view quantity);
+
+/// The least value of a quantity over all runs.
+double least(const Cell& cell, std::string_view quantity);
+
+/// A row of the cell's, without a published value.
+StudyRow cell_row(const Cell& cell, std::string_view quantity, double measured, double low, double high,
+                  std::string note);
+
+/// The share that `count` runs are of all, with Wilson's 95 % interval.
+StudyRow share_row(const Cell& cell, std::string_view quantity, std::size_t count, std::string note);
+
+/// The mean over the runs that arrived, with its 95 % interval.
+StudyRow mean_row(const Cell& cell, std::string_view quantity);
+
+}  // namespace fairway
