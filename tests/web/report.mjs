@@ -3,7 +3,7 @@
 //
 //   node tests/web/report.mjs [REPORT.html] [--screenshots DIR]
 //
-// Without a file, the committed template is filled with viewer/sample/report.json, and a few broken
+// Without a file, the committed template is filled with viewer/sample/report.json; rasters of known pixels and a few broken
 // documents are opened as well. Needs `npm ci` in viewer/ and a Chromium (CHROMIUM names another one than
 // /usr/bin/chromium). Ends with 0 when every check held, else with 1 and a list of those that did not.
 import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -11,6 +11,7 @@ import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
+import { look_at_rasters, raster_report } from './raster_checks.mjs';
 import { checks } from './report_checks.mjs';
 
 const root = fileURLToPath(new URL('../../', import.meta.url));
@@ -112,6 +113,13 @@ const broken = {
     }), 'nothing here'],
 };
 
+async function look_at_known_rasters() {
+  const path = write('raster.html', raster_report);
+  for (const [width, scheme] of [[1280, 'light'], [400, 'dark']]) {
+    await open(path, `raster, ${width} px, ${scheme}`, { width, scheme }, look_at_rasters);
+  }
+}
+
 async function look_at_broken() {
   for (const [name, [json, said]] of Object.entries(broken)) {
     await open(write('broken.html', json), name, { width: 1280, scheme: 'light' }, async (page, expect) => {
@@ -128,6 +136,7 @@ try {
     await look_at_report(resolve(words[0]));
   } else {
     await look_at_report(write('report.html', readFileSync(join(root, 'viewer/sample/report.json'), 'utf8')));
+    await look_at_known_rasters();
     await look_at_broken();
   }
 } finally {

@@ -3,6 +3,7 @@
 import { writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { avoidance_runs, gap_curves } from './motion.mjs';
+import { velocity_image } from './velocities.mjs';
 
 let state = 20231;
 const uniform = () => {
@@ -157,6 +158,18 @@ const report = {
             robot_boxes('Avoided collisions', 'count', (m, r) => [46, 11, 30 + r, 21 + 2 * r][m]),
             robot_boxes('Distance travelled', 'distance [m]', (m, r) => [58, 39, 47 + 0.6 * r, 41 + 0.4 * r][m]),
           ],
+        },
+      ],
+    },
+    {
+      id: 'velocities', title: 'What a vehicle may do',
+      paragraphs: ['The velocities of one vehicle at one moment: red ones end in contact with another vehicle, the others are the ' +
+        'darker the further they are from the desired one.'],
+      blocks: [
+        velocity_image('Velocities of robot2 at 52 s', 81, [[0.75, 0.4], [-2.2, 0.5], [2.7, 0.22]]),
+        {
+          kind: 'grid', columns: 3, title: 'Velocities of robot2 while the others come nearer',
+          blocks: [48, 52, 56].map((time, i) => velocity_image(`At ${time} s`, 41, [[0.95, 0.25 + 0.2 * i], [-2.2, 0.3 + 0.2 * i]])),
         },
       ],
     },

@@ -5,6 +5,7 @@ import { boxes_chart } from './charts/boxes';
 import type { Chart, Palettes } from './charts/chart';
 import { intervals_chart } from './charts/intervals';
 import { lines_chart } from './charts/lines';
+import { raster_chart } from './charts/raster';
 import { trajectories_chart } from './charts/trajectories';
 import { figure, type FigureOptions } from './figure';
 import { legend } from './legend';
@@ -28,7 +29,7 @@ export interface Context {
 }
 
 function is_chart(block: Block): block is ChartBlock {
-  return ['boxes', 'intervals', 'lines', 'trajectories'].includes(block.kind);
+  return ['boxes', 'intervals', 'lines', 'raster', 'trajectories'].includes(block.kind);
 }
 
 function chart_of(block: ChartBlock, palettes: Palettes): Chart {
@@ -36,6 +37,7 @@ function chart_of(block: ChartBlock, palettes: Palettes): Chart {
     case 'boxes': return boxes_chart(block, palettes);
     case 'intervals': return intervals_chart(block, palettes);
     case 'lines': return lines_chart(block, palettes);
+    case 'raster': return raster_chart(block, palettes);
     case 'trajectories': return trajectories_chart(block, palettes);
   }
 }
@@ -71,7 +73,7 @@ function grid_element(block: GridBlock, context: Context): HTMLElement {
   const head = number === null ? null : h('div', { class: 'head' }, h('p', { class: 'caption' },
     h('a', { class: 'ref', href: `#figure-${number}` }, `Figure ${number}`), h('span', { class: 'title' }, block.title)));
   return h('div', { class: 'grid-figure', id: number === null ? undefined : `figure-${number}` }, head,
-    shared === null ? null : legend(entries, shared.hidden, () => shared.redraws.forEach((redraw) => redraw())), area);
+    shared === null || entries.length === 0 ? null : legend(entries, shared.hidden, () => shared.redraws.forEach((redraw) => redraw())), area);
 }
 
 export function problem_element(text: string): HTMLElement {

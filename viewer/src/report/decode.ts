@@ -2,8 +2,8 @@
 // The document from JSON text. What cannot be read is said where it would have stood: a block that is
 // wrong becomes a message in its place, and the others are shown.
 import type {
-  Block, BoxesBlock, Cell, Column, Document, GridBlock, IntervalsBlock, LinesBlock, NoteBlock, Point, Rule, Section,
-  TableBlock, TrajectoriesBlock,
+  Block, BoxesBlock, Cell, Column, Document, GridBlock, IntervalsBlock, LinesBlock, NoteBlock, Point, Range, RasterBlock,
+  Rule, Section, TableBlock, TrajectoriesBlock,
 } from './model';
 import { DataError, Reader } from './reader';
 
@@ -116,6 +116,39 @@ function lines(at: Reader): LinesBlock {
   };
 }
 
+function range(at: Reader): Range {
+  const [low, high] = at.list_for(2, 'ends', (entry) => entry.number());
+  if (low! >= high!) throw new DataError(`${at.path}: the first end, ${low}, is not below the second, ${high}`);
+  return [low!, high!];
+}
+
+const most_cells_along_a_side = 401;
+
+function raster(at: Reader): RasterBlock {
+  const width = at.at('width').whole_number(1, most_cells_along_a_side);
+  const height = at.at('height').whole_number(1, most_cells_along_a_side);
+  const rgb = at.at('rgb').text();
+  const digits = 6 * width * height;
+  if (rgb.length !== digits) {
+    throw new DataError(`${at.path}.rgb: ${rgb.length} digits for ${width} by ${height} cells, which take ${digits}`);
+  }
+  if (!/^[0-9a-f]*$/i.test(rgb)) at.at('rgb').fail('hexadecimal digits');
+  return {
+    kind: 'raster',
+    title: at.at('title').text(''),
+    x_label: at.at('x_label').text(''),
+    y_label: at.at('y_label').text(''),
+    x: range(at.at('x')),
+    y: range(at.at('y')),
+    width,
+    height,
+    rgb,
+    marks: at.at('marks').list((entry) => ({
+      label: entry.at('label').text(), x: entry.at('x').number(), y: entry.at('y').number(),
+    }), true),
+  };
+}
+
 function point(at: Reader): Point {
   const [n, e, d] = at.list_for(3, 'coordinates', (entry) => entry.number());
   return [n!, e!, d!];
@@ -159,7 +192,7 @@ function note(at: Reader): NoteBlock {
   };
 }
 
-const readers = { table, boxes, intervals, lines, trajectories, grid, note };
+const readers = { table, boxes, intervals, lines, raster, trajectories, grid, note };
 const kinds = Object.keys(readers) as (keyof typeof readers)[];
 
 function block(at: Reader): Block {

@@ -78,7 +78,7 @@ class Plot {
   private point_at(event: PointerEvent): void {
     if (this.drawing === null || (event.buttons !== 0 && event.pointerType === 'mouse')) return;
     const frame = this.drawing.svg.getBoundingClientRect();
-    const part = this.width / (frame.width || 1);
+    const part = this.drawing.svg.viewBox.baseVal.width / (frame.width || 1);
     const target = this.drawing.pick((event.clientX - frame.left) * part, (event.clientY - frame.top) * part);
     if (target === null) return this.leave();
     this.selected = this.drawing.targets.indexOf(target);
@@ -153,6 +153,6 @@ export function figure(chart: Chart, options: FigureOptions): HTMLElement {
     number === '' ? null : h('a', { class: 'ref', href: `#${id}` }, number), h('span', { class: 'title' }, title));
   return h('figure', { class: `figure chart-${options.kind}${compact ? ' compact' : ''}`, id },
     h('div', { class: 'head' }, caption, h('div', { class: 'actions' }, data_button(chart, panel), csv, save)),
-    shared === null ? legend(chart.legend, hidden, redraw) : null,
+    shared === null && chart.legend.length > 0 ? legend(chart.legend, hidden, redraw) : null,
     controls === undefined ? null : controls_box, plot.element, panel);
 }

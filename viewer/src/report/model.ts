@@ -18,8 +18,8 @@ export interface Section {
 }
 
 export type Block =
-  | TableBlock | BoxesBlock | IntervalsBlock | LinesBlock | TrajectoriesBlock | GridBlock | NoteBlock | ProblemBlock;
-export type ChartBlock = BoxesBlock | IntervalsBlock | LinesBlock | TrajectoriesBlock;
+  | TableBlock | ChartBlock | GridBlock | NoteBlock | ProblemBlock;
+export type ChartBlock = BoxesBlock | IntervalsBlock | LinesBlock | RasterBlock | TrajectoriesBlock;
 
 export type ColumnType = 'text' | 'number' | 'verdict' | 'deviation';
 export type Cell = string | number | null;
@@ -95,6 +95,22 @@ export interface LinesBlock {
   y_label: string;
   series: { label: string; x: (number | null)[]; y: (number | null)[] }[];
   lines: Rule[];
+}
+
+export type Range = readonly [low: number, high: number];
+export interface RasterBlock {
+  kind: 'raster';
+  title: string;
+  x_label: string;
+  y_label: string;
+  /** The outer edges of the image. */
+  x: Range;
+  y: Range;
+  width: number;
+  height: number;
+  /** Six hexadecimal digits per cell, row by row from the top, each row from the left. */
+  rgb: string;
+  marks: { label: string; x: number; y: number }[];
 }
 
 export type Point = readonly [number, number, number];

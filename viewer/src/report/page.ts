@@ -21,9 +21,10 @@ function palettes_of(document: Document): Palettes {
     if (block.kind === 'trajectories') palettes.vehicles.add(block.vehicles.map(({ label }) => label));
   }
   for (const block of blocks) {
-    if (block.kind !== 'boxes' && block.kind !== 'intervals' && block.kind !== 'lines') continue;
-    const names = block.series.map(({ label }) => label);
-    palettes.series.add(block.kind === 'lines' ? names.filter((name) => !palettes.vehicles.has(name)) : names);
+    if (block.kind === 'boxes' || block.kind === 'intervals') palettes.series.add(block.series.map(({ label }) => label));
+    if (block.kind !== 'lines' && block.kind !== 'raster') continue;
+    const names = (block.kind === 'lines' ? block.series : block.marks).map(({ label }) => label);
+    palettes.series.add(names.filter((name) => !palettes.vehicles.has(name)));
   }
   return palettes;
 }

@@ -41,6 +41,11 @@ export class Reader {
   number_or_null(): number | null {
     return this.absent ? null : this.number();
   }
+  whole_number(least: number, most: number): number {
+    const number = this.number();
+    return Number.isInteger(number) && number >= least && number <= most ? number
+      : this.fail(`a whole number from ${least} to ${most}`);
+  }
   one_of<T extends string>(choices: readonly T[]): T {
     const found = choices.find((choice) => choice === this.value);
     return found ?? this.fail(`one of ${choices.join(', ')}`);

@@ -66,17 +66,46 @@ export function canvas({ view, y_label, values, y_max, rules, x_label, x_space }
       s('line', { class: value === domain[0] ? 'axis' : 'grid', x1: left, x2: right, y1: y(value), y2: y(value) }),
       s('text', { class: 'tick', x: left - 8, y: y(value), dy: '0.34em', 'text-anchor': 'end' }, fixed(value, digits)));
   }
-  if (y_label !== '') {
-    svg.append(s('text', { class: 'axis-label', x: 0, y: font }, fit_text(y_label, view.width - (view.compact ? 104 : 4), font, 500)));
-  }
-  if (x_label !== '') {
-    svg.append(s('text', { class: 'axis-label', x: (left + right) / 2, y: height - 4, 'text-anchor': 'middle' },
-      fit_text(x_label, right - left, font, 500)));
-  }
+  svg.append(...axis_labels({ x_label, y_label, view, area, font, height }));
   for (const rule of rules) svg.append(...rule_marks(rule, y, area, font));
   const marks = s('g', { class: 'marks' });
   svg.append(marks);
   return { svg, marks, area, y, font };
+}
+
+interface AxisLabels {
+  x_label: string;
+  y_label: string;
+  view: View;
+  area: Area;
+  font: number;
+  height: number;
+}
+
+/** The name of y above the drawing, left of the buttons of a small chart, and the name of x below it. */
+export function axis_labels({ x_label, y_label, view, area, font, height }: AxisLabels): SVGElement[] {
+  const { left, right } = area;
+  return [
+    ...(y_label === '' ? [] : [s('text', { class: 'axis-label', x: 0, y: font },
+      fit_text(y_label, Math.min(right + 2, view.width - (view.compact ? 104 : 4)), font, 500))]),
+    ...(x_label === '' ? [] : [s('text', { class: 'axis-label', x: (left + right) / 2, y: height - 4, 'text-anchor': 'middle' },
+      fit_text(x_label, right - left, font, 500))]),
+  ];
+}
+
+/** About `count` ticks along x; their labels stay left of `edge`. */
+export function draw_x_ticks(on: Canvas, x: Scale, count: number, edge: number): void {
+  const marks_x = ticks(x.domain[0], x.domain[1], count);
+  const digits = tick_digits(marks_x);
+  const { bottom } = on.area;
+  for (const value of marks_x) {
+    const text = fixed(value, digits);
+    const inset = text_width(text, on.font) / 2;
+    on.svg.insertBefore(s('line', { class: 'axis', x1: x(value), x2: x(value), y1: bottom, y2: bottom + 4 }), on.marks);
+    on.svg.insertBefore(s('text', {
+      class: 'tick', x: Math.min(x(value), edge - inset), y: bottom + on.font + 6, 'text-anchor': 'middle',
+    }, text), on.marks);
+  }
 }
 
 /** A horizontal reference line with its name; one beyond the domain is named at the edge. */

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Curves over x, with a cross-hair that reads all of them at once.
-import { path_data, s, text_width } from '../../common/dom';
-import { finite, fixed, short } from '../../common/format';
-import { linear, tick_digits, ticks, type Scale } from '../../common/scale';
+import { path_data, s } from '../../common/dom';
+import { finite, short } from '../../common/format';
+import { linear, type Scale } from '../../common/scale';
 import type { LinesBlock } from '../model';
-import { canvas } from './cartesian';
+import { canvas, draw_x_ticks } from './cartesian';
 import { pick_along_x, type Chart, type Drawing, type Palettes, type Target, type View } from './chart';
 
 interface Curve {
@@ -84,16 +84,7 @@ function draw(block: LinesBlock, curves: Curve[], view: View): Drawing {
     ? [all_x.reduce((a, b) => Math.min(a, b)), all_x.reduce((a, b) => Math.max(a, b))] : [0, 1];
   const x = linear(domain[0] === domain[1] ? [domain[0] - 1, domain[1] + 1] : domain, [left + 4, right - 6]);
 
-  const marks_x = ticks(x.domain[0], x.domain[1], Math.max(2, Math.round((right - left) / 70)));
-  const digits = tick_digits(marks_x);
-  for (const value of marks_x) {
-    const text = fixed(value, digits);
-    const inset = text_width(text, on.font) / 2;
-    on.svg.insertBefore(s('line', { class: 'axis', x1: x(value), x2: x(value), y1: bottom, y2: bottom + 4 }), on.marks);
-    on.svg.insertBefore(s('text', {
-      class: 'tick', x: Math.min(x(value), view.width - inset), y: bottom + on.font + 6, 'text-anchor': 'middle',
-    }, text), on.marks);
-  }
+  draw_x_ticks(on, x, Math.max(2, Math.round((right - left) / 70)), view.width);
   for (const { points, colour, dash } of shown) {
     const path = thinned(points, x, right - left);
     on.marks.append(s('path', {
