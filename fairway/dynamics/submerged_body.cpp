@@ -41,6 +41,10 @@ SubmergedBody::SubmergedBody(const SubmergedBodyNumbers& numbers)
       buoyancy_{numbers.displaced_mass * fossen::gravity},
       inverse_density_{1.0 / numbers.density} {}
 
+Vec3 SubmergedBody::carried(const VehicleState& x, const Water& water) noexcept {
+  return x.q_nb.conjugate() * water.current_rate_n;
+}
+
 fossen::Matrix6 SubmergedBody::coriolis_mass() const {
   fossen::Matrix6 M;
   M << M_C_.A11, M_C_.A12, M_C_.A21, M_C_.A22;

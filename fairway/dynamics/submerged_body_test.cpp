@@ -131,7 +131,7 @@ TEST(SubmergedBody, SolvesTheEquationsWrittenWithFullMatrices) {
   Rng rng{3};
   const SubmergedBodyNumbers n = with_damping(lopsided());
   const SubmergedBody body{n};
-  const Water water{.current_n = {0.2, -0.3, 0.1}, .density = 1025.0};
+  const Water water{.current_n = {0.2, -0.3, 0.1}, .density = 1025.0, .current_rate_n = {0.4, 0.5, -0.6}};
   for (int i = 0; i < 20; ++i) {
     const VehicleState x = random_state(rng);
     Vector6 tau;
@@ -142,7 +142,7 @@ TEST(SubmergedBody, SolvesTheEquationsWrittenWithFullMatrices) {
     const Vec3 v_c = R.transpose() * water.current_n;
     Vector6 nu_r, nu_c_dot;
     nu_r << x.v_b - v_c, x.omega_b;
-    nu_c_dot << -fossen::skew(x.omega_b) * v_c, Vec3::Zero();
+    nu_c_dot << R.transpose() * water.current_rate_n - fossen::skew(x.omega_b) * v_c, Vec3::Zero();
     const Vector6 drag =
         1.025 * (n.linear_damping + n.quadratic_damping.cwiseProduct(nu_r.cwiseAbs())).cwiseProduct(nu_r);
     const Vector6 g =

@@ -145,5 +145,39 @@ TEST(VehicleCatalog, NamesTheNearestKnownVehicleAndParameter) {
       ThrowsMessage<InputError>(HasSubstr("mass_kg: is -3; expected a number in")));
 }
 
+/// Every vehicle turns a little, so that body axes are not those of the rate.
+VehicleState under_way() {
+  VehicleState x;
+  x.q_nb = quaternion_of({.roll = 0.0, .pitch = 0.0, .yaw = 0.7});
+  x.v_b = {0.4, 0.1, 0.0};
+  x.omega_b = {0.0, 0.0, 0.2};
+  return x;
+}
+
+TEST(Vehicle, EveryVehicleIsCarriedAlongByWaterThatAccelerates) {
+  // relative to the water nothing changes: over ground the acceleration of the water is added
+  constexpr double h = 1e-4;
+  const Vec3 rate{0.3, -0.2, 0.0};
+  const VehicleCatalog catalog = builtin_vehicles();
+  for (const VehicleCatalog::Entry& entry : catalog.entries()) {
+    Vehicle steady = catalog.make(entry.info.name);
+    steady.set_state(under_way());
+    Vehicle carried = steady;
+    const Vec3 current{0.1, 0.2, 0.0};
+    steady.drift({.current_n = current}, h);
+    carried.drift({.current_n = current, .current_rate_n = rate}, h);
+    EXPECT_LT(((carried.state().v_n() - steady.state().v_n()) / h - rate).norm(), 2e-3) << entry.info.name;
+  }
+}
+
+TEST(Vehicle, WaterThatRisesLiftsWhoeverMovesInThreeDimensions) {
+  for (const char* name : {"sparus2", "kinematic", "minerva", "otter", "remus100"}) {
+    Vehicle steady = builtin_vehicles().make(name), carried = steady;
+    steady.drift({}, 1e-4);
+    carried.drift({.current_rate_n = {0.0, 0.0, -0.5}}, 1e-4);
+    EXPECT_NEAR((carried.state().v_b.z() - steady.state().v_b.z()) / 1e-4, -0.5, 1e-3) << name;
+  }
+}
+
 }  // namespace
 }  // namespace fairway

@@ -66,8 +66,8 @@ TEST(LoadTest, EveryKeyArrivesWhereItBelongs) {
   EXPECT_EQ(s.step_s, 0.1);
   EXPECT_EQ(s.duration_s, 300.0);
   EXPECT_EQ(s.seed, 7U);
-  EXPECT_EQ(s.water_density_kgpm3, 1025.0);
-  EXPECT_EQ(s.current_n, Vec3(0.1, -0.2, 0));
+  EXPECT_EQ(s.water.density_kgpm3, 1025.0);
+  EXPECT_EQ(s.water.current_n, Vec3(0.1, -0.2, 0));
   EXPECT_EQ(s.exam.crit_dist_m, 7.0);
   EXPECT_EQ(s.exam.safety_distance_m, 2.0);
   EXPECT_EQ(s.exam.time_coefficient_ratio, 5.0);
@@ -225,7 +225,7 @@ TEST(OverrideTest, ReplacesAndAddsValuesByPath) {
                                      {"perception.drop_ratio", "0.5"},
                                      {"seed", "12"}});
   EXPECT_EQ(s.exam.crit_dist_m, 9.0);
-  EXPECT_EQ(s.current_n, Vec3(0.3, 0.4, 0));
+  EXPECT_EQ(s.water.current_n, Vec3(0.3, 0.4, 0));
   EXPECT_EQ(s.vehicles[0].limits.max_speed, 1.5);
   EXPECT_EQ(s.vehicles[1].radius_m, Rng{12}.stream("vehicles[1].radius_m").uniform(4, 5));
   EXPECT_EQ(s.vehicles[1].mission[0].position.z(), 6.0);

@@ -62,13 +62,6 @@ Block<Exam> exam_block() {
               "Stuck after this many times the time of the straight way. Default 10.")};
 }
 
-Block<Scenario> water_block() {
-  return {
-      key("density_kgpm3", &Scenario::water_density_kgpm3, number(above_to(0.0, 20000.0)), "Default 1000."),
-      key("current_mps", &Scenario::current_n, vector(from_to(-100.0, 100.0)),
-          "Uniform [n, e, d]. Default none.")};
-}
-
 /// The version of this format. It stands in the file and not in the Scenario.
 Key<Scenario> format_version() {
   return {.name = "fairway",
@@ -189,7 +182,7 @@ const Block<Scenario>& scenario_block() {
       key("duration_s", &Scenario::duration_s, number(above_to(0.0, 1e7)),
           "The run ends here at the latest. Default 600."),
       key("seed", &Scenario::seed, seed(), "Of everything that is drawn. Default 1."),
-      group("water", water_block(), "The water."),
+      key("water", &Scenario::water, water(), "The water."),
       key("exam", &Scenario::exam, block_form(exam_block()), "How encounters are counted."),
       key("perception", &Scenario::perception, perception(),
           "What everyone knows of everyone. Default: perfect."),

@@ -21,6 +21,8 @@ Form<VehicleSpec> vehicle();
 
 Form<ObstacleSpec> obstacle();
 
+Form<WaterSpec> water();
+
 /// A list of legs, named missions spliced in.
 Form<std::vector<Leg>> mission();
 /// Checks each named mission by itself, and that none leads back to itself.

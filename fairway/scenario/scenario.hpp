@@ -13,6 +13,7 @@
 #include "fairway/core/params.hpp"
 #include "fairway/core/shapes.hpp"
 #include "fairway/core/state.hpp"
+#include "fairway/scenario/water_spec.hpp"
 
 namespace fairway {
 
@@ -87,14 +88,13 @@ struct Expectation {
 struct Scenario {
   std::string name;
   std::string summary;
-  double step_s{0.05};       ///< the control period and the integration step
+  double step_s{0.05};                 ///< the control period and the integration step
   std::int32_t steps_per_decision{1};  ///< avoiders decide at every so many steps
-  double duration_s{600.0};  ///< the run ends here at the latest
+  double duration_s{600.0};            ///< the run ends here at the latest
   std::uint64_t seed{1};
-  double water_density_kgpm3{1000.0};
-  Vec3 current_n = Vec3::Zero();  ///< uniform [m/s, NED]
-  bool coincident_start{false};   ///< vehicles may start at one place, as in a deployment from one point
-  bool stop_when_done{true};      ///< end when everyone has arrived or is stuck
+  WaterSpec water;
+  bool coincident_start{false};  ///< vehicles may start at one place, as in a deployment from one point
+  bool stop_when_done{true};     ///< end when everyone has arrived or is stuck
   Exam exam;
   PerceptionSpec perception;
   std::vector<ObstacleSpec> obstacles;

@@ -1,52 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <array>
-#include <cmath>
-
-#include "fairway/core/angles.hpp"
+#include "fairway/scenario/angle.hpp"
 #include "fairway/scenario/parts.hpp"
 
 namespace fairway::yaml {
 namespace {
-
-/// The degrees that read back as exactly these radians, or nothing: about one angle in ten has none.
-std::optional<double> exact_degrees(double angle) {
-  const double near = degrees(angle);
-  const double above = std::nextafter(near, HUGE_VAL);
-  const double below = std::nextafter(near, -HUGE_VAL);
-  for (const double candidate : std::array{near, above, below}) {
-    if (radians(candidate) == angle && std::signbit(candidate) == std::signbit(angle)) return candidate;
-  }
-  return {};
-}
-
-/// One angle under two names: degrees for people, radians where degrees would lose the last bit.
-/// Infinity stands for "not given".
-template <class Owner>
-Block<Owner> angle(const std::string& stem, const std::string& in_degrees, const std::string& in_radians,
-                   double Owner::*member, Bounds bounds, const std::string& meaning) {
-  const Bounds bounds_rad = {radians(bounds.lo), radians(bounds.hi), bounds.above};
-  Key<Owner> degree = key(stem + in_degrees, member, number(bounds), meaning);
-  Key<Owner> radian = key(stem + in_radians, member, number(bounds_rad), meaning + " In radians.");
-  degree.read = [member, bounds](const Value& value, Owner& owner) {
-    owner.*member = radians(value.number(bounds));
-  };
-  degree.write = [member](const Owner& owner) -> std::optional<Tree> {
-    const std::optional<double> exact = exact_degrees(owner.*member);
-    if (!std::isfinite(owner.*member) || !exact) return {};
-    return Tree::number(*exact);
-  };
-  radian.write = [member](const Owner& owner) -> std::optional<Tree> {
-    if (!std::isfinite(owner.*member) || exact_degrees(owner.*member)) return {};
-    return Tree::number(owner.*member);
-  };
-  return {degree, radian};
-}
-
-template <class Owner>
-Block<Owner> joined(Block<Owner> first, const Block<Owner>& second) {
-  first.insert(first.end(), second.begin(), second.end());
-  return first;
-}
 
 Block<VehicleSpec> start_block() {
   return joined<VehicleSpec>(

@@ -142,8 +142,8 @@ Scenario random_scenario(std::uint64_t seed) {
                 .step_s = rng.uniform(1e-3, 1),
                 .duration_s = rng.uniform(1, 1e4),
                 .seed = rng.next()};
-  made.water_density_kgpm3 = rng.uniform(900, 1100);
-  made.current_n = Vec3{awkward(rng, -1, 1), awkward(rng, -1, 1), 0.0};
+  made.water.density_kgpm3 = rng.uniform(900, 1100);
+  made.water.current_n = Vec3{awkward(rng, -1, 1), awkward(rng, -1, 1), 0.0};
   made.coincident_start = true;
   made.stop_when_done = rng.index(2) == 0;
   made.exam = {awkward(rng, 0, 9), awkward(rng, 0, 9), rng.uniform(1, 20)};
@@ -167,7 +167,7 @@ Scenario random_scenario(std::uint64_t seed) {
 class Dump {
  public:
   explicit Dump(const Scenario& s) {
-    add(s.name, s.summary, s.step_s, s.duration_s, s.seed, s.water_density_kgpm3, s.current_n,
+    add(s.name, s.summary, s.step_s, s.duration_s, s.seed, s.water.density_kgpm3, s.water.current_n,
         s.coincident_start, s.stop_when_done, s.exam.crit_dist_m, s.exam.safety_distance_m,
         s.exam.time_coefficient_ratio, s.perception.kind, s.perception.range_m);
     for (const ObstacleSpec& o : s.obstacles) {

@@ -34,7 +34,7 @@ Simulation::Simulation(const Scenario& scenario, const Catalogs& catalogs)
       last_tick_{static_cast<std::int64_t>(std::floor(scenario.duration_s / scenario.step_s + 1e-9))},
       stop_when_done_{scenario.stop_when_done},
       reach_{scenario.perception.range_m, scenario.perception.obstacle_range_m},
-      water_{scenario.current_n, scenario.water_density_kgpm3},
+      sea_{scenario.water, Rng{scenario.seed}},
       obstacles_{scenario.obstacles},
       perception_{scenario.vehicles.size() + scenario.obstacles.size()} {
   check_perception(scenario.perception);
@@ -116,7 +116,7 @@ void Simulation::perceive() {
 }
 
 bool Simulation::is_deciding(const Agent& agent) const {
-  return is_avoiding(agent.mission.phase()) && agent.next_decision == tick_;
+  return is_avoiding(agent.mission.phase()) && agent.next_decision <= tick_;
 }
 
 Command Simulation::decide(Agent& agent) {
@@ -183,7 +183,7 @@ void Simulation::control() {
 
     // the vehicle's own controller works on velocities through the water
     const VehicleState& x = agent.vehicle.state();
-    const Vec3 current_b = x.q_nb.conjugate() * water_.current_n;
+    const Vec3 current_b = x.q_nb.conjugate() * sea_.water_at(x.p_n, time()).current_n;
     const BodyRequest request{.surge_mps = over_ground.surge_mps - current_b.x(),
                               .sway_mps = over_ground.sway_mps - current_b.y(),
                               .heave_mps = over_ground.heave_mps - current_b.z(),
@@ -213,7 +213,11 @@ void Simulation::record(std::span<FrameSink* const> sinks) {
 }
 
 void Simulation::move() {
-  for (Agent& agent : agents_) agent.vehicle.step(agent.demand, water_, period_);
+  for (Agent& agent : agents_) {
+    const VehicleState& x = agent.vehicle.state();
+    agent.vehicle.step(agent.demand, sea_.water_halfway(x.p_n, x.v_n(), time(), period_), period_);
+  }
+  sea_.advance(period_);
 }
 
 }  // namespace fairway

@@ -11,6 +11,7 @@
 #include "fairway/record/frame.hpp"
 #include "fairway/scenario/scenario.hpp"
 #include "fairway/sim/agent.hpp"
+#include "fairway/world/sea/sea.hpp"
 
 namespace fairway {
 
@@ -62,7 +63,7 @@ class Simulation {
   Tick last_tick_;
   bool stop_when_done_;
   Reach reach_;
-  Water water_;
+  Sea sea_;
   ObstacleField obstacles_;
 
   Tick tick_{0};

@@ -87,6 +87,18 @@ TEST(Simulation, BetweenDecisionsACommandStands) {
   EXPECT_GT(changes, 50);
 }
 
+TEST(Simulation, WhoGoesUnderWayLaterDecidesAtOnce) {
+  Scenario scenario{.name = "later", .duration_s = 20};
+  scenario.steps_per_decision = 4;
+  scenario.vehicles = {vehicle(0, {0, 0, 5}, {40, 0, 5}, "kinematic", "direct")};
+  Leg wait{.kind = LegKind::keep_position};
+  wait.duration_s = 5.0;
+  scenario.vehicles[0].mission.insert(scenario.vehicles[0].mission.begin(), wait);
+  Simulation simulation{scenario, builtin_catalogs()};
+  simulation.run({});
+  EXPECT_GT(simulation.agents()[0].own.position.x(), 5.0);
+}
+
 TEST(Simulation, AStepDoesNotAllocate) {
   for (const char* model : {"sparus2", "kinematic"}) {
     for (const char* algorithm : {"direct", "apf", "orca3d", "apf+stop_and_wait", "orca3d+stop_and_wait"}) {

@@ -7,7 +7,9 @@
 #include <optional>
 #include <ostream>
 
+#include "fairway/core/angles.hpp"
 #include "fairway/core/text.hpp"
+#include "fairway/world/sea/sea.hpp"
 
 namespace fairway {
 namespace {
@@ -47,6 +49,19 @@ struct Current {
   }
 };
 
+/// A regular wave.
+struct Wave {
+  double amplitude_m{}, period_s{5.0}, direction_deg{}, phase_deg{};
+
+  static consteval auto fields() {
+    constexpr Range angle{-360, 360};
+    return std::tuple{field<&Wave::amplitude_m>({0, 100}, "half the height of a regular wave; 0 = none"),
+                      field<&Wave::period_s>({0.1, 1000}, "of the wave, on deep water"),
+                      field<&Wave::direction_deg>(angle, "where the wave runs, 0 north, 90 east"),
+                      field<&Wave::phase_deg>(angle, "of its elevation's cosine at the origin at the start")};
+  }
+};
+
 struct WaterProperties {
   double density_kgpm3{1000.0};
 
@@ -69,6 +84,7 @@ struct Execution {
 struct Settings {
   InitialState state;
   Current current;
+  Wave wave;
   WaterProperties water;
   Execution execution;
   ParamValues vehicle;
@@ -82,6 +98,7 @@ std::vector<std::string> setting_names(const VehicleCatalog::Entry& entry) {
   };
   add(InitialState{}, "state.");
   add(Current{}, "current.");
+  add(Wave{}, "wave.");
   add(WaterProperties{}, "water.");
   add(Execution{}, "");
   for (const ParamInfo& param : entry.params) names.push_back(param.name);
@@ -108,7 +125,8 @@ Settings read_settings(const VehicleCatalog::Entry& entry, const ParamValues& va
     }
     const bool taken =
         take(settings.state, "state.", name, value) || take(settings.current, "current.", name, value) ||
-        take(settings.water, "water.", name, value) || take(settings.execution, "", name, value);
+        take(settings.wave, "wave.", name, value) || take(settings.water, "water.", name, value) ||
+        take(settings.execution, "", name, value);
     if (!taken) settings.vehicle.emplace_back(name, value);
   }
   return settings;
@@ -247,14 +265,27 @@ void append_row(std::string& text, double time, const VehicleState& x) {
   text += '\n';
 }
 
-/// Moves `vehicle` by `duration` [s] in equal steps no longer than step_s.
-void hold(Vehicle& vehicle, const ActuatorValues& input, const Water& water, double duration,
+Sea sea_of(const Settings& settings) {
+  const Current& c = settings.current;
+  const Wave& w = settings.wave;
+  WaterSpec spec{.density_kgpm3 = settings.water.density_kgpm3,
+                 .current_n = {c.north_mps, c.east_mps, c.down_mps}};
+  if (w.amplitude_m > 0.0) {
+    spec.waves.components = {{w.amplitude_m, w.period_s, radians(w.direction_deg), radians(w.phase_deg)}};
+  }
+  return Sea{spec, Rng{0}};
+}
+
+/// Moves `vehicle` from `time` by `duration` [s] in equal steps no longer than step_s.
+void hold(Vehicle& vehicle, const ActuatorValues& input, const Sea& sea, double time, double duration,
           const Execution& execution) {
   const auto steps =
       static_cast<std::int64_t>(std::fmax(1.0, std::ceil(duration / execution.step_s * (1.0 - 1e-12))));
   const double h = duration / static_cast<double>(steps);
   if (!execution.actuator_dynamics) vehicle.set_actuator_state(input);
   for (std::int64_t i = 0; i < steps; ++i) {
+    const VehicleState& x = vehicle.state();
+    const Water water = sea.water_halfway(x.p_n, x.v_n(), time + static_cast<double>(i) * h, h);
     if (execution.actuator_dynamics) {
       vehicle.step(input, water, h);
     } else {
@@ -280,15 +311,14 @@ void run_trial(const VehicleCatalog& catalog, std::string_view vehicle_name, std
   start.omega_b = {s.p_radps, s.q_radps, s.r_radps};
   vehicle.set_state(start);
 
-  const Current& c = settings.current;
-  const Water water{.current_n = {c.north_mps, c.east_mps, c.down_mps},
-                    .density = settings.water.density_kgpm3};
+  const Sea sea = sea_of(settings);
 
   // one output row per input row, written once all of them are known
   std::string text{output_header};
   append_row(text, rows.front().time, vehicle.state());
   for (std::size_t i = 1; i < rows.size(); ++i) {
-    hold(vehicle, rows[i - 1].values, water, rows[i].time - rows[i - 1].time, settings.execution);
+    hold(vehicle, rows[i - 1].values, sea, rows[i - 1].time - rows.front().time,
+         rows[i].time - rows[i - 1].time, settings.execution);
     if (!is_finite(vehicle.state())) {
       throw InputError({input_name, rows[i].line, 1}, "time_s",
                        "the motion has grown without bound before " + number_text(rows[i].time) +

@@ -21,8 +21,10 @@ namespace fairway {
 /// each number as the shortest decimal that reads back the same. The first row is the initial state.
 ///
 /// `settings`: `state.x_m` ... `state.r_radps` (initial state, columns as above), `current.north_mps`,
-/// `current.east_mps`, `current.down_mps`, `water.density_kgpm3`, `actuator_dynamics`, `step_s` (longest RK4
-/// step), and the parameters of the vehicle by their bare names.
+/// `current.east_mps`, `current.down_mps`, one regular wave by `wave.amplitude_m`, `wave.period_s`,
+/// `wave.direction_deg` (where it runs: 0 north, 90 east) and `wave.phase_deg`, `water.density_kgpm3`,
+/// `actuator_dynamics`, `step_s` (longest RK4 step), and the parameters of the vehicle by their bare names.
+/// The wave is at its phase at the time of the first row.
 ///
 /// Throws InputError with file (`input_name`), line and column for whatever cannot be used; then nothing
 /// has been written.

@@ -92,6 +92,21 @@ TEST(Trial, CurrentCarriesAndDensityLifts) {
   EXPECT_LT(lifted[1][3], rows_of(trial("time_s\n0\n10\n"))[1][3] - 1.0);
 }
 
+TEST(Trial, ARegularWaveLiftsABoat) {
+  // 0.3 m, 8 s and 100 m: at the crest, a whole period on, the boat is 0.3 m higher than in calm water
+  const std::string csv = "time_s\n100\n140\n144\n";
+  const auto calm = rows_of(trial(csv, {}, "otter"));
+  const auto lifted = rows_of(
+      trial(csv, {{"wave.amplitude_m", 0.3}, {"wave.period_s", 8.0}, {"wave.direction_deg", 90.0}}, "otter"));
+  EXPECT_NEAR(lifted[1][3] - calm[1][3], -0.3, 0.01);
+  EXPECT_NEAR(lifted[2][3] - calm[2][3], 0.3, 0.01);
+  EXPECT_THAT(
+      [&] {
+        trial(csv, {{"wave.period_s", 0.0}}, "otter");
+      },
+      ThrowsMessage<InputError>(StartsWith("wave.period_s: is 0")));
+}
+
 TEST(Trial, StepLengthDoesNotShow) {
   const std::string csv = "time_s,heave_n,surge_port_n\n0,5,3\n7.3,-2,1\n20,0,0\n";
   const auto coarse = rows_of(trial(csv)), fine = rows_of(trial(csv, {{"step_s", 0.001}}));

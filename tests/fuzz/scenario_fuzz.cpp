@@ -69,6 +69,20 @@ vehicles:
     mission: [{go_to: {position_m: [1, 2, 3], box_m: [1, 1, 1]}}]
 expect: {collision_count: 0, makespan_s: {max: 120}}
 )",
+    R"(fairway: 1
+name: rough
+water:
+  waves: {spectrum: jonswap, significant_height_m: {uniform: [0.1, 1]}, peak_period_s: 4, direction: [1, 1]}
+  current:
+    sheared: {direction_deg: 90, profile: [{depth_m: 0, speed_mps: 0.2}, {depth_m: 10, speed_mps: 0}]}
+    gauss_markov: {mean_speed_mps: 0.1, deviation_mps: 0.05, max_speed_mps: 1, direction_deviation_deg: 20}
+vehicles: [{model: m, avoider: a, start: {position_m: [0, 0, 0]}}]
+)",
+    R"(fairway: 1
+name: regular
+water: {waves: [{amplitude_m: 0.1, period_s: 4, phase_deg: 90}, {amplitude_m: 1, period_s: 9, direction_deg: 5}]}
+vehicles: [{model: m, avoider: a, start: {position_m: [0, 0, 0]}}]
+)",
     R"(--set vehicles[*].avoider.time_horizon_s=5
 --set exam.crit_dist_m={uniform: [1, 2]}
 fairway: 1

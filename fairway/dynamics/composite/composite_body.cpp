@@ -123,9 +123,11 @@ StateRate CompositeBody::rate(const Axes<3>& axes, const VehicleState& x, const 
   const double cos_yaw = 1.0 - 2.0 * (q.y() * q.y() + q.z() * q.z());
   const double sin_yaw = 2.0 * (q.w() * q.z() + q.x() * q.y());
   const double u = x.v_b.x(), v = x.v_b.y(), r = x.omega_b.z();
-  const double u_c = cos_yaw * water.current_n.x() + sin_yaw * water.current_n.y();
-  const double v_c = cos_yaw * water.current_n.y() - sin_yaw * water.current_n.x();
-  const Vec3 nu{u - u_c, v - v_c, r};
+  const auto in_body = [&](const Vec3& a) {
+    return Vec2{cos_yaw * a.x() + sin_yaw * a.y(), cos_yaw * a.y() - sin_yaw * a.x()};
+  };
+  const Vec2 v_c = in_body(water.current_n), v_c_dot = in_body(water.current_rate_n);
+  const Vec3 nu{u - v_c.x(), v - v_c.y(), r};
 
   Vec3 force{tau[0], tau[1], tau[5]};
   force -= relative_density * (axes.D_l * nu + drag_of(axes.lines, nu));
@@ -138,7 +140,7 @@ StateRate CompositeBody::rate(const Axes<3>& axes, const VehicleState& x, const 
   StateRate rate;
   rate.p_n = {cos_yaw * u - sin_yaw * v, sin_yaw * u + cos_yaw * v, 0.0};
   rate.q_nb = fossen::quaternion_rate(q, {0.0, 0.0, r});
-  rate.v_b = {nu_dot.x() + r * v_c, nu_dot.y() - r * u_c, 0.0};
+  rate.v_b = {nu_dot.x() + r * v_c.y() + v_c_dot.x(), nu_dot.y() - r * v_c.x() + v_c_dot.y(), 0.0};
   rate.omega_b = {0.0, 0.0, nu_dot.z()};
   return rate;
 }
@@ -168,7 +170,7 @@ StateRate CompositeBody::rate(const Axes<6>& axes, const VehicleState& x, const 
   StateRate rate;
   rate.p_n = R * x.v_b;
   rate.q_nb = fossen::quaternion_rate(x.q_nb, x.omega_b);
-  rate.v_b = nu_dot.head<3>() - x.omega_b.cross(v_c);
+  rate.v_b = nu_dot.head<3>() - x.omega_b.cross(v_c) + R.transpose() * water.current_rate_n;
   rate.omega_b = nu_dot.tail<3>();
   return rate;
 }

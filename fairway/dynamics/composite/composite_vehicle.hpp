@@ -18,11 +18,12 @@ class CompositeVehicle {
 
   std::span<const ActuatorInfo> actuators() const { return actuators_; }
 
-  /// `u`: one thrust per actuator [N]. Of `water` only the current is read.
+  /// `u`: one thrust per actuator [N]. Of `water` only how it moves is read.
   StateRate derivative(const VehicleState& x, const ActuatorValues& u, const Water& water) const noexcept {
     fossen::Vector6 tau = fossen::Vector6::Zero();
     for (Eigen::Index i = 0; i < u.size(); ++i) tau += u[i] * propulsion_.effectiveness.col(i);
-    return body_.derivative(x, tau, {.current_n = water.current_n, .density = density_});
+    return body_.derivative(
+        x, tau, {.current_n = water.current_n, .density = density_, .current_rate_n = water.current_rate_n});
   }
 
   /// Of ideal actuator disks of the propellers' diameters [W]: a lower bound of the electrical power.

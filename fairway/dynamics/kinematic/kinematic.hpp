@@ -61,7 +61,7 @@ class Kinematic {
     StateRate rate;
     rate.p_n.noalias() = R * x.v_b;
     rate.q_nb = fossen::quaternion_rate(x.q_nb, x.omega_b);
-    rate.v_b = a - x.omega_b.cross(v_c);
+    rate.v_b = a - x.omega_b.cross(v_c) + R.transpose() * water.current_rate_n;
     rate.omega_b = alpha.cwiseMax(-max_turn_acceleration_).cwiseMin(max_turn_acceleration_);
     return rate;
   }

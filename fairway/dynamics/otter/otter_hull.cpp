@@ -102,6 +102,11 @@ fossen::Vector6 damping_of(const OtterParams& p, const fossen::Matrix6& M, const
   return D;
 }
 
+/// Straight down through the surface [NED, unit].
+Vec3 surface_normal(const Water& water) {
+  return Vec3{water.slope_n.x(), water.slope_n.y(), 1.0}.normalized();
+}
+
 double roll_of(const Vec3& down_b) { return std::atan2(down_b.y(), down_b.z()); }
 double pitch_of(const Vec3& down_b) { return -std::asin(std::clamp(down_b.x(), -1.0, 1.0)); }
 
@@ -145,11 +150,13 @@ StateRate OtterHull::derivative(const VehicleState& x, double port_n, double sta
   };
 
   // motion through the water
-  const Vec3& c = water.current_n;
-  const Vec3 v_c{heading.x() * c.x() + heading.y() * c.y(), heading.x() * c.y() - heading.y() * c.x(), 0.0};
+  const auto ahead = [&](const Vec3& a) {
+    return Vec3{heading.x() * a.x() + heading.y() * a.y(), heading.x() * a.y() - heading.y() * a.x(), a.z()};
+  };
+  const Vec3 v_c = ahead(water.current_n);
   const Vec3 v = x.v_b - v_c;
 
-  // tau + D nu_r + cross-flow - C(nu_r) nu_r - G (eta - eta_0)
+  // tau + D nu_r + cross-flow - C(nu_r) nu_r - G (eta_s - eta_0)
   fossen::Vector6 nu;
   nu << v, omega;
   fossen::Vector6 force = -fossen::coriolis_force(M_ * nu, v, omega) - D_.cwiseProduct(nu);
@@ -159,13 +166,19 @@ StateRate OtterHull::derivative(const VehicleState& x, double port_n, double sta
   force.tail<3>() += twist;
   force[0] += port_n + starboard_n;
   force[5] += propeller_y_m * (port_n - starboard_n);
-  const Hydrostatic off_trim = Hydrostatic{x.p_n.z(), roll, pitch} - trim(down_b);
-  force.segment<3>(2) -= G_ * off_trim;
+  Vec3 normal_b = down_b;
+  Hydrostatic eta_s{x.p_n.z() + water.elevation, roll, pitch};
+  if (water.slope_n != Vec2::Zero()) {
+    normal_b = R.transpose() * surface_normal(water);
+    eta_s.tail<2>() = Vec2{roll_of(normal_b), pitch_of(normal_b)};
+  }
+  const Hydrostatic eta_0 = trim(normal_b);
+  force.segment<3>(2) -= G_ * (eta_s - eta_0);
   const fossen::Vector6 nu_dot = M_inverse_ * force;
 
   // eta' = J(eta - eta_0) nu
-  const double cr = std::cos(off_trim[1]), sr = std::sin(off_trim[1]);
-  const double cp = std::cos(off_trim[2]), sp = std::sin(off_trim[2]);
+  const double cr = std::cos(roll - eta_0[1]), sr = std::sin(roll - eta_0[1]);
+  const double cp = std::cos(pitch - eta_0[2]), sp = std::sin(pitch - eta_0[2]);
   const double lateral = cr * x.v_b.y() - sr * x.v_b.z(), vertical = sr * x.v_b.y() + cr * x.v_b.z();
   const double yaw_rate = (sr * omega.y() + cr * omega.z()) / cp;
   const double pitch_rate = cr * omega.y() - sr * omega.z();
@@ -178,7 +191,7 @@ StateRate OtterHull::derivative(const VehicleState& x, double port_n, double sta
   StateRate rate;
   rate.p_n << turned(cp * x.v_b.x() + sp * vertical, lateral), cp * vertical - sp * x.v_b.x();
   rate.q_nb = fossen::quaternion_rate(x.q_nb, turning);
-  rate.v_b = nu_dot.head<3>() - omega.cross(v_c);
+  rate.v_b = nu_dot.head<3>() - omega.cross(v_c) + ahead(water.current_rate_n);
   rate.omega_b = nu_dot.tail<3>();
   return rate;
 }

@@ -34,15 +34,17 @@ struct OtterParams {
 /// The hull of an Otter, a catamaran of 2.0 m, under the thrust of its two propellers (Fossen 2021, 6.111 to
 /// 6.116, relative form, with linear hydrostatics):
 ///
-///     M nu_r' + C(nu_r) nu_r + D(nu_r) nu_r + G eta = tau + cross-flow + g_0(eta),    M = M_RB + M_A
+///     M nu_r' + C(nu_r) nu_r + D(nu_r) nu_r + G eta_s = tau + cross-flow + g_0(eta_s),    M = M_RB + M_A
 ///
 /// The body origin is midships on the centreline in the waterline without payload. The payload is part of M
 /// and C; its weight enters as the external g_0, which depends on the attitude. eta_0 = G^-1 g_0 is the trim.
+/// eta_s is eta as seen from the surface of the water.
 ///
 /// Roll and pitch of a state include the trim, the axes that the hull moves along do not: positions and
 /// angles follow eta' = J(eta - eta_0) nu, as published, so that a trimmed boat runs level.
 ///
-/// The current is horizontal and turned by yaw alone. The water is sea water of 1025 kg/m3, whatever
+/// The current is turned by yaw alone. z, roll and pitch are held to the surface: on waves, which are taken
+/// as long against the boat, it lies on their slope. The water is sea water of 1025 kg/m3, whatever
 /// `Water::density` says, as every number belongs to it.
 ///
 /// Constants only. README.md beside this file has every number.

@@ -141,6 +141,33 @@ TEST(Otter, LiesStillWhereItFloats) {
   EXPECT_NEAR(OtterHull{{}}.floating().p_n.z(), 0.0377126, 1e-7);
 }
 
+TEST(Otter, LiesOnTheSurfaceOfTheWater) {
+  // lifted by 0.3 m, on a slope: it floats to that surface as to the calm one
+  const Water water{.elevation = 0.3, .slope_n = {0.04, -0.03}};
+  for (const double yaw : {0.0, 1.0, -2.5}) {
+    const VehicleState calm = OtterHull{{}}.floating();
+    Vehicle vehicle{Otter{{}}};
+    VehicleState start = calm;
+    start.q_nb = quaternion_of({.yaw = yaw}) * calm.q_nb;
+    vehicle.set_state(start);
+    const VehicleState x = driven(vehicle, {{60, {0, 0}}}, water);
+    EXPECT_NEAR(x.p_n.z(), calm.p_n.z() - 0.3, 1e-3);
+    const Vec3 normal_b = x.q_nb.conjugate() * Vec3{0.04, -0.03, 1.0}.normalized();
+    EXPECT_LT((normal_b - calm.q_nb.conjugate() * Vec3::UnitZ()).norm(), 1e-3) << yaw;
+    EXPECT_LT(x.v_b.norm() + x.omega_b.norm(), 1e-3);
+  }
+}
+
+TEST(Otter, RisesWithTheWaterThatItFloatsIn) {
+  // the surface rises at 0.2 m/s: so does the boat, and lies in it as at rest
+  Vehicle vehicle{Otter{{}}};
+  vehicle.set_state(OtterHull{{}}.floating());
+  for (int i = 0; i < 3000; ++i)
+    vehicle.drift({.current_n = {0, 0, -0.2}, .elevation = 0.2 * 0.01 * (i + 0.5)}, 0.01);
+  EXPECT_NEAR(vehicle.state().p_n.z(), OtterHull{{}}.floating().p_n.z() - 6.0, 2e-3);
+  EXPECT_NEAR(vehicle.state().v_b.z(), -0.2, 1e-3);
+}
+
 TEST(Otter, DriftsWithTheCurrent) {
   const Water water{.current_n = {0.2, -0.1, 0.0}, .density = 1025.0};
   EXPECT_LT((driven({{100, {0, 0}}}, {}, water).v_n() - water.current_n).head<2>().norm(), 1e-4);

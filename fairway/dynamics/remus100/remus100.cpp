@@ -180,7 +180,7 @@ StateRate Remus100::derivative(const VehicleState& x, const ActuatorValues& u,
   StateRate rate;
   rate.p_n.noalias() = R * x.v_b;
   rate.q_nb = fossen::quaternion_rate(x.q_nb, omega);
-  rate.v_b = nu_dot.head<3>() - omega.cross(v_c);
+  rate.v_b = nu_dot.head<3>() - omega.cross(v_c) + R.transpose() * water.current_rate_n;
   rate.omega_b = nu_dot.tail<3>();
   return rate;
 }

@@ -51,6 +51,7 @@ struct Drawing : Sketch {
     paths.emplace_back(meaning, std::vector<Vec3>{points.begin(), points.end()});
   }
   void sphere(const Vec3&, double, std::string_view) override {}
+  void image(const VelocityImage&, std::string_view) override {}
 
   std::vector<std::pair<std::string, std::vector<Vec3>>> paths;
 };

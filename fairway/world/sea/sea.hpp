@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "fairway/core/rng.hpp"
+#include "fairway/core/water.hpp"
+#include "fairway/world/sea/current.hpp"
+#include "fairway/world/sea/wave_component.hpp"
+
+namespace fairway {
+
+/// The water of a run, everywhere and at all times: waves, superposed linearly, on currents, which add to
+/// them and do not change them. Everyone in a run is in the same sea. A value: a copy is a snapshot.
+/// docs/sea.md has the equations and what is left out.
+class Sea {
+ public:
+  /// Waves draw from `rng`'s stream "waves", the current from "current".
+  Sea(const WaterSpec& spec, const Rng& rng);
+
+  /// Moves what wanders on by `h` [s].
+  void advance(double h) noexcept;
+
+  /// At `p_n` [m, NED] at `time` [s] since the start, with the currents as they wander now. What is above the
+  /// calm surface is taken as in it. O(waves): a sine, a cosine and, below the surface, an exponential each;
+  /// without waves and shear it is a copy.
+  Water water_at(const Vec3& p_n, double time) const noexcept;
+
+  /// What whoever is at `p_n` and moves at `v_n` [m/s, NED] meets halfway through a step of `h` [s] from
+  /// `time`. Held over the step, it brings an error of second order in h; the water at the step's beginning
+  /// would bring one of first.
+  Water water_halfway(const Vec3& p_n, const Vec3& v_n, double time, double h) const noexcept {
+    return water_at(p_n + 0.5 * h * v_n, time + 0.5 * h);
+  }
+
+ private:
+  void add_waves(const Vec3& p_n, double time, Water& water) const noexcept;
+
+  Water uniform_;
+  std::vector<WaveComponent> waves_;
+  std::optional<ShearedCurrent> sheared_;
+  std::optional<GaussMarkovCurrent> wandering_;
+};
+
+}  // namespace fairway
