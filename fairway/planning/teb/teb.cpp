@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/planning/teb/teb.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+
+#include "fairway/core/angles.hpp"
+#include "fairway/planning/planar_map.hpp"
+#include "fairway/planning/teb/homotopy.hpp"
+#include "fairway/planning/teb/optimise.hpp"
+
+namespace fairway {
+namespace {
+
+using teb::Band;
+using teb::Barrier;
+using teb::Pose;
+using teb::Signature;
+
+/// What one decision is about.
+struct Task {
+  const TebParams& params;
+  std::vector<Barrier> barriers;
+  Pose start;
+  Pose end;           ///< where the way ahead leaves the lookahead, or the goal
+  double speed{};     ///< along the heading [m/s]
+  double yaw_rate{};  ///< [rad/s]
+
+  std::array<Vec2, 2> straight_way() const { return {start.position, end.position}; }
+};
+
+/// Where the mission wants to be; far ahead where it wants a velocity.
+Vec2 goal_of(const Situation& s) {
+  constexpr double far = 1000.0;
+  if (!s.goal.velocity) return seen_from_above(s.goal.position);
+  return seen_from_above(s.own.position + far * unit(*s.goal.velocity));
+}
+
+/// The line to the goal, drawn anew when there is another goal.
+Teb::Line line_to(const Vec2& goal, const Situation& s, const std::optional<Teb::Line>& before) {
+  if (before && before->to == goal) return *before;
+  return {.from = seen_from_above(s.own.position), .to = goal};
+}
+
+/// As far along the line as is looked ahead from its point nearest to own ship.
+Vec2 end_ahead(const TebParams& params, const Teb::Line& line, const Vec2& own) {
+  const Vec2 way = line.to - line.from;
+  const double length = way.norm();
+  if (length == 0.0) return line.to;
+  const double done = std::clamp((own - line.from).dot(way) / length, 0.0, length);
+  return line.from + std::fmin(done + params.max_global_plan_lookahead_dist_m, length) * way / length;
+}
+
+Task task_of(const TebParams& params, const Situation& s, const Teb::Line& line) {
+  const Vec2 own = seen_from_above(s.own.position);
+  const Vec2 end = end_ahead(params, line, own);
+  const Vec2 way = line.to == line.from ? Vec2{end - own} : Vec2{line.to - line.from};
+  return {.params = params,
+          .barriers = teb::barriers_near(params, s),
+          .start = {own, wrap_angle(s.own.yaw)},
+          .end = {end, std::atan2(way.y(), way.x())},
+          .speed = std::cos(s.own.yaw) * s.own.velocity.x() + std::sin(s.own.yaw) * s.own.velocity.y(),
+          .yaw_rate = s.own.yaw_rate};
+}
+
+/// The bands of the decision before, warm; none if they lead elsewhere.
+void advance_all(const Task& task, std::vector<Band>& bands) {
+  if (bands.empty()) return;
+  if (!still_leads_to(task.params, bands.front(), task.end)) {
+    bands.clear();
+    return;
+  }
+  for (Band& band : bands) advance(task.params, band, task.start, task.end);
+}
+
+/// Keeps one band of each class, the first that is met.
+std::vector<Signature> drop_duplicates(const Task& task, std::vector<Band>& bands) {
+  std::vector<Signature> classes;
+  std::erase_if(bands, [&](const Band& band) {
+    Signature turns = signature_of(task.barriers, band);
+    const bool known = teb::is_among(task.params, turns, classes);
+    if (!known) classes.push_back(std::move(turns));
+    return known;
+  });
+  return classes;
+}
+
+/// Bands of classes that there are none of yet: of the straight way's, then of others.
+void explore(const Task& task, std::vector<Band>& bands, Rng& rng) {
+  std::vector<Signature> classes = drop_duplicates(task, bands);
+  const auto most = static_cast<std::size_t>(task.params.max_number_classes_count);
+  if (bands.size() > most) bands.resize(most);
+
+  Band straight = band_along(task.params, task.straight_way(), task.start, task.end);
+  Signature turns = signature_of(task.barriers, straight);
+  const bool known = teb::is_among(task.params, turns, classes);
+  if (!known && bands.size() < most) {
+    classes.push_back(std::move(turns));
+    bands.push_back(std::move(straight));
+  }
+  const auto ways = ways_of_new_classes(task.params, task.barriers, task.start.position, task.end.position,
+                                        most - bands.size(), classes, rng);
+  for (const std::vector<Vec2>& way : ways)
+    bands.push_back(band_along(task.params, way, task.start, task.end));
+}
+
+/// Optimises every band and puts the best first.
+void choose(const Task& task, bool followed_one, std::vector<Band>& bands) {
+  const TebParams& params = task.params;
+  const Signature straight =
+      signature_of(task.barriers, band_along(params, task.straight_way(), task.start, task.end));
+  std::size_t best = 0;
+  double least = std::numeric_limits<double>::infinity();
+  bool plan_found = false;
+  for (std::size_t i = 0; i < bands.size(); ++i) {
+    const bool of_plan =
+        !plan_found && teb::are_alike(params, straight, signature_of(task.barriers, bands[i]));
+    plan_found = plan_found || of_plan;
+    const teb::Cost cost = optimise(params, task.barriers, task.speed, task.yaw_rate, bands[i]);
+    double sum = cost.motion + params.selection_obst_cost_scale_ratio * cost.barriers;
+    if (i == 0 && followed_one) sum *= params.selection_cost_hysteresis_ratio;
+    if (of_plan) sum *= params.selection_prefer_initial_plan_ratio;
+    if (sum < least) {
+      least = sum;
+      best = i;
+    }
+  }
+  std::swap(bands.front(), bands[best]);
+}
+
+void plan(const Task& task, std::vector<Band>& bands, Rng& rng) {
+  advance_all(task, bands);
+  const bool followed_one = !bands.empty();
+  if (task.params.enable_homotopy_class_planning) {
+    explore(task, bands, rng);
+  } else if (bands.empty()) {
+    bands.push_back(band_along(task.params, task.straight_way(), task.start, task.end));
+  }
+  choose(task, followed_one, bands);
+}
+
+/// Whether the first poses touch nothing as it is now.
+bool is_feasible(const Task& task, const Band& band) {
+  if (!is_sound(band)) return false;
+  const auto looked_at =
+      std::min(band.size(), static_cast<std::size_t>(task.params.feasibility_check_no_poses_count));
+  for (std::size_t i = 0; i < looked_at; ++i) {
+    for (const Barrier& barrier : task.barriers) {
+      if (barrier.from(band.position(i)).distance < 0.0) return false;
+    }
+  }
+  return true;
+}
+
+/// From the first pose to the second, held to the limits.
+Command first_command(const Task& task, const Band& band) {
+  const TebParams& params = task.params;
+  const double heading = task.start.heading;
+  const Vec2 way = band.position(1) - band.position(0);
+  const Vec2 ahead{std::cos(heading), std::sin(heading)};
+  const double speed = std::clamp(std::copysign(way.norm(), way.dot(ahead)) / band.time(0),
+                                  -params.max_vel_x_backwards_mps, params.max_vel_x_mps);
+  const double turn = wrap_angle(band.pose(1).heading - heading) / band.time(0);
+  Command command{.velocity = {speed * ahead.x(), speed * ahead.y(), 0.0},
+                  .mode = task.barriers.empty() ? Mode::cruise : Mode::avoid};
+  command.turn_rate = std::clamp(turn, -params.max_vel_theta_radps, params.max_vel_theta_radps);
+  return command;
+}
+
+void draw(const Situation& s, const std::vector<Band>& bands, const Command& command, Sketch& sketch) {
+  for (const Band& band : bands) {
+    std::vector<Vec3> points;
+    for (const teb::Knot& knot : band.knots) points.emplace_back(knot[0], knot[1], s.own.position.z());
+    sketch.path(points, &band == &bands.front() ? "band" : "band of another class");
+  }
+  sketch.velocity(command.velocity, "chosen");
+}
+
+}  // namespace
+
+Command Teb::decide(const Situation& s, Memory& memory, Context& context) const noexcept {
+  try {
+    const Vec2 goal = goal_of(s);
+    memory.line = line_to(goal, s, memory.line);
+    if ((goal - seen_from_above(s.own.position)).norm() <= params.xy_goal_tolerance_m) {
+      memory.bands.clear();
+      return {};
+    }
+    const Task task = task_of(params, s, *memory.line);
+    plan(task, memory.bands, context.rng);
+    const Band& band = memory.bands.front();
+    if (is_feasible(task, band)) {
+      Command command = first_command(task, band);
+      if (context.sketch != nullptr) draw(s, memory.bands, command, *context.sketch);
+      return command;
+    }
+  } catch (const std::exception&) {  // out of memory
+  }
+  memory.bands.clear();
+  ++memory.infeasible_count;
+  return {.mode = Mode::infeasible, .note = "the first poses of the band cannot be followed"};
+}
+
+}  // namespace fairway
