@@ -68,6 +68,8 @@ BENCHMARK_CAPTURE(avoider, stop_and_wait_crowd, "orca3d+stop_and_wait", encounte
 BENCHMARK_CAPTURE(avoider, direct_crowd, "direct", encounters::crowd)->Arg(7);
 BENCHMARK_CAPTURE(avoider, hard_switching_crowd, "hard_switching", encounters::crowd)->Arg(7);
 BENCHMARK_CAPTURE(avoider, wall_following_crowd, "wall_following", encounters::crowd)->Arg(7);
+BENCHMARK_CAPTURE(avoider, avoa_crowd, "avoa", encounters::crowd)->Arg(12)->Arg(100);
+BENCHMARK_CAPTURE(avoider, avoa_improved_crowd, "avoa_improved", encounters::crowd)->Arg(12)->Arg(100);
 BENCHMARK_CAPTURE(avoider, filter_crowd, "direct+safety_filter", encounters::crowd)->Arg(7)->Arg(20);
 BENCHMARK_CAPTURE(avoider, filter_congested, "direct+safety_filter", encounters::congested)->Arg(7)->Arg(20);
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/avoidance/apf/apf.hpp"
+#include "fairway/avoidance/avoa/avoa.hpp"
+#include "fairway/avoidance/avoa_improved/avoa_improved.hpp"
 #include "fairway/avoidance/catalog.hpp"
 #include "fairway/avoidance/direct/direct.hpp"
 #include "fairway/avoidance/hard_switching/hard_switching.hpp"
@@ -17,6 +19,8 @@ Catalog builtin_avoiders() {
       .add<Orca3d>()
       .add<HardSwitching>()
       .add<WallFollowing>()
+      .add<Avoa>()
+      .add<AvoaImproved>()
       .add_wrapper<StopAndWait, Direct>()
       .add_wrapper<SafetyFilter, Direct>()
       .alias("saw", "stop_and_wait")

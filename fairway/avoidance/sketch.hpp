@@ -1,12 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string_view>
 
 #include "fairway/core/vec.hpp"
 
 namespace fairway {
+
+/// A picture over horizontal velocities: side x side pixels, evenly spaced over [-reach, reach]^2 in axes
+/// turned by `yaw`, row by row from the fastest ahead, in each row from the fastest to port. So with its top
+/// turned by `yaw` from north it lies as on a chart, its middle being no velocity.
+struct VelocityImage {
+  std::span<const std::uint32_t> rgb;  ///< 0xRRGGBB
+  int side{};
+  double reach{};  ///< of the outermost pixels' middles [m/s]
+  double yaw{};    ///< of the picture's top [rad], 0 north, positive to starboard
+};
 
 /// What an algorithm draws of its own thinking, for the viewer and `fairway explain`; null in a
 /// campaign. `meaning` is a short label such as "half-space of robot 3".
@@ -22,6 +33,8 @@ class Sketch {
   virtual void path(std::span<const Vec3> points, std::string_view meaning) = 0;
   /// A ball of positions [m, NED].
   virtual void sphere(const Vec3& centre, double radius, std::string_view meaning) = 0;
+  /// Something about every velocity of a horizontal square. The pixels are valid during the call only.
+  virtual void image(const VelocityImage& image, std::string_view meaning) = 0;
 };
 
 }  // namespace fairway

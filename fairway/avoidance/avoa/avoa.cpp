@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/avoidance/avoa/avoa.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "fairway/avoidance/avoa/circular_regions.hpp"
+#include "fairway/avoidance/avoa/picture.hpp"
+
+namespace fairway {
+namespace {
+
+using avoa::Candidate;
+using avoa::PolarVelocity;
+
+/// A speed limit below this is none to go by, and one above is as good as this [m/s].
+constexpr double least_reach = 1e-6;
+constexpr double largest_reach = 1e3;
+
+/// `limit`, or `otherwise` where it does not bind.
+double limit_or(double limit, double otherwise) { return std::isfinite(limit) ? limit : otherwise; }
+
+/// Over ground, from speed and heading off the bow [NED].
+Vec3 over_ground(const PolarVelocity& v, double yaw) {
+  const double course = yaw + v.heading;
+  return {v.speed * std::cos(course), v.speed * std::sin(course), 0.0};
+}
+
+/// The preferred velocity as speed and heading off the bow; no speed, no heading.
+PolarVelocity off_the_bow(const Vec3& v, double yaw) {
+  const double speed = horizontal_norm(v);
+  return {speed, speed > 0.0 ? wrap_angle(std::atan2(v.y(), v.x()) - yaw) : 0.0};
+}
+
+avoa::KinematicZone kinematic_zone(const Avoa::Params& p, const Limits& limits, double max_speed) {
+  return {.alpha = p.alpha_ratio,
+          .beta = p.beta_m,
+          .turn_gain = p.turn_gain_hz,
+          .max_turn_rate = limit_or(limits.max_turn_rate, p.max_turn_rate_radps),
+          .thruster_speed = p.thruster_speed_mps,
+          .max_speed = max_speed};
+}
+
+avoa::Swarm::Settings swarm_settings(const Avoa::Params& p) {
+  return {.particles = p.particle_count,
+          .iterations = p.iteration_count,
+          .accepted_cost = p.accepted_cost_ratio,
+          .inertia = p.inertia_ratio,
+          .personal = p.personal_ratio,
+          .common = p.common_ratio,
+          .shake = {p.shake_mps, p.shake_rad},
+          .start = {p.start_mps, p.start_rad}};
+}
+
+/// The desired velocity and its cost, infinite if it is not feasible. It may be slower than others.
+Candidate desired_candidate(const avoa::VelocitySpace& space, const avoa::Metric& metric) {
+  const PolarVelocity& desired = metric.desired();
+  const int cell = space.kinematics().contains(desired) ? avoa::VelocityGrid::outside
+                                                        : space.grid().cell_at(desired.cartesian());
+  const bool feasible =
+      cell != avoa::VelocityGrid::outside && space.zones().forbidden()[static_cast<std::size_t>(cell)] == 0;
+  return {desired, feasible ? metric(desired, space.danger(cell)) : std::numeric_limits<double>::infinity()};
+}
+
+}  // namespace
+
+Command Avoa::decide(const Situation& s, Memory& memory, Context& context) const noexcept {
+  const double max_speed = std::min(limit_or(s.limits.max_speed, params.max_speed_mps), largest_reach);
+  if (max_speed < least_reach) return {.mode = Mode::infeasible, .note = "may not move"};
+  Vec3 preferred = s.preferred_velocity();
+  preferred.z() = 0.0;
+
+  // what is forbidden, and how near to it the rest is
+  avoa::VelocitySpace& space = memory.space;
+  space.begin({params.grid_count, max_speed}, kinematic_zone(params, s.limits, max_speed),
+              params.least_speed_mps);
+  avoa::add_everyone(s,
+                     {.margin = params.margin_m,
+                      .spacing = params.circle_spacing_m,
+                      .window = params.window_s,
+                      .contact = params.time_to_contact},
+                     space.zones());
+  space.finish(params.danger_threshold_mps);
+
+  // the best of the rest, the desired velocity first
+  const avoa::Metric metric{off_the_bow(preferred, s.own.yaw), max_speed, params.speed_weight_ratio,
+                            params.heading_weight_ratio, params.danger_weight_ratio};
+  const Candidate desired = desired_candidate(space, metric);
+  const Candidate best =
+      params.search == VelocitySearch::swarm
+          ? memory.swarm.search(space, metric, desired, swarm_settings(params), context.rng)
+          : avoa::cheapest_cell(space, metric, desired);
+
+  const bool nobody_matters = space.zones().empty();
+  const bool none_is_left = !std::isfinite(best.cost);
+  const Vec3 chosen = none_is_left                                    ? Vec3{Vec3::Zero()}
+                      : nobody_matters && std::isfinite(desired.cost) ? preferred
+                                                                      : over_ground(best.velocity, s.own.yaw);
+  if (context.sketch) {
+    avoa::draw(space, metric, s.own.yaw, memory.picture, *context.sketch);
+    for (const avoa::Swarm::Particle& particle : memory.swarm.particles()) {
+      context.sketch->velocity(over_ground(particle.position, s.own.yaw), "particle");
+    }
+    context.sketch->velocity(preferred, "desired");
+    context.sketch->velocity(chosen, "chosen");
+  }
+  if (none_is_left) return {.mode = Mode::infeasible, .note = "every velocity is in a zone"};
+  return {.velocity = chosen, .mode = nobody_matters ? Mode::cruise : Mode::avoid};
+}
+
+}  // namespace fairway

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/avoidance/avoa/avoa.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <string>
+
+#include "fairway/avoidance/testing/encounters.hpp"
+
+namespace fairway {
+namespace {
+
+using encounters::Encounter;
+
+Command decide(const Situation& s, const Avoa::Params& params = {}, Sketch* sketch = nullptr) {
+  Rng rng{1};
+  Context context{rng, sketch};
+  Avoa::Memory memory;
+  return Avoa{params}.decide(s, memory, context);
+}
+
+/// A Zarco at the origin, northbound at 1.2 of at most 1.5 m/s for a goal 25 m ahead, every 0.2 s.
+Encounter zarco() {
+  Encounter e = encounters::open_water(1.2);
+  e.situation.period = 0.2;
+  e.situation.own.position = {0, 0, 0};
+  e.situation.own.radius = 0.75;
+  e.situation.goal.position = {25, 0, 0};
+  e.situation.limits.max_turn_rate = 0.3751;
+  return e;
+}
+
+Obstacle buoy(double north, double east) {
+  return {.kind = Obstacle::Kind::sphere, .position = {north, east, 0}, .radius = 0.3};
+}
+
+double course(const Command& command) { return std::atan2(command.velocity.y(), command.velocity.x()); }
+
+TEST(Avoa, WithNothingNearGoesExactlyWhereItWasGoing) {
+  Encounter e = zarco();
+  const Command expected{.velocity = {1.2, 0.0, 0.0}, .mode = Mode::cruise};
+  EXPECT_EQ(decide(e), expected);
+  e.obstacles = {buoy(20.0, 0.0)};  // beyond the window at any speed of the picture
+  EXPECT_EQ(decide(e), expected);
+}
+
+TEST(Avoa, WithTheGoalAbeamTurnsAsFastAsItsThrustersAllow) {
+  Encounter e = zarco();
+  e.situation.own.yaw = -0.5;
+  const Command command = decide(e, {.search = VelocitySearch::exhaustive});
+  EXPECT_EQ(command.mode, Mode::cruise);
+  const double theta = course(command) + 0.5;
+  EXPECT_GT(theta, 0.2);
+  EXPECT_LE(command.velocity.norm() + 3.0 * 0.5 * theta, 1.5 + 1e-12);
+}
+
+TEST(Avoa, AnObstacleAsternIsNoReasonToTurn) {
+  Encounter e = zarco();
+  e.obstacles = {buoy(-4.0, 0.0)};
+  const Command command = decide(e);
+  EXPECT_EQ(command.mode, Mode::avoid);  // it forbids going astern
+  EXPECT_LT((command.velocity - Vec3(1.2, 0.0, 0.0)).norm(), 1e-12);
+}
+
+TEST(Avoa, ABuoyAheadIsLeftOnTheSideOnWhichItLies) {
+  for (const double east : {-0.3, 0.3}) {
+    Encounter e = zarco();
+    e.obstacles = {buoy(7.0, east)};
+    for (const VelocitySearch search : {VelocitySearch::swarm, VelocitySearch::exhaustive}) {
+      const Command command = decide(e, {.search = search});
+      EXPECT_EQ(command.mode, Mode::avoid);
+      EXPECT_LT(course(command) * east, 0.0);
+    }
+  }
+}
+
+TEST(Avoa, AnswersAVelocityThatKeepsClearForTheWindow) {
+  Rng rng{4};
+  for (int i = 0; i < 200; ++i) {
+    Encounter e = zarco();
+    for (int k = 0; k < 6; ++k) e.obstacles.push_back(buoy(rng.uniform(2, 12), rng.uniform(-6, 6)));
+    e.tracks = {encounters::track(1, {rng.uniform(3, 12), rng.uniform(-8, 8), 0},
+                                  {rng.uniform(-0.6, 0.6), rng.uniform(-0.6, 0.6), 0}, 0.75)};
+    const Command command = decide(e);
+    if (command.mode == Mode::infeasible) continue;
+    for (double t = 0.0; t < 40.0; t += 0.25) {
+      const double time = 0.2 * t;
+      const Vec3 own = time * command.velocity;
+      // half a cell, 0.021 m/s, is what the picture may be wrong by
+      const double doubt = 0.0213 * time;
+      for (const Obstacle& o : e.obstacles) EXPECT_GT((o.position - own).norm(), 1.3 - doubt);
+      const Track& t1 = e.tracks[0];
+      EXPECT_GT((t1.position + time * t1.velocity - own).norm(), 1.75 - doubt);
+    }
+  }
+}
+
+TEST(Avoa, PrefersWhatIsFartherFromDanger) {
+  Encounter e = zarco();
+  e.obstacles = {buoy(7.0, 1.35)};  // 1.3 m is clear, barely
+  const auto how = [](double weight) {
+    return Avoa::Params{.search = VelocitySearch::exhaustive, .danger_weight_ratio = weight};
+  };
+  EXPECT_LT((decide(e, how(0.0)).velocity - Vec3(1.2, 0.0, 0.0)).norm(), 1e-12);
+  EXPECT_LT(course(decide(e, how(0.4))), -0.02);
+}
+
+TEST(Avoa, TurningTheShipTurnsTheAnswerWithIt) {
+  Encounter e = zarco();
+  e.obstacles = {buoy(7.0, 0.3), buoy(5.0, -4.0)};
+  e.tracks = {encounters::track(1, {10, 6, 0}, {0, -0.6, 0}, 0.75)};
+  const Vec3 expected = decide(e).velocity;
+  const Eigen::AngleAxisd turn(2.2, Vec3::UnitZ());
+  EXPECT_LT((decide(encounters::turned(e, 2.2)).velocity - turn * expected).norm(), 1e-9);
+}
+
+TEST(Avoa, WhereNoVelocityIsLeftItStops) {
+  Encounter e = zarco();
+  for (int i = 0; i < 24; ++i) {
+    const double bearing = i * pi / 12.0;
+    e.tracks.push_back(encounters::track(static_cast<std::uint32_t>(i + 1),
+                                         2.5 * Vec3{std::cos(bearing), std::sin(bearing), 0},
+                                         -0.5 * Vec3{std::cos(bearing), std::sin(bearing), 0}));
+  }
+  const Command command = decide(e);
+  EXPECT_EQ(command.mode, Mode::infeasible);
+  EXPECT_EQ(command.velocity, Vec3(0.0, 0.0, 0.0));
+}
+
+TEST(Avoa, AnObstacleOverTheVesselIsLeft) {
+  Encounter e = zarco();
+  e.obstacles = {buoy(0.5, 0.0)};
+  const Command command = decide(e);
+  EXPECT_EQ(command.mode, Mode::avoid);
+  EXPECT_LE(command.velocity.x(), 0.0);
+
+  // exactly over it, it counts as lying south, as nearest_point() says; of tracks the smaller id goes north
+  e.obstacles = {buoy(0.0, 0.0)};
+  EXPECT_LT((decide(e).velocity - Vec3(1.2, 0.0, 0.0)).norm(), 1e-12);
+  e.obstacles.clear();
+  e.tracks = {encounters::track(1, {0, 0, 0}, {0, 0, 0})};
+  EXPECT_LT((decide(e).velocity - Vec3(1.2, 0.0, 0.0)).norm(), 1e-12);
+  e.situation.own.id = VehicleId{2};
+  EXPECT_LE(decide(e).velocity.x(), 0.0);
+}
+
+TEST(Avoa, BetweenOverlappingTracksOnOppositeSidesThereIsOnlyTheWayAcross) {
+  Encounter e = zarco();
+  e.tracks = {encounters::track(1, {1, 0, 0}, {0, 0, 0}), encounters::track(2, {-1, 0, 0}, {0, 0, 0})};
+  const Command command = decide(e);
+  EXPECT_EQ(command.mode, Mode::avoid);
+  EXPECT_LT(std::abs(command.velocity.x()), 0.02);  // half a cell
+  EXPECT_GT(std::abs(command.velocity.y()), 0.19);
+}
+
+TEST(Avoa, SlowerThanTheLeastSpeedOnlyIfDesired) {
+  Encounter e = zarco();
+  e.obstacles = {buoy(4.0, 0.0), buoy(3.5, 2.0), buoy(3.5, -2.0)};
+  const Avoa::Params slow{.search = VelocitySearch::exhaustive, .least_speed_mps = 0.0};
+  EXPECT_LT(decide(e, slow).velocity.norm(), 0.2);
+  EXPECT_GE(decide(e, {.search = VelocitySearch::exhaustive}).velocity.norm(), 0.2 - 1e-12);
+
+  e.situation.goal.velocity = Vec3{0.05, 0.0, 0.0};  // none of it is reached within the window
+  EXPECT_LT((decide(e).velocity - Vec3(0.05, 0.0, 0.0)).norm(), 1e-12);
+  e.situation.goal.velocity = Vec3::Zero();
+  EXPECT_EQ(decide(e).velocity, Vec3(0.0, 0.0, 0.0));
+}
+
+TEST(Avoa, WhoMayNotMoveSaysSo) {
+  Encounter e = zarco();
+  for (const double limit : {0.0, 1e-9}) {
+    e.situation.limits.max_speed = limit;
+    const Command command = decide(e);
+    EXPECT_EQ(command.mode, Mode::infeasible);
+    EXPECT_EQ(command.velocity, Vec3(0.0, 0.0, 0.0));
+  }
+}
+
+TEST(Avoa, WhereNoLimitIsSetItsOwnHold) {
+  Encounter e = zarco();
+  e.situation.limits = {};
+  e.situation.goal.cruise_speed = 5.0;
+  const Command command = decide(e, {.search = VelocitySearch::exhaustive});
+  EXPECT_EQ(command.mode, Mode::cruise);
+  EXPECT_LT((command.velocity - Vec3(1.5, 0.0, 0.0)).norm(), 1e-12);
+
+  // and a limit that is beyond all sense is cut
+  e.situation.limits.max_speed = 1e300;
+  e.obstacles = {buoy(7.0, 0.3)};
+  EXPECT_TRUE(is_finite(decide(e)));
+}
+
+TEST(Avoa, GridsAreOfTwoToFourHundredAndOne) {
+  Avoa::Params params;
+  for (const double refused : {1.0, 402.0}) {
+    EXPECT_THROW(set_param(params, "grid_count", refused), InputError);
+  }
+  Encounter e = zarco();
+  e.obstacles = {buoy(7.0, 0.3)};
+  for (const int side : {2, 3, 100, 401}) {
+    for (const VelocitySearch search : {VelocitySearch::swarm, VelocitySearch::exhaustive}) {
+      EXPECT_TRUE(is_finite(decide(e, {.search = search, .grid_count = side}))) << side;
+    }
+  }
+}
+
+TEST(Avoa, ReadsItsOptionsByName) {
+  Avoa::Params params;
+  set_param(params, "search", std::string("exhaustive"));
+  set_param(params, "time_to_contact", std::string("exact"));
+  EXPECT_EQ(params.search, VelocitySearch::exhaustive);
+  EXPECT_EQ(params.time_to_contact, TimeToContact::exact);
+}
+
+/// What it draws.
+struct AvoaDrawing : Sketch {
+  void velocity(const Vec3& v, std::string_view meaning) override { velocities.emplace_back(meaning, v); }
+  void half_space(const Vec3&, const Vec3&, std::string_view) override {}
+  void path(std::span<const Vec3>, std::string_view) override {}
+  void sphere(const Vec3&, double, std::string_view) override {}
+  void image(const VelocityImage& image, std::string_view meaning) override {
+    names.emplace_back(meaning);
+    pictures.emplace_back(image.rgb.begin(), image.rgb.end());
+    last = image;
+  }
+
+  std::uint32_t pixel(std::size_t picture, int row, int column) const {
+    return pictures[picture][static_cast<std::size_t>(row * last.side + column)];
+  }
+
+  std::vector<std::pair<std::string, Vec3>> velocities;
+  std::vector<std::string> names;
+  std::vector<std::vector<std::uint32_t>> pictures;
+  VelocityImage last;
+};
+
+TEST(Avoa, DrawsItsThreePicturesInThePapersColours) {
+  Encounter e = zarco();
+  e.situation.own.yaw = 0.1;
+  e.obstacles = {buoy(7.0, 0.3)};
+  AvoaDrawing drawing;
+  const Command command = decide(e, {.thruster_speed_mps = 100.0}, &drawing);
+
+  EXPECT_EQ(drawing.names, (std::vector<std::string>{"protective zones", "cost of danger", "metric"}));
+  EXPECT_EQ(drawing.last.side, 101);
+  EXPECT_EQ(drawing.last.reach, 1.5);
+  EXPECT_EQ(drawing.last.yaw, 0.1);
+
+  // astern is cyan; 0.75 m/s to starboard half saturated, at 90 degrees of hue; ahead is forbidden, and the
+  // corner
+  EXPECT_EQ(drawing.pixel(0, 100, 50), 0x00FFFFU);
+  EXPECT_EQ(drawing.pixel(0, 50, 75), 0xBFFF80U);
+  EXPECT_EQ(drawing.pixel(0, 5, 50), 0U);
+  EXPECT_EQ(drawing.pixel(0, 0, 0), 0U);
+  // no danger astern, full danger in the zone
+  EXPECT_EQ(drawing.pixel(1, 100, 50), 0xFFFFFFU);
+  EXPECT_EQ(drawing.pixel(1, 5, 50), 0U);
+  EXPECT_EQ(std::ranges::count(drawing.pictures[2], 0xFFFFFFU), 1);
+
+  const auto count = [&](const std::string& meaning) {
+    return std::ranges::count(drawing.velocities, meaning, [](const auto& drawn) { return drawn.first; });
+  };
+  EXPECT_EQ(count("particle"), 30);
+  EXPECT_EQ(count("desired"), 1);
+  EXPECT_EQ(drawing.velocities.back(), (std::pair{std::string("chosen"), command.velocity}));
+}
+
+TEST(Avoa, LookingDoesNotChangeTheAnswer) {
+  Encounter e = zarco();
+  e.obstacles = {buoy(7.0, 0.3)};
+  AvoaDrawing drawing;
+  EXPECT_EQ(decide(e), decide(e, {}, &drawing));
+}
+
+}  // namespace
+}  // namespace fairway

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "fairway/avoidance/avoa/velocity_grid.hpp"
+
+namespace fairway::avoa {
+
+/// The velocities that two thrusters side by side cannot make, PZ^K (campos2019, eqs. 3-5): the turn rate
+/// omega that leads to a heading is k |theta|, at most `max_turn_rate`.
+struct KinematicZone {
+  double alpha{};           ///< thruster speed per speed [-]
+  double beta{};            ///< thruster speed per turn rate [m]
+  double turn_gain{};       ///< k [1/s]
+  double max_turn_rate{};   ///< [rad/s]
+  double thruster_speed{};  ///< v_max^t [m/s]
+  double max_speed{};       ///< v_max [m/s]
+
+  bool contains(const PolarVelocity& v) const {
+    const double omega = std::min(turn_gain * std::abs(v.heading), max_turn_rate);
+    // the outer thruster, v_1 to starboard and v_2 to port, is the faster one
+    return v.speed > max_speed || alpha * v.speed + beta * omega > thruster_speed;
+  }
+
+  friend bool operator==(const KinematicZone&, const KinematicZone&) = default;
+};
+
+}  // namespace fairway::avoa

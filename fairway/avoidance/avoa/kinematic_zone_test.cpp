@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/avoidance/avoa/kinematic_zone.hpp"
+
+#include <gtest/gtest.h>
+
+namespace fairway::avoa {
+namespace {
+
+constexpr KinematicZone zarco{.alpha = 1.0,
+                              .beta = 3.0,
+                              .turn_gain = 0.5,
+                              .max_turn_rate = 0.3751,
+                              .thruster_speed = 1.5,
+                              .max_speed = 1.5};
+
+TEST(KinematicZone, StraightAheadEndsAtTheLargestSpeed) {
+  EXPECT_FALSE(zarco.contains({1.5, 0.0}));
+  EXPECT_TRUE(zarco.contains({1.5001, 0.0}));
+  KinematicZone strong = zarco;
+  strong.thruster_speed = 9.0;
+  EXPECT_TRUE(strong.contains({1.5001, 0.0}));
+}
+
+TEST(KinematicZone, TheOuterThrusterLimitsTheSpeedInATurnToEitherSide) {
+  // at 0.4 rad the turn rate is 0.2 rad/s: v + 3 * 0.2 <= 1.5
+  for (const double heading : {0.4, -0.4}) {
+    EXPECT_FALSE(zarco.contains({0.899, heading}));
+    EXPECT_TRUE(zarco.contains({0.901, heading}));
+  }
+}
+
+TEST(KinematicZone, BeyondTheLargestTurnRateTheHeadingDoesNotMatter) {
+  // v + 3 * 0.3751 <= 1.5
+  for (const double heading : {0.8, -2.0, pi}) {
+    EXPECT_FALSE(zarco.contains({0.374, heading}));
+    EXPECT_TRUE(zarco.contains({0.375, heading}));
+  }
+}
+
+}  // namespace
+}  // namespace fairway::avoa

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/avoidance/avoa_improved/solid.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fairway::avoa_improved {
+namespace {
+
+double cross_of(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+/// From `p` to the segment from `a` to `b`.
+double distance_to_segment(const Vec2& a, const Vec2& b, const Vec2& p) {
+  const Vec2 along = b - a;
+  const double square = along.squaredNorm();
+  if (square <= 0.0) return (p - a).norm();
+  const double share = std::clamp(along.dot(p - a) / square, 0.0, 1.0);
+  return (p - a - share * along).norm();
+}
+
+bool cross_each_other(const Vec2& a, const Vec2& b, const Vec2& p, const Vec2& q) {
+  const auto apart = [](const Vec2& from, const Vec2& to, const Vec2& one, const Vec2& other) {
+    return cross_of(to - from, one - from) * cross_of(to - from, other - from) < 0.0;
+  };
+  return apart(a, b, p, q) && apart(p, q, a, b);
+}
+
+bool is_at(const Solid& one, const Solid& other, double within) {
+  return (one.from - other.from).norm() <= within && (one.to - other.to).norm() <= within;
+}
+
+}  // namespace
+
+double distance_to_axis(const Solid& solid, const Vec2& p) noexcept {
+  return distance_to_segment(solid.from, solid.to, p);
+}
+
+double distance_to_axis(const Solid& solid, const Vec2& p, const Vec2& q) noexcept {
+  if (solid.is_disc()) return distance_to_segment(p, q, solid.from);
+  if (cross_each_other(solid.from, solid.to, p, q)) return 0.0;
+  return std::min({distance_to_axis(solid, p), distance_to_axis(solid, q),
+                   distance_to_segment(p, q, solid.from), distance_to_segment(p, q, solid.to)});
+}
+
+void Solids::add_near(const Solid& solid, const Vec2& own) noexcept {
+  const double gap = distance_to_axis(solid, own) - solid.radius;
+  if (count_ == capacity && gap >= gaps_[capacity - 1]) return;
+  std::size_t at = count_ < capacity ? count_++ : capacity - 1;
+  for (; at > 0 && gaps_[at - 1] > gap; --at) {
+    gaps_[at] = gaps_[at - 1];
+    all_[at] = all_[at - 1];
+  }
+  gaps_[at] = gap;
+  all_[at] = solid;
+}
+
+Solids movers(const Situation& s) noexcept {
+  Solids found;
+  const Vec2 own = s.own.position.head<2>();
+  for (const Track& t : s.tracks) {
+    const Vec2 p = t.position.head<2>();
+    found.add_near({p, p, t.radius, t.velocity.head<2>()}, own);
+  }
+  return found;
+}
+
+void Chart::enter(const Situation& s, bool remembers, double same_place) noexcept {
+  const Vec2 own = s.own.position.head<2>();
+  Solids now;
+  for (const Obstacle& o : s.obstacles) {
+    for_each_solid(o, [&](const Solid& solid) { now.add_near(solid, own); });
+  }
+  if (remembers) {
+    const Solids in_sight = now;
+    for (const Solid& old : known_.view()) {
+      const bool is_seen = std::ranges::any_of(
+          in_sight.view(), [&](const Solid& solid) { return is_at(solid, old, same_place); });
+      if (!is_seen) now.add_near(old, own);
+    }
+  }
+  known_ = now;
+}
+
+}  // namespace fairway::avoa_improved
