@@ -8,6 +8,7 @@
 
 #include "fairway/core/names.hpp"
 #include "fairway/studies/cubes/cubes.hpp"
+#include "fairway/studies/surface/surface.hpp"
 #include "fairway/studies/transport/transport.hpp"
 
 namespace fairway {
@@ -51,7 +52,7 @@ void judge(StudyRow& row, bool is_count) {
 }
 
 std::span<const Study> builtin_studies() {
-  static const std::array all{cubes::study(), transport::study()};
+  static const std::array all{cubes::study(), transport::study(), surface::study()};
   return all;
 }
 

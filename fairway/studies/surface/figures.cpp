@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/studies/surface/figures.hpp"
+
+#include <cmath>
+
+#include "fairway/core/angles.hpp"
+#include "fairway/sim/simulation.hpp"
+#include "fairway/studies/page_blocks.hpp"
+
+namespace fairway::surface {
+namespace {
+
+using nlohmann::json;
+
+double rounded(double value) { return std::round(value * 1000.0) / 1000.0; }
+
+/// Where the vessel is, how it moves and how it should, five times a second.
+class Log final : public FrameSink {
+ public:
+  explicit Log(const SteeringParams& steering) : steering_{steering} {}
+
+  void write(const Frame& frame) override {
+    if (count(frame.tick) % 4 != 0) return;
+    const VehicleFrame& vehicle = frame.vehicles.front();
+    const BodyRequest wanted = steer(steering_, vehicle.command, yaw_of(vehicle.state.q_nb));
+    t_.push_back(rounded(frame.time));
+    n_.push_back(rounded(vehicle.state.p_n.x()));
+    e_.push_back(rounded(vehicle.state.p_n.y()));
+    speed_.push_back(rounded(vehicle.state.v_b.x()));
+    turn_rate_.push_back(rounded(vehicle.state.omega_b.z()));
+    wanted_speed_.push_back(rounded(wanted.surge_mps));
+    wanted_turn_rate_.push_back(rounded(wanted.yaw_rate_radps));
+  }
+
+  json track(const std::string& label) const {
+    return {{"label", label}, {"n", n_}, {"e", e_}, {"d", std::vector<double>(n_.size(), 0.0)}, {"t", t_}};
+  }
+
+  json speeds(const std::string& title) const {
+    const auto series = [&](const char* label, const std::vector<double>& y) {
+      return json{{"label", label}, {"x", t_}, {"y", y}};
+    };
+    return {{"kind", "lines"},
+            {"title", title},
+            {"x_label", "time [s]"},
+            {"y_label", "speed [m/s], turn rate [rad/s]"},
+            {"series",
+             {series("speed", speed_), series("turn rate", turn_rate_), series("speed wanted", wanted_speed_),
+              series("turn rate wanted", wanted_turn_rate_)}}};
+  }
+
+ private:
+  SteeringParams steering_;
+  std::vector<double> t_, n_, e_, speed_, turn_rate_, wanted_speed_, wanted_turn_rate_;
+};
+
+json way_of_the_other(const Layout& layout, double duration) {
+  const Vec2 end = *layout.vessel + duration * layout.vessel_velocity;
+  const auto pair = [](double a, double b) { return std::array{rounded(a), rounded(b)}; };
+  return {{"label", "other vessel"},
+          {"n", pair(layout.vessel->x(), end.x())},
+          {"e", pair(layout.vessel->y(), end.y())},
+          {"d", pair(0.0, 0.0)},
+          {"t", pair(0.0, duration)}};
+}
+
+}  // namespace
+
+Passage passage_of(Course course, const Method& method) {
+  const Scenario scenario = passage(course, layout_of(course), Vessel::zarco, method, 1);
+  Simulation simulation{scenario, builtin_catalogs()};
+  simulation.time_decisions();
+  Log log{simulation.agents().front().steering};
+  const std::array<FrameSink*, 1> sinks{&log};
+  simulation.run(sinks);
+
+  const DecisionTimes& times = simulation.decision_times();
+  const std::string label{method.name};
+  return {
+      .label = label,
+      .track = log.track(label),
+      .speeds = log.speeds(label),
+      .mean_decision_us = 1e6 * times.total_s / static_cast<double>(std::max<std::int64_t>(times.count, 1)),
+      .worst_decision_us = 1e6 * times.worst_s};
+}
+
+json ways(const std::string& title, Course course, const std::vector<Passage>& passages) {
+  json tracks = json::array();
+  double last = 0.0;
+  for (const Passage& passage : passages) {
+    tracks.push_back(passage.track);
+    last = std::fmax(last, passage.track["t"].back().get<double>());
+  }
+  const Layout layout = layout_of(course);
+  if (layout.vessel) tracks.push_back(way_of_the_other(layout, std::fmin(last, 40.0)));
+  return page::scene(title, std::move(tracks), layout.obstacles(), goal);
+}
+
+}  // namespace fairway::surface

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/studies/surface/surface.hpp"
+
+#include "fairway/experiment/measure_run.hpp"
+#include "fairway/studies/surface/surface_page.hpp"
+
+namespace fairway::surface {
+namespace {
+
+StudyResult run_surface(const StudyOptions& options) {
+  Results results{.published = published_cells(),
+                  .variations = options.seeds > 0 ? varied_cells(options.seeds) : std::vector<Cell>{},
+                  .seeds = options.seeds};
+  const Catalogs catalogs = builtin_catalogs();
+  const auto measure = [&](const Scenario& scenario, const std::atomic<bool>* stop) {
+    return measure_run(scenario, catalogs, stop);
+  };
+  const std::array groups{&results.published, &results.variations};
+  if (!make_cells(groups, measure, options)) return {.complete = false};
+
+  results.rows = published_rows(results.published);
+  results.published_rows = results.rows.size();
+  std::ranges::move(varied_rows(results.variations), std::back_inserter(results.rows));
+  return {.rows = results.rows, .page = page_of(results, options)};
+}
+
+}  // namespace
+
+Study study() {
+  return {.name = "surface",
+          .title = "A surface vessel among buoys and vessels: AVOA, its improvement, and TEB",
+          .source =
+              "campos2019: Campos, Matos, Pinto, An Adaptive Velocity Obstacle Avoidance Algorithm for "
+              "Autonomous Surface Vehicles, 2019",
+          .run = run_surface};
+}
+
+}  // namespace fairway::surface

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/studies/surface/surface_page.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "fairway/experiment/version.hpp"
+#include "fairway/studies/page_blocks.hpp"
+#include "fairway/studies/surface/figures.hpp"
+#include "fairway/studies/surface/zones.hpp"
+
+namespace fairway::surface {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::array figure_methods{"avoa", "avoa_improved", "teb_0.4", "teb_1.5"};
+
+json published_section(const Results& results) {
+  const std::span rows = std::span{results.rows}.first(results.published_rows);
+  const auto sailed_by = [&](Vessel vessel) {
+    std::vector<StudyRow> chosen;
+    std::ranges::copy_if(rows, std::back_inserter(chosen),
+                         [&](const StudyRow& row) { return row.mode == name_of(vessel); });
+    return chosen;
+  };
+  return page::section(
+      "published", "Published against measured", claims(results.published),
+      {page::note(
+           "info",
+           "The paper shows its five courses in figures without a scale, which are not at hand. The courses "
+           "here are proposals that fit its text, its times and its speeds; two more U-shaped walls "
+           "(u_narrow, u_deep) are not published. So what agrees is reproduced under that assumption."),
+       page::comparison_table("Zarco in the waves of Table I, eight seeds each", sailed_by(Vessel::zarco)),
+       page::comparison_table("A vessel that does at once what it is told, in calm water",
+                              sailed_by(Vessel::at_once))});
+}
+
+/// The chosen methods on every course, each made once.
+std::vector<std::vector<Passage>> passages() {
+  std::vector<std::vector<Passage>> all;
+  for (const Course course : courses) {
+    std::vector<Passage>& of_course = all.emplace_back();
+    for (const std::string_view name : figure_methods) {
+      const auto method = std::ranges::find(compared_methods(), name, &Method::name);
+      of_course.push_back(passage_of(course, *method));
+    }
+  }
+  return all;
+}
+
+json figures_section(const std::vector<std::vector<Passage>>& passages) {
+  const auto of = [&](Course course) -> const std::vector<Passage>& {
+    return passages[static_cast<std::size_t>(course)];
+  };
+  const auto speeds = [&](Course course) {
+    return page::grid(2, {of(course)[0].speeds, of(course)[2].speeds});
+  };
+  return page::section(
+      "figures", "Figures 8, 9 and 11 to 13 redrawn",
+      {"Seen from above; the first seed. TEB with its package's limit of 0.4 m/s and with the paper's 1.5 "
+       "m/s, both "
+       "with dynamic obstacles left out, as its default is."},
+      {ways("Figures 8a, 8b: the U-shaped wall", Course::u_wall, of(Course::u_wall)),
+       ways("Figures 8c, 8d: the cluttered course", Course::cluttered, of(Course::cluttered)),
+       speeds(Course::cluttered), ways("Figures 11a, 11b: scenario A", Course::head_on, of(Course::head_on)),
+       ways("Figures 11c, 11d: scenario B", Course::orthogonal, of(Course::orthogonal)),
+       speeds(Course::orthogonal),
+       ways("Figures 11e, 11f: scenario C", Course::diagonal, of(Course::diagonal)), speeds(Course::diagonal),
+       ways("A narrow U", Course::u_narrow, of(Course::u_narrow)),
+       ways("A deep U", Course::u_deep, of(Course::u_deep))});
+}
+
+json zones_section() {
+  return page::section("zones", "Figures 3 to 6 redrawn: protective zones",
+                       {"Velocities in the vessel's frame, ahead to the right. Hue is the heading and "
+                        "saturation the speed; black is "
+                        "forbidden. The cost of danger runs from white, far from every zone, to dark grey at "
+                        "its edge; the metric is "
+                        "the lighter the better."},
+                       zone_figures());
+}
+
+json decision_times_section(const std::vector<std::vector<Passage>>& passages) {
+  json lines = json::array();
+  for (std::size_t c = 0; c < courses.size(); ++c) {
+    for (const Passage& passage : passages[c]) {
+      lines.push_back({{"case", name_of(courses[c])},
+                       {"method", passage.label},
+                       {"mean", passage.mean_decision_us},
+                       {"worst", passage.worst_decision_us}});
+    }
+  }
+  const auto column = [](const char* key, const char* label, const char* type) {
+    return json{{"key", key}, {"label", label}, {"type", type}, {"digits", 0}};
+  };
+  return page::section(
+      "decision_times", "Decision times",
+      {"Of the passages in the figures, on the machine that wrote this report; not a result that "
+       "another machine gives."},
+      {{{"kind", "table"},
+        {"title", "Time of a decision [us]"},
+        {"columns",
+         {column("case", "Course", "text"), column("method", "Method", "text"),
+          column("mean", "Mean", "number"), column("worst", "Worst", "number")}},
+        {"rows", std::move(lines)},
+        {"filter", {"case", "method"}}}});
+}
+
+json variations_section(const Results& results) {
+  const std::vector<StudyRow> rows{results.rows.begin() + static_cast<std::ptrdiff_t>(results.published_rows),
+                                   results.rows.end()};
+  std::vector<std::string> places;
+  for (const Course course : courses) places.emplace_back(name_of(course));
+  std::vector<std::string> paragraphs{fmt::format(
+      "{} variations of each course, the same for every method: start by up to 1 m and 0.3 rad, buoys by 0.3 "
+      "m, the "
+      "other vessel by 1 m, 20 % of its speed and 0.2 rad, in a JONSWAP sea of up to 0.3 m and a current of "
+      "up to 0.2 "
+      "m/s from anywhere. Bars are 95 % intervals; times are of the runs that arrived within 120 s.",
+      results.seeds)};
+  std::ranges::move(ablation(results.variations), std::back_inserter(paragraphs));
+  const auto bars = [&](const char* quantity, const char* label) {
+    return page::method_intervals(rows, all_methods(), quantity, label, places);
+  };
+  return page::section("variations", "Variations of the courses", std::move(paragraphs),
+                       {page::grid(2, {bars("success_ratio", "arrived, nothing touched"),
+                                       bars("touched_ratio", "touched something"),
+                                       bars("navigation_time_s", "time of arrival [s]"),
+                                       bars("heading_change_rad", "turned in all [rad]")}),
+                        page::comparison_table("All courses, all methods", rows)});
+}
+
+json facts(const Results& results) {
+  const std::array groups{&results.published, &results.variations};
+  const auto count = [&](Verdict verdict) {
+    return std::to_string(std::ranges::count(results.rows, verdict, &StudyRow::verdict));
+  };
+  return {{{"label", "Runs"}, {"value", std::to_string(run_count(groups))}},
+          {{"label", "Reproduced, assuming"}, {"value", count(Verdict::reproduced_assuming)}},
+          {{"label", "Partly"}, {"value", count(Verdict::partly)}},
+          {{"label", "Not reproduced"}, {"value", count(Verdict::not_reproduced)}}};
+}
+
+}  // namespace
+
+json page_of(const Results& results, const StudyOptions& options) {
+  const std::vector<std::vector<Passage>> shown = passages();
+  json sections = json::array({published_section(results), figures_section(shown), zones_section()});
+  if (results.seeds > 0) sections.push_back(variations_section(results));
+  sections.push_back(decision_times_section(shown));
+  return {{"title", "A surface vessel among buoys and vessels"},
+          {"subtitle",
+           "campos2019: AVOA and TEB on five courses; then improved, varied, and beside every other method"},
+          {"version", fmt::format("fairway {}", fairway_version)},
+          {"command", options.command},
+          {"facts", facts(results)},
+          {"sections", std::move(sections)}};
+}
+
+}  // namespace fairway::surface
