@@ -57,7 +57,7 @@ std::vector<Method> with_others() {
   methods.push_back({"orca3d", "orca3d", {{"time_horizon_s", 8.0}, {"obstacle_time_horizon_s", 8.0}}});
   methods.push_back({"direct+filter", "direct+safety_filter", {}});
   methods.push_back({"wall_following", "wall_following", {{"form", std::string("corrected")}}});
-  methods.push_back({"rrt_star", "rrt_star", {}});
+  methods.push_back({"rrt_star", "rrt_star", {{"clearance_m", 0.5}}});
   methods.push_back({"blend", "blend", {}});
   return methods;
 }
