@@ -19,4 +19,7 @@ struct Limits {
   friend bool operator==(const Limits&, const Limits&) = default;
 };
 
+/// `limit`, or `otherwise` where it does not bind.
+constexpr double limit_or(double limit, double otherwise) { return limit < Limits::none ? limit : otherwise; }
+
 }  // namespace fairway

@@ -36,15 +36,15 @@ constexpr std::string_view minimal = "fairway_campaign: 1\nname: test\nscenario:
 
 class CampaignTest : public testing::Test {
  protected:
-  CampaignTest() { sample::write_bytes(folder_ / "pair.yaml", pair_yaml); }
+  CampaignTest() { sample::write_bytes(folder_.file("pair.yaml"), pair_yaml); }
 
   Campaign parse(const std::string& more, const CheckScenario& check = {}, unsigned jobs = 1) const {
-    return parse_campaign(std::string(minimal) + more, folder_ / "test.yaml", check, jobs);
+    return parse_campaign(std::string(minimal) + more, folder_.file("test.yaml"), check, jobs);
   }
 
   std::string refusal(const std::string& yaml) const {
     try {
-      parse_campaign(yaml, folder_ / "test.yaml");
+      parse_campaign(yaml, folder_.file("test.yaml"));
     } catch (const InputError& error) {
       return error.what();
     }
@@ -54,11 +54,11 @@ class CampaignTest : public testing::Test {
   /// Refusal of a line 4 and on, without the folder.
   std::string refusal_of(const std::string& more) const {
     const std::string message = refusal(std::string(minimal) + more);
-    const std::string prefix = folder_ / "";
+    const std::string prefix = folder_.file("");
     return message.starts_with(prefix) ? message.substr(prefix.size()) : message;
   }
 
-  sample::Folder folder_;
+  TemporaryFolder folder_;
 };
 
 /// Something that any change of the scenario changes.
@@ -132,11 +132,11 @@ TEST_F(CampaignTest, WithoutAlgorithmsEachScenarioKeepsItsOwn) {
 
 TEST_F(CampaignTest, KeysFollowWhatDecidesTheOutcomeAndNothingElse) {
   const std::string before = parse("").specs[0].key;
-  sample::write_bytes(folder_ / "pair.yaml",
+  sample::write_bytes(folder_.file("pair.yaml"),
                       "# a comment\nsummary: says more\nstep_s: 0.050\nexpect: {collision_count: 0}\n" +
                           std::string(pair_yaml));
   EXPECT_EQ(parse("").specs[0].key, before);
-  sample::write_bytes(folder_ / "pair.yaml", "step_s: 0.051\n" + std::string(pair_yaml));
+  sample::write_bytes(folder_.file("pair.yaml"), "step_s: 0.051\n" + std::string(pair_yaml));
   EXPECT_NE(parse("").specs[0].key, before);
 }
 
@@ -158,7 +158,7 @@ TEST_F(CampaignTest, RunsResumesAndForgetsOlderVersions) {
   EXPECT_EQ(run_campaign(first, simulate, store).made, 0U);
   EXPECT_THAT(sample::csv_of(store), HasSubstr("pair,orca3d,10,3,,crit_dist_m,10\n"));
 
-  sample::write_bytes(folder_ / "pair.yaml", "step_s: 0.051\n" + std::string(pair_yaml));
+  sample::write_bytes(folder_.file("pair.yaml"), "step_s: 0.051\n" + std::string(pair_yaml));
   const Campaign second = parse(more);
   EXPECT_EQ(run_campaign(second, simulate, store).made, 12U);
   EXPECT_EQ(store.size(), 24U);
@@ -167,7 +167,7 @@ TEST_F(CampaignTest, RunsResumesAndForgetsOlderVersions) {
 
 TEST_F(CampaignTest, TheScenarioIsTheOneThatWasLoaded) {
   const Campaign c = parse("");
-  std::filesystem::remove(folder_ / "pair.yaml");
+  std::filesystem::remove(folder_.file("pair.yaml"));
   EXPECT_EQ(c.scenario_of(0).name, "pair");
 }
 
@@ -235,7 +235,7 @@ TEST_F(CampaignTest, FilesThatAreNoCampaignOrNotThereAreRefused) {
   EXPECT_THAT(refusal("fairway_campaign: 1\nname: x\nscenario: [pair.yaml, ./pair.yaml]\n"),
               HasSubstr("a second one named pair"));
   EXPECT_THAT(refusal("fairway_campaign: 1\nname: x\nscenario: .\n"), HasSubstr("cannot be read"));
-  EXPECT_THROW(load_campaign(folder_ / "none.yaml"), InputError);
+  EXPECT_THROW(load_campaign(folder_.file("none.yaml")), InputError);
 }
 
 TEST_F(CampaignTest, TooManyRunsAreRefusedAtOnce) {

@@ -48,8 +48,8 @@ class DamagedStoreTest : public testing::Test {
     Store store = Store::open(file_);
     store.put(sample::records(400));
   }
-  sample::Folder folder_;
-  std::string file_ = folder_ / "results.db";
+  TemporaryFolder folder_;
+  std::string file_ = folder_.file("results.db");
 };
 
 TEST_F(DamagedStoreTest, AnotherKindOfFileIsRefusedAndLeftAlone) {
@@ -60,7 +60,7 @@ TEST_F(DamagedStoreTest, AnotherKindOfFileIsRefusedAndLeftAlone) {
 }
 
 TEST_F(DamagedStoreTest, AnotherProgramsDatabaseIsRefusedAndLeftAlone) {
-  const std::string file = folder_ / "foreign.db";
+  const std::string file = folder_.file("foreign.db");
   execute(file, "CREATE TABLE runs(key, value); INSERT INTO runs VALUES (1, 2)");
   const std::string before = sample::bytes_of(file);
   EXPECT_THAT(refusal_of(file), HasSubstr("is a SQLite database, but not a results store of fairway"));
@@ -112,16 +112,16 @@ TEST_F(DamagedStoreTest, AnEmptyFileIsNoStoreYet) {
 }
 
 TEST_F(DamagedStoreTest, PathsThatCannotBeAStoreAreRefused) {
-  EXPECT_THAT(refusal([&] { Store::open_existing(folder_ / "none.db"); }),
+  EXPECT_THAT(refusal([&] { Store::open_existing(folder_.file("none.db")); }),
               HasSubstr("no such results store"));
-  EXPECT_FALSE(std::filesystem::exists(folder_ / "none.db"));
-  EXPECT_THAT(refusal([&] { Store::open(folder_ / "none/results.db"); }),
+  EXPECT_FALSE(std::filesystem::exists(folder_.file("none.db")));
+  EXPECT_THAT(refusal([&] { Store::open(folder_.file("none/results.db")); }),
               HasSubstr("cannot be written: No such file"));
   EXPECT_THAT(refusal([&] { Store::open(file_ + "/results.db"); }),
               HasSubstr("cannot be written: Not a directory"));
   EXPECT_THAT(refusal([&] { Store::open("/proc/fairway.db"); }),
               HasSubstr("/proc/fairway.db: cannot be written"));
-  EXPECT_THAT(refusal_of(folder_ / "."), HasSubstr("is a folder"));
+  EXPECT_THAT(refusal_of(folder_.file(".")), HasSubstr("is a folder"));
   EXPECT_THAT(refusal([&] { Store::open(""); }), HasSubstr("needs a file name"));
 }
 

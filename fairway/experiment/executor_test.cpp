@@ -107,14 +107,14 @@ TEST(ExecutorTest, TheSameRunTwiceIsRefusedBeforeAnythingIsRun) {
 std::atomic<bool> interrupted{false};
 
 TEST(ExecutorTest, CtrlCLeavesAUsableStoreThatIsContinued) {
-  const sample::Folder folder;
+  const TemporaryFolder folder;
   const auto specs = sample::specs(100);
   Store whole = Store::in_memory();
   run_missing(specs, sample::measures, whole);
 
   const auto before = std::signal(SIGINT, [](int) { interrupted = true; });
   {
-    Store store = Store::open(folder / "results.db");
+    Store store = Store::open(folder.file("results.db"));
     const auto run = [](std::size_t i) {
       if (i == 30) std::raise(SIGINT);
       return sample::measures(i);
@@ -127,7 +127,7 @@ TEST(ExecutorTest, CtrlCLeavesAUsableStoreThatIsContinued) {
   }
   std::signal(SIGINT, before);
 
-  Store store = Store::open(folder / "results.db");
+  Store store = Store::open(folder.file("results.db"));
   const std::size_t kept = store.size();
   const auto report = run_missing(specs, sample::measures, store);
   EXPECT_EQ(report.present, kept);
@@ -148,23 +148,23 @@ TEST(ExecutorTest, ARunThatWasCutShortIsNotStored) {
 }
 
 TEST(ExecutorTest, AStoreThatCannotBeWrittenStopsTheThreads) {
-  const sample::Folder folder;
-  { Store::open(folder / "results.db"); }
-  Store reader = Store::open_existing(folder / "results.db");
+  const TemporaryFolder folder;
+  { Store::open(folder.file("results.db")); }
+  Store reader = Store::open_existing(folder.file("results.db"));
   EXPECT_THROW(run_missing(sample::specs(1000), sample::measures, reader, {.jobs = 4, .batch_runs = 1}),
                std::logic_error);
 }
 
 TEST(ExecutorTest, FinishedRunsAreStoredWhileALongOneGoesOn) {
-  const sample::Folder folder;
-  Store store = Store::open(folder / "results.db");
+  const TemporaryFolder folder;
+  Store store = Store::open(folder.file("results.db"));
   const auto specs = sample::specs(10);
   std::atomic<bool> seen{false};
   const auto run = [&](std::size_t i) {
     // the first run lasts until a reader has found the others in the file
     for (int wait = 0; i == 0 && wait < 500 && !seen; ++wait) {
       std::this_thread::sleep_for(std::chrono::milliseconds{10});
-      seen = Store::open_existing(folder / "results.db").size() == 9;
+      seen = Store::open_existing(folder.file("results.db")).size() == 9;
     }
     return sample::measures(i);
   };

@@ -76,8 +76,8 @@ void kill_and_resume(const std::function<void(Store&, Shared::Number& made)>& wo
   Rng rng{7};
   int killed_midway = 0;
   for (int round = 0; round < 8; ++round) {
-    const sample::Folder folder;
-    const std::string file = folder / "results.db";
+    const TemporaryFolder folder;
+    const std::string file = folder.file("results.db");
     std::size_t kept = 0;
     for (int attempt = 0; attempt < 3; ++attempt) {
       Shared made;
@@ -135,8 +135,8 @@ TEST(KillTest, AnInterruptedWriteResumesToTheSameBytes) {
 }
 
 TEST(KillTest, AWritersDeathFreesTheStore) {
-  const sample::Folder folder;
-  const std::string file = folder / "results.db";
+  const TemporaryFolder folder;
+  const std::string file = folder.file("results.db");
   int ready[2];
   ASSERT_EQ(::pipe(ready), 0);
   const pid_t pid = child([&] {

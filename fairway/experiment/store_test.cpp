@@ -29,13 +29,13 @@ RunRecord record(const std::string& key, const Labels& labels, std::uint64_t see
 void put(Store& store, const RunRecord& one) { store.put({&one, 1}); }
 
 TEST(StoreTest, GivesBackEverythingThatWasPut) {
-  const sample::Folder folder;
+  const TemporaryFolder folder;
   const auto records = sample::records(9);
   {
-    Store store = Store::open(folder / "results.db");
+    Store store = Store::open(folder.file("results.db"));
     store.put(records);
   }
-  const Store store = Store::open_existing(folder / "results.db");
+  const Store store = Store::open_existing(folder.file("results.db"));
   const auto all = store.all();
   ASSERT_EQ(all.size(), records.size());
   for (const RunRecord& back : all) {
@@ -68,12 +68,12 @@ TEST(StoreTest, NumbersComeBackToTheBit) {
     given.measures.push_back({"x_m", static_cast<int>(i), values[i]});
   given.measures.push_back({"x_m", Measure::fleet, Limit::quiet_NaN()});
 
-  const sample::Folder folder;
+  const TemporaryFolder folder;
   {
-    Store store = Store::open(folder / "results.db");
+    Store store = Store::open(folder.file("results.db"));
     put(store, given);
   }
-  const auto all = Store::open_existing(folder / "results.db").all();
+  const auto all = Store::open_existing(folder.file("results.db")).all();
   ASSERT_EQ(all.size(), 1U);
   EXPECT_EQ(all[0].spec.seed, std::numeric_limits<std::uint64_t>::max());
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -140,34 +140,34 @@ TEST(StoreTest, RefusesRecordsThatMakeNoSenseAndStoresNoneOfTheBatch) {
 }
 
 TEST(StoreTest, OpenedForReadingCannotBeWritten) {
-  const sample::Folder folder;
-  { Store::open(folder / "results.db"); }
-  Store store = Store::open_existing(folder / "results.db");
+  const TemporaryFolder folder;
+  { Store::open(folder.file("results.db")); }
+  Store store = Store::open_existing(folder.file("results.db"));
   EXPECT_THROW(store.put(sample::records(1)), std::logic_error);
 }
 
 TEST(StoreTest, LeavesNothingBesideTheFileWhenItIsClosed) {
-  const sample::Folder folder;
+  const TemporaryFolder folder;
   {
-    Store store = Store::open(folder / "results.db");
+    Store store = Store::open(folder.file("results.db"));
     store.put(sample::records(3));
-    EXPECT_TRUE(std::filesystem::exists(folder / "results.db.lock"));
+    EXPECT_TRUE(std::filesystem::exists(folder.file("results.db.lock")));
   }
-  EXPECT_FALSE(std::filesystem::exists(folder / "results.db.lock"));
-  EXPECT_FALSE(std::filesystem::exists(folder / "results.db-journal"));
+  EXPECT_FALSE(std::filesystem::exists(folder.file("results.db.lock")));
+  EXPECT_FALSE(std::filesystem::exists(folder.file("results.db-journal")));
 }
 
 TEST(StoreTest, HasOneWriterAndAnyNumberOfReaders) {
-  const sample::Folder folder;
-  Store writer = Store::open(folder / "results.db");
+  const TemporaryFolder folder;
+  Store writer = Store::open(folder.file("results.db"));
   writer.put(sample::records(2));
   try {
-    Store::open(folder / "./results.db");
+    Store::open(folder.file("./results.db"));
     FAIL() << "a second writer";
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), HasSubstr("results.db: another process is writing to it"));
   }
-  const Store reader = Store::open_existing(folder / "results.db");
+  const Store reader = Store::open_existing(folder.file("results.db"));
   EXPECT_EQ(reader.size(), 2U);
   writer.put(sample::records(6));
   EXPECT_EQ(reader.size(), 6U);
@@ -175,9 +175,9 @@ TEST(StoreTest, HasOneWriterAndAnyNumberOfReaders) {
 }
 
 TEST(StoreTest, AMeasureTakesLessThanThirtyBytes) {
-  const sample::Folder folder;
+  const TemporaryFolder folder;
   {
-    Store store = Store::open(folder / "results.db");
+    Store store = Store::open(folder.file("results.db"));
     std::vector<RunRecord> records = sample::records(1000);
     for (RunRecord& r : records) {
       for (int vehicle = 2; vehicle < 40; ++vehicle)
@@ -185,7 +185,7 @@ TEST(StoreTest, AMeasureTakesLessThanThirtyBytes) {
     }
     store.put(records);
   }
-  EXPECT_LT(std::filesystem::file_size(folder / "results.db"), 1000U * 41U * 30U);
+  EXPECT_LT(std::filesystem::file_size(folder.file("results.db")), 1000U * 41U * 30U);
 }
 
 TEST(CsvTest, IsLongWithOneColumnForEachLabel) {

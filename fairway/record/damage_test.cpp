@@ -24,7 +24,6 @@ using testing::bytes_in;
 using ::testing::HasSubstr;
 using testing::SampleRun;
 using ::testing::StartsWith;
-using testing::TemporaryFolder;
 
 Bytes sample() {
   const TemporaryFolder folder;

@@ -15,7 +15,6 @@ namespace {
 using mcap::Opcode;
 using testing::bytes_in;
 using ::testing::ElementsAre;
-using testing::TemporaryFolder;
 
 struct Found {
   Opcode opcode{};

@@ -23,7 +23,6 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using testing::recorded;
 using testing::SampleRun;
-using testing::TemporaryFolder;
 
 void expect_same(const Frame& a, const Frame& b) {
   EXPECT_EQ(a.tick, b.tick);

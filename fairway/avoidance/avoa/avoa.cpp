@@ -18,9 +18,6 @@ using avoa::PolarVelocity;
 constexpr double least_reach = 1e-6;
 constexpr double largest_reach = 1e3;
 
-/// `limit`, or `otherwise` where it does not bind.
-double limit_or(double limit, double otherwise) { return std::isfinite(limit) ? limit : otherwise; }
-
 /// Over ground, from speed and heading off the bow [NED].
 Vec3 over_ground(const PolarVelocity& v, double yaw) {
   const double course = yaw + v.heading;

@@ -26,9 +26,8 @@ Vec2 direction_to(double heading) { return {std::cos(heading), std::sin(heading)
 
 /// What `effort` of the limits allows.
 Helm helm_of(const Params& p, const Limits& limits, double effort) {
-  const double turn_rate = limits.max_turn_rate < Limits::none ? limits.max_turn_rate : p.max_turn_rate_radps;
-  const double acceleration =
-      limits.max_acceleration < Limits::none ? limits.max_acceleration : p.max_acceleration_mps2;
+  const double turn_rate = limit_or(limits.max_turn_rate, p.max_turn_rate_radps);
+  const double acceleration = limit_or(limits.max_acceleration, p.max_acceleration_mps2);
   return {.turn_gain = p.turn_gain_hz,
           .max_turn_rate = effort * turn_rate,
           .max_turn_acceleration = effort * p.max_turn_acceleration_radps2,
@@ -50,9 +49,8 @@ Motion motion_of(const Params& params, const Situation& s, Drift& drift) {
 }
 
 double greatest_speed(const Situation& s) {
-  return s.limits.max_speed < Limits::none
-             ? s.limits.max_speed
-             : std::fmax(s.goal.cruise_speed, horizontal_norm(s.preferred_velocity()));
+  return limit_or(s.limits.max_speed,
+                  std::fmax(s.goal.cruise_speed, horizontal_norm(s.preferred_velocity())));
 }
 
 /// The commands that there are to choose from, the one nearest to the wish first.

@@ -18,6 +18,12 @@ using teb::Barrier;
 using teb::Pose;
 using teb::Signature;
 
+/// The way that ignores all barriers.
+struct Straight {
+  Band band;
+  Signature turns;
+};
+
 /// What one decision is about.
 struct Task {
   const TebParams& params;
@@ -86,18 +92,22 @@ std::vector<Signature> drop_duplicates(const Task& task, std::vector<Band>& band
   return classes;
 }
 
+Straight straight_ahead(const Task& task) {
+  Band band = band_along(task.params, task.straight_way(), task.start, task.end);
+  Signature turns = signature_of(task.barriers, band);
+  return {std::move(band), std::move(turns)};
+}
+
 /// Bands of classes that there are none of yet: of the straight way's, then of others.
-void explore(const Task& task, std::vector<Band>& bands, Rng& rng) {
+void explore(const Task& task, const Straight& straight, std::vector<Band>& bands, Rng& rng) {
   std::vector<Signature> classes = drop_duplicates(task, bands);
   const auto most = static_cast<std::size_t>(task.params.max_number_classes_count);
   if (bands.size() > most) bands.resize(most);
 
-  Band straight = band_along(task.params, task.straight_way(), task.start, task.end);
-  Signature turns = signature_of(task.barriers, straight);
-  const bool known = teb::is_among(task.params, turns, classes);
+  const bool known = teb::is_among(task.params, straight.turns, classes);
   if (!known && bands.size() < most) {
-    classes.push_back(std::move(turns));
-    bands.push_back(std::move(straight));
+    classes.push_back(straight.turns);
+    bands.push_back(straight.band);
   }
   const auto ways = ways_of_new_classes(task.params, task.barriers, task.start.position, task.end.position,
                                         most - bands.size(), classes, rng);
@@ -106,16 +116,14 @@ void explore(const Task& task, std::vector<Band>& bands, Rng& rng) {
 }
 
 /// Optimises every band and puts the best first.
-void choose(const Task& task, bool followed_one, std::vector<Band>& bands) {
+void choose(const Task& task, const Straight& straight, bool followed_one, std::vector<Band>& bands) {
   const TebParams& params = task.params;
-  const Signature straight =
-      signature_of(task.barriers, band_along(params, task.straight_way(), task.start, task.end));
   std::size_t best = 0;
   double least = std::numeric_limits<double>::infinity();
   bool plan_found = false;
   for (std::size_t i = 0; i < bands.size(); ++i) {
     const bool of_plan =
-        !plan_found && teb::are_alike(params, straight, signature_of(task.barriers, bands[i]));
+        !plan_found && teb::are_alike(params, straight.turns, signature_of(task.barriers, bands[i]));
     plan_found = plan_found || of_plan;
     const teb::Cost cost = optimise(params, task.barriers, task.speed, task.yaw_rate, bands[i]);
     double sum = cost.motion + params.selection_obst_cost_scale_ratio * cost.barriers;
@@ -132,12 +140,13 @@ void choose(const Task& task, bool followed_one, std::vector<Band>& bands) {
 void plan(const Task& task, std::vector<Band>& bands, Rng& rng) {
   advance_all(task, bands);
   const bool followed_one = !bands.empty();
+  const Straight straight = straight_ahead(task);
   if (task.params.enable_homotopy_class_planning) {
-    explore(task, bands, rng);
+    explore(task, straight, bands, rng);
   } else if (bands.empty()) {
-    bands.push_back(band_along(task.params, task.straight_way(), task.start, task.end));
+    bands.push_back(straight.band);
   }
-  choose(task, followed_one, bands);
+  choose(task, straight, followed_one, bands);
 }
 
 /// Whether the first poses touch nothing as it is now.

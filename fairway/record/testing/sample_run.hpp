@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "fairway/core/rng.hpp"
+#include "fairway/core/testing/temporary_folder.hpp"
 #include "fairway/record/recording.hpp"
 #include "fairway/record/recording_writer.hpp"
 
@@ -85,23 +86,6 @@ class SampleRun {
                      .vehicles = {}};
   std::vector<VehicleFrame> vehicles;          // frame after frame
   std::vector<std::vector<double>> actuators;  // likewise
-};
-
-/// A folder of its own, gone at the end of the test.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "fairway_record_XXXXXX").string();
-    if (mkdtemp(name.data()) != nullptr) path_ = name;
-  }
-  ~TemporaryFolder() { std::filesystem::remove_all(path_); }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  std::string file(const std::string& name) const { return (path_ / name).string(); }
-
- private:
-  std::filesystem::path path_;
 };
 
 inline Bytes bytes_in(const std::string& file) {
