@@ -26,6 +26,7 @@ struct AlgorithmInfo {
   bool planar = false;             ///< thinks in the horizontal plane: reads and writes d = 0
   bool allocates = false;          ///< true only for planners that must
   bool isotropic = true;           ///< turning the scene about the vertical turns the answer
+  bool handed = false;             ///< prefers a side: the mirrored scene need not have the mirrored answer
   bool steers_by_heading = false;  ///< reckons with the turn: goes straight for the goal once it heads for it
 };
 

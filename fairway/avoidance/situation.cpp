@@ -10,7 +10,8 @@ namespace {
 bool is_length(double value) { return value >= 0.0 && value <= std::numeric_limits<double>::max(); }
 
 bool is_usable(const Track& track) {
-  return is_finite(track.position) && is_finite(track.velocity) && is_length(track.radius);
+  return is_finite(track.position) && is_finite(track.velocity) && is_length(track.radius) &&
+         track.position_covariance.allFinite() && track.velocity_covariance.allFinite();
 }
 
 bool is_usable(const Obstacle& obstacle) {

@@ -31,11 +31,13 @@ struct Track {
   Vec3 position = Vec3::Zero();     ///< extrapolated to the situation's time [m, NED]
   Vec3 velocity = Vec3::Zero();     ///< over ground [m/s, NED]
   double yaw{};                     ///< as reported [rad]
-  double radius{1.0};               ///< of the enclosing sphere, grown by the position uncertainty [m]
+  double radius{1.0};               ///< of the enclosing sphere [m]
   double age{};                     ///< since the last measurement or message [s]
   std::int32_t priority{};          ///< the smaller number has the right of way
   std::optional<Vec3> destination;  ///< where it says it is going [m, NED]
   bool reacts{true};                ///< false: it keeps its course whatever comes, as a drifting object does
+  Mat3 position_covariance = Mat3::Zero();  ///< of the error of `position` [m2, NED]
+  Mat3 velocity_covariance = Mat3::Zero();  ///< of the error of `velocity` [m2/s2, NED]
 };
 
 /// Where the mission wants to be, and how fast.

@@ -20,10 +20,10 @@ struct Message {
   double radius{};                  ///< [m]
   std::int32_t priority{};          ///< the smaller number has the right of way
   std::optional<Vec3> destination;  ///< [m, NED]
+  bool told{true};                  ///< false: the vehicle keeps silent, and nothing of this is known
 };
 
-/// The messages of one instant, by vehicle index: perfect exchange hands all of them to everyone, with
-/// no delay and no loss.
+/// What every vehicle would say at one instant, by vehicle index.
 using Mailbox = std::vector<Message>;
 
 }  // namespace fairway

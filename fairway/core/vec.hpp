@@ -13,6 +13,9 @@ using Vec3 = Eigen::Vector3d;
 /// A vector in the horizontal plane: north and east, or ahead and to starboard.
 using Vec2 = Eigen::Vector2d;
 
+/// A covariance in NED, or any other matrix of three by three.
+using Mat3 = Eigen::Matrix3d;
+
 inline bool is_finite(const Vec3& a) {
   return 0.0 * a.x() + 0.0 * a.y() + 0.0 * a.z() == 0.0;  // NaN and infinities times zero are NaN
 }

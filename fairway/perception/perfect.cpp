@@ -2,52 +2,64 @@
 #include "fairway/perception/perfect.hpp"
 
 #include <algorithm>
-#include <limits>
 
 namespace fairway {
 namespace {
 
-Track track_of(const Message& message) {
-  return {.id = TrackId{number(message.from)},
-          .position = message.position,
-          .velocity = message.velocity,
-          .yaw = message.yaw,
-          .radius = message.radius,
-          .age = 0.0,
-          .priority = message.priority,
-          .destination = message.destination};
+/// Where the sender is by now if it has kept its velocity [m, NED].
+Vec3 place_of(const Message& message, const Scene& scene) {
+  const double age = scene.time - seconds(message.sent, scene.period);
+  return message.position + age * message.velocity;
 }
 
-/// Apart from those of vehicles, which count from 0.
-TrackId id_of(const Drifter& drifter) { return TrackId{0x8000'0000U + drifter.number}; }
-
-/// It goes first, since it does not give way.
-Track track_of(const Drifter& drifter) {
-  return {.id = id_of(drifter),
-          .position = drifter.position,
-          .velocity = drifter.velocity,
-          .radius = drifter.radius,
-          .priority = std::numeric_limits<std::int32_t>::min(),
-          .reacts = false};
+Track track_of(const Mover& mover) {
+  return {.id = mover.id,
+          .position = mover.position,
+          .velocity = mover.velocity,
+          .yaw = mover.yaw,
+          .radius = mover.radius,
+          .priority = mover.priority,
+          .reacts = mover.reacts};
 }
 
 }  // namespace
 
-void PerfectPerception::perceive(const Mailbox& messages, std::span<const Drifter> drifters,
-                                 std::size_t own_index, const Reach& reach, std::vector<Track>& tracks) {
-  const Vec3& here = messages[own_index].position;
+Track track_of(const Message& message, const Scene& scene) {
+  // an unforeseen acceleration a, kept up since, has changed the velocity by a t and moved it by a t^2 / 2
+  const double age = scene.time - seconds(message.sent, scene.period);
+  const double drift = scene.unforeseen_acceleration * age;
+  return {.id = TrackId{number(message.from)},
+          .position = place_of(message, scene),
+          .velocity = message.velocity,
+          .yaw = message.yaw,
+          .radius = message.radius,
+          .age = age,
+          .priority = message.priority,
+          .destination = message.destination,
+          .position_covariance = 0.25 * age * age * drift * drift * Mat3::Identity(),
+          .velocity_covariance = drift * drift * Mat3::Identity()};
+}
+
+void PerfectPerception::perceive(const Scene& scene, const Viewpoint& own, const Reach& reach,
+                                 std::vector<Track>& tracks) {
+  const Vec3& here = own.estimate.p_n;
+  const TrackId self = scene.movers[scene.own_index].id;
 
   // order by distance first, so that the larger tracks are written once
   near_.clear();
-  for (std::size_t i = 0; i < messages.size(); ++i) {
-    const double distance2 = (messages[i].position - here).squaredNorm();
-    if (i != own_index && distance2 <= reach.vehicles * reach.vehicles)
-      near_.push_back({distance2, TrackId{number(messages[i].from)}, i});
+  for (std::size_t i = 0; i < scene.heard.size(); ++i) {
+    const Message& message = scene.heard[i];
+    const TrackId id{number(message.from)};
+    const double distance2 = (place_of(message, scene) - here).squaredNorm();
+    if (message.told && id != self && distance2 <= reach.vehicles * reach.vehicles)
+      near_.push_back({distance2, id, i});
   }
-  for (std::size_t i = 0; i < drifters.size(); ++i) {
-    const double distance2 = (drifters[i].position - here).squaredNorm();
-    const double range = reach.obstacles + messages[own_index].radius + drifters[i].radius;
-    if (distance2 <= range * range) near_.push_back({distance2, id_of(drifters[i]), messages.size() + i});
+  for (std::size_t i = 0; i < scene.movers.size(); ++i) {
+    const Mover& mover = scene.movers[i];
+    if (!mover.silent || i == scene.own_index) continue;
+    const double distance2 = (mover.position - here).squaredNorm();
+    const double range = mover.is_vehicle ? reach.vehicles : reach.obstacles + own.radius + mover.radius;
+    if (distance2 <= range * range) near_.push_back({distance2, mover.id, scene.heard.size() + i});
   }
   std::ranges::sort(near_, [](const Near& a, const Near& b) {
     if (a.distance2 != b.distance2) return a.distance2 < b.distance2;
@@ -56,9 +68,9 @@ void PerfectPerception::perceive(const Mailbox& messages, std::span<const Drifte
 
   tracks.clear();
   for (const Near& near : near_) {
-    const bool vehicle = near.index < messages.size();
-    tracks.push_back(vehicle ? track_of(messages[near.index])
-                             : track_of(drifters[near.index - messages.size()]));
+    const bool heard = near.index < scene.heard.size();
+    tracks.push_back(heard ? track_of(scene.heard[near.index], scene)
+                           : track_of(scene.movers[near.index - scene.heard.size()]));
   }
 }
 

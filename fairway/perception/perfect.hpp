@@ -2,40 +2,34 @@
 #pragma once
 
 #include <cstddef>
-#include <span>
 #include <vector>
 
 #include "fairway/avoidance/situation.hpp"
-#include "fairway/comms/message.hpp"
-#include "fairway/world/obstacle_field.hpp"
+#include "fairway/perception/scene.hpp"
 
 namespace fairway {
 
-/// How far perfect perception reaches.
-struct Reach {
-  double vehicles{};   ///< between centres [m]
-  double obstacles{};  ///< from the vehicle's sphere to the surface of what is not charted [m]
-};
-
-/// Perfect perception: everyone and everything within range, exact and at once. Holds scratch memory only,
-/// so one serves a whole fleet.
+/// Perfect perception: whoever tells is known by what it tells, everything else that moves within reach is
+/// seen exactly and at once. Holds scratch memory only.
 class PerfectPerception {
  public:
   explicit PerfectPerception(std::size_t track_count) { near_.reserve(track_count); }
 
-  /// A track for every vehicle but `own_index` and for every drifter within reach, nearest first, ties by id.
-  /// Does not allocate once `tracks` has the capacity. O(n log n).
-  void perceive(const Mailbox& messages, std::span<const Drifter> drifters, std::size_t own_index,
-                const Reach& reach, std::vector<Track>& tracks);
+  /// A track for everyone heard of but the own vehicle, and for every silent vehicle and drifter, within
+  /// reach, nearest first, ties by id. Does not allocate once `tracks` has the capacity. O(n log n).
+  void perceive(const Scene& scene, const Viewpoint& own, const Reach& reach, std::vector<Track>& tracks);
 
  private:
   struct Near {
     double distance2;
     TrackId id;
-    std::size_t index;  ///< of the message; of the drifter from messages.size() on
+    std::size_t index;  ///< of the message; of the mover from heard.size() on
   };
   std::vector<Near> near_;
 };
+
+/// The track of a vehicle that was heard of, predicted from its last message to the time of the scene.
+Track track_of(const Message& message, const Scene& scene);
 
 /// The obstacles that a vehicle at `position` with a sphere of `radius` knows of: those charted, and those
 /// within reach. Does not allocate once `known` has the capacity.

@@ -13,13 +13,33 @@ Message message(std::uint32_t id, const Vec3& at) {
   return m;
 }
 
-TEST(PerfectPerception, DriftersAreTracksAmongTheOthersNearestFirst) {
-  const Mailbox mailbox{message(0, {0, 0, 0}), message(1, {10, 0, 0}), message(2, {30, 0, 0})};
-  const std::vector<Drifter> drifters{
-      {.number = 3, .position = {20, 0, 0}, .velocity = {0, 1, 0}, .radius = 2}};
-  PerfectPerception perception{4};
+Mover vehicle(std::uint32_t id, const Vec3& at) { return {.id = TrackId{id}, .position = at, .radius = 1.0}; }
+
+Mover drifter(const Vec3& at) {
+  return {.id = TrackId{0x8000'0003U},
+          .position = at,
+          .velocity = {0, 1, 0},
+          .radius = 2.0,
+          .priority = -1,
+          .reacts = false,
+          .silent = true,
+          .is_vehicle = false};
+}
+
+std::vector<Track> perceived(const Scene& scene, const Reach& reach = {.vehicles = 100, .obstacles = 100}) {
+  PerfectPerception perception{scene.movers.size()};
+  Viewpoint own{.radius = 1.0};
+  own.truth.p_n = own.estimate.p_n = scene.movers[scene.own_index].position;
   std::vector<Track> tracks;
-  perception.perceive(mailbox, drifters, 0, {.vehicles = 100, .obstacles = 100}, tracks);
+  perception.perceive(scene, own, reach, tracks);
+  return tracks;
+}
+
+TEST(PerfectPerception, DriftersAreTracksAmongTheOthersNearestFirst) {
+  const Mailbox heard{message(0, {0, 0, 0}), message(1, {10, 0, 0}), message(2, {30, 0, 0})};
+  const std::vector<Mover> movers{vehicle(0, {0, 0, 0}), vehicle(1, {10, 0, 0}), vehicle(2, {30, 0, 0}),
+                                  drifter({20, 0, 0})};
+  const std::vector<Track> tracks = perceived({.movers = movers, .heard = heard});
 
   ASSERT_EQ(tracks.size(), 3U);
   EXPECT_TRUE(tracks[0].reacts);
@@ -30,16 +50,35 @@ TEST(PerfectPerception, DriftersAreTracksAmongTheOthersNearestFirst) {
 }
 
 TEST(PerfectPerception, ADrifterIsPerceivedFromSurfaceToSurface) {
-  const Mailbox mailbox{message(0, {0, 0, 0})};  // sphere of 1 m
-  PerfectPerception perception{1};
-  std::vector<Track> tracks;
-  const auto seen = [&](double distance) {
-    const std::vector<Drifter> drifters{{.position = {distance, 0, 0}, .radius = 2}};
-    perception.perceive(mailbox, drifters, 0, {.vehicles = 1e9, .obstacles = 5}, tracks);
-    return !tracks.empty();
+  const auto is_seen = [](double distance) {
+    const std::vector<Mover> movers{vehicle(0, {0, 0, 0}), drifter({distance, 0, 0})};
+    return !perceived({.movers = movers}, {.vehicles = 1e9, .obstacles = 5}).empty();
   };
-  EXPECT_TRUE(seen(8.0));  // 5 + 1 + 2
-  EXPECT_FALSE(seen(8.001));
+  EXPECT_TRUE(is_seen(8.0));  // 5 + 1 + 2
+  EXPECT_FALSE(is_seen(8.001));
+}
+
+TEST(PerfectPerception, ASilentVehicleIsSeenFromCentreToCentreAndOneThatTellsIsNot) {
+  std::vector<Mover> movers{vehicle(0, {0, 0, 0}), vehicle(1, {10, 0, 0})};
+  EXPECT_TRUE(perceived({.movers = movers}).empty());
+  movers[1].silent = true;
+  ASSERT_EQ(perceived({.movers = movers}).size(), 1U);
+  EXPECT_EQ(perceived({.movers = movers})[0].position, Vec3(10, 0, 0));
+  EXPECT_TRUE(perceived({.movers = movers}, {.vehicles = 9.9, .obstacles = 100}).empty());
+}
+
+TEST(PerfectPerception, AnOldMessageIsPredictedAndItsUncertaintyGrows) {
+  Mailbox heard{message(0, {0, 0, 0}), message(1, {10, 0, 0})};
+  heard[1].sent = Tick{20};
+  heard[1].velocity = {0, 0.5, 0};
+  const std::vector<Mover> movers{vehicle(0, {0, 0, 0}), vehicle(1, {99, 0, 0})};
+  const std::vector<Track> tracks = perceived(
+      {.time = 5.0, .period = 0.05, .movers = movers, .heard = heard, .unforeseen_acceleration = 0.1});
+  ASSERT_EQ(tracks.size(), 1U);
+  EXPECT_DOUBLE_EQ(tracks[0].age, 4.0);
+  EXPECT_TRUE(tracks[0].position.isApprox(Vec3(10, 2, 0)));
+  EXPECT_NEAR(tracks[0].position_covariance(0, 0), 0.64, 1e-12);  // (0.1 4^2 / 2)^2
+  EXPECT_NEAR(tracks[0].velocity_covariance(1, 1), 0.16, 1e-12);  // (0.1 4)^2
 }
 
 TEST(PerfectPerception, WhatIsChartedIsKnownAndTheRestOnceNear) {

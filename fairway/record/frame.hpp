@@ -4,6 +4,8 @@
 #include <span>
 
 #include "fairway/avoidance/command.hpp"
+#include "fairway/avoidance/situation.hpp"
+#include "fairway/core/echo.hpp"
 #include "fairway/core/ids.hpp"
 #include "fairway/core/leg.hpp"
 #include "fairway/core/state.hpp"
@@ -22,6 +24,8 @@ struct VehicleFrame {
   std::span<const double> actuators;  ///< state, in the order of the model
   double power{};                     ///< drawn by the actuators [W]
   Wrench wrench = Wrench::Zero();     ///< of the actuators on the vehicle [N, N m, body]
+  std::span<const Track> tracks;      ///< as it perceived the others when it last decided
+  std::span<const Echo> echoes;       ///< of the sonar's last ping; empty without one
 };
 
 /// What was true at one instant and what was decided on it. Metrics and the viewer know nothing else.

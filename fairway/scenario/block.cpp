@@ -130,6 +130,14 @@ Form<bool> flag() {
       .schema = type("boolean")};
 }
 
+Form<bool> flag_unless(bool usual) {
+  Form<bool> form = flag();
+  form.write = [usual, write = form.write](const bool& value) -> std::optional<Tree> {
+    return value == usual ? std::nullopt : write(value);
+  };
+  return form;
+}
+
 Form<std::string> text() {
   return {.read = [](const Value& value) { return value.text(); },
           .write = [](const std::string& value) -> std::optional<Tree> {
@@ -247,6 +255,14 @@ Form<Choice> choice(std::string_view name_key, Needed needed) {
             return write_choice(chosen, named);
           },
           .schema = Tree::map({{"anyOf", Tree::list({name().schema, std::move(mapping)})}})};
+}
+
+Form<Choice> choice_unless(std::string_view usual, std::string_view name_key) {
+  Form<Choice> form = choice(name_key, Needed::yes);
+  form.write = [usual = std::string(usual), write = form.write](const Choice& chosen) {
+    return chosen.name == usual && chosen.params.empty() ? std::nullopt : write(chosen);
+  };
+  return form;
 }
 
 }  // namespace fairway::yaml

@@ -156,6 +156,8 @@ Form<Vec3> vector(Bounds each);
 /// The same, zero standing for "not given".
 Form<Vec3> vector_unless_zero(Bounds each);
 Form<bool> flag();
+/// The same, `usual` standing for "not given".
+Form<bool> flag_unless(bool usual);
 Form<std::string> text();
 /// Text that says something.
 Form<std::string> name();
@@ -168,6 +170,8 @@ Form<std::int32_t> integer(std::int32_t lo, std::int32_t hi);
 /// Something chosen by name, with parameters of its own: `orca3d`, or a mapping in which `name_key`
 /// holds the name and all other keys are parameters.
 Form<Choice> choice(std::string_view name_key, Needed name);
+/// The same, `usual` without parameters standing for "not given".
+Form<Choice> choice_unless(std::string_view usual, std::string_view name_key);
 /// The same from a mapping whose keys in `except` are not the choice's.
 Choice read_choice(const Value& value, std::string_view name_key, Needed name,
                    const std::vector<std::string_view>& except = {});

@@ -58,6 +58,7 @@ struct VehicleSpec {
   double start_delay_s{};        ///< before the mission begins
   double radius_m{1.0};          ///< of the sphere that others keep clear of
   std::int32_t priority{};       ///< the smaller number has the right of way; the id unless given
+  bool cooperative{true};        ///< false: it tells nobody anything, and nobody may count on it to give way
   Limits limits;
   std::vector<Leg> mission;
 };
@@ -97,6 +98,8 @@ struct Scenario {
   bool stop_when_done{true};     ///< end when everyone has arrived or is stuck
   Exam exam;
   PerceptionSpec perception;
+  Choice exchange{.name = "perfect", .path = "exchange"};      ///< what vehicles tell each other, and when
+  Choice navigation{.name = "perfect", .path = "navigation"};  ///< how well a vehicle knows where it is
   std::vector<ObstacleSpec> obstacles;
   std::vector<VehicleSpec> vehicles;
   std::vector<Expectation> expect;

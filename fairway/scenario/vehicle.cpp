@@ -74,6 +74,8 @@ const Block<VehicleSpec>& vehicle_block() {
           "Of the sphere that others keep clear of. Default 1."),
       key("priority_count", &VehicleSpec::priority, integer(),
           "The smaller number has the right of way. Default: its id."),
+      key("cooperative", &VehicleSpec::cooperative, flag_unless(true),
+          "false: it tells nobody anything, and nobody may count on it to give way. Default true."),
       key("limits", &VehicleSpec::limits, limits(),
           "What it may do. A limit that is not given does not bind."),
       key("mission", &VehicleSpec::mission, mission(), "Its legs, in order. It then holds its position."),

@@ -72,7 +72,19 @@ VehicleState start_of(const VehicleSpec& spec) {
 
 }  // namespace
 
-Agent make_agent(const VehicleSpec& spec, const Scenario& scenario, const Catalogs& catalogs, Rng rng) {
+Exchange make_exchange(const Scenario& scenario) {
+  const Choice& exchange = scenario.exchange;
+  return made(exchange, [&] {
+    return Exchange{exchange.name, exchange.params, scenario.vehicles.size(), scenario.step_s,
+                    Rng{scenario.seed}.stream("exchange")};
+  });
+}
+
+Agent make_agent(const VehicleSpec& spec, const Scenario& scenario, const Catalogs& catalogs) {
+  const Rng rng{scenario.seed};
+  const auto drawn_for = [&](std::string_view user) { return rng.stream(user, spec.id); };
+  const PerceptionSpec& perception = scenario.perception;
+  const std::size_t track_count = scenario.vehicles.size() + scenario.obstacles.size();
   Vehicle vehicle =
       made(spec.model, [&] { return catalogs.vehicles.make(spec.model.name, spec.model.params); });
   vehicle.set_state(start_of(spec));
@@ -86,6 +98,7 @@ Agent make_agent(const VehicleSpec& spec, const Scenario& scenario, const Catalo
       .radius = spec.radius_m,
       .start_delay = spec.start_delay_s,
       .own_priority = spec.priority,
+      .cooperative = spec.cooperative,
       .limits = spec.limits,
       .steering = steering,
       .model = onboard_model(vehicle),
@@ -93,9 +106,25 @@ Agent make_agent(const VehicleSpec& spec, const Scenario& scenario, const Catalo
       .autopilot = std::move(autopilot),
       .mission = Mission{spec.mission, scenario.exam.time_coefficient_ratio},
       .avoider = made(spec.avoider,
-                      [&] { return catalogs.avoiders.make(spec.avoider.name, spec.avoider.params, rng); }),
+                      [&] {
+                        return catalogs.avoiders.make(spec.avoider.name, spec.avoider.params,
+                                                      drawn_for("avoider"));
+                      }),
+      .navigation = made(
+          scenario.navigation,
+          [&] {
+            return Navigation{scenario.navigation.name, scenario.navigation.params, drawn_for("navigation")};
+          }),
+      .lookout = made(perception.kind,
+                      [&] {
+                        return Lookout{perception.kind.name,
+                                       perception.kind.params,
+                                       {perception.range_m, perception.obstacle_range_m},
+                                       track_count,
+                                       drawn_for("perception")};
+                      }),
       .demand = std::move(demand)};
-  agent.tracks.reserve(scenario.vehicles.size() + scenario.obstacles.size());
+  agent.tracks.reserve(track_count);
   agent.obstacles.reserve(scenario.obstacles.size());
   return agent;
 }

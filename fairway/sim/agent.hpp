@@ -7,12 +7,15 @@
 #include <vector>
 
 #include "fairway/avoidance/avoider.hpp"
+#include "fairway/comms/exchange.hpp"
 #include "fairway/control/autopilot.hpp"
 #include "fairway/control/guidance.hpp"
 #include "fairway/control/mission.hpp"
 #include "fairway/control/onboard_model.hpp"
 #include "fairway/control/steering.hpp"
 #include "fairway/core/tick.hpp"
+#include "fairway/perception/lookout.hpp"
+#include "fairway/perception/navigation.hpp"
 #include "fairway/scenario/scenario.hpp"
 #include "fairway/sim/catalogs.hpp"
 
@@ -26,6 +29,7 @@ struct Agent {
   double radius{};
   double start_delay{};
   std::int32_t own_priority{};
+  bool cooperative{true};
   Limits limits;
   SteeringParams steering;
   std::optional<OnboardModel> model;  ///< of its dynamics, as known on board
@@ -35,10 +39,13 @@ struct Agent {
   Autopilot autopilot;
   Mission mission;
   Avoider avoider;
+  Navigation navigation;
+  Lookout lookout;
 
   Tick next_decision{0};  ///< of the avoider
 
   // this tick's values
+  VehicleState estimate;  ///< where it believes to be
   Ownship own;
   std::vector<Track> tracks;
   std::vector<Obstacle> obstacles;  ///< as far as it knows of them
@@ -49,8 +56,12 @@ struct Agent {
   ActuatorValues demand;
 };
 
-/// An agent as its spec describes it, its avoider's randomness drawn from `rng`. Throws InputError,
-/// with the place in the file, where a catalog does not know a name or refuses a parameter.
-Agent make_agent(const VehicleSpec& spec, const Scenario& scenario, const Catalogs& catalogs, Rng rng);
+/// An agent as its spec describes it, everything random on board drawn from streams of the scenario's seed.
+/// Throws InputError, with the place in the file, where a catalog does not know a name or refuses a
+/// parameter.
+Agent make_agent(const VehicleSpec& spec, const Scenario& scenario, const Catalogs& catalogs);
+
+/// What the vehicles of a scenario hear of each other. Throws InputError likewise.
+Exchange make_exchange(const Scenario& scenario);
 
 }  // namespace fairway

@@ -8,15 +8,49 @@
 namespace fairway {
 namespace {
 
-void check_perception(const PerceptionSpec& spec) {
-  if (spec.kind.name != "perfect") {
-    throw InputError(spec.kind.where, spec.kind.path,
-                     "unknown perception \"" + spec.kind.name + "\"; known: perfect");
-  }
-  if (!spec.kind.params.empty()) {
-    throw InputError(spec.kind.where, spec.kind.path + "." + spec.kind.params.front().first,
-                     "perfect perception takes no parameter but range_m and obstacle_range_m");
-  }
+/// Apart from the ids of vehicles, which count from 0.
+TrackId id_of(const Drifter& drifter) { return TrackId{0x8000'0000U + drifter.number}; }
+
+/// Whoever gives way to nobody goes first.
+constexpr std::int32_t first_of_all = std::numeric_limits<std::int32_t>::min();
+
+Mover mover_of(const Agent& agent, bool is_silent) {
+  const VehicleState& x = agent.vehicle.state();
+  return {.id = TrackId{number(agent.id)},
+          .position = x.p_n,
+          .velocity = x.v_n(),
+          .yaw = yaw_of(x.q_nb),
+          .radius = agent.radius,
+          .priority = agent.cooperative ? agent.own.priority : first_of_all,
+          .reacts = agent.cooperative,
+          .silent = is_silent};
+}
+
+Mover mover_of(const Drifter& drifter) {
+  return {.id = id_of(drifter),
+          .position = drifter.position,
+          .velocity = drifter.velocity,
+          .radius = drifter.radius,
+          .priority = first_of_all,
+          .reacts = false,
+          .silent = true,
+          .is_vehicle = false};
+}
+
+/// What a vehicle says of itself, as it believes to be.
+Message message_of(const Agent& agent, Tick now) {
+  const Leg* leg = agent.mission.leg();
+  const bool going =
+      leg != nullptr && leg->kind != LegKind::rendezvous && leg->kind != LegKind::keep_position;
+  return {.from = agent.id,
+          .sent = now,
+          .position = agent.own.position,
+          .velocity = agent.own.velocity,
+          .yaw = agent.own.yaw,
+          .radius = agent.radius,
+          .priority = agent.own.priority,
+          .destination = going ? std::optional{leg->position} : std::nullopt,
+          .told = agent.cooperative};
 }
 
 /// Of the actuators at their present state; zero where they do not push.
@@ -33,22 +67,19 @@ Simulation::Simulation(const Scenario& scenario, const Catalogs& catalogs)
       steps_per_decision_{scenario.steps_per_decision},
       last_tick_{static_cast<std::int64_t>(std::floor(scenario.duration_s / scenario.step_s + 1e-9))},
       stop_when_done_{scenario.stop_when_done},
-      reach_{scenario.perception.range_m, scenario.perception.obstacle_range_m},
       sea_{scenario.water, Rng{scenario.seed}},
       obstacles_{scenario.obstacles},
-      perception_{scenario.vehicles.size() + scenario.obstacles.size()} {
-  check_perception(scenario.perception);
-
-  const Rng rng{scenario.seed};
-  for (const VehicleSpec& spec : scenario.vehicles) {
-    agents_.push_back(make_agent(spec, scenario, catalogs, rng.stream("avoider", spec.id)));
-  }
+      exchange_{make_exchange(scenario)} {
+  for (const VehicleSpec& spec : scenario.vehicles) agents_.push_back(make_agent(spec, scenario, catalogs));
+  movers_.resize(agents_.size() + obstacles_.drifters().size());
+  places_.resize(agents_.size());
   mailbox_.resize(agents_.size());
   rendezvous_.resize(agents_.size());
   frame_.resize(agents_.size());
 }
 
 void Simulation::step(std::span<FrameSink* const> sinks) {
+  locate();
   deliver();
   perceive();
   decide();
@@ -70,13 +101,13 @@ bool Simulation::is_done() const {
   return stop_when_done_ && std::ranges::all_of(agents_, is_finished);
 }
 
-void Simulation::deliver() {
-  for (std::size_t i = 0; i < agents_.size(); ++i) {
-    Agent& agent = agents_[i];
-    const VehicleState& x = agent.vehicle.state();
+void Simulation::locate() {
+  for (Agent& agent : agents_) {
+    agent.estimate = agent.navigation.estimate(agent.vehicle.state(), period_);
     const bool arrived = agent.mission.phase() == Phase::arrived;
 
     // who has arrived gives way to everyone
+    const VehicleState& x = agent.estimate;
     agent.own = {.id = agent.id,
                  .position = x.p_n,
                  .velocity = x.v_n(),
@@ -84,34 +115,46 @@ void Simulation::deliver() {
                  .yaw_rate = x.omega_b.z(),
                  .radius = agent.radius,
                  .priority = arrived ? std::numeric_limits<std::int32_t>::max() : agent.own_priority};
-    const Leg* leg = agent.mission.leg();
-    const bool going =
-        leg != nullptr && leg->kind != LegKind::rendezvous && leg->kind != LegKind::keep_position;
-    mailbox_[i] = {.from = agent.id,
-                   .sent = tick_,
-                   .position = agent.own.position,
-                   .velocity = agent.own.velocity,
-                   .yaw = agent.own.yaw,
-                   .radius = agent.radius,
-                   .priority = agent.own.priority,
-                   .destination = going ? std::optional{leg->position} : std::nullopt};
+  }
+}
+
+void Simulation::deliver() {
+  for (std::size_t i = 0; i < agents_.size(); ++i) {
+    const Agent& agent = agents_[i];
+    mailbox_[i] = message_of(agent, tick_);
+    places_[i] = agent.vehicle.state().p_n;
+    movers_[i] = mover_of(agent, !agent.cooperative || !exchange_.carries_anything());
     rendezvous_[i] = agent.mission.rendezvous_reached();
   }
+  exchange_.pass_on(tick_, mailbox_, places_);
 }
 
 bool Simulation::everyone_ready(std::size_t index) const {
   return std::ranges::all_of(rendezvous_, [&](int reached) { return reached >= rendezvous_[index]; });
 }
 
+Scene Simulation::scene_of(std::size_t index) const {
+  return {.time = time(),
+          .period = period_,
+          .own_index = index,
+          .movers = movers_,
+          .obstacles = obstacles_.fixed(),
+          .heard = exchange_.heard_by(index),
+          .unforeseen_acceleration = exchange_.unforeseen_acceleration()};
+}
+
 void Simulation::perceive() {
   obstacles_.move_to(time());
+  std::ranges::transform(obstacles_.drifters(), movers_.begin() + static_cast<std::ptrdiff_t>(agents_.size()),
+                         [](const Drifter& drifter) { return mover_of(drifter); });
   for (std::size_t i = 0; i < agents_.size(); ++i) {
     Agent& agent = agents_[i];
     if (time() >= agent.start_delay) agent.mission.advance(agent.own, time(), everyone_ready(i));
+    const Scene scene = scene_of(i);
+    const Viewpoint own{agent.vehicle.state(), agent.estimate, agent.radius};
+    agent.lookout.sense(scene, own);
     if (!is_avoiding(agent.mission.phase())) agent.next_decision = tick_;
-    if (!is_deciding(agent)) continue;
-    perception_.perceive(mailbox_, obstacles_.drifters(), i, reach_, agent.tracks);
-    perceive_obstacles(obstacles_.fixed(), agent.own.position, agent.radius, reach_, agent.obstacles);
+    if (is_deciding(agent)) agent.lookout.report(scene, own, agent.tracks, agent.obstacles);
   }
 }
 
@@ -206,7 +249,9 @@ void Simulation::record(std::span<FrameSink* const> sinks) {
                  .goal_speed = leg != nullptr ? leg->speed_mps : 0.0,
                  .actuators = {actuators.data(), static_cast<std::size_t>(actuators.size())},
                  .power = agent.vehicle.power(),
-                 .wrench = wrench_of(agent.vehicle)};
+                 .wrench = wrench_of(agent.vehicle),
+                 .tracks = agent.tracks,
+                 .echoes = agent.lookout.echoes()};
   }
   const Frame frame{tick_, time(), period_, frame_};
   for (FrameSink* sink : sinks) sink->write(frame);

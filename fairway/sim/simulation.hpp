@@ -6,11 +6,12 @@
 #include <span>
 #include <vector>
 
-#include "fairway/comms/message.hpp"
-#include "fairway/perception/perfect.hpp"
+#include "fairway/comms/exchange.hpp"
+#include "fairway/perception/scene.hpp"
 #include "fairway/record/frame.hpp"
 #include "fairway/scenario/scenario.hpp"
 #include "fairway/sim/agent.hpp"
+#include "fairway/world/obstacle_field.hpp"
 #include "fairway/world/sea/sea.hpp"
 
 namespace fairway {
@@ -47,6 +48,7 @@ class Simulation {
   std::span<const Agent> agents() const { return agents_; }
 
  private:
+  void locate();
   void deliver();
   void perceive();
   void decide();
@@ -56,21 +58,23 @@ class Simulation {
 
   bool everyone_ready(std::size_t index) const;
   bool is_deciding(const Agent& agent) const;
+  Scene scene_of(std::size_t index) const;
   Command decide(Agent& agent);
 
   double period_;
   std::int32_t steps_per_decision_;
   Tick last_tick_;
   bool stop_when_done_;
-  Reach reach_;
   Sea sea_;
   ObstacleField obstacles_;
 
   Tick tick_{0};
   std::vector<Agent> agents_;
   Mailbox mailbox_;
+  Exchange exchange_;
+  std::vector<Mover> movers_;  // all vehicles, then what drifts
+  std::vector<Vec3> places_;   // of the vehicles
   std::vector<int> rendezvous_;
-  PerfectPerception perception_;
   std::vector<VehicleFrame> frame_;
   bool timing_{false};
   DecisionTimes times_;

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+
+#include "fairway/comms/message.hpp"
+#include "fairway/core/params.hpp"
+#include "fairway/core/rng.hpp"
+
+namespace fairway {
+
+/// How vehicles hear of each other: `perfect`, everyone hears everyone at once; `none`, nobody hears
+/// anything. A value: a copy is a snapshot.
+class Exchange {
+ public:
+  /// Throws InputError for an unknown kind or parameter.
+  Exchange(std::string_view kind, const ParamValues& params, std::size_t vehicle_count, double period,
+           Rng rng);
+
+  /// One tick: takes what everyone would say now and hands over what has arrived by now. `places` is where
+  /// the vehicles truly are [m, NED], since sound travels there. Called once a tick, with ticks in order.
+  /// Does not allocate after the first tick.
+  void pass_on(Tick now, const Mailbox& said, std::span<const Vec3> places);
+
+  /// The last message that `receiver` has heard of each vehicle; its own may be among them, and so may
+  /// vehicles that never told anything (`told` is false). Valid until the next pass_on().
+  std::span<const Message> heard_by(std::size_t receiver) const;
+
+  /// False if nobody ever hears anything.
+  bool carries_anything() const { return kind_ != Kind::none; }
+
+  /// Standard deviation of what a sender does to its velocity between messages, which no prediction knows
+  /// [m/s2].
+  double unforeseen_acceleration() const { return 0.0; }
+
+ private:
+  enum class Kind { perfect, none };
+
+  Kind kind_{Kind::perfect};
+  Mailbox heard_;
+};
+
+}  // namespace fairway

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/perception/navigation.hpp"
+
+#include <vector>
+
+#include "fairway/core/angles.hpp"
+
+namespace fairway {
+namespace {
+
+/// One step of a Gauss-Markov process, exact for any period.
+double drifted(double error, double sigma, double correlation_time, double period, Rng& rng) {
+  const double kept = std::exp(-period / correlation_time);
+  return kept * error + sigma * std::sqrt(1.0 - kept * kept) * rng.normal();
+}
+
+}  // namespace
+
+Navigation::Navigation(std::string_view kind, const ParamValues& params, Rng rng) : rng_{rng} {
+  const std::vector<std::string_view> kinds{"perfect", "drifting"};
+  if (kind != "perfect" && kind != "drifting")
+    throw InputError({}, "kind", "unknown navigation" + suggestion(kind, kinds));
+  is_perfect_ = kind == "perfect";
+  if (is_perfect_) {
+    if (!params.empty()) throw InputError({}, params.front().first, "perfect navigation takes no parameters");
+    return;
+  }
+  for (const auto& [name, value] : params) set_param(params_, name, value);
+  position_error_ = params_.position_sigma_m * Vec2{rng_.normal(), rng_.normal()};
+  heading_error_ = radians(params_.heading_sigma_deg) * rng_.normal();
+}
+
+VehicleState Navigation::estimate(const VehicleState& truth, double period) {
+  if (is_perfect_) return truth;
+  for (double& error : position_error_)
+    error = drifted(error, params_.position_sigma_m, params_.position_correlation_s, period, rng_);
+  heading_error_ = drifted(heading_error_, radians(params_.heading_sigma_deg), params_.heading_correlation_s,
+                           period, rng_);
+
+  VehicleState believed = truth;
+  believed.p_n += Vec3{position_error_.x(), position_error_.y(), params_.depth_sigma_m * rng_.normal()};
+  believed.q_nb = Eigen::Quaterniond{Eigen::AngleAxisd{heading_error_, Vec3::UnitZ()}} * truth.q_nb;
+  believed.v_b += params_.velocity_sigma_mps * Vec3{rng_.normal(), rng_.normal(), rng_.normal()};
+  return believed;
+}
+
+}  // namespace fairway

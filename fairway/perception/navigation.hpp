@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string_view>
+
+#include "fairway/core/params.hpp"
+#include "fairway/core/rng.hpp"
+#include "fairway/core/state.hpp"
+
+namespace fairway {
+
+/// How wrong a vehicle is about itself. Position and heading drift slowly, as dead reckoning does; velocity
+/// is noisy, as a Doppler log is.
+struct NavigationParams {
+  double position_sigma_m = 1.0;
+  double position_correlation_s = 300.0;
+  double depth_sigma_m = 0.01;
+  double velocity_sigma_mps = 0.002;
+  double heading_sigma_deg = 0.5;
+  double heading_correlation_s = 300.0;
+
+  static consteval auto fields() {
+    return std::tuple{
+        field<&NavigationParams::position_sigma_m>(
+            {0, 1000}, "standard deviation of north and of east, each a Gauss-Markov process"),
+        field<&NavigationParams::position_correlation_s>({0.1, 1e6}, "how long that error stays alike"),
+        field<&NavigationParams::depth_sigma_m>({0, 100}, "standard deviation of depth, white"),
+        field<&NavigationParams::velocity_sigma_mps>({0, 10}, "standard deviation of each axis, white"),
+        field<&NavigationParams::heading_sigma_deg>({0, 180}, "standard deviation, a Gauss-Markov process"),
+        field<&NavigationParams::heading_correlation_s>({0.1, 1e6}, "how long that error stays alike"),
+    };
+  }
+};
+
+/// The error of one vehicle's navigation: `perfect`, or `drifting`. A value.
+class Navigation {
+ public:
+  /// The drift begins as it goes on, with its standard deviation. Throws InputError for an unknown kind or
+  /// parameter.
+  Navigation(std::string_view kind, const ParamValues& params, Rng rng);
+
+  /// Where the vehicle believes to be and how it believes to move, one tick of `period` [s] after the last
+  /// call.
+  VehicleState estimate(const VehicleState& truth, double period);
+
+ private:
+  bool is_perfect_{true};
+  NavigationParams params_;
+  Rng rng_;
+  Vec2 position_error_ = Vec2::Zero();  // [m]
+  double heading_error_{};              // [rad]
+};
+
+}  // namespace fairway

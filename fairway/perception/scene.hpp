@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "fairway/comms/message.hpp"
+#include "fairway/core/ids.hpp"
+#include "fairway/core/shapes.hpp"
+#include "fairway/core/state.hpp"
+
+namespace fairway {
+
+/// Something that moves, as it truly is: a vehicle, or an obstacle that drifts.
+struct Mover {
+  TrackId id{};                  ///< of a vehicle its own number
+  Vec3 position = Vec3::Zero();  ///< [m, NED]
+  Vec3 velocity = Vec3::Zero();  ///< over ground [m/s, NED]
+  double yaw{};                  ///< [rad]
+  double radius{};               ///< of its sphere [m]
+  std::int32_t priority{};       ///< the smaller number has the right of way
+  bool reacts{true};             ///< false: it keeps its course whatever comes
+  bool silent{false};            ///< it tells nobody where it is
+  bool is_vehicle{true};
+};
+
+/// What is round a vehicle at one instant: the truth, at which sensors alone may look, and what the vehicle
+/// was told.
+struct Scene {
+  double time{};                        ///< [s]
+  double period{};                      ///< of the ticks that messages are stamped with [s]
+  std::size_t own_index{};              ///< of the vehicle among the movers
+  std::span<const Mover> movers;        ///< all vehicles by index, then what drifts
+  std::span<const Obstacle> obstacles;  ///< all that do not move
+  std::span<const Message> heard;       ///< the last message of each vehicle, as far as there is one
+  double unforeseen_acceleration{};     ///< of those who sent them [m/s2]
+};
+
+/// The vehicle that looks.
+struct Viewpoint {
+  VehicleState truth;     ///< where its sensors are
+  VehicleState estimate;  ///< where it believes to be
+  double radius{};        ///< of its sphere [m]
+};
+
+/// How far perception reaches.
+struct Reach {
+  double vehicles{};   ///< between centres [m]
+  double obstacles{};  ///< from the vehicle's sphere to the surface of what is not charted [m]
+};
+
+}  // namespace fairway
