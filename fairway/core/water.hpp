@@ -13,6 +13,9 @@ struct Water {
   Vec3 current_rate_n = Vec3::Zero();  ///< acceleration of the water that is there [m/s2, NED]
   double elevation{};                  ///< of the surface over the calm one, above the vehicle [m, up]
   Vec2 slope_n = Vec2::Zero();         ///< of the surface there: d(elevation)/d(north), d(east)
+
+  /// Straight down through the surface [NED, unit].
+  Vec3 surface_normal() const { return Vec3{slope_n.x(), slope_n.y(), 1.0}.normalized(); }
 };
 
 }  // namespace fairway

@@ -18,7 +18,7 @@ struct Hydrostatics {
   /// axes, so that in still water no energy is made or lost at any angle.
   Wrench wrench(const VehicleState& x, const Water& water) const noexcept {
     const fossen::Matrix3 R = fossen::rotation(x.q_nb);
-    const Vec3 d = R.transpose() * Vec3{water.slope_n.x(), water.slope_n.y(), 1.0}.normalized();
+    const Vec3 d = R.transpose() * water.surface_normal();
     Wrench tau;
     tau.head<3>() = -heave * (x.p_n.z() + water.elevation) * R.row(2).transpose();
     tau.tail<3>() = d.cross(Vec3{pitch * d.x(), roll * d.y(), 0.0});

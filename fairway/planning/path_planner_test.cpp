@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <chrono>
 #include <thread>
 
 #include "fairway/core/error.hpp"
@@ -82,13 +81,6 @@ TEST(PathPlanner, FourObstaclesArePassedWithinTwoPercentOfTheOptimumBySeedsOneTo
       EXPECT_DOUBLE_EQ(path.length_m, length_of(path.waypoints));
     }
   }
-}
-
-TEST(PathPlanner, APathTakesWellUnderASecond) {
-  const auto begin = std::chrono::steady_clock::now();
-  EXPECT_EQ(plan_path(four_obstacles::map(), request(1)).status, PathStatus::found);
-  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-  EXPECT_LT(took.count(), 5.0);  // measured 0.07 s; sanitizers and busy machines take longer
 }
 
 TEST(PathPlanner, FindsNearlyTheOptimumAmongRandomDiscs) {

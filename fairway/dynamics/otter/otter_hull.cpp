@@ -102,11 +102,6 @@ fossen::Vector6 damping_of(const OtterParams& p, const fossen::Matrix6& M, const
   return D;
 }
 
-/// Straight down through the surface [NED, unit].
-Vec3 surface_normal(const Water& water) {
-  return Vec3{water.slope_n.x(), water.slope_n.y(), 1.0}.normalized();
-}
-
 double roll_of(const Vec3& down_b) { return std::atan2(down_b.y(), down_b.z()); }
 double pitch_of(const Vec3& down_b) { return -std::asin(std::clamp(down_b.x(), -1.0, 1.0)); }
 
@@ -169,7 +164,7 @@ StateRate OtterHull::derivative(const VehicleState& x, double port_n, double sta
   Vec3 normal_b = down_b;
   Hydrostatic eta_s{x.p_n.z() + water.elevation, roll, pitch};
   if (water.slope_n != Vec2::Zero()) {
-    normal_b = R.transpose() * surface_normal(water);
+    normal_b = R.transpose() * water.surface_normal();
     eta_s.tail<2>() = Vec2{roll_of(normal_b), pitch_of(normal_b)};
   }
   const Hydrostatic eta_0 = trim(normal_b);
