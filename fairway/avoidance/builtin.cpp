@@ -5,6 +5,7 @@
 #include "fairway/avoidance/catalog.hpp"
 #include "fairway/avoidance/direct/direct.hpp"
 #include "fairway/avoidance/hard_switching/hard_switching.hpp"
+#include "fairway/avoidance/orca2d/orca2d.hpp"
 #include "fairway/avoidance/orca3d/orca3d.hpp"
 #include "fairway/avoidance/safety_filter/safety_filter.hpp"
 #include "fairway/avoidance/stop_and_wait/stop_and_wait.hpp"
@@ -17,6 +18,7 @@ Catalog builtin_avoiders() {
       .add<Direct>()
       .add<Apf>()
       .add<Orca3d>()
+      .add<Orca2d>()
       .add<HardSwitching>()
       .add<WallFollowing>()
       .add<Avoa>()
