@@ -1,23 +1,64 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/comms/exchange.hpp"
 
-#include <vector>
+#include <string>
 
 namespace fairway {
+namespace {
 
-Exchange::Exchange(std::string_view kind, const ParamValues& params, std::size_t, double, Rng) {
-  const std::vector<std::string_view> kinds{"perfect", "none"};
-  if (kind != "perfect" && kind != "none")
-    throw InputError({}, "kind", "unknown exchange" + suggestion(kind, kinds));
+template <Reflected P>
+P chosen(const ParamValues& values) {
+  P params;
+  for (const auto& [name, value] : values) set_param(params, name, value);
+  return params;
+}
+
+[[noreturn]] void refuse_kind(std::string_view kind) {
+  const std::vector<ExchangeKind> kinds = exchange_kinds();
+  std::vector<std::string_view> names;
+  for (const ExchangeKind& known : kinds) names.push_back(known.name);
+  throw InputError({}, "kind", "unknown exchange" + suggestion(kind, names));
+}
+
+}  // namespace
+
+Exchange::Exchange(std::string_view kind, const ParamValues& params, std::size_t vehicle_count, double period,
+                   Rng rng)
+    : way_{way_of(kind, params, vehicle_count, period, rng)} {}
+
+Exchange::Way Exchange::way_of(std::string_view kind, const ParamValues& params, std::size_t vehicle_count,
+                               double period, const Rng& rng) {
+  if (kind == "acoustic") return AcousticChannel{chosen<AcousticParams>(params), vehicle_count, period, rng};
+  if (kind != "perfect" && kind != "none") refuse_kind(kind);
   if (!params.empty())
     throw InputError({}, params.front().first, std::string(kind) + " exchange takes no parameters");
-  kind_ = kind == "none" ? Kind::none : Kind::perfect;
+  if (kind == "none") return Silence{};
+  return Everywhere{};
 }
 
-void Exchange::pass_on(Tick, const Mailbox& said, std::span<const Vec3>) {
-  if (kind_ == Kind::perfect) heard_ = said;
+void Exchange::pass_on(Tick now, const Mailbox& said, std::span<const Vec3> places) {
+  if (auto* everywhere = std::get_if<Everywhere>(&way_)) everywhere->heard = said;
+  if (auto* channel = std::get_if<AcousticChannel>(&way_)) channel->pass_on(now, said, places);
 }
 
-std::span<const Message> Exchange::heard_by(std::size_t) const { return heard_; }
+std::span<const Message> Exchange::heard_by(std::size_t receiver) const {
+  if (const auto* channel = std::get_if<AcousticChannel>(&way_)) return channel->heard_by(receiver);
+  if (const auto* everywhere = std::get_if<Everywhere>(&way_)) return everywhere->heard;
+  return {};
+}
+
+double Exchange::unforeseen_acceleration() const {
+  const auto* channel = std::get_if<AcousticChannel>(&way_);
+  return channel != nullptr ? channel->params().unforeseen_acceleration_mps2 : 0.0;
+}
+
+std::vector<ExchangeKind> exchange_kinds() {
+  return {{.name = "perfect", .title = "Everyone hears everyone at once", .source = "", .params = {}},
+          {.name = "none", .title = "Nobody tells anything", .source = "", .params = {}},
+          {.name = "acoustic",
+           .title = "Acoustic modems: range, rate, delay, loss, half duplex",
+           .source = "raja2024 (reach and rate of its team link); docs/exchange.md",
+           .params = describe_params<AcousticParams>()}};
+}
 
 }  // namespace fairway

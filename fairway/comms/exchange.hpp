@@ -4,7 +4,10 @@
 #include <cstddef>
 #include <span>
 #include <string_view>
+#include <variant>
+#include <vector>
 
+#include "fairway/comms/acoustic_channel.hpp"
 #include "fairway/comms/message.hpp"
 #include "fairway/core/params.hpp"
 #include "fairway/core/rng.hpp"
@@ -12,10 +15,10 @@
 namespace fairway {
 
 /// How vehicles hear of each other: `perfect`, everyone hears everyone at once; `none`, nobody hears
-/// anything. A value: a copy is a snapshot.
+/// anything; `acoustic`, by modems under water. A value: a copy is a snapshot.
 class Exchange {
  public:
-  /// Throws InputError for an unknown kind or parameter.
+  /// Throws InputError for an unknown kind or parameter, or for parameters that do not go together.
   Exchange(std::string_view kind, const ParamValues& params, std::size_t vehicle_count, double period,
            Rng rng);
 
@@ -29,17 +32,34 @@ class Exchange {
   std::span<const Message> heard_by(std::size_t receiver) const;
 
   /// False if nobody ever hears anything.
-  bool carries_anything() const { return kind_ != Kind::none; }
+  bool carries_anything() const { return !std::holds_alternative<Silence>(way_); }
 
   /// Standard deviation of what a sender does to its velocity between messages, which no prediction knows
   /// [m/s2].
-  double unforeseen_acceleration() const { return 0.0; }
+  double unforeseen_acceleration() const;
 
  private:
-  enum class Kind { perfect, none };
+  struct Everywhere {
+    Mailbox heard;
+  };
+  struct Silence {};
+  using Way = std::variant<Everywhere, Silence, AcousticChannel>;
 
-  Kind kind_{Kind::perfect};
-  Mailbox heard_;
+  static Way way_of(std::string_view kind, const ParamValues& params, std::size_t vehicle_count,
+                    double period, const Rng& rng);
+
+  Way way_;
 };
+
+/// A kind of exchange, for those who list them.
+struct ExchangeKind {
+  std::string_view name;
+  std::string_view title;
+  std::string_view source;
+  std::vector<ParamInfo> params;
+};
+
+/// All that a scenario may choose.
+std::vector<ExchangeKind> exchange_kinds();
 
 }  // namespace fairway

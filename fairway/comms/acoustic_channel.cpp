@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/comms/acoustic_channel.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "fairway/comms/team_record.hpp"
+
+namespace fairway {
+namespace {
+
+/// Times that differ by less are the same: no way of sound or bits is as short [ticks].
+constexpr double instant = 1e-5;
+
+/// The parameters, if they go together.
+const AcousticParams& checked(const AcousticParams& params, std::size_t vehicle_count) {
+  const auto number = [](auto value) { return std::to_string(value); };
+  const int packet = params.message_bytes_count + params.overhead_bytes_count;
+  if (packet > params.modem_max_bytes_count) {
+    throw InputError({}, "message_bytes_count",
+                     number(params.message_bytes_count) + " bytes and " +
+                         number(params.overhead_bytes_count) + " of overhead are more than the " +
+                         number(params.modem_max_bytes_count) + " that the modem takes");
+  }
+  constexpr int record = std::tuple_size_v<TeamRecord>;
+  if (params.quantised && params.message_bytes_count < record) {
+    throw InputError({}, "message_bytes_count",
+                     number(params.message_bytes_count) + " bytes are less than the " + number(record) +
+                         " of the team record; quantised: false does without it");
+  }
+  constexpr std::size_t most = AcousticChannel::max_vehicles;
+  if (vehicle_count > most) {
+    throw InputError(
+        {}, "kind",
+        "acoustic exchange is for at most " + number(most) + " vehicles, not " + number(vehicle_count));
+  }
+  return params;
+}
+
+/// Of a packet [ticks].
+double transmission_of(const AcousticParams& params, double period) {
+  const double bits = 8.0 * (params.message_bytes_count + params.overhead_bytes_count);
+  return bits / params.bit_rate_bps / period;
+}
+
+/// [ticks]
+double way_of_sound(const AcousticParams& params, double distance, double period) {
+  return distance / params.sound_speed_mps / period;
+}
+
+/// Whole ticks that are not over before `time` [ticks].
+double whole(double time) { return std::ceil(time - instant); }
+
+/// How many messages may be under way at once.
+std::size_t most_under_way(const AcousticParams& params, std::size_t vehicle_count, double period,
+                           double interval) {
+  // everyone has heard when a slot is over, but hears only after the next has begun
+  const double count = static_cast<double>(vehicle_count);
+  if (params.slots) return 2 * vehicle_count;
+
+  // in a time t a vehicle that is due every interval transmits at most t / interval + 1 times; one tick more
+  // goes by before it does, and one before a message that has arrived is handed over
+  const double longest = transmission_of(params, period) + way_of_sound(params, params.range_m, period);
+  const double most = count * count * (std::ceil(longest / interval) + 3.0);
+  if (most > 1e6)
+    throw InputError({}, "update_rate_hz", "more than a million messages might be under way at once");
+  return static_cast<std::size_t>(most);
+}
+
+}  // namespace
+
+double measured_rate(double distance) {
+  constexpr double slowest_at = 0.01412 / (2.0 * 7.76e-5);
+  const double d = std::min(distance, slowest_at);
+  return 0.848 - 0.01412 * d + 7.76e-5 * d * d;
+}
+
+AcousticChannel::AcousticChannel(const AcousticParams& params, std::size_t vehicle_count, double period,
+                                 const Rng& rng)
+    : params_{checked(params, vehicle_count)},
+      vehicle_count_{vehicle_count},
+      period_{period},
+      transmission_{transmission_of(params, period)},
+      interval_{std::max({1.0 / (params.update_rate_hz * period), whole(transmission_), 1.0})},
+      slot_ticks_{std::max<std::int64_t>(
+          1, std::llround(whole(transmission_ + way_of_sound(params, params.range_m, period))))},
+      transmitters_(vehicle_count),
+      flights_(most_under_way(params, vehicle_count, period, interval_)),
+      heard_(vehicle_count * vehicle_count, Message{.told = false}) {
+  const double count = static_cast<double>(vehicle_count);
+  for (std::size_t i = 0; i < vehicle_count; ++i) {
+    if (!params.slots) transmitters_[i].due = std::floor(interval_ * static_cast<double>(i) / count);
+    const Rng sender = rng.stream("sender", i);
+    for (std::size_t j = 0; j < vehicle_count; ++j) links_.push_back({sender.stream("receiver", j)});
+  }
+}
+
+void AcousticChannel::pass_on(Tick now, const Mailbox& said, std::span<const Vec3> places) {
+  for (std::size_t i = 0; i < vehicle_count_; ++i) {
+    if (said[i].told && may_transmit(i, now)) transmit(i, now, said, places);
+  }
+  hand_over(now);
+}
+
+std::span<const Message> AcousticChannel::heard_by(std::size_t receiver) const {
+  return std::span{heard_}.subspan(receiver * vehicle_count_, vehicle_count_);
+}
+
+bool AcousticChannel::may_transmit(std::size_t vehicle, Tick now) const {
+  if (static_cast<double>(count(now)) < transmitters_[vehicle].due - instant) return false;
+  if (!params_.slots) return true;
+  const std::int64_t slot = count(now) / slot_ticks_;
+  const bool begins = count(now) % slot_ticks_ == 0;
+  return begins && slot % static_cast<std::int64_t>(vehicle_count_) == static_cast<std::int64_t>(vehicle);
+}
+
+void AcousticChannel::transmit(std::size_t from, Tick now, const Mailbox& said,
+                               std::span<const Vec3> places) {
+  const double begin = static_cast<double>(count(now));
+  Transmitter& transmitter = transmitters_[from];
+  const double waited = begin - transmitter.began.value_or(begin);
+  transmitter.began = begin;
+  transmitter.due += interval_;
+  if (transmitter.due <= begin) transmitter.due = begin + interval_;  // what was missed is not made up for
+  ++counts_.sent;
+  drown_what_reaches(from);
+
+  const Message message = told(said[from], now);
+  for (std::size_t to = 0; to < vehicle_count_; ++to) {
+    if (to == from) continue;
+    const double distance = (places[to] - places[from]).norm();
+    const bool is_through = gets_through(links_[from * vehicle_count_ + to], distance, waited);
+    if (distance > params_.range_m) {
+      ++counts_.out_of_range;
+    } else if (!is_through) {
+      ++counts_.lost;
+    } else {
+      const double begins = begin + way_of_sound(params_, distance, period_);
+      Flight& flight = flights_[under_way_++];
+      flight = {message, from, to, begins, begins + transmission_};
+      flight.drowned = is_deaf(to, flight);
+    }
+  }
+}
+
+Message AcousticChannel::told(const Message& message, Tick now) const {
+  if (!params_.quantised) return message;
+  Message read = decode(encode(message, period_), now, period_);
+  read.from = message.from;  // the modem's address says it in full
+  return read;
+}
+
+bool AcousticChannel::gets_through(Link& link, double distance, double waited) {
+  // drawn in any case, so that nobody's place decides about later draws
+  const bool lucky = link.rng.uniform(0.0, 1.0) >= params_.loss_ratio;
+  if (params_.rate_law == RateLaw::constant) return lucky;
+
+  // at most one message is saved up
+  link.allowance = std::min(link.allowance + measured_rate(distance) * waited * period_, 2.0);
+  if (link.allowance < 1.0) return false;
+  link.allowance -= 1.0;
+  return lucky;
+}
+
+bool AcousticChannel::is_deaf(std::size_t vehicle, const Flight& flight) const {
+  const std::optional<double>& began = transmitters_[vehicle].began;
+  return began && flight.ends > *began + instant && *began + transmission_ > flight.begins + instant;
+}
+
+void AcousticChannel::drown_what_reaches(std::size_t vehicle) {
+  for (Flight& flight : std::span{flights_}.first(under_way_)) {
+    if (flight.to == vehicle && is_deaf(vehicle, flight)) flight.drowned = true;
+  }
+}
+
+void AcousticChannel::hand_over(Tick now) {
+  const double end = static_cast<double>(count(now)) + instant;
+  std::size_t left = 0;
+  for (std::size_t i = 0; i < under_way_; ++i) {
+    const Flight& flight = flights_[i];
+    if (flight.ends > end) {
+      flights_[left++] = flight;
+    } else if (flight.drowned) {
+      ++counts_.drowned;
+    } else {
+      ++counts_.received;
+      Message& known = heard_[flight.to * vehicle_count_ + flight.from];
+      if (!known.told || known.sent < flight.message.sent) known = flight.message;
+    }
+  }
+  under_way_ = left;
+}
+
+}  // namespace fairway
