@@ -25,6 +25,7 @@ std::vector<std::string> everybody() {
   names.emplace_back("orca3d+stop_and_wait");
   names.emplace_back("orca3d+safety_filter");
   names.emplace_back("wall_following+safety_filter");
+  for (const char* name : {"apf+inflate", "orca3d+inflate"}) names.emplace_back(name);
   return names;
 }
 

@@ -5,6 +5,7 @@
 #include "fairway/avoidance/catalog.hpp"
 #include "fairway/avoidance/direct/direct.hpp"
 #include "fairway/avoidance/hard_switching/hard_switching.hpp"
+#include "fairway/avoidance/inflate/inflate.hpp"
 #include "fairway/avoidance/orca2d/orca2d.hpp"
 #include "fairway/avoidance/orca3d/orca3d.hpp"
 #include "fairway/avoidance/safety_filter/safety_filter.hpp"
@@ -25,6 +26,7 @@ Catalog builtin_avoiders() {
       .add<AvoaImproved>()
       .add_wrapper<StopAndWait, Direct>()
       .add_wrapper<SafetyFilter, Direct>()
+      .add_wrapper<Inflate, Direct>()
       .alias("saw", "stop_and_wait")
       .alias("cbf", "safety_filter");
 }
