@@ -18,6 +18,8 @@ namespace {
 struct ReplayFlags {
   std::string recording;
   std::string csv;
+  std::string tracks;
+  std::string echoes;
   bool verify{false};
   bool json{false};
 };
@@ -40,13 +42,16 @@ int verify(const Recording& recording, const std::string& name, bool as_json) {
   return checker.same() ? ok : expectation_failed;
 }
 
-void export_to(const Recording& recording, const std::string& file) {
+using Export = void (*)(const Recording&, std::ostream&);
+
+void export_to(const std::string& file, const Recording& recording, Export write) {
+  if (file.empty()) return;
   if (file == "-") {
-    export_csv(recording, std::cout);
+    write(recording, std::cout);
     return;
   }
   std::ofstream out{file, std::ios::binary};
-  export_csv(recording, out);
+  write(recording, out);
   out.close();
   if (!out) throw InputError(file + ": cannot be written");
 }
@@ -60,7 +65,7 @@ void summarise(const Recording& recording, const std::string& name, bool as_json
   nlohmann::json document{{"recording", name},          {"scenario", info.scenario_name},
                           {"seed", info.seed},          {"version", info.version},
                           {"frames", recording.size()}, {"vehicles", info.vehicles.size()},
-                          {"period_s", info.period}};
+                          {"period_s", info.period},    {"perception", info.perception}};
   for (const Measure& m : metrics.measures()) {
     if (m.vehicle == Measure::fleet && std::isfinite(m.value)) document[m.quantity] = m.value;
   }
@@ -82,13 +87,18 @@ void add_replay(CLI::App& app, Program& program) {
   verb->add_option("recording", flags->recording, "MCAP file written by `fairway run --out`")->required();
   verb->add_flag("--verify", flags->verify, "run it again: same bits, or exit code 1");
   verb->add_option("--csv", flags->csv, "export the frames to this file; - for standard output");
+  verb->add_option("--tracks", flags->tracks, "export what was perceived of others to this file");
+  verb->add_option("--echoes", flags->echoes, "export the echoes of sonars to this file");
   verb->add_flag("--json", flags->json, "print JSON");
   verb->callback([=, &program] {
     program.chosen = [=] {
       const Recording recording = Recording::read(flags->recording);
-      if (!flags->csv.empty()) export_to(recording, flags->csv);
+      export_to(flags->csv, recording, export_csv);
+      export_to(flags->tracks, recording, export_tracks_csv);
+      export_to(flags->echoes, recording, export_echoes_csv);
       if (flags->verify) return verify(recording, flags->recording, flags->json);
-      if (flags->csv.empty()) summarise(recording, flags->recording, flags->json);
+      const bool exported = !(flags->csv + flags->tracks + flags->echoes).empty();
+      if (!exported) summarise(recording, flags->recording, flags->json);
       return ok;
     };
   });

@@ -20,7 +20,7 @@ struct RunOptions {
   std::string algorithm;
   std::vector<std::string> settings;
   std::optional<std::uint64_t> seed;
-  std::string out;
+  RecordingChoice recording;
   bool json{false};
 };
 
@@ -104,7 +104,7 @@ int run(const RunOptions& options, const std::atomic<bool>* stop) {
   Scenario scenario = load_scenario(options.file, overrides_of(options.settings), options.seed);
   if (!options.algorithm.empty()) set_algorithm(scenario, options.algorithm);
   check_expectations(scenario);
-  const RunOutcome outcome = run_scenario(scenario, options.out, stop);
+  const RunOutcome outcome = run_scenario(scenario, options.recording, stop);
   if (!outcome.complete) {
     std::cerr << "fairway: interrupted\n";
     return interrupted;
@@ -129,7 +129,10 @@ void add_run(CLI::App& app, Program& program) {
   verb->add_option("--algorithm", options->algorithm, "for every vehicle, instead of the file's");
   verb->add_option("--set", options->settings, "path=value, over what the file says");
   verb->add_option("--seed", options->seed, "instead of the file's");
-  verb->add_option("--out", options->out, "record the run to this MCAP file");
+  CLI::Option* out = verb->add_option("--out", options->recording.file, "record the run to this MCAP file");
+  verb->add_flag("--perception", options->recording.perception,
+                 "record what each vehicle perceived too: tracks and echoes")
+      ->needs(out);
   verb->add_flag("--json", options->json, "print JSON");
   verb->callback([=, &program] { program.chosen = [=, &program] { return run(*options, program.stop); }; });
 }

@@ -18,12 +18,14 @@
 namespace fairway::cli {
 namespace {
 
-RecordingInfo info_of(const Scenario& scenario) {
+RecordingInfo info_of(const Scenario& scenario, bool perception) {
   RecordingInfo info{.version = std::string(fairway_version),
                      .scenario_name = scenario.name,
                      .scenario_yaml = to_yaml(scenario),
                      .seed = scenario.seed,
-                     .period = scenario.step_s};
+                     .period = scenario.step_s,
+                     .vehicles = {},
+                     .perception = perception};
   for (const VehicleSpec& vehicle : scenario.vehicles) {
     info.vehicles.push_back({VehicleId{vehicle.id}, vehicle.name, vehicle.model.name});
   }
@@ -38,15 +40,15 @@ double excess(const Expectation& expected, double value) {
 
 }  // namespace
 
-RunOutcome run_scenario(const Scenario& scenario, const std::string& recording,
+RunOutcome run_scenario(const Scenario& scenario, const RecordingChoice& recording,
                         const std::atomic<bool>* stop) {
   Simulation simulation{scenario, builtin_catalogs()};
   simulation.time_decisions();
   RunMetrics metrics = metrics_for(scenario);
   std::vector<FrameSink*> sinks{&metrics};
   std::unique_ptr<RecordingWriter> writer;
-  if (!recording.empty()) {
-    writer = std::make_unique<RecordingWriter>(recording, info_of(scenario));
+  if (!recording.file.empty()) {
+    writer = std::make_unique<RecordingWriter>(recording.file, info_of(scenario, recording.perception));
     sinks.push_back(writer.get());
   }
 

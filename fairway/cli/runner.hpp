@@ -22,9 +22,14 @@ struct RunOutcome {
   bool complete{true};  ///< false if stopped
 };
 
-/// Runs a scenario; records it to `recording` if that is not empty. A run that is stopped leaves no
-/// recording.
-RunOutcome run_scenario(const Scenario& scenario, const std::string& recording,
+/// Where a run is recorded, and what of it.
+struct RecordingChoice {
+  std::string file;        ///< nowhere if empty
+  bool perception{false};  ///< tracks and echoes too
+};
+
+/// Runs a scenario, and records it. A run that is stopped leaves no recording.
+RunOutcome run_scenario(const Scenario& scenario, const RecordingChoice& recording,
                         const std::atomic<bool>* stop);
 
 /// An expectation and what came of it.

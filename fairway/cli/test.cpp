@@ -30,7 +30,7 @@ int test(const std::string& directory, bool json, const std::atomic<bool>* stop)
   for (const std::string& file : scenario_files(directory)) {
     const Scenario scenario = load_scenario(file);
     check_expectations(scenario);
-    const RunOutcome outcome = run_scenario(scenario, "", stop);
+    const RunOutcome outcome = run_scenario(scenario, {}, stop);
     if (!outcome.complete) return interrupted;
     for (const Judgement& judgement : judge(scenario, outcome.measures)) {
       ++(judgement.kept ? passed : failed);

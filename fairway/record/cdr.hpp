@@ -81,6 +81,9 @@ class CdrReader {
 
   bool boolean() { return number<std::uint8_t>() != 0; }
 
+  /// A sequence of bytes; valid as long as the message.
+  ByteView bytes() { return reader_.take(number<std::uint32_t>()); }
+
   void skip_text() { reader_.take(number<std::uint32_t>()); }
 
   void array(std::span<double> values) {

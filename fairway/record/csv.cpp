@@ -6,8 +6,9 @@
 #include <string>
 #include <string_view>
 
+#include "fairway/core/error.hpp"
 #include "fairway/core/text.hpp"
-#include "fairway/record/quantities.hpp"
+#include "fairway/record/perception_quantities.hpp"
 
 namespace fairway {
 
@@ -19,6 +20,24 @@ std::string quoted(std::string_view text) {
   std::string result = "\"";
   for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
   return result + '"';
+}
+
+std::string instant_of(const Frame& frame) {
+  return std::to_string(count(frame.tick)) + ',' + number_text(frame.time) + ',';
+}
+
+/// Calls `rows` with the first fields of a row and the vehicle, for every vehicle of every frame.
+template <class Rows>
+void for_each_perceiver(const Recording& recording, Rows rows) {
+  if (!recording.info().perception) {
+    throw InputError("what was perceived is not recorded; record with fairway run --perception");
+  }
+  for (std::size_t i = 0; i < recording.size(); ++i) {
+    const Frame frame = recording.frame(i);
+    for (std::size_t v = 0; v < frame.vehicles.size(); ++v) {
+      rows(instant_of(frame) + quoted(recording.info().vehicles[v].name), frame.vehicles[v]);
+    }
+  }
 }
 
 }  // namespace
@@ -37,7 +56,7 @@ void export_csv(const Recording& recording, std::ostream& out) {
 
   for (std::size_t i = 0; i < recording.size(); ++i) {
     const Frame frame = recording.frame(i);
-    const std::string instant = std::to_string(count(frame.tick)) + ',' + number_text(frame.time) + ',';
+    const std::string instant = instant_of(frame);
     for (std::size_t v = 0; v < frame.vehicles.size(); ++v) {
       const VehicleFrame& vehicle = frame.vehicles[v];
       line = instant + quoted(recording.info().vehicles[v].name);
@@ -47,6 +66,28 @@ void export_csv(const Recording& recording, std::ostream& out) {
       out << line << '\n';
     }
   }
+}
+
+void export_tracks_csv(const Recording& recording, std::ostream& out) {
+  std::string line = "tick,time_s,vehicle";
+  for (const TrackQuantity& quantity : track_quantities()) line.append(",").append(quantity.name);
+  out << line << '\n';
+  for_each_perceiver(recording, [&](const std::string& begin, const VehicleFrame& vehicle) {
+    for (const Track& track : vehicle.tracks) {
+      line = begin;
+      for (const TrackQuantity& quantity : track_quantities()) line.append(",").append(quantity.text(track));
+      out << line << '\n';
+    }
+  });
+}
+
+void export_echoes_csv(const Recording& recording, std::ostream& out) {
+  out << "tick,time_s,vehicle,range_m,bearing_rad\n";
+  for_each_perceiver(recording, [&](const std::string& begin, const VehicleFrame& vehicle) {
+    for (const auto& [range, bearing] : vehicle.echoes) {
+      out << begin << ',' << number_text(range) << ',' << number_text(bearing) << '\n';
+    }
+  });
 }
 
 }  // namespace fairway

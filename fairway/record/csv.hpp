@@ -13,4 +13,11 @@ namespace fairway {
 /// same bits; an empty field means there is no such value. O(rows).
 void export_csv(const Recording& recording, std::ostream& out);
 
+/// Likewise one row per track: tick, time_s, vehicle (who perceived it), those of track_quantities(). Nearest
+/// first within a vehicle and frame. Throws InputError if perception is not recorded. O(rows).
+void export_tracks_csv(const Recording& recording, std::ostream& out);
+
+/// Likewise one row per echo: tick, time_s, vehicle, range_m, bearing_rad.
+void export_echoes_csv(const Recording& recording, std::ostream& out);
+
 }  // namespace fairway

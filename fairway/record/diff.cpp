@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "fairway/core/text.hpp"
-#include "fairway/record/quantities.hpp"
+#include "fairway/record/perception_quantities.hpp"
 
 namespace fairway {
 
@@ -22,6 +22,8 @@ std::vector<std::string> compare_setup(const Recording& a, const Recording& b) {
   compare("seed", std::to_string(x.seed), std::to_string(y.seed));
   compare("period_s", number_text(x.period), number_text(y.period));
   compare("stride", std::to_string(a.stride()), std::to_string(b.stride()));
+  compare("perception", x.perception ? "recorded" : "not recorded",
+          y.perception ? "recorded" : "not recorded");
   compare("vehicle_count", std::to_string(x.vehicles.size()), std::to_string(y.vehicles.size()));
   for (std::size_t i = 0; i < std::min(x.vehicles.size(), y.vehicles.size()); ++i) {
     const std::string vehicle = "vehicles[" + std::to_string(i) + "].";
@@ -32,7 +34,8 @@ std::vector<std::string> compare_setup(const Recording& a, const Recording& b) {
   return lines;
 }
 
-void compare_frames(const Frame& a, const Frame& b, const RecordingInfo& info, Difference& difference) {
+void compare_frames(const Frame& a, const Frame& b, const RecordingInfo& info, bool perception,
+                    Difference& difference) {
   for (std::size_t i = 0; i < std::min(a.vehicles.size(), b.vehicles.size()); ++i) {
     const VehicleFrame& x = a.vehicles[i];
     const VehicleFrame& y = b.vehicles[i];
@@ -41,7 +44,9 @@ void compare_frames(const Frame& a, const Frame& b, const RecordingInfo& info, D
       difference.farthest = {distance, a.tick, a.time, info.vehicles[i].name};
     }
     if (difference.first) continue;
-    if (auto q = first_difference(x, y)) {
+    auto q = first_difference(x, y);
+    if (!q && perception) q = first_perception_difference(x, y);
+    if (q) {
       difference.first = {a.tick,          a.time,         info.vehicles[i].name, std::move(q->quantity),
                           std::move(q->a), std::move(q->b)};
     }
@@ -60,6 +65,12 @@ Difference diff(const Recording& a, const Recording& b) {
   difference.vehicles_a = a.info().vehicles.size();
   difference.vehicles_b = b.info().vehicles.size();
 
+  const bool perception = a.info().perception && b.info().perception;
+  const auto same = [&](std::size_t i, std::size_t j) {
+    return a.hashes()[i] == b.hashes()[j] &&
+           (!perception || a.perception_hashes()[i] == b.perception_hashes()[j]);
+  };
+
   // merge by tick
   std::size_t i = 0, j = 0;
   while (i < a.size() && j < b.size()) {
@@ -72,7 +83,7 @@ Difference diff(const Recording& a, const Recording& b) {
       ++difference.only_in_b;
       ++j;
     } else {
-      if (a.hashes()[i] != b.hashes()[j]) compare_frames(x, y, a.info(), difference);
+      if (!same(i, j)) compare_frames(x, y, a.info(), perception, difference);
       ++difference.compared;
       ++i;
       ++j;

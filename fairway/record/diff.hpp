@@ -17,7 +17,7 @@ struct Difference {
     Tick tick{};
     double time{};         ///< [s]
     std::string vehicle;   ///< name
-    std::string quantity;  ///< "x_m", "mode", "actuator_2"
+    std::string quantity;  ///< "x_m", "mode", "actuator_2", "tracks[0].x_m"
     std::string a;         ///< its value in the first recording, to full precision
     std::string b;
   };
@@ -44,7 +44,7 @@ struct Difference {
   std::string describe() const;
 };
 
-/// O(frames × vehicles). Vehicles are matched by index.
+/// O(frames × vehicles). Vehicles are matched by index. What was perceived is compared if both recorded it.
 Difference diff(const Recording& a, const Recording& b);
 
 }  // namespace fairway

@@ -13,13 +13,28 @@ class Hash {
   void add(std::span<const double> values) {
     for (const double v : values) add(std::bit_cast<std::uint64_t>(v));
   }
+  void add(double value) { add(std::bit_cast<std::uint64_t>(value)); }
   void add(const Vec3& v) { add(std::span{v.data(), 3}); }
+  void add(const Mat3& m) { add(std::span{m.data(), 9}); }
 
   std::uint64_t value() const { return value_; }
 
  private:
   std::uint64_t value_{14695981039346656037ULL};
 };
+
+void add(Hash& hash, const Track& track) {
+  const auto& [id, position, velocity, yaw, radius, age, priority, destination, reacts, position_covariance,
+               velocity_covariance] = track;
+  hash.add(std::uint64_t{number(id)} | std::uint64_t{std::bit_cast<std::uint32_t>(priority)} << 32U);
+  hash.add(std::uint64_t{reacts} | std::uint64_t{destination.has_value()} << 1U);
+  hash.add(position);
+  hash.add(velocity);
+  for (const double value : {yaw, radius, age}) hash.add(value);
+  if (destination) hash.add(*destination);
+  hash.add(position_covariance);
+  hash.add(velocity_covariance);
+}
 
 }  // namespace
 
@@ -50,6 +65,22 @@ std::uint64_t frame_hash(const Frame& frame) noexcept {
     hash.add(std::span{v.wrench.data(), 6});
     hash.add(std::uint64_t{v.actuators.size()});
     hash.add(v.actuators);
+  }
+  return hash.value();
+}
+
+std::uint64_t perception_hash(const Frame& frame) noexcept {
+  Hash hash;
+  hash.add(static_cast<std::uint64_t>(count(frame.tick)));
+  hash.add(std::uint64_t{frame.vehicles.size()});
+  for (const VehicleFrame& v : frame.vehicles) {
+    hash.add(std::uint64_t{v.tracks.size()});
+    for (const Track& track : v.tracks) add(hash, track);
+    hash.add(std::uint64_t{v.echoes.size()});
+    for (const auto& [range, bearing] : v.echoes) {
+      hash.add(range);
+      hash.add(bearing);
+    }
   }
   return hash.value();
 }

@@ -20,4 +20,8 @@ constexpr std::uint64_t mix_hash(std::uint64_t hash, std::uint64_t word) {
 /// tick and the stride of recording. -0 and 0 differ. O(vehicles + actuators), no allocation.
 std::uint64_t frame_hash(const Frame& frame) noexcept;
 
+/// Likewise of the tick and of every track and echo of every vehicle, which frame_hash() leaves out.
+/// O(tracks + echoes), no allocation.
+std::uint64_t perception_hash(const Frame& frame) noexcept;
+
 }  // namespace fairway

@@ -5,6 +5,7 @@
 
 #include "fairway/core/text.hpp"
 #include "fairway/record/frame_hash.hpp"
+#include "fairway/record/perception_quantities.hpp"
 #include "fairway/record/quantities.hpp"
 
 namespace fairway {
@@ -17,7 +18,11 @@ std::string explain(const Recording& recording, const Frame& recorded, const Fra
            std::to_string(now.vehicles.size());
   }
   for (std::size_t i = 0; i < now.vehicles.size(); ++i) {
-    if (const auto q = first_difference(recorded.vehicles[i], now.vehicles[i])) {
+    auto q = first_difference(recorded.vehicles[i], now.vehicles[i]);
+    if (!q && recording.info().perception) {
+      q = first_perception_difference(recorded.vehicles[i], now.vehicles[i]);
+    }
+    if (q) {
       return recording.info().vehicles[i].name + " " + q->quantity + ": " + q->a + " was recorded, now " +
              q->b;
     }
@@ -30,6 +35,9 @@ std::string explain(const Recording& recording, const Frame& recorded, const Fra
 void HashChecker::write(const Frame& frame) {
   const std::uint64_t hash = frame_hash(frame);
   run_hash_ = mix_hash(run_hash_, hash);
+  const bool perception = recording_.info().perception;
+  const std::uint64_t perceived = perception ? perception_hash(frame) : 0;
+  if (perception) run_perception_hash_ = mix_hash(run_perception_hash_, perceived);
   ++seen_;
 
   // ticks that this run left out were not matched
@@ -37,8 +45,9 @@ void HashChecker::write(const Frame& frame) {
   if (next_ == recording_.size()) return;
   const Frame recorded = recording_.frame(next_);
   if (recorded.tick != frame.tick) return;
-  const std::uint64_t expected = recording_.hashes()[next_++];
-  if (expected == hash) {
+  const std::size_t i = next_++;
+  const std::uint64_t expected = recording_.hashes()[i];
+  if (expected == hash && (!perception || recording_.perception_hashes()[i] == perceived)) {
     ++matched_;
   } else if (!mismatch_) {
     mismatch_ = {frame.tick, frame.time, expected, hash, explain(recording_, recorded, frame)};
@@ -47,12 +56,15 @@ void HashChecker::write(const Frame& frame) {
 
 bool HashChecker::same() const {
   return !mismatch_ && matched_ == recording_.size() && seen_ == recording_.run_frame_count() &&
-         run_hash_ == recording_.run_hash();
+         run_hash_ == recording_.run_hash() && run_perception_hash_ == recording_.run_perception_hash();
 }
 
 std::string HashChecker::describe() const {
   const std::string frames = std::to_string(recording_.size());
-  if (same()) return "the same to the bit: " + frames + " of " + frames + " recorded frames";
+  if (same()) {
+    return "the same to the bit: " + frames + " of " + frames + " recorded frames" +
+           (recording_.info().perception ? ", and what was perceived" : "");
+  }
   if (mismatch_) {
     return "differs from tick " + std::to_string(count(mismatch_->tick)) + " (" +
            number_text(mismatch_->time) + " s): " + mismatch_->what;

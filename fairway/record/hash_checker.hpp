@@ -11,16 +11,17 @@
 
 namespace fairway {
 
-/// Compares a run, as it happens, with the recording of an earlier one, and remembers where they part.
+/// Compares a run, as it happens, with the recording of an earlier one, and remembers where they part;
+/// perception too if it is recorded.
 /// Keep the recording alive as long as this.
 class HashChecker : public FrameSink {
  public:
   struct Mismatch {
     Tick tick{};
     double time{};             ///< [s]
-    std::uint64_t expected{};  ///< hash in the recording
-    std::uint64_t actual{};
-    std::string what;  ///< "otter_1 x_m: 1 was recorded, now 1.0000000000000002"
+    std::uint64_t expected{};  ///< frame_hash() in the recording
+    std::uint64_t actual{};    ///< the same if it is perception that differs
+    std::string what;          ///< "otter_1 x_m: 1 was recorded, now 1.0000000000000002"
   };
 
   explicit HashChecker(const Recording& recording) : recording_{recording} {}
@@ -43,6 +44,7 @@ class HashChecker : public FrameSink {
   std::size_t matched_{};
   std::uint64_t seen_{};
   std::uint64_t run_hash_{};
+  std::uint64_t run_perception_hash_{};
   std::optional<Mismatch> mismatch_;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/record/messages.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -14,6 +15,9 @@ namespace {
 
 constexpr std::size_t covariance_size = 36;
 
+/// Of a point in an echoes' message: float32 x, y, z, 4 bytes unused, float64 range, bearing.
+constexpr std::uint32_t point_step = 32, range_offset = 16, bearing_offset = 24;
+
 std::span<const double> values(const Vec3& v) { return {v.data(), 3}; }
 std::span<double> values(Vec3& v) { return {v.data(), 3}; }
 
@@ -21,11 +25,11 @@ std::span<double> values(Vec3& v) { return {v.data(), 3}; }
 std::span<const double> values(const Eigen::Quaterniond& q) { return {q.coeffs().data(), 4}; }
 std::span<double> values(Eigen::Quaterniond& q) { return {q.coeffs().data(), 4}; }
 
-void put_header(CdrWriter& cdr, Stamp stamp) {
+void put_header(CdrWriter& cdr, Stamp stamp, std::string_view frame = world_frame) {
   constexpr std::uint64_t second = 1'000'000'000;
   cdr.number(static_cast<std::int32_t>(stamp.nanoseconds / second));
   cdr.number(static_cast<std::uint32_t>(stamp.nanoseconds % second));
-  cdr.text(world_frame);
+  cdr.text(frame);
 }
 
 void skip_header(CdrReader& cdr) {
@@ -36,6 +40,62 @@ void skip_header(CdrReader& cdr) {
 
 std::span<const double> values(const Wrench& w) { return {w.data(), 6}; }
 std::span<double> values(Wrench& w) { return {w.data(), 6}; }
+
+// row by row, as ROS has it
+void put_covariance(CdrWriter& cdr, const Mat3& covariance) {
+  const Mat3 rows = covariance.transpose();
+  cdr.array({rows.data(), 9});
+}
+
+void get_covariance(CdrReader& cdr, Mat3& covariance) {
+  Mat3 rows;
+  cdr.array({rows.data(), 9});
+  covariance = rows.transpose();
+}
+
+void put_field(CdrWriter& cdr, std::string_view name, std::uint32_t offset, std::uint8_t datatype) {
+  cdr.text(name);
+  cdr.number(offset);
+  cdr.number(datatype);
+  cdr.number(std::uint32_t{1});
+}
+
+void put_track(CdrWriter& cdr, const Track& track) {
+  const auto& [id, position, velocity, yaw, radius, age, priority, destination, reacts, position_covariance,
+               velocity_covariance] = track;
+  cdr.number(number(id));
+  cdr.number(priority);
+  cdr.boolean(reacts);
+  cdr.boolean(destination.has_value());
+  cdr.array(values(position));
+  cdr.array(values(velocity));
+  cdr.number(yaw);
+  cdr.number(radius);
+  cdr.number(age);
+  const Vec3 place = destination.value_or(Vec3{Vec3::Zero()});
+  cdr.array(values(place));
+  put_covariance(cdr, position_covariance);
+  put_covariance(cdr, velocity_covariance);
+}
+
+Track get_track(CdrReader& cdr) {
+  Track track;
+  track.id = TrackId{cdr.number<std::uint32_t>()};
+  track.priority = cdr.number<std::int32_t>();
+  track.reacts = cdr.boolean();
+  const bool has_destination = cdr.boolean();
+  cdr.array(values(track.position));
+  cdr.array(values(track.velocity));
+  track.yaw = cdr.number<double>();
+  track.radius = cdr.number<double>();
+  track.age = cdr.number<double>();
+  Vec3 destination;
+  cdr.array(values(destination));
+  if (has_destination) track.destination = destination;
+  get_covariance(cdr, track.position_covariance);
+  get_covariance(cdr, track.velocity_covariance);
+  return track;
+}
 
 template <class E>
 E enumerator(std::uint8_t value, const char* what) {
@@ -112,6 +172,55 @@ void encode_transforms(Bytes& out, Stamp stamp, std::span<const std::string> chi
   }
 }
 
+void encode_perception(Bytes& out, Stamp stamp, const PerceptionMark& mark) {
+  CdrWriter cdr{out};
+  put_header(cdr, stamp);
+  cdr.number(count(mark.tick));
+  cdr.number(mark.hash);
+}
+
+void encode_tracks(Bytes& out, Stamp stamp, std::span<const Track> tracks) {
+  CdrWriter cdr{out};
+  put_header(cdr, stamp);
+  cdr.number(static_cast<std::uint32_t>(tracks.size()));
+  for (const Track& track : tracks) put_track(cdr, track);
+}
+
+void encode_echoes(Bytes& out, Stamp stamp, std::string_view body_frame, std::span<const Echo> echoes) {
+  constexpr std::uint8_t float32 = 7, float64 = 8;
+  const auto count = static_cast<std::uint32_t>(echoes.size());
+  CdrWriter cdr{out};
+  put_header(cdr, stamp, body_frame);
+  cdr.number(std::uint32_t{1});  // height
+  cdr.number(count);             // width
+  cdr.number(std::uint32_t{5});
+  put_field(cdr, "x", 0, float32);
+  put_field(cdr, "y", 4, float32);
+  put_field(cdr, "z", 8, float32);
+  put_field(cdr, "range_m", range_offset, float64);
+  put_field(cdr, "bearing_rad", bearing_offset, float64);
+  cdr.boolean(false);  // big-endian
+  cdr.number(point_step);
+  cdr.number(point_step * count);
+
+  cdr.number(point_step * count);
+  for (const auto& [range, bearing] : echoes) {
+    put(out, static_cast<float>(range * std::cos(bearing)));
+    put(out, static_cast<float>(range * std::sin(bearing)));
+    put(out, 0.0F);
+    put(out, std::uint32_t{0});
+    put(out, range);
+    put(out, bearing);
+  }
+  cdr.boolean(true);  // dense
+}
+
+bool same_content(ByteView a, ByteView b) noexcept {
+  constexpr std::size_t behind_stamp = 12;  // encapsulation, sec, nanosec
+  return a.size() == b.size() && a.size() >= behind_stamp &&
+         std::ranges::equal(a.subspan(behind_stamp), b.subspan(behind_stamp));
+}
+
 FrameMark decode_frame(ByteView message) {
   CdrReader cdr{message};
   skip_header(cdr);
@@ -165,6 +274,51 @@ Tick decode_status(ByteView message, VehicleFrame& vehicle, std::vector<double>&
   cdr.sequence(actuators);
   cdr.finish();
   return tick;
+}
+
+PerceptionMark decode_perception(ByteView message) {
+  CdrReader cdr{message};
+  skip_header(cdr);
+  PerceptionMark mark;
+  mark.tick = Tick{cdr.number<std::int64_t>()};
+  mark.hash = cdr.number<std::uint64_t>();
+  cdr.finish();
+  return mark;
+}
+
+void decode_tracks(ByteView message, std::vector<Track>& tracks) {
+  CdrReader cdr{message};
+  skip_header(cdr);
+  for (auto left = cdr.number<std::uint32_t>(); left > 0; --left) tracks.push_back(get_track(cdr));
+  cdr.finish();
+}
+
+void decode_echoes(ByteView message, std::vector<Echo>& echoes) {
+  CdrReader cdr{message};
+  skip_header(cdr);
+  cdr.number<std::uint32_t>();
+  const auto count = cdr.number<std::uint32_t>();
+  for (auto fields = cdr.number<std::uint32_t>(); fields > 0; --fields) {
+    cdr.skip_text();
+    cdr.number<std::uint32_t>();
+    cdr.number<std::uint8_t>();
+    cdr.number<std::uint32_t>();
+  }
+  cdr.boolean();
+  const auto step = cdr.number<std::uint32_t>();
+  cdr.number<std::uint32_t>();
+  const ByteView points = cdr.bytes();
+  cdr.boolean();
+  cdr.finish();
+
+  if (step != point_step || points.size() != std::uint64_t{point_step} * count) {
+    throw Malformed{"damaged recording: echoes of another layout"};
+  }
+  for (std::size_t at = 0; at < points.size(); at += point_step) {
+    ByteReader point{points.subspan(at + range_offset, sizeof(double) * 2)};
+    const auto range = point.number<double>();
+    echoes.push_back({range, point.number<double>()});
+  }
 }
 
 }  // namespace fairway

@@ -70,27 +70,48 @@ class Recording::Assembly {
                  {Role::odometry, index});
     find_channel(topic + "/" + std::string(layout::status_topic), vehicle_status_schema(),
                  {Role::status, index});
+    if (!recording_.info_.perception) return;
+    find_channel(topic + "/" + std::string(layout::tracks_topic), tracks_schema(), {Role::tracks, index});
+    find_channel(topic + "/" + std::string(layout::echoes_topic), echoes_schema(), {Role::echoes, index});
   }
 
   void read_frames() {
     find_channel(std::string(layout::frame_topic), frame_schema(), {Role::frame, 0});
+    if (recording_.info_.perception) {
+      find_channel(std::string(layout::perception_topic), perception_schema(), {Role::perception, 0});
+      perceived_.resize(recording_.info_.vehicles.size());
+    }
     mcap_.for_each_message([this](const McapReader::Message& message) { see(message); });
     finish_frame();
 
-    // the buffer of actuators moves no more
+    // the buffers move no more
     std::size_t offset = 0;
     for (std::size_t i = 0; i < counts_.size(); offset += counts_[i++]) {
       recording_.vehicles_[i].actuators = std::span{recording_.actuators_}.subspan(offset, counts_[i]);
     }
-    for (std::size_t i = 0; i < recording_.size(); ++i) {
-      if (frame_hash(recording_.frame(i)) == recording_.hashes_[i]) continue;
-      damaged("the frame at tick " + std::to_string(count(recording_.marks_[i].tick)) +
-              " has not its recorded hash");
+    for (std::size_t i = 0; i < history_.size(); ++i) {
+      recording_.vehicles_[i].tracks = history_[i].tracks.of(recording_.tracks_);
+      recording_.vehicles_[i].echoes = history_[i].echoes.of(recording_.echoes_);
     }
+    verify();
   }
 
  private:
-  enum class Role { frame, odometry, status };
+  enum class Role { frame, odometry, status, perception, tracks, echoes };
+  /// A part of one of the recording's buffers.
+  struct Part {
+    std::size_t begin{};
+    std::size_t end{};
+
+    template <class T>
+    std::span<const T> of(const std::vector<T>& buffer) const {
+      return std::span{buffer}.subspan(begin, end - begin);
+    }
+  };
+  struct Perceived {
+    Part tracks;
+    Part echoes;
+  };
   struct Target {
     Role role{};
     std::size_t vehicle{};
@@ -119,6 +140,10 @@ class Recording::Assembly {
       begin_frame(decode_frame(message.data));
       return;
     }
+    if (role == Role::perception || role == Role::tracks || role == Role::echoes) {
+      see_perception(role, vehicle, message.data);
+      return;
+    }
 
     // each vehicle's messages once a frame, status in order, so that the actuators lie in order
     if (recording_.marks_.empty()) damaged("a vehicle before the first frame");
@@ -136,6 +161,24 @@ class Recording::Assembly {
     }
   }
 
+  // behind the vehicles: the mark, and what is not as in the frame before
+  void see_perception(Role role, std::size_t vehicle, ByteView message) {
+    if (recording_.marks_.empty()) damaged("a vehicle's perception before the first frame");
+    if (role == Role::perception) {
+      const PerceptionMark mark = decode_perception(message);
+      if (mark.tick != recording_.marks_.back().tick) incomplete();
+      recording_.perception_hashes_.push_back(mark.hash);
+    } else if (role == Role::tracks) {
+      const std::size_t begin = recording_.tracks_.size();
+      decode_tracks(message, recording_.tracks_);
+      perceived_[vehicle].tracks = {begin, recording_.tracks_.size()};
+    } else {
+      const std::size_t begin = recording_.echoes_.size();
+      decode_echoes(message, recording_.echoes_);
+      perceived_[vehicle].echoes = {begin, recording_.echoes_.size()};
+    }
+  }
+
   void begin_frame(const FrameMark& mark) {
     auto& marks = recording_.marks_;
     if (!marks.empty() && mark.tick <= marks.back().tick) damaged("ticks do not ascend");
@@ -145,9 +188,23 @@ class Recording::Assembly {
     next_odometry_ = next_status_ = 0;
   }
 
-  void finish_frame() const {
+  void finish_frame() {
+    if (recording_.marks_.empty()) return;
     const std::size_t vehicles = recording_.info_.vehicles.size();
-    if (!recording_.marks_.empty() && (next_odometry_ != vehicles || next_status_ != vehicles)) incomplete();
+    if (next_odometry_ != vehicles || next_status_ != vehicles) incomplete();
+    if (!recording_.info_.perception) return;
+    if (recording_.perception_hashes_.size() != recording_.marks_.size()) incomplete();
+    history_.insert(history_.end(), perceived_.begin(), perceived_.end());
+  }
+
+  void verify() const {
+    for (std::size_t i = 0; i < recording_.size(); ++i) {
+      const Frame frame = recording_.frame(i);
+      const bool perceived =
+          !recording_.info_.perception || perception_hash(frame) == recording_.perception_hashes_[i];
+      if (perceived && frame_hash(frame) == recording_.hashes_[i]) continue;
+      damaged("the frame at tick " + std::to_string(count(frame.tick)) + " has not its recorded hash");
+    }
   }
 
   [[noreturn]] void incomplete() const {
@@ -158,7 +215,9 @@ class Recording::Assembly {
   Recording& recording_;
   const McapReader& mcap_;
   std::map<std::uint16_t, Target> targets_;
-  std::vector<std::size_t> counts_;  // of actuators, by vehicle and frame
+  std::vector<std::size_t> counts_;   // of actuators, by vehicle and frame
+  std::vector<Perceived> perceived_;  // by vehicle, at present
+  std::vector<Perceived> history_;    // likewise, frame after frame
   std::size_t next_odometry_{};
   std::size_t next_status_{};
 };
@@ -174,6 +233,7 @@ Recording Recording::parse(ByteView bytes, const std::string& file) {
     info.seed = number_entry<std::uint64_t>(run, "seed");
     info.period = number_entry<double>(run, "period_s");
     recording.stride_ = number_entry<std::int64_t>(run, "stride");
+    info.perception = run.contains("perception") && entry(run, "perception") == "true";
     const auto scenario = mcap.attachments().find(std::string(layout::scenario_attachment));
     if (scenario == mcap.attachments().end()) damaged("the scenario is missing");
     info.scenario_yaml = scenario->second;
@@ -189,6 +249,7 @@ Recording Recording::parse(ByteView bytes, const std::string& file) {
 
     const auto& end = metadata(mcap, layout::end_metadata);
     recording.run_hash_ = number_entry<std::uint64_t>(end, "run_hash");
+    if (info.perception) recording.run_perception_hash_ = number_entry<std::uint64_t>(end, "perception_hash");
     recording.run_frame_count_ = number_entry<std::uint64_t>(end, "run_frame_count");
     if (number_entry<std::uint64_t>(end, "frame_count") != recording.size()) damaged("frames are missing");
     return recording;

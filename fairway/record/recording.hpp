@@ -17,7 +17,7 @@ class Recording {
  public:
   /// Throws InputError with the file's name and what was expected for a file that is missing, empty,
   /// truncated, damaged, not a recording, or of a newer format than this program knows. Every checksum and
-  /// every frame's hash is verified. O(size).
+  /// every frame's hashes are verified. O(size).
   static Recording read(const std::string& file);
   /// The same from memory; `file` is used in messages.
   static Recording parse(ByteView bytes, const std::string& file);
@@ -38,6 +38,13 @@ class Recording {
   std::uint64_t run_hash() const { return run_hash_; }
   std::uint64_t run_frame_count() const { return run_frame_count_; }
 
+  // Where info().perception says that it is recorded; else empty and 0, and no frame has tracks or echoes.
+
+  /// perception_hash() of each frame.
+  std::span<const std::uint64_t> perception_hashes() const { return perception_hashes_; }
+  /// As run_hash(), of perception_hash().
+  std::uint64_t run_perception_hash() const { return run_perception_hash_; }
+
   /// Gives every frame to `sink`, in order.
   void play(FrameSink& sink) const;
 
@@ -57,8 +64,12 @@ class Recording {
   std::uint64_t run_frame_count_{};
   std::vector<Mark> marks_;
   std::vector<std::uint64_t> hashes_;
+  std::uint64_t run_perception_hash_{};
+  std::vector<std::uint64_t> perception_hashes_;
   std::vector<VehicleFrame> vehicles_;  // frame after frame
   std::vector<double> actuators_;       // of all of them; their spans point here
+  std::vector<Track> tracks_;           // likewise, once for all frames in which a vehicle's stay the same
+  std::vector<Echo> echoes_;
 };
 
 }  // namespace fairway

@@ -79,14 +79,28 @@ RecordingWriter::RecordingWriter(std::string path, RecordingInfo info, std::int6
       child_frames_.push_back(topic + "/" + std::string(layout::body_frame));
     }
 
-    mcap_->add_metadata(layout::run_metadata, {{"format", std::to_string(layout::format)},
-                                               {"version", info_.version},
-                                               {"scenario", info_.scenario_name},
-                                               {"seed", std::to_string(info_.seed)},
-                                               {"period_s", number_text(info_.period)},
-                                               {"stride", std::to_string(stride_)},
-                                               {"vehicle_count", std::to_string(info_.vehicles.size())},
-                                               {"vehicles", vehicles_json(info_.vehicles, topics)}});
+    McapWriter::Map run{{"format", std::to_string(layout::format)},
+                        {"version", info_.version},
+                        {"scenario", info_.scenario_name},
+                        {"seed", std::to_string(info_.seed)},
+                        {"period_s", number_text(info_.period)},
+                        {"stride", std::to_string(stride_)},
+                        {"vehicle_count", std::to_string(info_.vehicles.size())},
+                        {"vehicles", vehicles_json(info_.vehicles, topics)}};
+    if (info_.perception) {
+      const std::uint16_t perception = add_schema(*mcap_, perception_schema());
+      const std::uint16_t tracks = add_schema(*mcap_, tracks_schema());
+      const std::uint16_t echoes = add_schema(*mcap_, echoes_schema());
+      perception_channel_ = add_channel(perception, layout::perception_topic);
+      for (std::size_t i = 0; i < topics.size(); ++i) {
+        const std::string prefix = "/" + topics[i] + "/";
+        channels_[i].tracks = add_channel(tracks, prefix + std::string(layout::tracks_topic));
+        channels_[i].echoes = add_channel(echoes, prefix + std::string(layout::echoes_topic));
+      }
+      perceived_.resize(topics.size());
+      run.emplace_back("perception", "true");
+    }
+    mcap_->add_metadata(layout::run_metadata, run);
     mcap_->attach(layout::scenario_attachment, "application/yaml", info_.scenario_yaml);
   } catch (...) {
     if (mcap_) std::remove(part_of(path_).c_str());
@@ -111,6 +125,8 @@ void RecordingWriter::write(const Frame& frame) {
   }
   const std::uint64_t hash = frame_hash(frame);
   run_hash_ = mix_hash(run_hash_, hash);
+  const std::uint64_t perceived = info_.perception ? perception_hash(frame) : 0;
+  if (info_.perception) perception_hash_ = mix_hash(perception_hash_, perceived);
   last_tick_ = count(frame.tick);
   if (frames_seen_++ % static_cast<std::uint64_t>(stride_) != 0) return;
 
@@ -128,14 +144,35 @@ void RecordingWriter::write(const Frame& frame) {
   }
   encode_transforms(message_, stamp, child_frames_, frame.vehicles);
   mcap_->write(transforms_channel_, stamp.nanoseconds, message_);
+  if (info_.perception) write_perception(frame, perceived);
   ++frames_kept_;
+}
+
+void RecordingWriter::write_perception(const Frame& frame, std::uint64_t hash) {
+  const Stamp stamp = stamp_of(frame.time);
+  encode_perception(message_, stamp, {frame.tick, hash});
+  mcap_->write(perception_channel_, stamp.nanoseconds, message_);
+  for (std::size_t i = 0; i < frame.vehicles.size(); ++i) {
+    encode_tracks(message_, stamp, frame.vehicles[i].tracks);
+    write_if_changed(channels_[i].tracks, stamp.nanoseconds, perceived_[i].tracks);
+    encode_echoes(message_, stamp, child_frames_[i], frame.vehicles[i].echoes);
+    write_if_changed(channels_[i].echoes, stamp.nanoseconds, perceived_[i].echoes);
+  }
+}
+
+void RecordingWriter::write_if_changed(std::uint16_t channel, std::uint64_t time, Bytes& last) {
+  if (same_content(message_, last)) return;
+  mcap_->write(channel, time, message_);
+  std::swap(message_, last);
 }
 
 void RecordingWriter::close() {
   if (!mcap_) return;
-  mcap_->add_metadata(layout::end_metadata, {{"frame_count", std::to_string(frames_kept_)},
-                                             {"run_frame_count", std::to_string(frames_seen_)},
-                                             {"run_hash", std::to_string(run_hash_)}});
+  McapWriter::Map end{{"frame_count", std::to_string(frames_kept_)},
+                      {"run_frame_count", std::to_string(frames_seen_)},
+                      {"run_hash", std::to_string(run_hash_)}};
+  if (info_.perception) end.emplace_back("perception_hash", std::to_string(perception_hash_));
+  mcap_->add_metadata(layout::end_metadata, end);
   mcap_->finish();
   if (std::rename(part_of(path_).c_str(), path_.c_str()) != 0) {
     throw InputError{{.file = path_}, "", std::string("cannot be written: ") + std::strerror(errno)};

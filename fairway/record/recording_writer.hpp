@@ -29,6 +29,7 @@ struct RecordingInfo {
   std::uint64_t seed{};
   double period{};                ///< between the frames of the run [s]
   std::vector<Vehicle> vehicles;  ///< by index, as in the frames
+  bool perception{false};         ///< tracks and echoes are in the frames too
 };
 
 /// Records a run as an MCAP file with ROS 2 messages, stamped with simulation time; README.md has the
@@ -43,8 +44,8 @@ class RecordingWriter : public FrameSink {
   RecordingWriter(const RecordingWriter&) = delete;
   RecordingWriter& operator=(const RecordingWriter&) = delete;
 
-  /// O(vehicles); allocates only while its buffers grow. Throws InputError if the disk is full, if the frame
-  /// has not the vehicles of the info, or if its time is outside what a stamp holds.
+  /// O(vehicles and what they perceive); allocates only while its buffers grow. Throws InputError if the disk
+  /// is full, if the frame has not the vehicles of the info, or if its time is outside what a stamp holds.
   void write(const Frame& frame) override;
 
   /// Completes the file. Throws InputError if that fails; does nothing the second time.
@@ -54,7 +55,17 @@ class RecordingWriter : public FrameSink {
   struct Channels {
     std::uint16_t odometry{};
     std::uint16_t status{};
+    std::uint16_t tracks{};
+    std::uint16_t echoes{};
   };
+  /// Last messages of a vehicle.
+  struct Perceived {
+    Bytes tracks;
+    Bytes echoes;
+  };
+
+  void write_perception(const Frame& frame, std::uint64_t hash);
+  void write_if_changed(std::uint16_t channel, std::uint64_t time, Bytes& last);
 
   std::string path_;
   RecordingInfo info_;
@@ -62,12 +73,15 @@ class RecordingWriter : public FrameSink {
   std::unique_ptr<McapWriter> mcap_;
   std::uint16_t frame_channel_{};
   std::uint16_t transforms_channel_{};
+  std::uint16_t perception_channel_{};
   std::vector<Channels> channels_;         // by vehicle
   std::vector<std::string> child_frames_;  // by vehicle
+  std::vector<Perceived> perceived_;       // by vehicle
   Bytes message_;
   std::uint64_t frames_seen_{};
   std::uint64_t frames_kept_{};
   std::uint64_t run_hash_{};
+  std::uint64_t perception_hash_{};  // as run_hash_
   std::int64_t last_tick_{-1};
 };
 

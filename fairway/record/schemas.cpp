@@ -56,6 +56,37 @@ constexpr Definition transform_stamped{"geometry_msgs/TransformStamped",
                                        "string child_frame_id\n"
                                        "geometry_msgs/Transform transform\n"};
 
+constexpr Definition point_field{"sensor_msgs/PointField",
+                                 "uint8 INT8=1\n"
+                                 "uint8 UINT8=2\n"
+                                 "uint8 INT16=3\n"
+                                 "uint8 UINT16=4\n"
+                                 "uint8 INT32=5\n"
+                                 "uint8 UINT32=6\n"
+                                 "uint8 FLOAT32=7\n"
+                                 "uint8 FLOAT64=8\n"
+                                 "string name\n"
+                                 "uint32 offset\n"
+                                 "uint8 datatype\n"
+                                 "uint32 count\n"};
+constexpr Definition track{"fairway_msgs/Track",
+                           "uint32 id\n"
+                           "# the smaller number has the right of way\n"
+                           "int32 priority\n"
+                           "bool reacts\n"
+                           "# destination_m means something\n"
+                           "bool has_destination\n"
+                           "float64[3] position_m\n"
+                           "float64[3] velocity_mps\n"
+                           "float64 yaw_rad\n"
+                           "float64 radius_m\n"
+                           "# since the last measurement or message\n"
+                           "float64 age_s\n"
+                           "float64[3] destination_m\n"
+                           "# row by row\n"
+                           "float64[9] position_covariance_m2\n"
+                           "float64[9] velocity_covariance_m2ps2\n"};
+
 // "uint8 MODE_CRUISE=0" for each enumerator
 template <class E>
 std::string constants(const std::string& prefix) {
@@ -140,6 +171,38 @@ MessageSchema frame_schema() {
                "# to the next recorded frame\n"
                "float64 period_s\n"
                "# of tick, states, commands, goals and actuators, to the bit\n"
+               "uint64 hash\n",
+               {header, time})};
+}
+
+MessageSchema tracks_schema() {
+  return {"fairway_msgs/msg/Tracks",
+          with("# The others, as a vehicle perceived them when it last decided: nearest first. Axes are\n"
+               "# north, east, down. Written when it changes; until then it stays as it is.\n"
+               "std_msgs/Header header\n"
+               "fairway_msgs/Track[] tracks\n",
+               {header, time, track})};
+}
+
+MessageSchema echoes_schema() {
+  return {"sensor_msgs/msg/PointCloud2", with("std_msgs/Header header\n"
+                                              "uint32 height\n"
+                                              "uint32 width\n"
+                                              "sensor_msgs/PointField[] fields\n"
+                                              "bool is_bigendian\n"
+                                              "uint32 point_step\n"
+                                              "uint32 row_step\n"
+                                              "uint8[] data\n"
+                                              "bool is_dense\n",
+                                              {header, time, point_field})};
+}
+
+MessageSchema perception_schema() {
+  return {"fairway_msgs/msg/Perception",
+          with("# What the vehicles perceived at one instant. It comes behind the frame's own message.\n"
+               "std_msgs/Header header\n"
+               "int64 tick\n"
+               "# of tick, tracks and echoes, to the bit\n"
                "uint64 hash\n",
                {header, time})};
 }

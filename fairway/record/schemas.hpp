@@ -21,4 +21,10 @@ MessageSchema vehicle_status_schema();
 /// What the vehicles of a frame have in common, and the frame's hash.
 MessageSchema frame_schema();
 
+// Where perception is recorded: what a vehicle knows of the others, what its sonar heard, and the hash of
+// both.
+MessageSchema tracks_schema();
+MessageSchema echoes_schema();
+MessageSchema perception_schema();
+
 }  // namespace fairway
