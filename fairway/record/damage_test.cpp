@@ -8,6 +8,7 @@
 
 #include "fairway/core/error.hpp"
 #include "fairway/record/cdr.hpp"
+#include "fairway/record/frame_hash.hpp"
 #include "fairway/record/layout.hpp"
 #include "fairway/record/mcap_reader.hpp"
 #include "fairway/record/mcap_writer.hpp"
@@ -27,7 +28,9 @@ using ::testing::StartsWith;
 
 Bytes sample() {
   const TemporaryFolder folder;
-  SampleRun{2, 3}.record(folder.file("run.mcap"));
+  SampleRun run{2, 3};
+  run.perceive();
+  run.record(folder.file("run.mcap"));
   return bytes_in(folder.file("run.mcap"));
 }
 
@@ -117,6 +120,8 @@ struct Forgery {
   std::string end_hash = "0";
   std::string frame_count = "0";
   bool scenario = true;
+  bool perception = false;  // its topics are there
+  std::string perception_told = "false";
   std::function<void(McapWriter&)> messages = [](McapWriter&) {};
 
   std::string refusal_of() const {
@@ -130,12 +135,21 @@ struct Forgery {
     mcap.add_channel(frame, "/fairway/frame", "cdr");
     mcap.add_channel(odometry, "/a/odometry", "cdr");
     mcap.add_channel(status, "/a/status", "cdr");
+    if (perception) {
+      const auto mark = mcap.add_schema(perception_schema().name, "ros2msg", perception_schema().text);
+      const auto tracks = mcap.add_schema(tracks_schema().name, "ros2msg", tracks_schema().text);
+      const auto echoes = mcap.add_schema(echoes_schema().name, "ros2msg", echoes_schema().text);
+      mcap.add_channel(mark, "/fairway/perception", "cdr");
+      mcap.add_channel(tracks, "/a/tracks", "cdr");
+      mcap.add_channel(echoes, "/a/echoes", "cdr");
+    }
     mcap.add_metadata("fairway", {{"format", format},
                                   {"version", "9.9"},
                                   {"scenario", "s"},
                                   {"seed", "1"},
                                   {"period_s", "0.1"},
                                   {"stride", "1"},
+                                  {"perception", perception_told},
                                   {"vehicles", vehicles}});
     if (scenario) mcap.attach("scenario.yaml", "application/yaml", "name: s\n");
     messages(mcap);
@@ -163,6 +177,29 @@ void write_status(McapWriter& mcap, std::int64_t tick) {
   Bytes message;
   encode_status(message, Stamp{0}, Tick{tick}, {});
   mcap.write(2, 0, message);
+}
+
+void write_perception(McapWriter& mcap, std::int64_t tick, std::uint64_t hash) {
+  Bytes message;
+  encode_perception(message, Stamp{0}, {Tick{tick}, hash});
+  mcap.write(3, 0, message);
+}
+
+void write_tracks(McapWriter& mcap) {
+  Bytes message;
+  encode_tracks(message, Stamp{0}, {});
+  mcap.write(4, 0, message);
+}
+
+/// The frame at tick 4 of one vehicle at rest, whose hash is right.
+void write_whole_frame(McapWriter& mcap) {
+  const VehicleFrame vehicle;
+  const std::uint64_t hash = frame_hash({.tick = Tick{4}, .vehicles = {&vehicle, 1}});
+  Bytes message;
+  encode_frame(message, Stamp{0}, {.tick = Tick{4}, .time = 0.0, .period = 0.1, .hash = hash});
+  mcap.write(0, 0, message);
+  write_odometry(mcap);
+  write_status(mcap, 4);
 }
 
 TEST(ForgedRecording, IsRefusedForWhatIsWrongInIt) {
@@ -199,6 +236,28 @@ TEST(ForgedRecording, IsRefusedForFramesThatAreNotWhole) {
               HasSubstr("ticks do not ascend"));
   EXPECT_THAT(with([](McapWriter& m) { write_frame(m, 4), write_odometry(m), write_status(m, 4); }),
               HasSubstr("the frame at tick 4 has not its recorded hash"));
+}
+
+TEST(ForgedRecording, IsRefusedForPerceptionThatIsNotWhole) {
+  const auto with = [](std::function<void(McapWriter&)> messages) {
+    return Forgery{
+        .frame_count = "1", .perception = true, .perception_told = "true", .messages = std::move(messages)}
+        .refusal_of();
+  };
+  const VehicleFrame vehicle;
+  const std::uint64_t right = perception_hash({.tick = Tick{4}, .vehicles = {&vehicle, 1}});
+  EXPECT_THAT(with([&](McapWriter& m) { write_whole_frame(m), write_perception(m, 4, right); }),
+              HasSubstr("metadata entry 'perception_hash' is missing"));
+  EXPECT_THAT(with([](McapWriter& m) { write_whole_frame(m), write_perception(m, 4, 1); }),
+              HasSubstr("the frame at tick 4 has not its recorded hash"));
+  EXPECT_THAT(with([](McapWriter& m) { write_whole_frame(m); }),
+              HasSubstr("tick 4 has not all that was perceived"));
+  EXPECT_THAT(with([&](McapWriter& m) { write_whole_frame(m), write_perception(m, 5, right); }),
+              HasSubstr("tick 4 has not all that was perceived"));
+  EXPECT_THAT(with([](McapWriter& m) { write_tracks(m), write_whole_frame(m); }),
+              HasSubstr("perception before the first frame"));
+  EXPECT_THAT((Forgery{.perception_told = "true"}.refusal_of()), HasSubstr("topic /a/tracks is missing"));
+  EXPECT_EQ((Forgery{.perception = true}.refusal_of()), "");
 }
 
 TEST(ForgedRecording, WithRandomMessagesIsRefused) {

@@ -166,7 +166,7 @@ class Recording::Assembly {
     if (recording_.marks_.empty()) damaged("a vehicle's perception before the first frame");
     if (role == Role::perception) {
       const PerceptionMark mark = decode_perception(message);
-      if (mark.tick != recording_.marks_.back().tick) incomplete();
+      if (mark.tick != recording_.marks_.back().tick) incomplete("all that was perceived");
       recording_.perception_hashes_.push_back(mark.hash);
     } else if (role == Role::tracks) {
       const std::size_t begin = recording_.tracks_.size();
@@ -193,7 +193,8 @@ class Recording::Assembly {
     const std::size_t vehicles = recording_.info_.vehicles.size();
     if (next_odometry_ != vehicles || next_status_ != vehicles) incomplete();
     if (!recording_.info_.perception) return;
-    if (recording_.perception_hashes_.size() != recording_.marks_.size()) incomplete();
+    if (recording_.perception_hashes_.size() != recording_.marks_.size())
+      incomplete("all that was perceived");
     history_.insert(history_.end(), perceived_.begin(), perceived_.end());
   }
 
@@ -207,9 +208,9 @@ class Recording::Assembly {
     }
   }
 
-  [[noreturn]] void incomplete() const {
-    damaged("the frame at tick " + std::to_string(count(recording_.marks_.back().tick)) +
-            " has not all its vehicles");
+  [[noreturn]] void incomplete(const char* missing = "all its vehicles") const {
+    damaged("the frame at tick " + std::to_string(count(recording_.marks_.back().tick)) + " has not " +
+            missing);
   }
 
   Recording& recording_;

@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -54,6 +55,43 @@ class SampleRun {
     for (std::size_t k = 0; k < vehicles.size(); ++k) vehicles[k].actuators = actuators[k];
   }
 
+  /// From now on vehicles perceive: every vehicle all the others, anew in every second frame, and the first
+  /// as many echoes as the frame's index, at most eight.
+  void perceive() {
+    info.perception = true;
+    Rng rng{43};
+    const auto draw = [&rng] { return Vec3{rng.normal(), rng.normal(), rng.normal()}; };
+    const auto draw_matrix = [&] { return (Mat3() << draw(), draw(), draw()).finished(); };
+    const std::size_t n = info.vehicles.size();
+    tracks.resize(vehicles.size());
+    echoes.resize(vehicles.size());
+    for (std::size_t k = 0; k < vehicles.size(); ++k) {
+      if (k / n % 2 == 1) {
+        tracks[k] = tracks[k - n];
+        echoes[k] = echoes[k - n];
+      } else {
+        for (std::size_t i = 0; i + 1 < n; ++i) {
+          Track& track = tracks[k].emplace_back();
+          track = {.id = TrackId{0x8000'0000U + static_cast<std::uint32_t>(i)},
+                   .position = 100.0 * draw(),
+                   .velocity = draw(),
+                   .yaw = rng.normal(),
+                   .radius = rng.uniform(0.0, 3.0),
+                   .age = rng.uniform(0.0, 9.0),
+                   .priority = static_cast<std::int32_t>(rng.index(9)) - 4,
+                   .reacts = rng.index(2) == 1,
+                   .position_covariance = draw_matrix(),
+                   .velocity_covariance = draw_matrix()};
+          if (rng.index(2) == 1) track.destination = 100.0 * draw();
+        }
+        const std::size_t heard = k % n == 0 ? std::min<std::size_t>(k / n, 8) : 0;
+        for (std::size_t i = 0; i < heard; ++i) echoes[k].push_back({rng.uniform(0.0, 50.0), rng.normal()});
+      }
+      vehicles[k].tracks = tracks[k];
+      vehicles[k].echoes = echoes[k];
+    }
+  }
+
   SampleRun(const SampleRun&) = delete;
   SampleRun& operator=(const SampleRun&) = delete;
 
@@ -86,6 +124,8 @@ class SampleRun {
                      .vehicles = {}};
   std::vector<VehicleFrame> vehicles;          // frame after frame
   std::vector<std::vector<double>> actuators;  // likewise
+  std::vector<std::vector<Track>> tracks;
+  std::vector<std::vector<Echo>> echoes;
 };
 
 inline Bytes bytes_in(const std::string& file) {
