@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// node read_recording.mjs RUN.mcap RUN.csv
+// node read_recording.mjs RUN.mcap RUN.csv [TRACKS.csv ECHOES.csv]
 //
 // Reads a recording with the official MCAP reader and ROS 2 deserialisers, which share no code with
-// fairway, and compares every value with the CSV export: to the bit. Exits with 1 at the first that differs.
+// fairway, and compares every value with the CSV exports: to the bit. Exits with 1 at the first that differs.
 
 import assert from "node:assert/strict";
 import { open, readFile } from "node:fs/promises";
@@ -15,7 +15,7 @@ import { MessageReader } from "@foxglove/rosmsg2-serialization";
 import { McapIndexedReader } from "@mcap/core";
 import { decompress } from "fzstd";
 
-const standardTypes = new Set(["nav_msgs/msg/Odometry", "tf2_msgs/msg/TFMessage"]);
+const standardTypes = new Set(["nav_msgs/msg/Odometry", "sensor_msgs/msg/PointCloud2", "tf2_msgs/msg/TFMessage"]);
 
 /** Rows of a CSV file (RFC 4180) as objects by column name. */
 function parseCsv(text) {
@@ -114,8 +114,103 @@ function expectedStatus(row, constants) {
   };
 }
 
-/** Compares a recording with its CSV export; returns what it has seen. Throws an AssertionError. */
-export async function compare(recordingPath, csvPath) {
+/** The tracks of a message, from rows. */
+function expectedTrack(row) {
+  const vector = (prefix, unit) => ["n", "e", "d"].map((axis) => number(row[`${prefix}_${axis}_${unit}`] || "0"));
+  const covariance = (prefix, unit) =>
+    ["nn", "ne", "nd", "en", "ee", "ed", "dn", "de", "dd"].map((axes) => number(row[`${prefix}_${axes}_${unit}`]));
+  return {
+    id: Number(row.id),
+    priority: Number(row.priority),
+    reacts: row.reacts === "true",
+    has_destination: row.destination_n_m !== "",
+    position_m: [row.x_m, row.y_m, row.z_m].map(number),
+    velocity_mps: vector("velocity", "mps"),
+    yaw_rad: number(row.yaw_rad),
+    radius_m: number(row.radius_m),
+    age_s: number(row.age_s),
+    destination_m: vector("destination", "m"),
+    position_covariance_m2: covariance("position_covariance", "m2"),
+    velocity_covariance_m2ps2: covariance("velocity_covariance", "m2ps2"),
+  };
+}
+
+/** The points of a cloud, by the fields that it says it has. */
+function pointsOf(cloud) {
+  const view = new DataView(cloud.data.buffer, cloud.data.byteOffset, cloud.data.byteLength);
+  const read = { 7: (at) => view.getFloat32(at, true), 8: (at) => view.getFloat64(at, true) };
+  assert.equal(cloud.data.length, cloud.row_step * cloud.height);
+  assert.equal(cloud.row_step, cloud.point_step * cloud.width);
+  return Array.from({ length: cloud.width }, (_, i) =>
+    Object.fromEntries(cloud.fields.map((f) => [f.name, read[f.datatype](i * cloud.point_step + f.offset)])),
+  );
+}
+
+/** A point of a cloud, from a row. */
+function expectedPoint(row) {
+  const [range_m, bearing_rad] = [number(row.range_m), number(row.bearing_rad)];
+  const [x, y] = [Math.cos, Math.sin].map((part) => Math.fround(range_m * part(bearing_rad)));
+  return { x, y, z: 0, range_m, bearing_rad };
+}
+
+/** Rows of what was perceived, by tick and vehicle. */
+function byPerceiver(csv) {
+  const rows = new Map();
+  for (const row of csv) {
+    const key = `${row.tick} ${row.vehicle}`;
+    if (!rows.has(key)) rows.set(key, []);
+    rows.get(key).push(row);
+  }
+  return rows;
+}
+
+/**
+ * What was perceived against its export. A message holds until the next, so every frame is compared with
+ * the last one. Returns how many tracks and echoes it has seen.
+ */
+function comparePerception(messages, frames, vehicles, trackRows, echoRows) {
+  const seen = { tracks: 0, echoes: 0, messages: 0 };
+  const last = new Map(); // topic to message
+  const next = messages.filter(({ topic }) => /\/(tracks|echoes)$/.test(topic));
+  const marks = new Map(
+    messages.filter(({ topic }) => topic === "/fairway/perception").map(({ time, value }) => [time, value]),
+  );
+  for (const [time, frame] of frames) {
+    assert.equal(marks.get(time).tick, frame.tick);
+    while (next.length > 0 && next[0].time === time) {
+      const { topic, value } = next.shift();
+      assert.equal(BigInt(value.header.stamp.sec) * 1000000000n + BigInt(value.header.stamp.nanosec), time);
+      last.set(topic, value);
+      ++seen.messages;
+    }
+    for (const { name, topic } of vehicles) {
+      const key = `${frame.tick} ${name}`;
+      const tracks = last.get(`${topic}/tracks`).tracks;
+      const expected = (trackRows.get(key) ?? []).map(expectedTrack);
+      assert.equal(tracks.length, expected.length, `tracks of ${key}`);
+      expected.forEach((track, i) => {
+        for (const [field, value] of Object.entries(track)) {
+          const actual = Array.isArray(value) ? Array.from(tracks[i][field]) : tracks[i][field];
+          assert.deepStrictEqual(actual, value, `${key} tracks[${i}].${field}`);
+        }
+      });
+      const cloud = last.get(`${topic}/echoes`);
+      assert.equal(cloud.header.frame_id, `${topic.slice(1)}/base_link_fsd`);
+      assert.deepStrictEqual(pointsOf(cloud), (echoRows.get(key) ?? []).map(expectedPoint), `echoes of ${key}`);
+      seen.tracks += tracks.length;
+      seen.echoes += cloud.width;
+    }
+  }
+  assert.equal(next.length, 0, "every message belongs to a frame");
+  return seen;
+}
+
+/**
+ * Compares a recording with its CSV export, and with those of tracks and echoes where perception is in it;
+ * returns what it has seen. Throws an AssertionError.
+ */
+export async function compare(recordingPath, csvPath, tracksPath, echoesPath) {
+  const rowsOf = async (path) => (path ? parseCsv(await readFile(path, "utf8")) : undefined);
   const handle = await open(recordingPath);
   try {
     const reader = await McapIndexedReader.Initialize({
@@ -129,13 +224,13 @@ export async function compare(recordingPath, csvPath) {
       },
       decompressHandlers: { zstd: (bytes, size) => decompress(bytes, new Uint8Array(Number(size))) },
     });
-    return await compareWith(reader, parseCsv(await readFile(csvPath, "utf8")));
+    return await compareWith(reader, await rowsOf(csvPath), await rowsOf(tracksPath), await rowsOf(echoesPath));
   } finally {
     await handle.close();
   }
 }
 
-async function compareWith(reader, csv) {
+async function compareWith(reader, csv, tracksCsv, echoesCsv) {
   assert.equal(reader.header.profile, "ros2");
   assert.match(reader.header.library, /^fairway /);
 
@@ -221,7 +316,10 @@ async function compareWith(reader, csv) {
         same(t.transform.rotation, orientation(row), what);
         ++seen.transforms;
       });
-    } else {
+    } else if (topic === "/fairway/perception") {
+      checkHeader(value.header, time);
+      assert.equal(typeof value.hash, "bigint");
+    } else if (!/\/(tracks|echoes)$/.test(topic)) {
       const [, vehicleTopic, kind] = topic.match(/^(.*)\/(odometry|status)$/);
       const row = rowOf(byTopic.get(vehicleTopic));
       checkHeader(value.header, time);
@@ -243,17 +341,23 @@ async function compareWith(reader, csv) {
     }
   }
   assert.deepEqual(seen, { odometry: csv.length, status: csv.length, transforms: csv.length });
-  return { frames: frames.size, vehicles: vehicles.length, rows: csv.length };
+
+  const perceives = run.get("perception") === "true";
+  assert.equal(perceives, tracksCsv !== undefined, "the exports of tracks and echoes belong to perception");
+  const perceived = perceives
+    ? comparePerception(messages, frames, vehicles, byPerceiver(tracksCsv), byPerceiver(echoesCsv))
+    : undefined;
+  return { frames: frames.size, vehicles: vehicles.length, rows: csv.length, perceived };
 }
 
 if (import.meta.url === pathToFileURL(process.argv[1]).href) {
-  const [recording, csv] = process.argv.slice(2);
+  const [recording, csv, tracks, echoes] = process.argv.slice(2);
   if (!recording || !csv) {
-    console.error("usage: node read_recording.mjs RUN.mcap RUN.csv");
+    console.error("usage: node read_recording.mjs RUN.mcap RUN.csv [TRACKS.csv ECHOES.csv]");
     process.exit(2);
   }
   try {
-    const { frames, vehicles, rows } = await compare(recording, csv);
+    const { frames, vehicles, rows } = await compare(recording, csv, tracks, echoes);
     console.log(`${recording}: ${frames} frames of ${vehicles} vehicles, ${rows} rows, the same to the bit`);
   } catch (error) {
     console.error(`${recording}: ${error.message}`);

@@ -29,21 +29,40 @@ let folder;
 before(() => (folder = mkdtempSync(join(tmpdir(), "fairway-mcap-"))));
 after(() => rmSync(folder, { recursive: true }));
 
-function record(name) {
+const quiet = { stdio: ["ignore", "ignore", "inherit"] };
+
+function record(name, ...flags) {
   const recording = join(folder, name);
-  execFileSync(fairway, ["run", scenario, "--out", recording], { stdio: ["ignore", "ignore", "inherit"] });
+  execFileSync(fairway, ["run", scenario, "--out", recording, ...flags], quiet);
   return recording;
+}
+
+/** Exports of a recording by the names of their flags. */
+function exported(recording, ...kinds) {
+  return kinds.map((kind) => {
+    const file = `${recording}.${kind}.csv`;
+    execFileSync(fairway, ["replay", recording, `--${kind}`, file], quiet);
+    return file;
+  });
 }
 
 test("independent readers find in a recording what its CSV export says", async () => {
   const recording = record("run.mcap");
-  const csv = join(folder, "run.csv");
-  execFileSync(fairway, ["replay", recording, "--csv", csv], { stdio: ["ignore", "ignore", "inherit"] });
-  const { frames, vehicles, rows } = await compare(recording, csv);
+  const { frames, vehicles, rows } = await compare(recording, ...exported(recording, "csv"));
   assert.ok(frames > 0);
   assert.equal(rows, frames * vehicles);
 });
 
-test("the same run gives the same bytes", () => {
-  assert.ok(readFileSync(record("first.mcap")).equals(readFileSync(record("second.mcap"))));
+test("and what was perceived, where it is recorded", async () => {
+  const recording = record("perceived.mcap", "--perception");
+  const csvs = exported(recording, "csv", "tracks", "echoes");
+  const { frames, vehicles, perceived } = await compare(recording, ...csvs);
+  assert.ok(perceived.tracks > frames, "tracks in most frames");
+  assert.ok(perceived.messages < 2 * frames * vehicles, "written only where it changes");
 });
+
+for (const flags of [[], ["--perception"]]) {
+  test(`the same run gives the same bytes ${flags.join(" ")}`, () => {
+    assert.ok(readFileSync(record("first.mcap", ...flags)).equals(readFileSync(record("second.mcap", ...flags))));
+  });
+}
