@@ -26,12 +26,14 @@ std::string instant_of(const Frame& frame) {
   return std::to_string(count(frame.tick)) + ',' + number_text(frame.time) + ',';
 }
 
+void expect_perception(const Recording& recording) {
+  if (recording.info().perception) return;
+  throw InputError("what was perceived is not recorded; record with fairway run --perception");
+}
+
 /// Calls `rows` with the first fields of a row and the vehicle, for every vehicle of every frame.
 template <class Rows>
 void for_each_perceiver(const Recording& recording, Rows rows) {
-  if (!recording.info().perception) {
-    throw InputError("what was perceived is not recorded; record with fairway run --perception");
-  }
   for (std::size_t i = 0; i < recording.size(); ++i) {
     const Frame frame = recording.frame(i);
     for (std::size_t v = 0; v < frame.vehicles.size(); ++v) {
@@ -69,6 +71,7 @@ void export_csv(const Recording& recording, std::ostream& out) {
 }
 
 void export_tracks_csv(const Recording& recording, std::ostream& out) {
+  expect_perception(recording);
   std::string line = "tick,time_s,vehicle";
   for (const TrackQuantity& quantity : track_quantities()) line.append(",").append(quantity.name);
   out << line << '\n';
@@ -82,6 +85,7 @@ void export_tracks_csv(const Recording& recording, std::ostream& out) {
 }
 
 void export_echoes_csv(const Recording& recording, std::ostream& out) {
+  expect_perception(recording);
   out << "tick,time_s,vehicle,range_m,bearing_rad\n";
   for_each_perceiver(recording, [&](const std::string& begin, const VehicleFrame& vehicle) {
     for (const auto& [range, bearing] : vehicle.echoes) {
