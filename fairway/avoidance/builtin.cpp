@@ -5,11 +5,14 @@
 #include "fairway/avoidance/catalog.hpp"
 #include "fairway/avoidance/direct/direct.hpp"
 #include "fairway/avoidance/hard_switching/hard_switching.hpp"
+#include "fairway/avoidance/hrvo/hrvo.hpp"
 #include "fairway/avoidance/inflate/inflate.hpp"
 #include "fairway/avoidance/orca2d/orca2d.hpp"
 #include "fairway/avoidance/orca3d/orca3d.hpp"
+#include "fairway/avoidance/rvo/rvo.hpp"
 #include "fairway/avoidance/safety_filter/safety_filter.hpp"
 #include "fairway/avoidance/stop_and_wait/stop_and_wait.hpp"
+#include "fairway/avoidance/vo/vo.hpp"
 #include "fairway/avoidance/wall_following/wall_following.hpp"
 
 namespace fairway {
@@ -20,6 +23,9 @@ Catalog builtin_avoiders() {
       .add<Apf>()
       .add<Orca3d>()
       .add<Orca2d>()
+      .add<Vo>()
+      .add<Rvo>()
+      .add<Hrvo>()
       .add<HardSwitching>()
       .add<WallFollowing>()
       .add<Avoa>()

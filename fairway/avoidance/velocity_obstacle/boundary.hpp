@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "fairway/core/vec.hpp"
+
+namespace fairway::velocity_obstacle {
+
+/// Positive if `b` lies to starboard of `a`: the sine of the angle between them times their lengths.
+inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+/// `a` turned by a quarter to starboard.
+inline Vec2 starboard_of(const Vec2& a) { return {-a.y(), a.x()}; }
+
+/// `a` turned to starboard by the angle of that cosine and sine.
+inline Vec2 turned(const Vec2& a, double cosine, double sine) { return cosine * a + sine * starboard_of(a); }
+
+/// The point of the segment from `a` to `b` that is nearest to `v`.
+Vec2 nearest_on_segment(const Vec2& a, const Vec2& b, const Vec2& v) noexcept;
+
+/// What a set of velocities ends at: a whole line or a whole circle. [m/s]
+struct Boundary {
+  Vec2 point;      ///< on the line, or the circle's centre
+  Vec2 direction;  ///< of the line, unit; zero for a circle
+  double radius;   ///< of the circle
+
+  static Boundary line(const Vec2& point, const Vec2& direction) { return {point, direction, 0.0}; }
+  static Boundary circle(const Vec2& centre, double radius) { return {centre, Vec2::Zero(), radius}; }
+  bool is_line() const { return direction != Vec2::Zero(); }
+};
+
+/// None, one or two points where boundaries meet.
+struct Crossings {
+  std::array<Vec2, 2> points;
+  std::size_t count = 0;
+
+  void add(const Vec2& point) { points[count++] = point; }
+  const Vec2* begin() const { return points.data(); }
+  const Vec2* end() const { return points.data() + count; }
+};
+
+/// The velocity on the boundary that is nearest to `v`; any of a circle's if `v` is its centre. O(1).
+Vec2 nearest(const Boundary& boundary, const Vec2& v) noexcept;
+
+/// Where two boundaries meet; nowhere if they are parallel, concentric or the same. A touch that rounding
+/// parts by less than 1e-12 of the lengths counts. O(1).
+Crossings crossings(const Boundary& a, const Boundary& b) noexcept;
+
+}  // namespace fairway::velocity_obstacle

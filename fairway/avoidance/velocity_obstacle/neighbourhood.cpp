@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/avoidance/velocity_obstacle/neighbourhood.hpp"
+
+#include <algorithm>
+
+#include "fairway/avoidance/parting.hpp"
+
+namespace fairway::velocity_obstacle {
+namespace {
+
+Vec2 from_own(const Vec3& position, const Situation& s) { return (position - s.own.position).head<2>(); }
+
+TrackId own_id(const Situation& s) { return TrackId{number(s.own.id)}; }
+
+/// From its very middle it is left as `id` would be.
+Solid disc(const Vec2& p, double radius, TrackId id, const Situation& s) {
+  return {.from = p, .to = p, .radius = radius, .parting = parting_direction(s.own.id, id).head<2>()};
+}
+
+/// Who is exactly on it leaves it to starboard of the way from `from` to `to`.
+Solid wall(const Vec2& from, const Vec2& to, const Situation& s) {
+  Solid solid = disc(from, s.own.radius, own_id(s), s);
+  const double length = (to - from).norm();
+  if (length > 0.0) solid.parting = starboard_of(to - from) / length;
+  solid.to = to;
+  return solid;
+}
+
+VelocityObstacle obstacle_of(const Track& track, const Situation& s, const Outlook& outlook,
+                             Responsibility responsibility) {
+  Solid solid = disc(from_own(track.position, s), s.own.radius + track.radius, track.id, s);
+  solid.velocity = track.velocity.head<2>();
+  const Vec2 own_velocity = s.own.velocity.head<2>();
+  switch (track.reacts ? responsibility : Responsibility::all) {
+    case Responsibility::shared:
+      return VelocityObstacle::reciprocal(solid, own_velocity, outlook);
+    case Responsibility::by_side:
+      return VelocityObstacle::hybrid(solid, own_velocity, outlook);
+    case Responsibility::all:
+      break;
+  }
+  return {solid, outlook};
+}
+
+}  // namespace
+
+Neighbourhood::Neighbourhood(const Situation& s, const Params& params,
+                             Responsibility responsibility) noexcept {
+  add_tracks(s, params, responsibility);
+  for (const Obstacle& obstacle : s.obstacles) add_obstacle(obstacle, s, params);
+}
+
+void Neighbourhood::add_tracks(const Situation& s, const Params& params,
+                               Responsibility responsibility) noexcept {
+  const Outlook outlook{params.time_horizon_s, params.planning_interval_s};
+  const double range = params.crit_dist_m;
+  for (const Track& track : s.tracks) {
+    if (count_ == static_cast<std::size_t>(params.max_neighbours_count)) break;
+    if (from_own(track.position, s).squaredNorm() > range * range) continue;
+    obstacles_[count_++] = obstacle_of(track, s, outlook, responsibility);
+  }
+}
+
+void Neighbourhood::add_obstacle(const Obstacle& obstacle, const Situation& s,
+                                 const Params& params) noexcept {
+  switch (obstacle.kind) {
+    case Obstacle::Kind::sphere:
+      add_solid(disc(from_own(obstacle.position, s), s.own.radius + obstacle.radius, own_id(s), s), params);
+      break;
+    case Obstacle::Kind::segment:
+      add_solid(wall(from_own(obstacle.from, s), from_own(obstacle.to, s), s), params);
+      break;
+    case Obstacle::Kind::polygon:
+      add_polygon(obstacle, s, params);
+      break;
+  }
+}
+
+void Neighbourhood::add_polygon(const Obstacle& polygon, const Situation& s, const Params& params) noexcept {
+  // from inside, all that counts is the way out
+  const SurfacePoint surface = nearest_point(polygon, s.own.position);
+  if (surface.distance < 0.0) {
+    Solid side = disc(from_own(surface.point, s), s.own.radius, own_id(s), s);
+    side.within = true;
+    add_solid(side, params);
+    return;
+  }
+
+  // from outside it is its sides; counter-clockwise, so outside is to starboard of the way back
+  for (std::size_t i = 0, j = polygon.vertices.size() - 1; i < polygon.vertices.size(); j = i++) {
+    add_solid(wall(from_own(polygon.vertices[i], s), from_own(polygon.vertices[j], s), s), params);
+  }
+}
+
+void Neighbourhood::add_solid(const Solid& solid, const Params& params) noexcept {
+  const double range = params.crit_dist_m + solid.radius;
+  const Vec2 nearest = nearest_on_segment(solid.from, solid.to, Vec2::Zero());
+  if (count_ == max_obstacles || nearest.norm() > range) return;
+  obstacles_[count_++] =
+      VelocityObstacle(solid, {params.obstacle_time_horizon_s, params.planning_interval_s});
+}
+
+void Neighbourhood::draw(const Vec3& own_position, double reach, Sketch& sketch) const {
+  for (const VelocityObstacle& obstacle : obstacles()) {
+    std::array<Vec3, 4> places;
+    std::ranges::transform(obstacle.outline(reach), places.begin(), [&](const Vec2& v) {
+      return Vec3{own_position + Vec3{v.x(), v.y(), 0.0}};
+    });
+    sketch.path(places, "edge of a velocity obstacle, where it leads in 1 s");
+  }
+}
+
+}  // namespace fairway::velocity_obstacle

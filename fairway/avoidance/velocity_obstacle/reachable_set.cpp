@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/avoidance/velocity_obstacle/reachable_set.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fairway/core/angles.hpp"
+
+namespace fairway::velocity_obstacle {
+
+ReachableSet::ReachableSet(const Ownship& own, const Limits& limits, double interval) noexcept
+    : bow_{std::cos(own.yaw), std::sin(own.yaw)},
+      max_speed_{limits.max_speed},
+      max_change_{limits.max_acceleration * interval},
+      turns_freely_{limits.max_turn_rate * interval >= pi},
+      middle_{own.velocity.head<2>()} {
+  if (!turns_freely_) {
+    turn_cosine_ = std::cos(limits.max_turn_rate * interval);
+    turn_sine_ = std::sin(limits.max_turn_rate * interval);
+  }
+
+  // off the courses that it may take: the nearer of the outermost two, or no way at all
+  if (!is_within_turn(middle_, 0.0)) {
+    const Vec2 ray = turned(bow_, turn_cosine_, cross(bow_, middle_) < 0.0 ? -turn_sine_ : turn_sine_);
+    middle_ = std::max(middle_.dot(ray), 0.0) * ray;
+  }
+  const double speed = middle_.norm();
+  if (speed > max_speed_) middle_ *= max_speed_ / speed;
+}
+
+bool ReachableSet::is_within_turn(const Vec2& v, double slack) const noexcept {
+  if (turns_freely_) return true;
+  const double ahead = v.dot(bow_);
+  const double outside = std::fabs(cross(bow_, v)) * turn_cosine_ - ahead * turn_sine_;
+  return outside <= slack && (turn_cosine_ < 0.0 || ahead >= -slack);
+}
+
+bool ReachableSet::contains(const Vec2& v, double slack) const noexcept {
+  return v.norm() <= max_speed_ + slack && (v - middle_).norm() <= max_change_ + slack &&
+         is_within_turn(v, slack);
+}
+
+std::size_t ReachableSet::boundaries(std::span<Boundary, max_boundaries> out) const noexcept {
+  std::size_t count = 0;
+  if (max_speed_ < Limits::none) out[count++] = Boundary::circle(Vec2::Zero(), max_speed_);
+  if (max_change_ < Limits::none) out[count++] = Boundary::circle(middle_, max_change_);
+  if (!turns_freely_) {
+    out[count++] = Boundary::line(Vec2::Zero(), turned(bow_, turn_cosine_, -turn_sine_));
+    out[count++] = Boundary::line(Vec2::Zero(), turned(bow_, turn_cosine_, turn_sine_));
+  }
+  return count;
+}
+
+}  // namespace fairway::velocity_obstacle

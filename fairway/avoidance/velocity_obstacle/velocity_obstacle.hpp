@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "fairway/avoidance/velocity_obstacle/boundary.hpp"
+
+namespace fairway::velocity_obstacle {
+
+/// What is in the way, grown by the own radius, as a disc or a wall with round ends. Horizontal, relative to
+/// own ship.
+struct Solid {
+  Vec2 from;                     ///< one end, P_o - P_u of a disc [m]
+  Vec2 to;                       ///< the other end; `from` for a disc [m]
+  double radius{};               ///< R = R_u + R_o, or R_u at a wall [m]
+  Vec2 velocity = Vec2::Zero();  ///< v_o [m/s]
+  Vec2 parting = Vec2::UnitX();  ///< unit; where to go from exactly there
+  bool within = false;           ///< own ship is inside something solid, whose nearest side this is
+};
+
+/// How long ahead a velocity must be clear.
+struct Outlook {
+  double horizon;   ///< T_h [s], > 0
+  double interval;  ///< who overlaps is to be apart after this long [s], > 0
+};
+
+/// The velocities of own ship that lead into a solid within the horizon: a cone cut off by the solid as it
+/// looks after that time. Open and convex. Where own ship is within the solid: all velocities that do not
+/// lead out of it within one interval.
+class VelocityObstacle {
+ public:
+  VelocityObstacle() = default;
+
+  /// VO: the solid keeps its velocity (cao2022, eqs. 2 and 6, cut off at T_h). Apex v_o.
+  VelocityObstacle(const Solid& solid, const Outlook& outlook) noexcept;
+
+  /// RVO: {v' | 2 v' - v_u in VO} (cao2022, eq. 7; van den Berg, Lin, Manocha 2008, definition 5). Apex
+  /// (v_u + v_o) / 2; seen from there the cut is that of twice the horizon.
+  static VelocityObstacle reciprocal(const Solid& solid, const Vec2& own_velocity,
+                                     const Outlook& outlook) noexcept;
+
+  /// HRVO (Snape, van den Berg, Guy, Manocha 2011, section IV): the leg of RVO on the side where the two
+  /// pass each other if both go on as they do, the leg of VO on the other; starboard if they would meet
+  /// head to head. Its cut is tangent to both legs and meets the former where RVO's does.
+  static VelocityObstacle hybrid(const Solid& solid, const Vec2& own_velocity,
+                                 const Outlook& outlook) noexcept;
+
+  /// How far `v` is inside [m/s]: positive inside, zero on the boundary, negative outside. Of the sign
+  /// everywhere; the distance to the boundary where one of its parts is nearest from both sides. O(1).
+  double depth(const Vec2& v) const noexcept;
+
+  /// 1 / t of the first contact if own ship goes on at `v` (at 2 v - v_u in RVO and HRVO), 0 if there is
+  /// none, and at least 1 / interval where it overlaps already and does not get apart within it. [1/s] O(1).
+  double urgency(const Vec2& v) const noexcept;
+
+  /// The lines and circles that the boundary consists of; what they have beyond it is outside, or inside.
+  static constexpr std::size_t max_boundaries = 5;
+  std::size_t boundaries(std::span<Boundary, max_boundaries> out) const noexcept;
+
+  /// For pictures: from `reach` along the port leg by the cut, or the apex, to `reach` along the starboard
+  /// leg; where it overlaps, `reach` to either side of the point nearest to the apex. [m/s]
+  std::array<Vec2, 4> outline(double reach) const noexcept;
+
+  bool overlaps() const { return overlaps_; }
+  const Vec2& apex() const { return apex_; }
+  const Vec2& port_leg() const { return port_; }
+  const Vec2& starboard_leg() const { return starboard_; }
+
+ private:
+  Vec2 near_end() const { return inverse_horizon_ * from_; }
+  Vec2 far_end() const { return inverse_horizon_ * to_; }
+
+  Vec2 from_;  ///< the ends of the solid [m]
+  Vec2 to_;
+  double radius_;
+  Vec2 apex_;
+  double inverse_horizon_;  ///< of the cut, seen from the apex [1/s]
+  double inverse_interval_;
+  double gain_;  ///< gain v - drift is what VO is asked about
+  Vec2 drift_;   ///< [m/s]
+  bool overlaps_;
+  Vec2 port_;  ///< unit, along the legs
+  Vec2 starboard_;
+  Vec2 away_;    ///< unit; where it overlaps, (v - apex) . away >= rate leads out
+  double rate_;  ///< [m/s]
+};
+
+}  // namespace fairway::velocity_obstacle
