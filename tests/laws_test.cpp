@@ -132,6 +132,16 @@ TEST_P(Laws, TheHeadingOfTheFrameDoesNotMatter) {
   });
 }
 
+TEST_P(Laws, TheMirroredSceneHasTheMirroredAnswer) {
+  if (!has(&AlgorithmInfo::isotropic)) GTEST_SKIP() << "knows north";
+  if (has(&AlgorithmInfo::handed)) GTEST_SKIP() << "prefers a side";
+  everywhere([](Avoider avoider, const Encounter& e) {
+    const Vec3 expected = Avoider{avoider}.decide(e).velocity;
+    const Vec3 answer = avoider.decide(encounters::mirrored(e)).velocity;
+    EXPECT_LT((answer - Vec3(expected.x(), -expected.y(), expected.z())).norm(), same);
+  });
+}
+
 TEST_P(Laws, TheOrderOfTheTracksDoesNotMatter) {
   everywhere([](Avoider avoider, Encounter e) {
     const Command expected = Avoider{avoider}.decide(e);

@@ -39,6 +39,7 @@ struct Avoa {
       .source =
           "campos2019, eqs. 1-10, Algorithms 1 and 2; what they leave open: fairway/avoidance/avoa/README.md",
       .planar = true,
+      .handed = true,
       .steers_by_heading = true,
   };
 

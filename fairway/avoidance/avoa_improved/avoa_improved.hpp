@@ -25,6 +25,7 @@ struct AvoaImproved {
       .title = "Adaptive velocity obstacle avoidance that foresees turns and remembers the way round",
       .source = "fairway; metric of campos2019, eqs. 6-8",
       .planar = true,
+      .handed = true,
       .steers_by_heading = true,
   };
 

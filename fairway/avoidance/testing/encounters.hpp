@@ -171,4 +171,27 @@ inline Encounter turned(Encounter e, double angle) {
   return e;
 }
 
+/// The same scene in a mirror that stands along north through the origin: what was to port is to starboard.
+inline Encounter mirrored(Encounter e) {
+  const auto flip = [](Vec3& v) { v.y() = -v.y(); };
+  Situation& s = e.situation;
+  flip(s.own.position);
+  flip(s.own.velocity);
+  s.own.yaw = -s.own.yaw;
+  s.own.yaw_rate = -s.own.yaw_rate;
+  flip(s.goal.position);
+  if (s.goal.velocity) flip(*s.goal.velocity);
+  for (Track& t : e.tracks) {
+    flip(t.position);
+    flip(t.velocity);
+    t.yaw = -t.yaw;
+  }
+  for (Obstacle& o : e.obstacles) {
+    flip(o.position);
+    flip(o.from);
+    flip(o.to);
+  }
+  return e;
+}
+
 }  // namespace fairway::encounters
