@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/avoidance/velocity_obstacle/decision.hpp"
 
+#include <cmath>
+
 #include "fairway/avoidance/velocity_obstacle/choice.hpp"
 #include "fairway/avoidance/velocity_obstacle/neighbourhood.hpp"
 
@@ -14,6 +16,9 @@ Wish wish_of(const Vec2& preferred, const ReachableSet& reachable, const Params&
           .starboard_bias = params.starboard_bias_ratio,
           .collision_weight = params.collision_weight_m};
 }
+
+/// Slower than this is standing still [m/s].
+constexpr double standing = 1e-6;
 
 /// Half as far again as the fastest velocity that matters, so that the outlines cross the picture.
 double sketch_reach(const Situation& s) {
@@ -39,9 +44,15 @@ Command decide(const Situation& s, const Params& params, Responsibility responsi
     sketch->velocity(preferred, "preferred");
     sketch->velocity(chosen, "chosen");
   }
-  return {.velocity = chosen,
-          .mode = choice.is_feasible ? Mode::avoid : Mode::infeasible,
-          .astern = !(s.limits.max_turn_rate < Limits::none)};
+  const bool may_go_astern = !(s.limits.max_turn_rate < Limits::none);
+  Command command{.velocity = chosen,
+                  .mode = choice.is_feasible ? Mode::avoid : Mode::infeasible,
+                  .astern = may_go_astern};
+  // who stands and may only go ahead turns to where it wants to go, or it would stand for ever
+  if (!may_go_astern && choice.velocity.norm() < standing && preferred.norm() >= standing) {
+    command.heading = std::atan2(preferred.y(), preferred.x());
+  }
+  return command;
 }
 
 }  // namespace fairway::velocity_obstacle

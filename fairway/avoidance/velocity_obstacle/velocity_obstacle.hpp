@@ -63,7 +63,6 @@ class VelocityObstacle {
   /// leg; where it overlaps, `reach` to either side of the point nearest to the apex. [m/s]
   std::array<Vec2, 4> outline(double reach) const noexcept;
 
-  bool overlaps() const { return overlaps_; }
   const Vec2& apex() const { return apex_; }
   const Vec2& port_leg() const { return port_; }
   const Vec2& starboard_leg() const { return starboard_; }
