@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fairway/avoidance/catalog.hpp"
+#include "fairway/avoidance/orca2d/orca2d.hpp"
 #include "fairway/avoidance/orca3d/orca3d.hpp"
 #include "fairway/avoidance/testing/encounters.hpp"
 
@@ -72,6 +73,33 @@ BENCHMARK_CAPTURE(avoider, avoa_crowd, "avoa", encounters::crowd)->Arg(12)->Arg(
 BENCHMARK_CAPTURE(avoider, avoa_improved_crowd, "avoa_improved", encounters::crowd)->Arg(12)->Arg(100);
 BENCHMARK_CAPTURE(avoider, filter_crowd, "direct+safety_filter", encounters::crowd)->Arg(7)->Arg(20);
 BENCHMARK_CAPTURE(avoider, filter_congested, "direct+safety_filter", encounters::congested)->Arg(7)->Arg(20);
+
+/// The same swarms in the horizontal plane.
+template <Scene scene>
+Encounter flat(int neighbours, Rng rng) {
+  Encounter e = scene(neighbours, rng);
+  Situation& s = e.situation;
+  s.goal.position.z() = s.own.position.z();
+  s.own.velocity.z() = 0.0;
+  for (Track& t : e.tracks) {
+    t.position.z() = s.own.position.z();
+    t.velocity.z() = 0.0;
+  }
+  return e.sorted();
+}
+
+template <class Algorithm>
+void in_plane(benchmark::State& bench, const Algorithm& algorithm, Scene scene) {
+  Rng rng{3};
+  Context context{rng};
+  NoMemory memory;
+  run(bench, scene, [&](const Situation& s) { return algorithm.decide(s, memory, context); });
+}
+
+BENCHMARK_CAPTURE(in_plane, orca2d_crowd, Orca2d{{}}, flat<encounters::crowd>)->Arg(7);
+BENCHMARK_CAPTURE(in_plane, orca2d_congested, Orca2d{{}}, flat<encounters::congested>)->Arg(7);
+BENCHMARK_CAPTURE(in_plane, orca3d_crowd, Orca3d{{}}, flat<encounters::crowd>)->Arg(7);
+BENCHMARK_CAPTURE(in_plane, orca3d_congested, Orca3d{{}}, flat<encounters::congested>)->Arg(7);
 
 }  // namespace
 }  // namespace fairway

@@ -43,7 +43,7 @@ void add_shore(const Situation& s, const Orca2d::Params& params, HalfPlanes& hal
       half_planes.add(half_plane(least_change(encounter, tau, s.period), mariner.velocity, 1.0));
       continue;
     }
-    const orca2d::Wall wall = orca2d::wall_at(obstacle, landmark.edge, position);
+    const orca2d::Wall wall = orca2d::wall_at(obstacle, landmark, position);
     if (landmark.kind == orca2d::Landmark::Kind::wall_from_inside) {
       half_planes.add(way_out(wall, mariner));
       continue;
@@ -85,8 +85,11 @@ Command Orca2d::decide(const Situation& s, Memory&, Context& context) const noex
       nearest_in_plane({half_planes.view(), hard_count, s.limits.max_speed}, preferred);
 
   if (context.sketch) {
-    for (const HalfPlane& h : half_planes.view())
-      context.sketch->half_space(level(h.offset * h.normal), level(h.normal), "allowed by a neighbour");
+    for (std::size_t i = 0; i < half_planes.view().size(); ++i) {
+      const HalfPlane& h = half_planes.view()[i];
+      context.sketch->half_space(level(h.offset * h.normal), level(h.normal),
+                                 i < hard_count ? "allowed by an obstacle" : "allowed by a neighbour");
+    }
     context.sketch->velocity(level(preferred), "preferred");
     context.sketch->velocity(level(choice.point), "chosen");
   }

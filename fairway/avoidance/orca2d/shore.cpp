@@ -14,15 +14,25 @@ auto rank_of(const Landmark& a) { return std::tuple{a.distance, a.obstacle, a.ed
 
 bool is_nearer(const Landmark& a, const Landmark& b) { return rank_of(a) < rank_of(b); }
 
+/// Vertices that run clockwise, though they should not, are read backwards: a polygon is solid.
+bool is_clockwise(std::span<const Vec3> vertices) {
+  const Vec2 first = vertices.front().head<2>();
+  double area = 0.0;
+  for (std::size_t i = 1; i + 1 < vertices.size(); ++i)
+    area += cross(vertices[i].head<2>() - first, vertices[i + 1].head<2>() - first);
+  return area < 0.0;
+}
+
 /// A closed line of vertices, of which some may be in one place, relative to own ship.
 class Outline {
  public:
-  Outline(std::span<const Vec3> vertices, const Vec2& position) : vertices_{vertices}, position_{position} {}
+  Outline(std::span<const Vec3> vertices, bool is_reversed, const Vec2& position)
+      : vertices_{vertices}, is_reversed_{is_reversed}, position_{position} {}
 
   std::size_t size() const { return vertices_.size(); }
   std::size_t after(std::size_t i) const { return i + 1 < size() ? i + 1 : 0; }
   std::size_t before(std::size_t i) const { return i > 0 ? i - 1 : size() - 1; }
-  Vec2 at(std::size_t i) const { return vertices_[i].head<2>() - position_; }
+  Vec2 at(std::size_t i) const { return charted(i) - position_; }
 
   /// Unit, from vertex `i` along the edge that ends there, backwards; zero if all are in one place.
   Vec2 backwards(std::size_t i) const { return towards(i, &Outline::before); }
@@ -33,10 +43,12 @@ class Outline {
   bool is_convex(std::size_t i) const { return cross(forwards(i), backwards(i)) >= 0.0; }
 
  private:
+  Vec2 charted(std::size_t i) const { return vertices_[is_reversed_ ? size() - 1 - i : i].head<2>(); }
+
   Vec2 towards(std::size_t i, std::size_t (Outline::*next)(std::size_t) const) const {
-    const Vec2 here = vertices_[i].head<2>();
+    const Vec2 here = charted(i);
     for (std::size_t j = (this->*next)(i); j != i; j = (this->*next)(j)) {
-      const Vec2 way = vertices_[j].head<2>() - here;
+      const Vec2 way = charted(j) - here;
       const double length = way.norm();
       if (length > 0.0) return way / length;
     }
@@ -44,6 +56,7 @@ class Outline {
   }
 
   std::span<const Vec3> vertices_;
+  bool is_reversed_;
   Vec2 position_;
 };
 
@@ -72,11 +85,11 @@ Shore::Shore(std::span<const Obstacle> obstacles, const Lookout& lookout) noexce
     if (obstacle.kind == Obstacle::Kind::sphere) {
       const double centre = (obstacle.position.head<2>() - lookout.position).norm();
       const double distance = centre - obstacle.radius;
-      if (distance <= lookout.disc_range) add({std::fmax(0.0, distance), i, 0, Landmark::Kind::disc});
+      if (distance <= lookout.disc_range) add({std::fmax(0.0, distance), i, 0, Landmark::Kind::disc, false});
     } else if (obstacle.kind == Obstacle::Kind::segment) {
       const Vec2 from = obstacle.from.head<2>() - lookout.position;
       const double distance = std::sqrt(bearing_of(from, obstacle.to.head<2>() - lookout.position).distance2);
-      if (distance <= lookout.wall_range) add({distance, i, 0, Landmark::Kind::wall});
+      if (distance <= lookout.wall_range) add({distance, i, 0, Landmark::Kind::wall, false});
     } else if (!obstacle.vertices.empty()) {
       add_polygon(obstacle.vertices, i, lookout);
     }
@@ -85,7 +98,8 @@ Shore::Shore(std::span<const Obstacle> obstacles, const Lookout& lookout) noexce
 }
 
 void Shore::add_polygon(std::span<const Vec3> vertices, std::uint32_t index, const Lookout& lookout) {
-  const Outline outline{vertices, lookout.position};
+  const bool is_reversed = is_clockwise(vertices);
+  const Outline outline{vertices, is_reversed, lookout.position};
   const auto each_edge = [&](const auto& see) {
     for (std::size_t i = 0; i < outline.size(); ++i) {
       const Vec2 from = outline.at(i);
@@ -103,7 +117,8 @@ void Shore::add_polygon(std::span<const Vec3> vertices, std::uint32_t index, con
     to_nearest = bearing;
   });
   const auto landmark = [&](std::size_t edge, double distance, Landmark::Kind kind) {
-    if (distance <= lookout.wall_range) add({distance, index, static_cast<std::uint32_t>(edge), kind});
+    if (distance <= lookout.wall_range)
+      add({distance, index, static_cast<std::uint32_t>(edge), kind, is_reversed});
   };
   if (to_nearest.distance2 == std::numeric_limits<double>::infinity()) {
     landmark(0, outline.at(0).norm(), Landmark::Kind::wall);
@@ -133,13 +148,14 @@ void Shore::add(const Landmark& landmark) {
   }
 }
 
-Wall wall_at(const Obstacle& obstacle, std::uint32_t edge, const Vec2& position) noexcept {
+Wall wall_at(const Obstacle& obstacle, const Landmark& landmark, const Vec2& position) noexcept {
   if (obstacle.kind == Obstacle::Kind::segment) {
     const WallEnd from{obstacle.from.head<2>() - position};
     const WallEnd to{obstacle.to.head<2>() - position};
     return bearing_of(from.p, to.p).inside > 0.0 ? Wall{to, from} : Wall{from, to};
   }
-  const Outline outline{obstacle.vertices, position};
+  const Outline outline{obstacle.vertices, landmark.is_reversed, position};
+  const std::size_t edge = landmark.edge;
   const std::size_t next = outline.after(edge);
   return {{outline.at(edge), outline.is_convex(edge), outline.backwards(edge)},
           {outline.at(next), outline.is_convex(next), outline.forwards(next)}};

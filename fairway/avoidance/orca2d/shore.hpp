@@ -17,6 +17,7 @@ struct Landmark {
   std::uint32_t obstacle;  ///< its index
   std::uint32_t edge;      ///< of a polygon: from this vertex to the next
   Kind kind;
+  bool is_reversed;  ///< the polygon's vertices are counted from the last
 };
 
 /// What to look for round own ship.
@@ -46,7 +47,8 @@ class Shore {
   std::size_t count_ = 0;
 };
 
-/// The wall of a segment or of a polygon as it is seen from `position`. O(1), more where vertices repeat.
-Wall wall_at(const Obstacle& obstacle, std::uint32_t edge, const Vec2& position) noexcept;
+/// The wall that `landmark` is of its `obstacle`, as it is seen from `position`. O(1), more where vertices
+/// repeat.
+Wall wall_at(const Obstacle& obstacle, const Landmark& landmark, const Vec2& position) noexcept;
 
 }  // namespace fairway::orca2d

@@ -74,8 +74,8 @@ Side tangent_leg(const WallEnd& end, double hand, const Mariner& mariner) {
   return {.start = end.p / mariner.horizon, .along = along, .outward = hand * starboard_of(along)};
 }
 
-/// The same at the end of a wall that is followed by another: no leg points into that one.
-Side leg(const WallEnd& end, double hand, const Mariner& mariner) {
+/// The same on the hand on which another wall may follow: no leg points into that one.
+Side outer_leg(const WallEnd& end, double hand, const Mariner& mariner) {
   const Side tangent = tangent_leg(end, hand, mariner);
   if (hand * cross(tangent.along, end.beyond) <= 0.0) return tangent;
   return {.start = tangent.start,
@@ -135,12 +135,13 @@ std::optional<HalfPlane> half_plane(const Wall& wall, const Mariner& mariner) no
 
   Nearest nearest{mariner.velocity};
   if (is_end_on) {
-    nearest.offer(tangent_leg(*foot.end, 1.0, mariner));
-    nearest.offer(tangent_leg(*foot.end, -1.0, mariner));
+    const double hand = foot.end == &wall.starboard ? 1.0 : -1.0;
+    nearest.offer(outer_leg(*foot.end, hand, mariner));
+    nearest.offer(tangent_leg(*foot.end, -hand, mariner));
   } else {
     nearest.offer(cut_off(wall, front, mariner.horizon));
-    if (wall.starboard.is_convex) nearest.offer(leg(wall.starboard, 1.0, mariner));
-    if (wall.port.is_convex) nearest.offer(leg(wall.port, -1.0, mariner));
+    if (wall.starboard.is_convex) nearest.offer(outer_leg(wall.starboard, 1.0, mariner));
+    if (wall.port.is_convex) nearest.offer(outer_leg(wall.port, -1.0, mariner));
   }
   return nearest.tangent(mariner.radius / mariner.horizon);
 }

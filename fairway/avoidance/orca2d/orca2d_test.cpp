@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/avoidance/orca2d/orca2d.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+
+#include "fairway/avoidance/orca2d/testing/flat_scenes.hpp"
+#include "fairway/avoidance/orca2d/testing/plane_reference.hpp"
+#include "fairway/avoidance/orca3d/orca3d.hpp"
+
+namespace fairway {
+namespace {
+
+using encounters::Encounter;
+using flat_scenes::decide;
+
+TEST(Orca2d, GoesWhereItWasGoingWhenNothingIsInRange) {
+  const Command expected{.velocity = {1.0, 0.0, 0.0}, .mode = Mode::cruise};
+  EXPECT_EQ(decide(encounters::open_water()), expected);
+  EXPECT_EQ(decide(encounters::head_on(20.5)), expected);
+  Encounter e = encounters::open_water();
+  e.obstacles = {{.kind = Obstacle::Kind::segment, .from = {20.5, -9, 0}, .to = {20.5, 9, 0}}};
+  EXPECT_EQ(decide(e), expected);
+}
+
+TEST(Orca2d, SomebodyInRangeIsAvoidanceEvenIfTheCourseIsClear) {
+  Encounter e = encounters::open_water();
+  e.tracks = {encounters::track(1, {-19.0, 0.0, 50.0}, {-1.0, 0.0, 0.0})};
+  const Command command = decide(e);
+  EXPECT_EQ(command.velocity, Vec3(1.0, 0.0, 0.0));
+  EXPECT_EQ(command.mode, Mode::avoid);
+  EXPECT_TRUE(command.astern);
+}
+
+TEST(Orca2d, DepthIsNeitherReadNorWritten) {
+  Encounter e = encounters::head_on(8.0);
+  const Command flat = decide(e);
+  e.tracks[0].position.z() = 90.0;
+  e.tracks[0].velocity.z() = -1.0;
+  e.situation.own.velocity.z() = 0.5;
+  EXPECT_EQ(decide(e), flat);
+  EXPECT_EQ(flat.velocity.z(), 0.0);
+}
+
+TEST(Orca2d, HeadOnTakesHalfOfTheLeastChangeToStarboard) {
+  // as in space: p = 8 north, v = 2 north, R = 2: sin 1/4, cos sqrt(15)/4, half of u = sin * 2
+  const Command command = decide(encounters::head_on(8.0));
+  const Vec3 normal{-0.25, std::sqrt(15.0) / 4.0, 0.0};
+  EXPECT_LT((command.velocity - (Vec3(1.0, 0.0, 0.0) + 0.25 * normal)).norm(), 1e-14);
+}
+
+TEST(Orca2d, WhatDoesNotReactLeavesAllOfTheChangeToUs) {
+  Encounter e = encounters::head_on(8.0);
+  e.tracks[0].reacts = false;
+  EXPECT_EQ(decide(e), decide(encounters::head_on(8.0), {.responsibility_ratio = 1.0}));
+  EXPECT_EQ(decide(e), decide(e, {.responsibility_ratio = 0.0}));
+}
+
+TEST(Orca2d, TwoAtTheSamePlacePartAlongOneLineByTheirIds) {
+  Encounter e = encounters::open_water();
+  e.situation.own.velocity = Vec3::Zero();
+  e.situation.goal.velocity = Vec3::Zero();
+  e.tracks = {encounters::track(1, e.situation.own.position, Vec3::Zero())};
+  const Command first = decide(e);
+  e.situation.own.id = VehicleId{1};
+  e.tracks[0].id = TrackId{0};
+  EXPECT_GT(first.velocity.norm(), 1.0);
+  EXPECT_EQ(first.velocity, -decide(e).velocity);
+}
+
+TEST(Orca2d, LooksAtTheNearestWhenThereAreTooMany) {
+  Encounter e = encounters::head_on(8.0);
+  e.tracks.push_back(encounters::track(2, {0.0, 9.0, 50.0}, {0.0, -2.0, 0.0}));
+  EXPECT_EQ(decide(e, {.max_neighbours_count = 1}), decide(encounters::head_on(8.0)));
+  EXPECT_EQ(decide(e, {.max_neighbours_count = 0}).mode, Mode::cruise);
+}
+
+TEST(Orca2d, AWallThatCannotBeReachedWithinTheHorizonAsksForNothing) {
+  // 1.5 m/s for 5 s and the radius of 1 m are 8.5 m
+  Encounter e = encounters::open_water();
+  e.obstacles = {{.kind = Obstacle::Kind::segment, .from = {8.6, -9, 0}, .to = {8.6, 9, 0}}};
+  EXPECT_EQ(decide(e).mode, Mode::cruise);
+  EXPECT_EQ(decide(e, {.obstacle_time_horizon_s = 5.1}).mode, Mode::avoid);
+}
+
+TEST(Orca2d, AWallIsKeptWhateverANeighbourAsks) {
+  // the wall allows no more than 0.1 m/s to starboard; who presses from port asks for far more
+  Encounter e = encounters::open_water();
+  e.obstacles = {{.kind = Obstacle::Kind::segment, .from = {-50, 1.5, 0}, .to = {50, 1.5, 0}}};
+  e.tracks = {encounters::track(1, {0.0, -1.5, 50.0}, Vec3::Zero())};
+  const Command command = decide(e);
+  EXPECT_EQ(command.mode, Mode::infeasible);
+  EXPECT_NEAR(command.velocity.y(), 0.1, 1e-12);
+}
+
+TEST(Orca2d, WallsThatContradictEachOtherAreViolatedLeast) {
+  // own radius 1 between walls 0.7 m to port and 0.9 m to starboard: to the middle
+  Encounter e = encounters::open_water();
+  e.obstacles = {{.kind = Obstacle::Kind::segment, .from = {-50, 0.9, 0}, .to = {50, 0.9, 0}},
+                 {.kind = Obstacle::Kind::segment, .from = {-50, -0.7, 0}, .to = {50, -0.7, 0}}};
+  const Command command = decide(e);
+  EXPECT_EQ(command.mode, Mode::infeasible);
+  EXPECT_LT((command.velocity - Vec3(std::sqrt(1.25), 1.0, 0.0)).norm(), 0.2);
+  EXPECT_NEAR(command.velocity.y(), 1.0, 1e-12);
+}
+
+TEST(Orca2d, FromInsideASolidTheWayIsOutThroughTheNearestSide) {
+  const std::array<Vec3, 4> square{Vec3{-1, -5, 0}, Vec3{9, -5, 0}, Vec3{9, 5, 0}, Vec3{-1, 5, 0}};
+  Encounter e = encounters::open_water();
+  e.obstacles = {{.kind = Obstacle::Kind::polygon, .vertices = square}};
+  const Command command = decide(e);
+  EXPECT_EQ(command.mode, Mode::infeasible);  // 2 m in 0.1 s
+  EXPECT_LT((command.velocity - Vec3(-1.5, 0.0, 0.0)).norm(), 1e-9);
+}
+
+TEST(Orca2d, APolygonIsSolidWhicheverWayItsVerticesRun) {
+  for (std::uint64_t i = 0; i < 500; ++i) {
+    flat_scenes::Waters waters = flat_scenes::waters(i);
+    const Command expected = decide(waters.encounter);
+    for (std::vector<Vec3>& outline : waters.outlines) std::ranges::reverse(outline);
+    EXPECT_LT((decide(waters.encounter).velocity - expected.velocity).norm(), 1e-12) << i;
+  }
+}
+
+TEST(Orca2d, SplittingAStraightWallChangesNothing) {
+  for (std::uint64_t i = 0; i < 500; ++i) {
+    Rng rng = Rng{4}.stream("split", i);
+    flat_scenes::Waters waters = flat_scenes::waters(i);
+    const Command expected = decide(waters.encounter);
+    for (std::size_t k = 0; k < waters.outlines.size(); ++k) {
+      std::vector<Vec3>& outline = waters.outlines[k];
+      const std::size_t at = 1 + rng.index(outline.size() - 1);
+      const double share = rng.uniform(0.1, 0.9);
+      outline.insert(outline.begin() + static_cast<std::ptrdiff_t>(at),
+                     share * outline[at - 1] + (1.0 - share) * outline[at]);
+      outline.push_back(outline.back());  // and a repeated vertex
+      waters.encounter.obstacles[k].vertices = outline;
+    }
+    EXPECT_LT((decide(waters.encounter).velocity - expected.velocity).norm(), 1e-9) << i;
+  }
+}
+
+/// The half-planes that a decision shows.
+struct Shown : Sketch {
+  std::vector<plane_reference::Line> lines;
+  std::size_t hard_count = 0;
+
+  void half_space(const Vec3& point, const Vec3& normal, std::string_view meaning) override {
+    const plane_reference::Vector n = normal.head<2>().cast<long double>();
+    lines.push_back({n, n.dot(point.head<2>().cast<long double>())});
+    hard_count += meaning == "allowed by an obstacle" ? 1 : 0;
+  }
+  void velocity(const Vec3&, std::string_view) override {}
+  void path(std::span<const Vec3>, std::string_view) override {}
+  void sphere(const Vec3&, double, std::string_view) override {}
+  void image(const VelocityImage&, std::string_view) override {}
+};
+
+TEST(Orca2d, TakesTheBestVelocityOfItsHalfPlanes) {
+  double largest = 0.0;
+  int infeasible = 0, with_walls = 0;
+  for (std::uint64_t i = 0; i < 3000; ++i) {
+    const flat_scenes::Waters waters = flat_scenes::waters(i, static_cast<int>(i % 7));
+    const Situation s = waters.encounter;
+    Shown shown;
+    const Command command = decide(s, {}, &shown);
+    const plane_reference::Answer expected =
+        plane_reference::Program{shown.lines, shown.hard_count,
+                                 s.preferred_velocity().head<2>().cast<long double>(), s.limits.max_speed}
+            .solve();
+    if (shown.lines.empty()) continue;
+    EXPECT_EQ(command.mode == Mode::infeasible, expected.violation > 1e-10L) << i;
+    largest = std::fmax(
+        largest,
+        static_cast<double>((command.velocity.head<2>().cast<long double>() - expected.velocity).norm()));
+    infeasible += command.mode == Mode::infeasible ? 1 : 0;
+    with_walls += shown.hard_count > 1 ? 1 : 0;
+  }
+  EXPECT_LT(largest, 1e-9 * 1.5);
+  EXPECT_GT(infeasible, 300);
+  EXPECT_GT(with_walls, 1000);
+}
+
+TEST(Orca2d, WithoutWallsItIsOrcaInSpaceWithEverythingInAPlane) {
+  double largest = 0.0;
+  int infeasible = 0;
+  for (std::uint64_t i = 0; i < 4000; ++i) {
+    Encounter e = flat_scenes::swarm(i, static_cast<int>(i % 12));
+    const bool has_discs = i % 4 == 3;
+    Rng rng = Rng{6}.stream("discs", i);
+    for (int k = 0; has_discs && k < 3; ++k) {
+      const Vec3 at = e.situation.own.position + rng.uniform(2.5, 9.0) * flat_scenes::bearing(rng);
+      e.obstacles.push_back(
+          {.kind = Obstacle::Kind::sphere, .position = at, .radius = rng.uniform(0.1, 1.4)});
+    }
+    Rng draws{1};
+    Context context{draws};
+    NoMemory memory;
+    const Command expected = Orca3d{{}}.decide(e, memory, context);
+    // in space a disc is no harder than a neighbour
+    if (has_discs && expected.mode == Mode::infeasible) continue;
+    const Command command = decide(e);
+    EXPECT_EQ(command.mode, expected.mode) << i;
+    largest = std::fmax(largest, (command.velocity - expected.velocity).norm());
+    infeasible += command.mode == Mode::infeasible ? 1 : 0;
+  }
+  EXPECT_LT(largest, 1e-9 * 1.5);
+  EXPECT_GT(infeasible, 500);
+}
+
+TEST(Orca2d, TheOrderOfTracksChangesNothingThatMatters) {
+  double largest = 0.0;
+  for (std::uint64_t i = 0; i < 3000; ++i) {
+    Encounter e = i % 2 == 0 ? flat_scenes::swarm(i, static_cast<int>(i % 30))
+                             : flat_scenes::waters(i, static_cast<int>(i % 30)).encounter;
+    if (i % 2 != 0) e.obstacles.clear();
+    const Command command = decide(e);
+    Rng draws = Rng{1}.stream("shuffle", i);
+    for (std::size_t k = e.tracks.size(); k > 1; --k) std::swap(e.tracks[k - 1], e.tracks[draws.index(k)]);
+    const Command shuffled = decide(e);
+    EXPECT_EQ(command.mode, shuffled.mode);
+    largest = std::fmax(largest, (command.velocity - shuffled.velocity).norm());
+  }
+  EXPECT_LT(largest, 3e-8 * 1.5);
+}
+
+TEST(Orca2d, WorksInRawNorthings) {
+  // positions are good to 1e-9 m at 4.6e6 m; in a congested scene that is magnified
+  double alone = 0.0, among_others = 0.0;
+  for (std::uint64_t i = 0; i < 2000; ++i) {
+    const auto change = [&](int count) {
+      const flat_scenes::Waters here = flat_scenes::waters(i, count);
+      const flat_scenes::Waters there = flat_scenes::waters(i, count, {4.6e6, 5e5, 0.0});
+      return (decide(here.encounter).velocity - decide(there.encounter).velocity).norm();
+    };
+    alone = std::fmax(alone, change(0));
+    among_others = std::fmax(among_others, change(4));
+  }
+  EXPECT_LT(alone, 1e-7);
+  EXPECT_LT(among_others, 1e-6);
+}
+
+// A vessel that does as it is told never comes closer than its radius to what it saw, however it is sent at
+// it.
+TEST(Orca2d, NeverCutsThroughAWall) {
+  double closest = 1e9;
+  int stopped_by_it = 0;
+  for (std::uint64_t run = 0; run < 500; ++run) {
+    flat_scenes::Waters waters = flat_scenes::waters(run);
+    Encounter& e = waters.encounter;
+    Ownship& own = e.situation.own;
+    const auto clearance = [&] {
+      double nearest = 1e9;
+      for (const Obstacle& o : e.obstacles)
+        nearest = std::fmin(nearest, nearest_point(o, own.position).distance - own.radius);
+      return nearest;
+    };
+    if (clearance() < 0.0) continue;
+    double nearest = 1e9;
+    for (int step = 0; step < 200; ++step) {
+      own.velocity = decide(e).velocity;
+      for (int part = 0; part < 4; ++part) {
+        own.position += 0.25 * e.situation.period * own.velocity;
+        nearest = std::fmin(nearest, clearance());
+      }
+    }
+    closest = std::fmin(closest, nearest);
+    stopped_by_it += nearest < 1e-2 ? 1 : 0;
+  }
+  EXPECT_GT(closest, -1e-9);
+  EXPECT_GT(stopped_by_it, 200);
+}
+
+}  // namespace
+}  // namespace fairway
