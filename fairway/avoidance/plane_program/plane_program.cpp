@@ -83,9 +83,10 @@ class Incremental {
     const Vec2 along{-line.normal.y(), line.normal.x()};
     Interval interval;
     if (radius_ < infinite) {
-      const double half2 = (radius_ - line.offset) * (radius_ + line.offset);
-      if (radius_ - std::abs(line.offset) < -tolerance_) return false;
-      const double half = std::sqrt(std::fmax(0.0, half2));
+      // a chord whose depth is rounding is a point: its length would be the root of that
+      const double depth = radius_ - std::abs(line.offset);
+      if (depth < -tolerance_) return false;
+      const double half = depth > tolerance_ ? std::sqrt(depth * (radius_ + std::abs(line.offset))) : 0.0;
       const double middle = -base.dot(along);
       interval.lo = middle - half;
       interval.hi = middle + half;
