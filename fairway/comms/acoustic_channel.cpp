@@ -90,7 +90,8 @@ AcousticChannel::AcousticChannel(const AcousticParams& params, std::size_t vehic
       heard_(vehicle_count * vehicle_count, Message{.told = false}) {
   const double count = static_cast<double>(vehicle_count);
   for (std::size_t i = 0; i < vehicle_count; ++i) {
-    if (!params.slots) transmitters_[i].due = std::floor(interval_ * static_cast<double>(i) / count);
+    if (!params.slots)
+      transmitters_[i].due = std::floor(interval_ * static_cast<double>(i) / count + instant);
     const Rng sender = rng.stream("sender", i);
     for (std::size_t j = 0; j < vehicle_count; ++j) links_.push_back({sender.stream("receiver", j)});
   }

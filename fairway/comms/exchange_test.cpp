@@ -31,5 +31,20 @@ TEST(Exchange, AnUnknownKindIsRefusedWithTheNearest) {
   EXPECT_THROW((Exchange{"none", {{"range_m", 3.0}}, 2, 0.05, Rng{1}}), InputError);
 }
 
+TEST(Exchange, AcousticSaysHowMuchIsUnforeseen) {
+  const Exchange exchange{"acoustic", {{"unforeseen_acceleration_mps2", 0.3}}, 2, 0.05, Rng{1}};
+  EXPECT_EQ(exchange.unforeseen_acceleration(), 0.3);
+  EXPECT_TRUE(exchange.carries_anything());
+  EXPECT_EQ((Exchange{"perfect", {}, 2, 0.05, Rng{1}}).unforeseen_acceleration(), 0.0);
+}
+
+TEST(Exchange, EveryKindThatIsListedCanBeMade) {
+  for (const ExchangeKind& kind : exchange_kinds()) {
+    ParamValues values;
+    for (const ParamInfo& param : kind.params) values.emplace_back(param.name, param.value);
+    EXPECT_NO_THROW((Exchange{kind.name, values, 2, 0.05, Rng{1}})) << kind.name;
+  }
+}
+
 }  // namespace
 }  // namespace fairway
