@@ -4,17 +4,20 @@
 #include <cstddef>
 #include <span>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "fairway/core/echo.hpp"
 #include "fairway/core/params.hpp"
 #include "fairway/core/rng.hpp"
+#include "fairway/perception/kind_info.hpp"
 #include "fairway/perception/perfect.hpp"
+#include "fairway/perception/sonar_watch.hpp"
 
 namespace fairway {
 
-/// What one vehicle makes of the world round it, by the kind of perception that it has: `perfect`. A value: a
-/// copy is a snapshot.
+/// What one vehicle makes of the world round it, by the kind of perception that it has: `perfect`, or
+/// `sonar`. A value: a copy is a snapshot.
 class Lookout {
  public:
   /// Room for `track_count` tracks is reserved. Throws InputError for an unknown kind or parameter.
@@ -25,17 +28,20 @@ class Lookout {
   /// state.
   void sense(const Scene& scene, const Viewpoint& own);
 
-  /// All that the vehicle knows now: tracks nearest first, ties by id, and obstacles. Does not allocate once
-  /// the vectors have the capacity.
+  /// All that the vehicle knows now: tracks nearest first, ties by id, and obstacles; with a sonar, of these
+  /// only the charted ones, for others are tracks. Does not allocate once the vectors have the capacity.
   void report(const Scene& scene, const Viewpoint& own, std::vector<Track>& tracks,
               std::vector<Obstacle>& obstacles);
 
   /// Of the sonar's last ping; empty without one.
-  std::span<const Echo> echoes() const { return {}; }
+  std::span<const Echo> echoes() const;
 
  private:
   Reach reach_;
-  PerfectPerception perfect_;
+  std::variant<PerfectPerception, SonarWatch> watch_;
 };
+
+/// The kinds of perception that there are.
+std::vector<KindInfo> perception_kinds();
 
 }  // namespace fairway

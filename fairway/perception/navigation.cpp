@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/perception/navigation.hpp"
 
-#include <vector>
+#include <cmath>
 
 #include "fairway/core/angles.hpp"
 
@@ -17,9 +17,7 @@ double drifted(double error, double sigma, double correlation_time, double perio
 }  // namespace
 
 Navigation::Navigation(std::string_view kind, const ParamValues& params, Rng rng) : rng_{rng} {
-  const std::vector<std::string_view> kinds{"perfect", "drifting"};
-  if (kind != "perfect" && kind != "drifting")
-    throw InputError({}, "kind", "unknown navigation" + suggestion(kind, kinds));
+  require_known(kind, "navigation", navigation_kinds());
   is_perfect_ = kind == "perfect";
   if (is_perfect_) {
     if (!params.empty()) throw InputError({}, params.front().first, "perfect navigation takes no parameters");
@@ -42,6 +40,12 @@ VehicleState Navigation::estimate(const VehicleState& truth, double period) {
   believed.q_nb = Eigen::Quaterniond{Eigen::AngleAxisd{heading_error_, Vec3::UnitZ()}} * truth.q_nb;
   believed.v_b += params_.velocity_sigma_mps * Vec3{rng_.normal(), rng_.normal(), rng_.normal()};
   return believed;
+}
+
+std::vector<KindInfo> navigation_kinds() {
+  return {{"perfect", "a vehicle knows where it is and how it moves", "", {}},
+          {"drifting", "position and heading drift as dead reckoning does, velocity is noisy",
+           "first-order Gauss-Markov processes (Gelb 1974)", describe_params<NavigationParams>()}};
 }
 
 }  // namespace fairway

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <string_view>
+#include <vector>
 
 #include "fairway/core/params.hpp"
 #include "fairway/core/rng.hpp"
 #include "fairway/core/state.hpp"
+#include "fairway/perception/kind_info.hpp"
 
 namespace fairway {
 
@@ -50,5 +52,8 @@ class Navigation {
   Vec2 position_error_ = Vec2::Zero();  // [m]
   double heading_error_{};              // [rad]
 };
+
+/// The kinds of navigation that there are.
+std::vector<KindInfo> navigation_kinds();
 
 }  // namespace fairway

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/perception/tracker/tracker.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "fairway/core/angles.hpp"
+
+namespace fairway {
+namespace {
+
+TrackerParams consistent(const TrackerParams& params) {
+  check(params);
+  return params;
+}
+
+/// Largest standard deviation in the horizontal plane.
+double horizontal_sigma(const Mat3& covariance) {
+  const double middle = 0.5 * (covariance(0, 0) + covariance(1, 1));
+  const double half_difference = 0.5 * (covariance(0, 0) - covariance(1, 1));
+  return std::sqrt(middle + std::hypot(half_difference, covariance(0, 1)));
+}
+
+}  // namespace
+
+void check(const TrackerParams& params) {
+  if (params.birth_hits_count > params.birth_pings_count)
+    throw InputError({}, "birth_hits_count", "is more than birth_pings_count");
+}
+
+double gate_of(double ratio) {
+  const auto share = [](double x) {
+    return std::erf(std::sqrt(0.5 * x)) - std::sqrt(2.0 * x / pi) * std::exp(-0.5 * x);
+  };
+  double low = 0.0;
+  double high = 100.0;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (low + high);
+    (share(middle) < ratio ? low : high) = middle;
+  }
+  return high;
+}
+
+Tracker::Tracker(const TrackerParams& params)
+    : params_{consistent(params)},
+      density_{params.velocity_change_mps * params.velocity_change_mps},
+      gate_{gate_of(params.gate_ratio)},
+      assignment_{static_cast<std::size_t>(params.max_tracks_count), capacity()} {
+  const auto most = static_cast<std::size_t>(params.max_tracks_count);
+  targets_.reserve(most);
+  rows_.reserve(most);
+  contact_of_.reserve(most);
+  used_.reserve(capacity());
+}
+
+void Tracker::update(double time, std::span<const Contact> contacts, const Fan& view) {
+  contacts = contacts.first(std::min(contacts.size(), capacity()));
+  for (Target& target : targets_) target.motion = target.motion.predicted(time - time_, density_);
+  time_ = time;
+
+  // who is established chooses first
+  contact_of_.assign(targets_.size(), std::nullopt);
+  used_.assign(contacts.size(), 0);
+  assign(contacts, true);
+  assign(contacts, false);
+
+  for (std::size_t i = 0; i < targets_.size(); ++i) {
+    if (contact_of_[i])
+      correct(targets_[i], contacts[*contact_of_[i]]);
+    else
+      miss(targets_[i], view);
+  }
+  establish();
+  std::erase_if(targets_, [&](const Target& target) { return is_lost(target); });
+  for (std::size_t j = 0; j < contacts.size(); ++j) {
+    if (used_[j] == 0) bear(contacts[j]);
+  }
+}
+
+void Tracker::assign(std::span<const Contact> contacts, bool established) {
+  rows_.clear();
+  for (std::size_t i = 0; i < targets_.size(); ++i) {
+    if (targets_[i].established == established) rows_.push_back(i);
+  }
+  assignment_.begin(rows_.size(), contacts.size());
+  for (std::size_t row = 0; row < rows_.size(); ++row) {
+    const ConstantVelocity& motion = targets_[rows_[row]].motion;
+    for (std::size_t j = 0; j < contacts.size(); ++j) {
+      if (used_[j] != 0) continue;
+      const double distance2 = motion.distance2(contacts[j].position, contacts[j].covariance);
+      if (distance2 < gate_) assignment_.offer(row, j, gate_ - distance2);
+    }
+  }
+  const auto pairs = assignment_.solve();
+  for (std::size_t row = 0; row < rows_.size(); ++row) {
+    if (!pairs[row]) continue;
+    contact_of_[rows_[row]] = pairs[row];
+    used_[*pairs[row]] = 1;
+  }
+}
+
+void Tracker::correct(Target& target, const Contact& contact) const {
+  target.motion = target.motion.corrected(contact.position, contact.covariance);
+  target.lasting = contact.lasting;
+  target.seen = time_;
+  ++target.pings;
+  ++target.hits;
+  target.missed = 0;
+
+  const double measured_variance = contact.radius_sigma * contact.radius_sigma;
+  const double share = std::max(params_.radius_share_ratio,
+                                target.radius_variance / (target.radius_variance + measured_variance));
+  target.radius += share * (contact.radius - target.radius);
+  target.radius_variance *= 1.0 - share;
+}
+
+void Tracker::miss(Target& target, const Fan& view) const {
+  ++target.pings;
+  if (!target.established || view.covers(target.motion.position)) ++target.missed;
+}
+
+void Tracker::establish() {
+  for (Target& target : targets_) {
+    if (target.established || target.hits < params_.birth_hits_count) continue;
+    target.established = true;
+    target.id = TrackId{next_id_++};
+  }
+}
+
+bool Tracker::is_lost(const Target& target) const {
+  if (!target.established)
+    return target.pings - target.hits > params_.birth_pings_count - params_.birth_hits_count;
+  return target.missed >= params_.death_missed_count ||
+         horizontal_sigma(target.motion.position_covariance) > params_.death_sigma_m;
+}
+
+void Tracker::bear(const Contact& contact) {
+  if (targets_.size() >= static_cast<std::size_t>(params_.max_tracks_count)) return;
+  const double speed_variance = params_.first_speed_mps * params_.first_speed_mps;
+  targets_.push_back({.motion = {.position = contact.position,
+                                 .position_covariance = contact.covariance,
+                                 .velocity_covariance = speed_variance * Mat3::Identity()},
+                      .lasting = contact.lasting,
+                      .seen = time_,
+                      .radius = contact.radius,
+                      .radius_variance = contact.radius_sigma * contact.radius_sigma,
+                      .pings = 1,
+                      .hits = 1});
+}
+
+void Tracker::report(double time, std::vector<Track>& tracks) const {
+  for (const Target& target : targets_) {
+    if (!target.established) continue;
+    const ConstantVelocity now = target.motion.predicted(time - time_, density_);
+    tracks.push_back({.id = target.id,
+                      .position = now.position,
+                      .velocity = now.velocity,
+                      .yaw = std::atan2(now.velocity.y(), now.velocity.x()),
+                      .radius = target.radius,
+                      .age = time - target.seen,
+                      .priority = params_.contacts_react ? 0 : std::numeric_limits<std::int32_t>::min(),
+                      .reacts = params_.contacts_react,
+                      .position_covariance = now.position_covariance + target.lasting,
+                      .velocity_covariance = now.velocity_covariance});
+  }
+}
+
+}  // namespace fairway
