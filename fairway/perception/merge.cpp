@@ -4,10 +4,12 @@
 #include <Eigen/LU>
 #include <algorithm>
 
-#include "fairway/perception/tracker/tracker.hpp"
+#include "fairway/perception/tracker/gate.hpp"
 
 namespace fairway {
 namespace {
+
+constexpr std::size_t usual_pairs = 128;  // so many are told of round what is seen, and hardly ever more
 
 /// An estimate and the covariance of its error.
 struct Belief {
@@ -27,40 +29,54 @@ Belief fused(const Belief& a, const Belief& b) {
 }  // namespace
 
 Merge::Merge(const MergeParams& params, std::size_t seen_count, std::size_t told_count)
-    : params_{params}, gate_{gate_of(params.merge_gate_ratio)}, assignment_{seen_count, told_count} {}
+    : params_{params},
+      gate_{gate_of(params.merge_gate_ratio)},
+      assignment_{seen_count, std::min(told_count, usual_pairs)} {
+  near_.reserve(told_count);
+}
+
+double Merge::distance(const Track& seen, const Track& told) const {
+  const Mat3 covariance =
+      seen.position_covariance + widened(told.position_covariance, params_.told_position_sigma_m);
+  return distance2(told.position - seen.position, covariance, gate_);
+}
 
 void Merge::merge(std::span<const Track> seen, std::vector<Track>& told) {
-  const std::size_t told_count = told.size();
-  const double position_sigma = params_.told_position_sigma_m;
-  assignment_.begin(seen.size(), told_count);
-  for (std::size_t i = 0; i < seen.size(); ++i) {
-    for (std::size_t j = 0; j < told_count; ++j) {
-      const Vec3 apart = told[j].position - seen[i].position;
-      const Mat3 covariance =
-          seen[i].position_covariance + widened(told[j].position_covariance, position_sigma);
-      const double distance2 = apart.dot(covariance.inverse() * apart);
-      if (distance2 < gate_) assignment_.offer(i, j, gate_ - distance2);
-    }
+  // most of the team is far from whoever is seen
+  near_.clear();
+  for (std::size_t j = 0; j < told.size(); ++j) {
+    const auto may_be_told = [&](const Track& track) { return distance(track, told[j]) < gate_; };
+    if (std::ranges::any_of(seen, may_be_told)) near_.push_back(j);
   }
 
+  assignment_.begin(seen.size(), near_.size());
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    for (std::size_t j = 0; j < near_.size(); ++j) {
+      const double apart = distance(seen[i], told[near_[j]]);
+      if (apart < gate_) assignment_.offer(i, j, gate_ - apart);
+    }
+  }
   const auto pairs = assignment_.solve();
   for (std::size_t i = 0; i < seen.size(); ++i) {
-    if (!pairs[i]) {
+    if (pairs[i])
+      combine(seen[i], told[near_[*pairs[i]]]);
+    else
       told.push_back(seen[i]);
-      continue;
-    }
-    Track& both = told[*pairs[i]];
-    const Belief place = fused({seen[i].position, seen[i].position_covariance},
-                               {both.position, widened(both.position_covariance, position_sigma)});
-    const Belief motion =
-        fused({seen[i].velocity, seen[i].velocity_covariance},
-              {both.velocity, widened(both.velocity_covariance, params_.told_velocity_sigma_mps)});
-    both.position = place.mean;
-    both.position_covariance = place.covariance;
-    both.velocity = motion.mean;
-    both.velocity_covariance = motion.covariance;
-    both.age = std::min(both.age, seen[i].age);
   }
+}
+
+void Merge::combine(const Track& seen, Track& told) const {
+  const Belief place =
+      fused({seen.position, seen.position_covariance},
+            {told.position, widened(told.position_covariance, params_.told_position_sigma_m)});
+  const Belief motion =
+      fused({seen.velocity, seen.velocity_covariance},
+            {told.velocity, widened(told.velocity_covariance, params_.told_velocity_sigma_mps)});
+  told.position = place.mean;
+  told.position_covariance = place.covariance;
+  told.velocity = motion.mean;
+  told.velocity_covariance = motion.covariance;
+  told.age = std::min(told.age, seen.age);
 }
 
 }  // namespace fairway

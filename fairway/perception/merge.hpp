@@ -40,9 +40,13 @@ class Merge {
   void merge(std::span<const Track> seen, std::vector<Track>& told);
 
  private:
+  double distance(const Track& seen, const Track& told) const;
+  void combine(const Track& seen, Track& told) const;
+
   MergeParams params_;
   double gate_;
   Assignment assignment_;
+  std::vector<std::size_t> near_;  // of those told
 };
 
 }  // namespace fairway

@@ -29,8 +29,8 @@ SonarWatch::SonarWatch(const SonarWatchParams& params, std::size_t told_count, R
       echo_rng_{rng.stream("sonar_echoes")},
       false_rng_{rng.stream("sonar_false_echoes")} {
   const std::size_t known_count = told_count + static_cast<std::size_t>(params.max_tracks_count);
-  echoes_.reserve(sonar_.echo_capacity());
-  contacts_.reserve(sonar_.echo_capacity());
+  echoes_.reserve(echo_capacity(params));
+  contacts_.reserve(echo_capacity(params));
   seen_.reserve(static_cast<std::size_t>(params.max_tracks_count));
   known_.reserve(known_count);
   near_.reserve(known_count);

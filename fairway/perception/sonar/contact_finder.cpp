@@ -22,6 +22,8 @@ ContactFinder::ContactFinder(const SonarParams& params)
     : params_{params}, bearing_variance_{square(radians(params.bearing_sigma_deg))}, chart_{params} {
   // two missed beams between them, and noise of both
   neighbourhood_ = 3.0 * chart_.spacing() + 2.0 * std::sqrt(2.0 * bearing_variance_);
+  members_.reserve(echo_capacity(params));
+  sightings_.reserve(echo_capacity(params));
 }
 
 void ContactFinder::find(std::span<const Echo> echoes, std::span<const Obstacle> obstacles,

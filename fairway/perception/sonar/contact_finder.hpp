@@ -23,7 +23,7 @@ class ContactFinder {
   /// The contacts of one ping, nearest to the vehicle first, ties by bearing. `echoes` by bearing, then
   /// range, as Sonar::ping gives them; `estimate` is where the vehicle believes to be, and places the
   /// contacts; those of the `obstacles` that are charted explain echoes. Does not allocate once `contacts`
-  /// has the capacity and a ping of as many echoes has been read. O(n log n + beams x charted obstacles).
+  /// has the capacity, for up to echo_capacity() echoes. O(n log n + beams x charted obstacles).
   void find(std::span<const Echo> echoes, std::span<const Obstacle> obstacles, const VehicleState& estimate,
             std::vector<Contact>& contacts);
 

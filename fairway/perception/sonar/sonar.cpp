@@ -72,9 +72,4 @@ Fan Sonar::fan(const VehicleState& state) const {
           .max_range = params_.max_range_m};
 }
 
-std::size_t Sonar::echo_capacity() const {
-  const double most_false = params_.false_echoes_count + 10.0 * std::sqrt(params_.false_echoes_count);
-  return static_cast<std::size_t>(params_.beams_count) + static_cast<std::size_t>(std::ceil(most_false));
-}
-
 }  // namespace fairway

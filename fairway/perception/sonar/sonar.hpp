@@ -20,18 +20,13 @@ class Sonar {
   explicit Sonar(const SonarParams& params);
 
   /// The echoes of one ping, by bearing, then range: the first surface along each beam, some missed, all
-  /// noisy, some false. `rng` is drawn from once for each echo that should be and twice more for each that
-  /// is; false echoes are drawn from `false_rng`. Does not allocate once `echoes` has the capacity.
+  /// noisy, some false. `rng` decides on misses and noise, `false_rng` on false echoes. Does not allocate
+  /// once `echoes` has the capacity.
   void ping(const VehicleState& truth, const Scene& scene, Rng& rng, Rng& false_rng,
             std::vector<Echo>& echoes);
 
   /// What a ping from this state looks into.
   Fan fan(const VehicleState& state) const;
-
-  /// As many echoes as one ping may have, but for false ones beyond ten standard deviations.
-  std::size_t echo_capacity() const;
-
-  const SonarParams& params() const { return params_; }
 
  private:
   void add_true(Rng& rng, std::vector<Echo>& echoes) const;

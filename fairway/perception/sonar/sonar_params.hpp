@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
+#include <cstddef>
+
 #include "fairway/core/params.hpp"
 
 namespace fairway {
@@ -19,7 +22,7 @@ struct SonarParams {
   double missed_ratio = 0.05;
   double false_echoes_count = 1.0;
   double heading_sigma_deg = 0.5;
-  double cluster_gap_m = 2.0;
+  double cluster_gap_m = 3.0;
   double max_extent_m = 12.0;
   double chart_tolerance_m = 2.0;
 
@@ -48,6 +51,12 @@ struct SonarParams {
     };
   }
 };
+
+/// As many echoes as one ping may have, but for false ones beyond ten standard deviations.
+inline std::size_t echo_capacity(const SonarParams& params) {
+  const double most_false = params.false_echoes_count + 10.0 * std::sqrt(params.false_echoes_count);
+  return static_cast<std::size_t>(params.beams_count) + static_cast<std::size_t>(std::ceil(most_false));
+}
 
 /// Throws InputError where one parameter contradicts another.
 inline void check(const SonarParams& params) {

@@ -97,7 +97,12 @@ void Sweep::add_sphere(const Vec3& centre, double radius) {
 }
 
 void Sweep::add(const Obstacle& obstacle) {
-  if (nearest_point(obstacle, origin_).distance > max_range_) return;
+  const double distance = nearest_point(obstacle, origin_).distance;
+  if (distance > max_range_) return;
+  if (distance <= 0.0) {
+    std::ranges::fill(ranges_, 0.0);
+    return;
+  }
   switch (obstacle.kind) {
     case Obstacle::Kind::sphere:
       return add_sphere(obstacle.position, obstacle.radius);

@@ -42,9 +42,4 @@ ConstantVelocity ConstantVelocity::corrected(const Vec3& measured, const Mat3& c
                         rate_gain * covariance * rate_gain.transpose())};
 }
 
-double ConstantVelocity::distance2(const Vec3& measured, const Mat3& covariance) const {
-  const Vec3 innovation = measured - position;
-  return innovation.dot((position_covariance + covariance).inverse() * innovation);
-}
-
 }  // namespace fairway

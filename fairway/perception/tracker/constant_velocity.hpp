@@ -21,9 +21,6 @@ struct ConstantVelocity {
   /// With a measured position whose error has the positive definite `covariance`: the Kalman filter's update,
   /// in Joseph's form, which stays symmetric and positive.
   ConstantVelocity corrected(const Vec3& measured, const Mat3& covariance) const;
-
-  /// Square of the Mahalanobis distance to a measured position: the normalised innovation squared.
-  double distance2(const Vec3& measured, const Mat3& covariance) const;
 };
 
 }  // namespace fairway

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/perception/tracker/tracker.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "fairway/core/angles.hpp"
+#include "fairway/perception/tracker/gate.hpp"
 
 namespace fairway {
 namespace {
@@ -28,19 +27,6 @@ double horizontal_sigma(const Mat3& covariance) {
 void check(const TrackerParams& params) {
   if (params.birth_hits_count > params.birth_pings_count)
     throw InputError({}, "birth_hits_count", "is more than birth_pings_count");
-}
-
-double gate_of(double ratio) {
-  const auto share = [](double x) {
-    return std::erf(std::sqrt(0.5 * x)) - std::sqrt(2.0 * x / pi) * std::exp(-0.5 * x);
-  };
-  double low = 0.0;
-  double high = 100.0;
-  for (int i = 0; i < 60; ++i) {
-    const double middle = 0.5 * (low + high);
-    (share(middle) < ratio ? low : high) = middle;
-  }
-  return high;
 }
 
 Tracker::Tracker(const TrackerParams& params)
@@ -89,8 +75,9 @@ void Tracker::assign(std::span<const Contact> contacts, bool established) {
     const ConstantVelocity& motion = targets_[rows_[row]].motion;
     for (std::size_t j = 0; j < contacts.size(); ++j) {
       if (used_[j] != 0) continue;
-      const double distance2 = motion.distance2(contacts[j].position, contacts[j].covariance);
-      if (distance2 < gate_) assignment_.offer(row, j, gate_ - distance2);
+      const double distance = distance2(contacts[j].position - motion.position,
+                                        motion.position_covariance + contacts[j].covariance, gate_);
+      if (distance < gate_) assignment_.offer(row, j, gate_ - distance);
     }
   }
   const auto pairs = assignment_.solve();

@@ -108,8 +108,4 @@ class Tracker {
   std::vector<char> used_;                              // each contact
 };
 
-/// The squared Mahalanobis distance in three dimensions that a share `ratio` of all stays within: the
-/// quantile of chi-square with three degrees of freedom. `ratio` in (0, 1).
-double gate_of(double ratio);
-
 }  // namespace fairway
