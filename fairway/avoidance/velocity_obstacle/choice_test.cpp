@@ -119,7 +119,6 @@ TEST(Choice, OfTwoTangentsThatAreEquallyFarItTakesStarboard) {
 
 TEST(Choice, ABiasOutweighsADeviationThatIsLittleLarger) {
   Question q = dead_ahead();
-  q.wish.ahead = turned({1.0, 0.0}, std::cos(0.01), std::sin(0.01));
   q.wish.velocity = turned({1.0, 0.0}, std::cos(0.01), -std::sin(0.01));
   q.wish.ahead = q.wish.velocity;
   EXPECT_LT(q.answer().velocity.y(), 0.0);  // 0.593 to port, 0.607 to starboard

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/avoidance/hrvo/hrvo.hpp"
+
+#include <gtest/gtest.h>
+
+#include "fairway/avoidance/velocity_obstacle/testing/meeting.hpp"
+
+namespace fairway {
+namespace {
+
+using encounters::Encounter;
+using velocity_obstacle::Outcome;
+using velocity_obstacle::Tally;
+
+Vec3 velocity_of_hrvo(const Situation& s, const Hrvo::Params& params = {}) {
+  Rng rng{1};
+  Context context{rng};
+  NoMemory memory;
+  return Hrvo{params}.decide(s, memory, context).velocity;
+}
+
+TEST(Hrvo, HeadOnItIsRvoToStarboard) {
+  const double cosine = std::sqrt(15.0) / 4.0;
+  const Vec3 foot = cosine * Vec3(cosine, 0.25, 0.0);
+  EXPECT_LT((velocity_of_hrvo(encounters::head_on(8.0)) - foot).norm(), 1e-14);
+}
+
+TEST(Hrvo, TheSideOnWhichTheyPassAnywayIsKept) {
+  // the other is 0.5 m to port, so both pass to starboard of each other; a wish to port does not change it
+  Encounter e = encounters::head_on(8.0);
+  e.tracks[0].position.y() = -0.5;
+  e.situation.goal.velocity = Vec3{0.99, -0.1, 0.0};
+  EXPECT_GT(velocity_of_hrvo(e).y(), 0.1);
+  e.tracks[0].position.y() = 0.5;
+  e.situation.goal.velocity = Vec3{0.99, 0.1, 0.0};
+  EXPECT_LT(velocity_of_hrvo(e).y(), -0.1);
+}
+
+TEST(Hrvo, TwoThatBothUseItNeverTouch) {
+  const Tally all = velocity_obstacle::tally(1000, Hrvo{});
+  EXPECT_EQ(all.touched, 0);
+  EXPECT_GT(all.least_gap, -1e-9);  // measured 1e-9
+  EXPECT_EQ(all.arrived, 1000);
+}
+
+TEST(Hrvo, TwoAlikeHeadOnPassPortToPort) {
+  for (std::uint64_t i = 0; i < 200; ++i) {
+    Rng rng = Rng{3}.stream("head to head", i);
+    const double distance = rng.uniform(10.0, 30.0);
+    const double speed = rng.uniform(0.3, 1.5);
+    const double max_acceleration = rng.uniform(0.2, 1.0);
+    const Outcome outcome = velocity_obstacle::outcome_of(
+        velocity_obstacle::head_to_head(distance, speed, max_acceleration, rng.uniform(-pi, pi)), Hrvo{});
+    EXPECT_TRUE(outcome.port_to_port) << i;
+    EXPECT_TRUE(outcome.arrived) << i;
+    EXPECT_GT(outcome.least_gap, -1e-9) << i;
+  }
+}
+
+}  // namespace
+}  // namespace fairway

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/avoidance/rvo/rvo.hpp"
+
+#include <gtest/gtest.h>
+
+#include "fairway/avoidance/velocity_obstacle/testing/meeting.hpp"
+
+namespace fairway {
+namespace {
+
+using velocity_obstacle::Outcome;
+using velocity_obstacle::Tally;
+
+Vec3 velocity_of_rvo(const Situation& s, const Rvo::Params& params = {}) {
+  Rng rng{1};
+  Context context{rng};
+  NoMemory memory;
+  return Rvo{params}.decide(s, memory, context).velocity;
+}
+
+TEST(Rvo, HeadOnTakesHalfOfTheWayToTheTangentToStarboard) {
+  // p = 8 north, R = 2, the apex is 0: the foot of v_d = 1 on the leg at sine 1/4
+  const double cosine = std::sqrt(15.0) / 4.0;
+  const Vec3 foot = cosine * Vec3(cosine, 0.25, 0.0);
+  EXPECT_LT((velocity_of_rvo(encounters::head_on(8.0)) - foot).norm(), 1e-14);
+}
+
+// One of 1000 dances: both choose the same side, see it and choose the other, until they brake.
+TEST(Rvo, TwoThatBothUseItHardlyEverTouch) {
+  const Tally all = velocity_obstacle::tally(1000, Rvo{});
+  EXPECT_LE(all.touched, 1);       // measured 1
+  EXPECT_GT(all.least_gap, -0.1);  // measured -0.081
+  EXPECT_EQ(all.arrived, 1000);
+}
+
+TEST(Rvo, TwoAlikeHeadOnPassPortToPort) {
+  for (std::uint64_t i = 0; i < 200; ++i) {
+    Rng rng = Rng{3}.stream("head to head", i);
+    const double distance = rng.uniform(10.0, 30.0);
+    const double speed = rng.uniform(0.3, 1.5);
+    const double max_acceleration = rng.uniform(0.2, 1.0);
+    const Outcome outcome = velocity_obstacle::outcome_of(
+        velocity_obstacle::head_to_head(distance, speed, max_acceleration, rng.uniform(-pi, pi)), Rvo{});
+    EXPECT_TRUE(outcome.port_to_port) << i;
+    EXPECT_TRUE(outcome.arrived) << i;
+    EXPECT_GT(outcome.least_gap, -1e-9) << i;
+  }
+}
+
+}  // namespace
+}  // namespace fairway
