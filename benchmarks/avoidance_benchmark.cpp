@@ -73,6 +73,12 @@ BENCHMARK_CAPTURE(avoider, avoa_crowd, "avoa", encounters::crowd)->Arg(12)->Arg(
 BENCHMARK_CAPTURE(avoider, avoa_improved_crowd, "avoa_improved", encounters::crowd)->Arg(12)->Arg(100);
 BENCHMARK_CAPTURE(avoider, filter_crowd, "direct+safety_filter", encounters::crowd)->Arg(7)->Arg(20);
 BENCHMARK_CAPTURE(avoider, filter_congested, "direct+safety_filter", encounters::congested)->Arg(7)->Arg(20);
+BENCHMARK_CAPTURE(avoider, vo_crowd, "vo", encounters::crowd)->Arg(7)->Arg(20)->Arg(50);
+BENCHMARK_CAPTURE(avoider, vo_congested, "vo", encounters::congested)->Arg(7)->Arg(20)->Arg(50);
+BENCHMARK_CAPTURE(avoider, rvo_crowd, "rvo", encounters::crowd)->Arg(7)->Arg(20)->Arg(50);
+BENCHMARK_CAPTURE(avoider, rvo_congested, "rvo", encounters::congested)->Arg(7)->Arg(20)->Arg(50);
+BENCHMARK_CAPTURE(avoider, hrvo_crowd, "hrvo", encounters::crowd)->Arg(7)->Arg(20)->Arg(50);
+BENCHMARK_CAPTURE(avoider, hrvo_congested, "hrvo", encounters::congested)->Arg(7)->Arg(20)->Arg(50);
 
 /// The same swarms in the horizontal plane.
 template <Scene scene>

@@ -114,33 +114,37 @@ class Search {
 
   void consider_rings() {
     const double reach = std::min(reachable_.max_change(), scale_ + reachable_.middle().norm());
-    for (int ring = 1; ring <= rings; ++ring) {
-      const double radius = reach * ring / rings;
-      for (int spoke = 0; spoke < spokes; ++spoke) {
-        const double angle = 2.0 * pi * spoke / spokes;
-        consider_any(reachable_.middle() +
-                     radius * turned(reachable_.bow(), std::cos(angle), std::sin(angle)));
-      }
+    for (int spoke = 0; spoke < spokes; ++spoke) {
+      const double angle = 2.0 * pi * spoke / spokes;
+      const Vec2 out = reach * turned(reachable_.bow(), std::cos(angle), std::sin(angle));
+      for (int ring = 1; ring <= rings; ++ring) consider_any(reachable_.middle() + ring * out / rings);
     }
   }
 
   void consider_clear(const Vec2& v) {
     const double cost = wish_.cost(v);
     if (!precedes(v, cost) || !reachable_.contains(v, slack_)) return;
-    const auto keeps_clear = [&](const VelocityObstacle& o) { return o.depth(v) <= slack_; };
-    if (std::all_of(obstacles_.begin(), obstacles_.end(), keeps_clear)) take(v, cost);
+    if (!obstacles_.empty() && is_in(last_in_, v)) return;
+    for (std::size_t k = 0; k < obstacles_.size(); ++k) {
+      if (is_in(k, v)) {
+        last_in_ = k;
+        return;
+      }
+    }
+    take(v, cost);
   }
 
   void consider_any(const Vec2& v) {
-    double cost = wish_.cost(v);
-    if (!precedes(v, cost) || !reachable_.contains(v, slack_)) return;
-    double urgency = 0.0;
-    for (const VelocityObstacle& o : obstacles_) {
-      if (o.depth(v) > slack_) urgency = std::max(urgency, o.urgency(v));
+    const double deviation = wish_.cost(v);
+    if (!precedes(v, deviation) || !reachable_.contains(v, slack_)) return;
+    double cost = deviation;
+    for (std::size_t k = 0; k < obstacles_.size() && cost <= best_cost_; ++k) {
+      if (is_in(k, v)) cost = std::max(cost, deviation + wish_.collision_weight * obstacles_[k].urgency(v));
     }
-    cost += wish_.collision_weight * urgency;
     if (precedes(v, cost)) take(v, cost);
   }
+
+  bool is_in(std::size_t obstacle, const Vec2& v) const { return obstacles_[obstacle].depth(v) > slack_; }
 
   /// Less cost; of equal cost the one more to starboard, then the one more ahead.
   bool precedes(const Vec2& v, double cost) const {
@@ -161,6 +165,7 @@ class Search {
   double slack_{};  ///< [m/s]
   std::array<Candidate, max_candidates> candidates_;
   std::size_t count_ = 0;
+  std::size_t last_in_ = 0;  ///< of the obstacles; likely to be in the way of what is tried next too
   Vec2 best_ = Vec2::Zero();
   double best_cost_ = std::numeric_limits<double>::infinity();
 };
