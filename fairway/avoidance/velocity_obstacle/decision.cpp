@@ -34,9 +34,11 @@ Command decide(const Situation& s, const Params& params, Responsibility responsi
   const Neighbourhood neighbourhood(s, params, responsibility);
   if (neighbourhood.obstacles().empty()) return {.velocity = preferred, .mode = Mode::cruise};
 
-  const ReachableSet reachable(s.own, s.limits, params.planning_interval_s);
-  const Choice choice =
-      choose(neighbourhood.obstacles(), reachable, wish_of(preferred.head<2>(), reachable, params));
+  const auto choice_within = [&](const Limits& limits) {
+    const ReachableSet reachable(s.own, limits, params.planning_interval_s);
+    return choose(neighbourhood.obstacles(), reachable, wish_of(preferred.head<2>(), reachable, params));
+  };
+  const Choice choice = choice_within(s.limits);
   const Vec3 chosen{choice.velocity.x(), choice.velocity.y(), 0.0};
 
   if (sketch) {
@@ -44,13 +46,16 @@ Command decide(const Situation& s, const Params& params, Responsibility responsi
     sketch->velocity(preferred, "preferred");
     sketch->velocity(chosen, "chosen");
   }
-  const bool may_go_astern = !(s.limits.max_turn_rate < Limits::none);
+  const bool turns_freely = !(s.limits.max_turn_rate < Limits::none);
   Command command{.velocity = chosen,
                   .mode = choice.is_feasible ? Mode::avoid : Mode::infeasible,
-                  .astern = may_go_astern};
-  // who stands and may only go ahead turns to where it wants to go, or it would stand for ever
-  if (!may_go_astern && choice.velocity.norm() < standing && preferred.norm() >= standing) {
-    command.heading = std::atan2(preferred.y(), preferred.x());
+                  .astern = turns_freely};
+  // who has to stand turns meanwhile to where it would go if it headed there, or it would stand for ever
+  if (!turns_freely && choice.velocity.norm() < standing) {
+    Limits turning_at_once = s.limits;
+    turning_at_once.max_turn_rate = Limits::none;
+    const Vec2 v = choice_within(turning_at_once).velocity;
+    if (v.norm() >= standing) command.heading = std::atan2(v.y(), v.x());
   }
   return command;
 }

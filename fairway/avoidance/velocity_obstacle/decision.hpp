@@ -45,7 +45,8 @@ enum class Responsibility {
 
 /// Mode::cruise with the preferred velocity if nobody is in range; Mode::avoid with the nearest velocity to
 /// it in RAV if somebody is; Mode::infeasible if RAV is empty. Thinks in the horizontal plane. Stern first is
-/// allowed where turns are not limited; where they are, who has to stand turns towards the preferred course.
+/// allowed where turns are not limited; where they are, who has to stand is told
+/// to head for where it would go if it could turn at once.
 Command decide(const Situation& s, const Params& params, Responsibility responsibility,
                Sketch* sketch) noexcept;
 

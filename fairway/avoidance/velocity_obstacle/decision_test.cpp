@@ -202,5 +202,19 @@ TEST(VelocityObstacleDecision, WhoStandsAndMayOnlyGoAheadTurnsToItsCourse) {
   EXPECT_FALSE(vo(e).astern);
 }
 
+TEST(VelocityObstacleDecision, WhoTouchesAndMayOnlyGoAheadTurnsAway) {
+  // 1.9 m to the south-west, R = 2: ahead leads on into it, so stop and turn to north-east
+  Encounter e = encounters::open_water();
+  e.situation.own.velocity = Vec3::Zero();
+  e.situation.own.yaw = -0.75 * pi;
+  e.situation.goal.velocity = Vec3{-1.0, -1.0, 0.0};
+  e.situation.limits.max_turn_rate = 0.3;
+  e.tracks = {encounters::track(1, Vec3{-1.9, -1.9, 0.0} / std::sqrt(2.0) + Vec3{0, 0, 50}, Vec3::Zero())};
+  const Command command = vo(e);
+  EXPECT_EQ(command.mode, Mode::infeasible);
+  EXPECT_LT(command.velocity.norm(), 1e-12);
+  EXPECT_NEAR(command.heading.value_or(0.0), 0.25 * pi, 1e-6);
+}
+
 }  // namespace
 }  // namespace fairway::velocity_obstacle
