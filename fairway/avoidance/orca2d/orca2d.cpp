@@ -58,15 +58,20 @@ void add_shore(const Situation& s, const Orca2d::Params& params, HalfPlanes& hal
 void add_tracks(const Situation& s, const Orca2d::Params& params, HalfPlanes& half_planes) {
   const Vec2 position = s.own.position.head<2>();
   const Vec2 v_opt = s.own.velocity.head<2>();
-  int neighbours = 0;
+  const double radius = s.own.radius;
+  const double tau = params.time_horizon_s;
+  const double period = s.period;
+  const double range2 = params.crit_dist_m * params.crit_dist_m;
+  const double share = params.responsibility_ratio;
+  int left = params.max_neighbours_count;
   for (const Track& track : s.tracks) {
     const Vec2 p = track.position.head<2>() - position;
-    if (p.squaredNorm() > params.crit_dist_m * params.crit_dist_m) continue;
-    if (++neighbours > params.max_neighbours_count) break;
-    const orca2d::Encounter encounter{p, v_opt - track.velocity.head<2>(), s.own.radius + track.radius,
+    if (p.squaredNorm() > range2) continue;
+    if (left-- == 0) break;
+    const orca2d::Encounter encounter{p, v_opt - track.velocity.head<2>(), radius + track.radius,
                                       parting_direction(s.own.id, track.id).head<2>()};
-    const orca2d::Change change = orca2d::least_change(encounter, params.time_horizon_s, s.period);
-    half_planes.add(half_plane(change, v_opt, track.reacts ? params.responsibility_ratio : 1.0));
+    const orca2d::Change change = orca2d::least_change(encounter, tau, period);
+    half_planes.add(half_plane(change, v_opt, track.reacts ? share : 1.0));
   }
 }
 

@@ -208,6 +208,30 @@ TEST(Orca2d, WithoutWallsItIsOrcaInSpaceWithEverythingInAPlane) {
   EXPECT_GT(infeasible, 500);
 }
 
+TEST(Orca2d, AgreesWithOrcaInLongDouble) {
+  double largest = 0.0;
+  int infeasible = 0;
+  for (std::uint64_t i = 0; i < 4000; ++i) {
+    Encounter e = flat_scenes::swarm(i, 1 + static_cast<int>(i % 9));
+    const Situation s = e;
+    const auto flat = [](const Vec3& a) { return plane_reference::Vector{a.head<2>().cast<long double>()}; };
+    std::vector<plane_reference::Line> lines;
+    for (const Track& t : s.tracks) {
+      lines.push_back(plane_reference::half_plane(flat(t.position - s.own.position),
+                                                  flat(s.own.velocity - t.velocity), flat(s.own.velocity),
+                                                  2.0L, 5.0L, s.period));
+    }
+    const plane_reference::Answer expected =
+        plane_reference::Program{lines, 0, flat(s.preferred_velocity()), s.limits.max_speed}.solve();
+    const Command command = decide(s);
+    EXPECT_EQ(command.mode == Mode::infeasible, expected.violation > 1e-10L) << i;
+    largest = std::fmax(largest, static_cast<double>((flat(command.velocity) - expected.velocity).norm()));
+    infeasible += command.mode == Mode::infeasible ? 1 : 0;
+  }
+  EXPECT_LT(largest, 1e-9 * 1.5);
+  EXPECT_GT(infeasible, 500);
+}
+
 TEST(Orca2d, TheOrderOfTracksChangesNothingThatMatters) {
   double largest = 0.0;
   for (std::uint64_t i = 0; i < 3000; ++i) {

@@ -2,6 +2,7 @@
 #include "fairway/avoidance/plane_program/plane_program.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace fairway {
@@ -47,7 +48,7 @@ struct Interval {
   }
 
   /// Cuts give way by `tolerance`, so that a corner of many lines is not lost to rounding.
-  bool is_empty(double tolerance) const { return (lo - hi) * std::fmin(lo_sine, hi_sine) > tolerance; }
+  bool is_empty(double tolerance) const { return (lo - hi) * std::min(lo_sine, hi_sine) > tolerance; }
 
   double nearest(double t) const { return lo > hi ? 0.5 * (lo + hi) : std::clamp(t, lo, hi); }
 };
@@ -126,13 +127,13 @@ HalfPlane bisector(const HalfPlane& other, const HalfPlane& worse) {
 
 double greatest_number(const PlaneProgram& program, const Vec2& wanted) {
   double greatest = wanted.norm();
-  for (const HalfPlane& h : program.half_planes) greatest = std::fmax(greatest, std::abs(h.offset));
-  return program.max_length < infinite ? std::fmax(greatest, program.max_length) : greatest;
+  for (const HalfPlane& h : program.half_planes) greatest = std::max(greatest, std::abs(h.offset));
+  return program.max_length < infinite ? std::max(greatest, program.max_length) : greatest;
 }
 
 double largest_violation(std::span<const HalfPlane> half_planes, const Vec2& x) {
   double largest = 0.0;
-  for (const HalfPlane& h : half_planes) largest = std::fmax(largest, h.violation(x));
+  for (const HalfPlane& h : half_planes) largest = std::max(largest, h.violation(x));
   return largest;
 }
 
@@ -142,16 +143,19 @@ double largest_violation(std::span<const HalfPlane> half_planes, const Vec2& x) 
 double minimise_violation(const PlaneProgram& program, std::size_t first, const Vec2& wanted, double scale,
                           Vec2& x) {
   const double radius = program.max_length < infinite ? program.max_length : horizon * scale;
+  std::array<HalfPlane, 32> bounds;  // each is read often: the first are made once
   double level = 0.0;
   for (std::size_t i = first; i < program.half_planes.size(); ++i) {
     const HalfPlane& worst = program.half_planes[i];
     if (worst.violation(x) <= level + rounding * scale) continue;
-    const auto at = [&](std::size_t j) {
+    const auto made = [&](std::size_t j) {
       return j < program.hard_count ? program.half_planes[j] : bisector(program.half_planes[j], worst);
     };
+    for (std::size_t j = 0; j < std::min(i, bounds.size()); ++j) bounds[j] = made(j);
+    const auto at = [&](std::size_t j) { return j < bounds.size() ? bounds[j] : made(j); };
     Vec2 better;
     if (Incremental{at, radius, rounding * scale}.solve(i, {wanted, worst.normal}, better) == i) x = better;
-    level = std::fmax(0.0, worst.violation(x));
+    level = std::max(0.0, worst.violation(x));
   }
   return level;
 }
