@@ -145,8 +145,8 @@ TEST(OrcaWall, AgreesWithASearchForTheNearestTangent) {
     normal = std::fmax(normal, (tangent->normal - searched_normal).norm());
     ++found;
   }
-  EXPECT_LT(distance, 1e-12);
-  EXPECT_LT(normal, 1e-6);
+  EXPECT_LT(distance, 1e-12);  // measured 2e-15
+  EXPECT_LT(normal, 1e-6);     // where the search stops
   EXPECT_GT(found, 1000);
 }
 
