@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "fairway/cli/program.hpp"
+#include "fairway/comms/exchange.hpp"
 #include "fairway/core/text.hpp"
 #include "fairway/metrics/run_metrics.hpp"
 #include "fairway/sim/catalogs.hpp"
@@ -47,6 +48,23 @@ json actuators_json(std::span<const ActuatorInfo> actuators) {
                     {"meaning", a.meaning}});
   }
   return list;
+}
+
+/// A kind of exchange, perception or navigation: whatever has name, title, source and params. `role` is its
+/// key in a scenario. Empty if none of `kinds` is called so; all of them become known.
+template <class Kind>
+std::optional<json> described_kind(std::string_view role, const std::vector<Kind>& kinds,
+                                   std::string_view name, std::vector<std::string_view>& known) {
+  for (const Kind& kind : kinds) {
+    known.push_back(kind.name);
+    if (kind.name != name) continue;
+    return json{{"kind", role},
+                {"name", name},
+                {"title", kind.title},
+                {"source", kind.source},
+                {"parameters", params_json(kind.params)}};
+  }
+  return {};
 }
 
 json describe(const std::string& name) {
@@ -94,6 +112,8 @@ json describe(const std::string& name) {
               {"per_vehicle", quantity.per_vehicle}};
     }
   }
+  const std::vector<ExchangeKind> exchanges = exchange_kinds();
+  if (const auto kind = described_kind("exchange", exchanges, name, known)) return *kind;
   throw InputError("nothing is called \"" + name + "\"" + suggestion(name, known));
 }
 
@@ -135,8 +155,8 @@ void print(const json& document) {
 }  // namespace
 
 void add_describe(CLI::App& app, Program& program) {
-  CLI::App* verb =
-      app.add_subcommand("describe", "An algorithm, vehicle, study or metric: source, parameters, actuators");
+  CLI::App* verb = app.add_subcommand(
+      "describe", "An algorithm, vehicle, study, metric or kind of exchange: source, parameters");
   verb->footer("Example: fairway describe orca3d+stop_and_wait");
   auto name = std::make_shared<std::string>();
   auto as_json = std::make_shared<bool>(false);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -65,8 +66,22 @@ Goal read_goal(const JsonAt& line, const Limits& limits) {
   return goal;
 }
 
+Mat3 read_covariance(const JsonAt& at) {
+  if (at.size() != 3) at.refuse("expected three rows of three numbers");
+  Mat3 covariance;
+  for (int row = 0; row < 3; ++row) covariance.row(row) = at.item(static_cast<std::size_t>(row)).vector();
+  if (covariance != covariance.transpose()) at.refuse("expected a symmetric matrix");
+
+  // what is singular may come out below zero by rounding
+  const double largest = covariance.cwiseAbs().maxCoeff();
+  const Eigen::SelfAdjointEigenSolver<Mat3> axes{covariance, Eigen::EigenvaluesOnly};
+  if (!(axes.eigenvalues()[0] >= -1e-9 * largest)) at.refuse("the variance along some direction is negative");
+  return covariance;
+}
+
 Track read_track(const JsonAt& at) {
-  at.expect_keys({"id", "position", "velocity", "radius", "yaw", "age", "priority", "destination", "reacts"});
+  at.expect_keys({"id", "position", "velocity", "radius", "yaw", "age", "priority", "destination", "reacts",
+                  "position_covariance"});
   const std::uint32_t id = read_id(at.at("id"));
   Track track{.id = TrackId{id},
               .position = at.at("position").vector(),
@@ -77,6 +92,7 @@ Track read_track(const JsonAt& at) {
   if (const auto age = at.find("age")) track.age = age->not_negative();
   if (const auto destination = at.find("destination")) track.destination = destination->vector();
   if (const auto reacts = at.find("reacts")) track.reacts = reacts->flag();
+  if (const auto given = at.find("position_covariance")) track.position_covariance = read_covariance(*given);
   return track;
 }
 

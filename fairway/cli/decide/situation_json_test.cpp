@@ -17,7 +17,8 @@ constexpr std::string_view full = R"({"time":2.5,"period":0.1,
  "params":{"time_horizon_s":5,"full":true,"kind":"fast"},
  "tracks":[{"id":9,"position":[5,2,3],"velocity":[0,0,0],"radius":1},
            {"id":8,"position":[1,4,3],"velocity":[0,1,0],"radius":2,
-            "yaw":1,"age":0.5,"priority":4,"destination":[7,8,9]},
+            "yaw":1,"age":0.5,"priority":4,"destination":[7,8,9],
+            "position_covariance":[[4,1,0],[1,2,0],[0,0,0]]},
            {"id":4,"position":[1,2,7],"velocity":[0,0,0],"radius":1}],
  "obstacles":[{"kind":"sphere","position":[9,9,9],"radius":2},
               {"kind":"segment","from":[1,1,1],"to":[2,2,2]},
@@ -51,7 +52,9 @@ TEST(SituationJsonTest, EveryKeyArrivesWhereItBelongs) {
   EXPECT_EQ(s.tracks[0].radius, 2.0);
   EXPECT_EQ(s.tracks[0].priority, 4);
   EXPECT_EQ(s.tracks[0].destination, Vec3(7, 8, 9));
+  EXPECT_EQ(s.tracks[0].position_covariance, (Mat3{{4, 1, 0}, {1, 2, 0}, {0, 0, 0}}));
   EXPECT_EQ(s.tracks[1].priority, 4) << "the id unless given";
+  EXPECT_EQ(s.tracks[1].position_covariance, Mat3::Zero());
   EXPECT_FALSE(s.tracks[1].destination);
 
   ASSERT_EQ(s.obstacles.size(), 4U);
@@ -125,6 +128,19 @@ TEST(SituationJsonTest, ARefusalNamesLineAndPath) {
             "line 17: limits: min_depth is below max_depth; depth counts downwards");
   EXPECT_EQ(refusal("\"cruise_speed\"", "\"speed\":1,\"cruise_speed\""),
             "line 17: goal: cruise_speed and speed are the same; keep one");
+}
+
+TEST(SituationJsonTest, ACovarianceIsSymmetricAndNowhereNegative) {
+  constexpr std::string_view rows = "[[4,1,0],[1,2,0],[0,0,0]]";
+  const std::string path = "line 17: tracks[1].position_covariance";
+  EXPECT_EQ(refusal(rows, "4"), path + ": expected a list");
+  EXPECT_EQ(refusal(rows, "[[4,1,0],[1,2,0]]"), path + ": expected three rows of three numbers");
+  EXPECT_EQ(refusal(rows, "[[4,1,0],[1,2],[0,0,0]]"), path + "[1]: expected three numbers");
+  EXPECT_EQ(refusal(rows, "[[4,1,0],[2,2,0],[0,0,0]]"), path + ": expected a symmetric matrix");
+  EXPECT_EQ(refusal(rows, "[[4,3,0],[3,2,0],[0,0,0]]"),
+            path + ": the variance along some direction is negative");  // 4 x 2 < 3 x 3
+  EXPECT_EQ(refusal(rows, "[[-1,0,0],[0,2,0],[0,0,0]]"),
+            path + ": the variance along some direction is negative");
 }
 
 TEST(SituationJsonTest, NobodyIsThereTwice) {

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a way of telling each other makes of a run.
+#include <gtest/gtest.h>
+
+#include "fairway/metrics/run_metrics.hpp"
+#include "fairway/sim/simulation.hpp"
+
+namespace fairway {
+namespace {
+
+VehicleSpec swimmer(std::uint32_t id, const Vec3& from, const Vec3& to) {
+  VehicleSpec spec{.id = id,
+                   .name = "v" + std::to_string(id),
+                   .model = {.name = "sparus2", .path = "model"},
+                   .avoider = {.name = "orca3d", .path = "avoider"},
+                   .position = from,
+                   .yaw = std::atan2(to.y() - from.y(), to.x() - from.x()),
+                   .radius_m = 2.0,
+                   .priority = static_cast<std::int32_t>(id)};
+  spec.limits.max_speed = 0.5;
+  spec.mission = {{.kind = LegKind::transit, .position = to, .speed_mps = 0.5, .arrival_m = 2.0}};
+  return spec;
+}
+
+/// Two that meet nose to nose, a little aside, after half a minute.
+Scenario meeting(const ParamValues& params = {}, const std::string& kind = "acoustic") {
+  Scenario scenario{.name = "meeting", .duration_s = 200};
+  scenario.exchange = {.name = kind, .params = params, .path = "exchange"};
+  scenario.vehicles = {swimmer(0, {-15, 0, 5}, {30, 0, 5}), swimmer(1, {15, 0.5, 5}, {-30, 0, 5})};
+  return scenario;
+}
+
+std::vector<Measure> measured_of(const Scenario& scenario) {
+  RunMetrics metrics{{scenario.exam.crit_dist_m, scenario.exam.safety_distance_m}};
+  const std::array<FrameSink*, 1> sinks{&metrics};
+  Simulation{scenario, builtin_catalogs()}.run(sinks);
+  return metrics.measures();
+}
+
+double fleet_value(const std::vector<Measure>& measures, const std::string& quantity) {
+  for (const Measure& m : measures) {
+    if (m.quantity == quantity && m.vehicle == Measure::fleet) return m.value;
+  }
+  ADD_FAILURE() << quantity << " was not measured";
+  return std::nan("");
+}
+
+/// A modem that sends at every step of 50 ms and whose messages arrive in the same.
+const ParamValues ideal{{"update_rate_hz", 20.0}, {"slots", false},       {"range_m", 1e4},
+                        {"sound_speed_mps", 1e9}, {"bit_rate_bps", 1e12}, {"quantised", false}};
+
+TEST(AcousticExchange, TheSameScenarioGivesTheSameBits) {
+  const Scenario scenario = meeting({{"update_rate_hz", 1.0}, {"loss_ratio", 0.3}});
+  EXPECT_EQ(measured_of(scenario), measured_of(scenario));
+  Scenario other = scenario;
+  other.seed = 2;
+  EXPECT_NE(measured_of(other), measured_of(scenario)) << "other messages are lost";
+}
+
+TEST(AcousticExchange, AnIdealModemIsPerfectExchange) {
+  const std::vector<Measure> perfect = measured_of(meeting({}, "perfect"));
+  EXPECT_EQ(measured_of(meeting(ideal)), perfect);
+  EXPECT_NE(measured_of(meeting()), perfect);
+}
+
+TEST(AcousticExchange, TheTeamRecordsRoundingHardlyMatters) {
+  ParamValues rounded = ideal;
+  rounded.back().second = true;
+  const std::vector<Measure> perfect = measured_of(meeting({}, "perfect"));
+  const std::vector<Measure> measures = measured_of(meeting(rounded));
+  EXPECT_NE(measures, perfect);
+  EXPECT_NEAR(fleet_value(measures, "min_separation_m"), fleet_value(perfect, "min_separation_m"), 0.05);
+  EXPECT_NEAR(fleet_value(measures, "makespan_s"), fleet_value(perfect, "makespan_s"), 0.5);
+}
+
+TEST(AcousticExchange, TracksAgeBetweenMessagesAndArePredicted) {
+  Simulation simulation{meeting(), builtin_catalogs()};
+  double oldest = 0.0;
+  double farthest_off = 0.0;
+  for (int i = 0; i < 20 * 40; ++i) {
+    simulation.step({});
+    const Agent& agent = simulation.agents()[0];
+    if (agent.tracks.empty()) continue;
+    const Track& track = agent.tracks[0];
+    oldest = std::max(oldest, track.age);
+    const double off = (track.position - simulation.agents()[1].vehicle.state().p_n).norm();
+    farthest_off = std::max(farthest_off, off);
+    EXPECT_NEAR(std::sqrt(track.position_covariance(0, 0)), 0.5 * 0.02 * track.age * track.age, 1e-9);
+  }
+  EXPECT_GT(oldest, 9.0);  // told every 10 s
+  EXPECT_LT(oldest, 13.0);
+  EXPECT_GT(farthest_off, 0.1);
+  EXPECT_LT(farthest_off, 5.0) << "10 s old at 0.5 m/s";
+}
+
+TEST(AcousticExchange, WhoIsOutOfRangeIsNotKnown) {
+  Simulation simulation{meeting({{"range_m", 5.0}}), builtin_catalogs()};
+  for (int i = 0; i < 20 * 20; ++i) simulation.step({});
+  EXPECT_TRUE(simulation.agents()[0].tracks.empty());
+}
+
+TEST(AcousticExchange, BadParametersAreRefusedWithTheirPlace) {
+  try {
+    (void)Simulation{meeting({{"message_bytes_count", 80.0}}), builtin_catalogs()};
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_EQ(std::string(error.what()),
+              "exchange.message_bytes_count: 80 bytes and 39 of overhead are more than the 64 that the modem "
+              "takes");
+  }
+}
+
+}  // namespace
+}  // namespace fairway
