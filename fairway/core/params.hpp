@@ -77,9 +77,9 @@ consteval std::string_view member_name() {
 
 /// "s" from "horizon_s". A number without a known suffix does not compile.
 consteval std::string_view unit_of(std::string_view name) {
-  constexpr std::array units{"m",      "s",         "mps",      "mps2",  "rad",    "deg",     "radps",
-                             "degps",  "hz",        "kg",       "kgm2",  "n",      "nm",      "kgpm",
-                             "kgps",   "kgm2ps",    "kgm2prad", "kgpm3", "w",      "count",   "ratio",
+  constexpr std::array units{"m",      "s",         "mps",      "mps2",  "rad",    "deg",      "radps",
+                             "degps",  "hz",        "kg",       "kgm2",  "n",      "nm",       "kgpm",
+                             "kgps",   "kgm2ps",    "kgm2prad", "kgpm3", "w",      "count",    "ratio",
                              "radps2", "kgm2prad2", "npm",      "npmps", "nmprad", "nmpradps", "bps"};
   const auto underscore = name.rfind('_');
   const auto suffix = underscore == std::string_view::npos ? "" : name.substr(underscore + 1);
