@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fairway/core/angles.hpp"
+#include "fairway/perception/sonar/circle_fit.hpp"
 
 namespace fairway {
 namespace {
@@ -23,6 +24,7 @@ ContactFinder::ContactFinder(const SonarParams& params)
   // two missed beams between them, and noise of both
   neighbourhood_ = 3.0 * chart_.spacing() + 2.0 * std::sqrt(2.0 * bearing_variance_);
   members_.reserve(echo_capacity(params));
+  sorted_.reserve(echo_capacity(params));
   sightings_.reserve(echo_capacity(params));
 }
 
@@ -34,10 +36,12 @@ void ContactFinder::find(std::span<const Echo> echoes, std::span<const Obstacle>
   sightings_.clear();
   for (std::size_t first = 0, end = 0; first < members_.size(); first = end) {
     while (end < members_.size() && members_[end].thing == members_[first].thing) ++end;
-    sight({members_.data() + first, end - first});
+    sight({sorted_.data() + first, end - first}, echoes);
   }
   std::ranges::sort(sightings_, [](const Sighting& a, const Sighting& b) {
-    return a.distance != b.distance ? a.distance < b.distance : a.bearing < b.bearing;
+    const double far_a = a.place.squaredNorm();
+    const double far_b = b.place.squaredNorm();
+    return far_a != far_b ? far_a < far_b : a.place.y() < b.place.y();
   });
 
   contacts.clear();
@@ -85,30 +89,49 @@ void ContactFinder::gather(std::span<const Echo> echoes) {
     if (a.thing != b.thing) return a.thing < b.thing;
     return a.echo.bearing != b.echo.bearing ? a.echo.bearing < b.echo.bearing : a.echo.range < b.echo.range;
   });
+  sorted_.clear();
+  for (const Member& member : members_) sorted_.push_back(member.echo);
 }
 
-void ContactFinder::sight(std::span<const Member> thing) {
-  const double extent = (place_of(thing.back().echo) - place_of(thing.front().echo)).norm();
+void ContactFinder::sight(std::span<const Echo> thing, std::span<const Echo> echoes) {
+  const double extent = (place_of(thing.back()) - place_of(thing.front())).norm();
   if (extent <= params_.max_extent_m) {
-    sightings_.push_back(disc(thing));
+    sightings_.push_back(is_cut_off(thing, echoes) ? arc(thing) : disc(thing));
     return;
   }
   std::size_t first = 0;
   for (std::size_t i = 1; i <= thing.size(); ++i) {
-    const bool ends = i == thing.size() ||
-                      (place_of(thing[i].echo) - place_of(thing[first].echo)).norm() > params_.max_extent_m;
+    const bool ends =
+        i == thing.size() || (place_of(thing[i]) - place_of(thing[first])).norm() > params_.max_extent_m;
     if (!ends) continue;
     sightings_.push_back(piece(thing.subspan(first, i - first)));
     first = i;
   }
 }
 
-ContactFinder::Sighting ContactFinder::disc(std::span<const Member> thing) const {
+bool ContactFinder::is_cut_off(std::span<const Echo> thing, std::span<const Echo> echoes) const {
+  const Echo& port = thing.front();
+  const Echo& starboard = thing.back();
+  const double edge = 0.5 * radians(params_.field_of_view_deg) - 0.5 * neighbourhood_;
+  if (port.bearing < -edge || starboard.bearing > edge) return true;
+
+  // something nearer stands where it might go on
+  const auto hides = [&](const Echo& echo) {
+    const bool beside_port = echo.bearing < port.bearing && echo.range < port.range;
+    const bool beside_starboard = echo.bearing > starboard.bearing && echo.range < starboard.range;
+    return beside_port || beside_starboard;
+  };
+  const auto from = std::ranges::lower_bound(echoes, port.bearing - neighbourhood_, {}, &Echo::bearing);
+  const auto to = std::ranges::upper_bound(echoes, starboard.bearing + neighbourhood_, {}, &Echo::bearing);
+  return std::any_of(from, to, hides);
+}
+
+ContactFinder::Sighting ContactFinder::disc(std::span<const Echo> thing) const {
   const auto count = static_cast<double>(thing.size());
   double bearing = 0.0;
-  for (const Member& m : thing) bearing += m.echo.bearing / count;
+  for (const Echo& echo : thing) bearing += echo.bearing / count;
   double spread = 0.0;
-  for (const Member& m : thing) spread += square(m.echo.bearing - bearing) / count;
+  for (const Echo& echo : thing) spread += square(echo.bearing - bearing) / count;
 
   // beams are evenly spread over the angle 2a between the tangents: their variance tells it
   const double noise = bearing_variance_ * (count - 1.0) / count;
@@ -120,12 +143,12 @@ ContactFinder::Sighting ContactFinder::disc(std::span<const Member> thing) const
   // at the angle b off its middle a disc is d (cos b - sqrt(sin^2 a - sin^2 b)) away
   double distance = 0.0;
   double central = 0.0;
-  double least_range = thing.front().echo.range;
-  for (const Member& m : thing) {
-    least_range = std::min(least_range, m.echo.range);
-    const double off = m.echo.bearing - bearing;
+  double least_range = thing.front().range;
+  for (const Echo& echo : thing) {
+    least_range = std::min(least_range, echo.range);
+    const double off = echo.bearing - bearing;
     if (std::abs(off) > 0.5 * half_angle) continue;
-    distance += m.echo.range / (std::cos(off) - std::sqrt(square(sine) - square(std::sin(off))));
+    distance += echo.range / (std::cos(off) - std::sqrt(square(sine) - square(std::sin(off))));
     central += 1.0;
   }
   distance = central > 0.0 ? distance / central : least_range / (1.0 - sine);
@@ -139,50 +162,63 @@ ContactFinder::Sighting ContactFinder::disc(std::span<const Member> thing) const
   const double angle_variance = square(1.5 / half_angle) * spread_variance + ragged;
   const double radius_per_angle = distance * std::cos(half_angle) / (1.0 - sine);
   const double range_variance = square(params_.range_sigma_m / (1.0 - sine)) / std::max(central, 1.0);
-  const double radius_variance = square(radius_per_angle) * angle_variance + square(sine) * range_variance;
   const double aside_variance = (bearing_variance_ + mean_square * params_.missed_ratio) / count + ragged;
-  return {.distance = distance,
-          .bearing = bearing,
+  const Eigen::Matrix2d sight{{std::cos(bearing), -std::sin(bearing)},
+                              {std::sin(bearing), std::cos(bearing)}};
+  const Vec2 variances{range_variance + square(radius_per_angle) * angle_variance,
+                       square(distance) * aside_variance};
+  return {.place = distance * sight.col(0),
+          .covariance = sight * variances.asDiagonal() * sight.transpose(),
           .radius = distance * sine,
-          .distance_variance = range_variance + square(radius_per_angle) * angle_variance,
-          .across_variance = square(distance) * aside_variance,
-          .radius_variance = radius_variance};
+          .radius_variance = square(radius_per_angle) * angle_variance + square(sine) * range_variance};
 }
 
-ContactFinder::Sighting ContactFinder::piece(std::span<const Member> thing) const {
+ContactFinder::Sighting ContactFinder::arc(std::span<const Echo> thing) const {
+  // its centre is somewhere behind what is seen of it
+  const Sighting seen = disc(thing);
+  const double scale = 0.25 * params_.max_extent_m;
+  const Circle prior{seen.place, seen.radius, square(scale) * Mat3::Identity()};
+  const Circle circle = fitted(prior, thing, {square(params_.range_sigma_m), bearing_variance_});
+  return {.place = circle.centre,
+          .covariance = circle.covariance.topLeftCorner<2, 2>(),
+          .radius = circle.radius,
+          .radius_variance = circle.covariance(2, 2)};
+}
+
+ContactFinder::Sighting ContactFinder::piece(std::span<const Echo> thing) const {
   Vec2 middle = Vec2::Zero();
-  for (const Member& m : thing) middle += place_of(m.echo) / static_cast<double>(thing.size());
+  for (const Echo& echo : thing) middle += place_of(echo) / static_cast<double>(thing.size());
   double reach = 0.0;
-  for (const Member& m : thing) reach = std::max(reach, (place_of(m.echo) - middle).norm());
+  for (const Echo& echo : thing) reach = std::max(reach, (place_of(echo) - middle).norm());
 
   // where along a wall it was cut is chance
   const double chance = square(reach) / 3.0;
-  return {.distance = middle.norm(),
-          .bearing = std::atan2(middle.y(), middle.x()),
+  const Vec2 across = Vec2{-middle.y(), middle.x()};
+  return {.place = middle,
+          .covariance = (square(params_.range_sigma_m) + chance) * Eigen::Matrix2d::Identity() +
+                        bearing_variance_ * across * across.transpose(),
           .radius = reach,
-          .distance_variance = square(params_.range_sigma_m) + chance,
-          .across_variance = chance + middle.squaredNorm() * bearing_variance_,
           .radius_variance = chance};
 }
 
 Contact ContactFinder::placed(const Sighting& s, const VehicleState& estimate) const {
   const Mat3 R_nb = estimate.q_nb.toRotationMatrix();
-  const Vec3 along = R_nb * Vec3{std::cos(s.bearing), std::sin(s.bearing), 0.0};
-  const Vec3 across = R_nb * Vec3{-std::sin(s.bearing), std::cos(s.bearing), 0.0};
+  const auto hull = R_nb.leftCols<2>();
+  const Vec3 across = hull * Vec2{-s.place.y(), s.place.x()};
   const Vec3 down = R_nb.col(2);
 
   // a ball touches the beam with its centre up to a radius outside; everywhere there it is as likely
   const double half_aperture = 0.5 * radians(params_.vertical_aperture_deg);
-  const double height = s.distance * std::sin(half_aperture) + s.radius;
-  const double heading_variance = square(s.distance * radians(params_.heading_sigma_deg));
+  const double height = s.place.norm() * std::sin(half_aperture) + s.radius;
+  const double heading_variance = square(radians(params_.heading_sigma_deg));
 
-  Contact contact{.position = estimate.p_n + s.distance * along,
+  Contact contact{.position = estimate.p_n + hull * s.place,
                   .radius = s.radius,
                   .radius_sigma = std::sqrt(s.radius_variance + least_variance)};
   contact.lasting =
       heading_variance * across * across.transpose() + square(height) / 3.0 * down * down.transpose();
-  contact.covariance = contact.lasting + s.distance_variance * along * along.transpose() +
-                       s.across_variance * across * across.transpose() + least_variance * Mat3::Identity();
+  contact.covariance =
+      contact.lasting + hull * s.covariance * hull.transpose() + least_variance * Mat3::Identity();
   return contact;
 }
 

@@ -15,7 +15,8 @@
 namespace fairway {
 
 /// Reads the echoes of a ping: what the chart explains is dismissed, neighbours of like range are one thing,
-/// and a thing is the disc that its echoes suggest. Holds scratch memory only.
+/// and a thing is the disc whose tangents its outermost echoes are; where one of them is out of sight, the
+/// disc that its near side fits best. Holds scratch memory only.
 class ContactFinder {
  public:
   explicit ContactFinder(const SonarParams& params);
@@ -35,20 +36,20 @@ class ContactFinder {
   };
   /// A thing in the plane of the hull.
   struct Sighting {
-    double distance;           ///< of its centre [m]
-    double bearing;            ///< of its centre [rad]
-    double radius;             ///< [m]
-    double distance_variance;  ///< [m2]
-    double across_variance;    ///< athwart the line of sight [m2]
-    double radius_variance;    ///< [m2]
+    Vec2 place;                  ///< of its centre, ahead and to starboard [m]
+    Eigen::Matrix2d covariance;  ///< [m2]
+    double radius;               ///< [m]
+    double radius_variance;      ///< [m2]
   };
 
   void chart(std::span<const Obstacle> obstacles, const VehicleState& estimate);
   bool is_charted(const Echo& echo) const;
   void gather(std::span<const Echo> echoes);
-  void sight(std::span<const Member> thing);
-  Sighting disc(std::span<const Member> thing) const;
-  Sighting piece(std::span<const Member> thing) const;
+  void sight(std::span<const Echo> thing, std::span<const Echo> echoes);
+  bool is_cut_off(std::span<const Echo> thing, std::span<const Echo> echoes) const;
+  Sighting disc(std::span<const Echo> thing) const;
+  Sighting arc(std::span<const Echo> thing) const;
+  Sighting piece(std::span<const Echo> thing) const;
   Contact placed(const Sighting& sighting, const VehicleState& estimate) const;
 
   SonarParams params_;
@@ -56,7 +57,8 @@ class ContactFinder {
   double neighbourhood_;  // bearings of neighbouring echoes differ by less [rad]
   Sweep chart_;
   bool has_chart_{false};
-  std::vector<Member> members_;
+  std::vector<Member> members_;  // by thing, then bearing
+  std::vector<Echo> sorted_;     // their echoes
   std::vector<Sighting> sightings_;
 };
 

@@ -73,6 +73,40 @@ TEST(ContactFinder, CentreAndRadiusAreNearlyUnbiasedAndAsUncertainAsTold) {
   }
 }
 
+/// Mean error of centre and radius of a ball of 2 m, one side of which is out of sight, and the mean square
+/// of the former over the variance told.
+Vec3 errors_cut_off(const Vec3& centre, const std::vector<Mover>& others) {
+  const SonarParams params{.false_echoes_count = 0.0, .heading_sigma_deg = 0.0};
+  const int runs = 200;
+  Vec3 mean = Vec3::Zero();
+  for (int i = 0; i < runs; ++i) {
+    std::vector<Mover> all = others;
+    all.push_back(ball(centre, 2));
+    const auto contacts = contacts_of(params, {}, all, {}, Rng{6}.stream("run", i));
+    const auto off = [&](const Contact& contact) { return (contact.position - centre).norm(); };
+    const Contact nearest = std::ranges::min(contacts, {}, off);
+    const Vec2 error = (nearest.position - centre).head<2>();
+    const Eigen::Matrix2d covariance = nearest.covariance.topLeftCorner<2, 2>();
+    mean +=
+        Vec3{off(nearest), std::abs(nearest.radius - 2.0), error.dot(covariance.inverse() * error)} / runs;
+  }
+  return mean;
+}
+
+TEST(ContactFinder, WhatReachesOutOfTheFanIsFittedByTheArcInSight) {
+  const Vec3 near = errors_cut_off(6.0 * Vec3{std::cos(1.1), std::sin(1.1), 0}, {});
+  EXPECT_LT(near.x(), 0.4);
+  EXPECT_LT(near.y(), 0.4);
+  EXPECT_LT(near.z(), 4.0);
+}
+
+TEST(ContactFinder, WhatIsHalfHiddenIsFittedByTheArcInSight) {
+  const Vec3 hidden = errors_cut_off({20, 0, 0}, {ball({10, -1, 0}, 1)});
+  EXPECT_LT(hidden.x(), 1.0);
+  EXPECT_LT(hidden.y(), 1.0);
+  EXPECT_LT(hidden.z(), 4.0);
+}
+
 TEST(ContactFinder, TheElevationIsNotKnownAndTheCovarianceSaysSo) {
   SonarParams params = quiet_sonar();
   const auto contacts = contacts_of(params, {}, {ball({40, 0, 5}, 2)});

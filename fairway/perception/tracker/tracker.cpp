@@ -43,7 +43,10 @@ Tracker::Tracker(const TrackerParams& params)
 
 void Tracker::update(double time, std::span<const Contact> contacts, const Fan& view) {
   contacts = contacts.first(std::min(contacts.size(), capacity()));
-  for (Target& target : targets_) target.motion = target.motion.predicted(time - time_, density_);
+  for (Target& target : targets_) {
+    target.motion = target.motion.predicted(time - time_, density_);
+    target.radius_variance += params_.radius_change_mps * params_.radius_change_mps * (time - time_);
+  }
   time_ = time;
 
   // who is established chooses first
@@ -97,8 +100,7 @@ void Tracker::correct(Target& target, const Contact& contact) const {
   target.missed = 0;
 
   const double measured_variance = contact.radius_sigma * contact.radius_sigma;
-  const double share = std::max(params_.radius_share_ratio,
-                                target.radius_variance / (target.radius_variance + measured_variance));
+  const double share = target.radius_variance / (target.radius_variance + measured_variance);
   target.radius += share * (contact.radius - target.radius);
   target.radius_variance *= 1.0 - share;
 }
@@ -119,7 +121,7 @@ void Tracker::establish() {
 bool Tracker::is_lost(const Target& target) const {
   if (!target.established)
     return target.pings - target.hits > params_.birth_pings_count - params_.birth_hits_count;
-  return target.missed >= params_.death_missed_count ||
+  return target.missed >= std::min(params_.death_missed_count, target.hits) ||
          horizontal_sigma(target.motion.position_covariance) > params_.death_sigma_m;
 }
 

@@ -20,11 +20,11 @@ struct TrackerParams {
   double velocity_change_mps = 0.1;
   double first_speed_mps = 1.0;
   double gate_ratio = 0.99;
-  int birth_hits_count = 3;
-  int birth_pings_count = 5;
+  int birth_hits_count = 4;
+  int birth_pings_count = 6;
   int death_missed_count = 45;
   double death_sigma_m = 5.0;
-  double radius_share_ratio = 0.02;
+  double radius_change_mps = 0.05;
   int max_tracks_count = 64;
   bool contacts_react = false;
 
@@ -39,11 +39,13 @@ struct TrackerParams {
         field<&TrackerParams::birth_hits_count>({1, 64},
                                                 "a track is reported once it has so many contacts ..."),
         field<&TrackerParams::birth_pings_count>({1, 64}, "... in so many pings, else it is forgotten"),
-        field<&TrackerParams::death_missed_count>(
-            {1, 100000}, "pings in a row that should have shown a target and did not"),
+        field<&TrackerParams::death_missed_count>({1, 100000},
+                                                  "so many pings in a row that should have shown a target "
+                                                  "and did not, or as many as ever showed it"),
         field<&TrackerParams::death_sigma_m>(
             {0.01, 10000}, "horizontal standard deviation at which a target out of view is given up"),
-        field<&TrackerParams::radius_share_ratio>({0.001, 1}, "least weight of a new radius in the average"),
+        field<&TrackerParams::radius_change_mps>(
+            {0, 100}, "standard deviation of what the radius seen of a target does in 1 s"),
         field<&TrackerParams::max_tracks_count>({1, 512}, "at a time, those not yet reported among them"),
         field<&TrackerParams::contacts_react>(
             "whether what is only seen is counted on to avoid us as we avoid it"),
