@@ -22,6 +22,10 @@ Autopilot::Autopilot(const Vehicle& vehicle, const VelocityController::Params& p
     allocator_.emplace(*propulsion, vehicle.actuators(), allocation);
     return;
   }
+  if (const FinDrive* drive = vehicle.fin_drive()) {
+    fins_.emplace(*drive, vehicle.actuators());
+    return;
+  }
   for (const ActuatorInfo& actuator : vehicle.actuators()) {
     double BodyRequest::*const setpoint = setpoint_of(actuator.name);
     if (setpoint == nullptr) {
@@ -33,9 +37,10 @@ Autopilot::Autopilot(const Vehicle& vehicle, const VelocityController::Params& p
   }
 }
 
-ActuatorValues Autopilot::control(const BodyRequest& request, const Vec3& v_b, const Vec3& omega_b,
-                                  double h) noexcept {
+ActuatorValues Autopilot::control(const BodyRequest& request, const Vec3& v_b, const Vec3& omega_b, double h,
+                                  double pitch) noexcept {
   if (controller_) return controller_->control(request, v_b, omega_b, h);
+  if (fins_) return fins_->control(request, pitch, v_b, omega_b, h);
 
   ActuatorValues command(setpoint_count_);
   for (Eigen::Index i = 0; i < setpoint_count_; ++i)
@@ -50,6 +55,7 @@ std::optional<ActuatorValues> Autopilot::push(const Wrench& tau) const noexcept 
 
 void Autopilot::reset() noexcept {
   if (controller_) controller_->reset();
+  if (fins_) fins_->reset();
 }
 
 }  // namespace fairway

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "fairway/control/body_request.hpp"
+#include "fairway/control/fin_autopilot.hpp"
 #include "fairway/control/thrust_allocator.hpp"
 #include "fairway/control/velocity_controller.hpp"
 #include "fairway/dynamics/vehicle.hpp"
@@ -12,17 +13,18 @@
 namespace fairway {
 
 /// Turns body-velocity requests into actuator commands for one vehicle: a VelocityController where the
-/// vehicle has thrusters, the request itself where its actuators are velocity setpoints (surge_mps,
-/// sway_mps, heave_mps, yaw_rate_radps, in any order and number). A value.
+/// vehicle has thrusters, a FinAutopilot where it has fins, the request itself where its actuators are
+/// velocity setpoints (surge_mps, sway_mps, heave_mps, yaw_rate_radps, in any order and number). A value.
 class Autopilot {
  public:
-  /// Throws InputError for a vehicle that can do neither.
+  /// Throws InputError for a vehicle that can do none of these.
   explicit Autopilot(const Vehicle& vehicle, const VelocityController::Params& params = {},
                      AllocationMethod allocation = AllocationMethod::bounded);
 
-  /// The actuator command for the next `h` [s], from velocities through the water [body axes].
-  /// Neither allocates nor throws.
-  ActuatorValues control(const BodyRequest& request, const Vec3& v_b, const Vec3& omega_b, double h) noexcept;
+  /// The actuator command for the next `h` [s], from velocities through the water [body axes] and the pitch
+  /// [rad], of which fins alone need to know. Neither allocates nor throws.
+  ActuatorValues control(const BodyRequest& request, const Vec3& v_b, const Vec3& omega_b, double h,
+                         double pitch = 0.0) noexcept;
 
   /// The actuator command for a wrench about the body origin; nothing where the actuators do not push.
   std::optional<ActuatorValues> push(const Wrench& tau) const noexcept;
@@ -33,6 +35,7 @@ class Autopilot {
  private:
   std::optional<VelocityController> controller_;
   std::optional<ThrustAllocator> allocator_;
+  std::optional<FinAutopilot> fins_;
   std::array<double BodyRequest::*, max_actuators> setpoints_{};  // of each actuator, without a controller
   Eigen::Index setpoint_count_{};
 };

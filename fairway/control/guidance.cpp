@@ -43,4 +43,13 @@ BodyRequest keep_position(const HoldPoint& hold, const Ownship& own) noexcept {
           .yaw_rate_radps = limited(heading_gain * wrap_angle(hold.yaw - own.yaw), heading_rate)};
 }
 
+Command circle(const HoldPoint& hold, double radius, double speed, const Ownship& own) noexcept {
+  const Vec3 from = own.position - hold.position;
+  const double outside = (horizontal_norm(from) - radius) / radius;
+  const double course = std::atan2(from.y(), from.x()) + pi / 2 + std::atan(2.0 * outside);
+  return {.velocity = {speed * std::cos(course), speed * std::sin(course),
+                       limited(-hold_gain * from.z(), hold_speed)},
+          .mode = Mode::hold};
+}
+
 }  // namespace fairway

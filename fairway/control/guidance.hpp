@@ -27,4 +27,9 @@ struct HoldPoint {
 /// error, at most 0.3 m/s and 0.2 rad/s. What lies abeam of a vehicle without sway is left.
 BodyRequest keep_position(const HoldPoint& hold, const Ownship& own) noexcept;
 
+/// Circle over the position, turning to starboard, and return to its depth: what is left to a vehicle that
+/// cannot stop. With d the distance from it, towards phi, and rho the radius, the course is
+/// phi + pi/2 + atan(2 (d - rho) / rho) (Beard and McLain 2012, section 10.2). [m/s, NED]
+Command circle(const HoldPoint& hold, double radius, double speed, const Ownship& own) noexcept;
+
 }  // namespace fairway

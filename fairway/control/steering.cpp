@@ -23,14 +23,17 @@ Aim aim_of(const Command& command, double speed, double yaw) {
   return {alpha > 0.0 ? alpha - pi : alpha + pi, -1.0};
 }
 
+double turn_rate(const SteeringParams& params, double error) {
+  return std::clamp(params.turn_gain_hz * error, -params.max_turn_rate_radps, params.max_turn_rate_radps);
+}
+
 BodyRequest go_as_you_are(const SteeringParams& params, const Command& command, double yaw) {
   const double error = wrap_angle(command.heading.value_or(params.heading_rad) - yaw);
   const Vec3& v = command.velocity;
   return {.surge_mps = std::cos(yaw) * v.x() + std::sin(yaw) * v.y(),
           .sway_mps = std::cos(yaw) * v.y() - std::sin(yaw) * v.x(),
           .heave_mps = v.z(),
-          .yaw_rate_radps = std::clamp(params.turn_gain_hz * error, -params.max_turn_rate_radps,
-                                       params.max_turn_rate_radps)};
+          .yaw_rate_radps = turn_rate(params, error)};
 }
 
 }  // namespace
@@ -49,8 +52,7 @@ BodyRequest steer(const SteeringParams& params, const Command& command, double y
   if (params.kind != SteeringKind::turn_then_go) {
     const bool waits = params.kind == SteeringKind::proportional;
     request.surge_mps = aim.direction * speed * (waits ? std::fmax(0.0, std::cos(aim.alpha)) : 1.0);
-    request.yaw_rate_radps =
-        std::clamp(params.turn_gain_hz * aim.alpha, -params.max_turn_rate_radps, params.max_turn_rate_radps);
+    request.yaw_rate_radps = turn_rate(params, aim.alpha);
     return request;
   }
 
@@ -59,6 +61,17 @@ BodyRequest steer(const SteeringParams& params, const Command& command, double y
   request.yaw_rate_radps =
       (aligned ? params.k_rot_min_ratio : params.k_rot_max_ratio) * params.rot_vel_radps * aim.alpha;
   return request;
+}
+
+BodyRequest steer_through_water(const SteeringParams& params, const Command& command, double yaw,
+                                const Vec3& current_n) noexcept {
+  const Vec3 wanted = command.velocity - current_n;
+  const double speed = horizontal_norm(wanted);
+  const double course = speed > 0.0 ? std::atan2(wanted.y(), wanted.x()) : yaw;
+  const double error = wrap_angle(command.heading.value_or(course) - yaw);
+  return {.surge_mps = std::fmax(speed, params.min_speed_mps),
+          .heave_mps = wanted.z(),
+          .yaw_rate_radps = command.turn_rate.value_or(turn_rate(params, error))};
 }
 
 }  // namespace fairway

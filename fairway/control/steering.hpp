@@ -14,11 +14,12 @@ enum class SteeringKind {
   proportional,      ///< turn while going; surge falls with the cosine of the heading error
   holonomic,         ///< go there by surge and sway and keep the heading, for a vehicle that can
   speed_and_course,  ///< keep the speed while turning towards the course (campos2019: v and omega of theta)
+  crab,  ///< head for the velocity through the water that makes the wanted one over ground; never stop
 };
 
 template <>
 struct EnumNames<SteeringKind> {
-  static constexpr std::array names{"turn_then_go", "proportional", "holonomic", "speed_and_course"};
+  static constexpr std::array names{"turn_then_go", "proportional", "holonomic", "speed_and_course", "crab"};
 };
 
 /// Symbols of raja2024 (Table I): ORI_ERROR, K_ROT_MIN, K_ROT_MAX, ROT_VEL.
@@ -31,6 +32,8 @@ struct SteeringParams {
   double turn_gain_hz = 0.5;
   double max_turn_rate_radps = 0.3;
   double heading_rad = 0.0;
+  double min_speed_mps = 0.0;
+  double circle_radius_m = 20.0;
 
   static consteval auto fields() {
     return std::tuple{
@@ -45,6 +48,9 @@ struct SteeringParams {
         field<&SteeringParams::max_turn_rate_radps>({0, 10}, "all but turn_then_go: largest yaw rate"),
         field<&SteeringParams::heading_rad>({-6.3, 6.3},
                                             "holonomic: kept where the method commands no heading"),
+        field<&SteeringParams::min_speed_mps>({0, 100}, "crab: least speed through the water"),
+        field<&SteeringParams::circle_radius_m>({0.1, 1e4},
+                                                "crab: of the circle in place of holding a position"),
     };
   }
 };
@@ -54,5 +60,12 @@ struct SteeringParams {
 /// and 30). A velocity that is purely vertical leaves the heading alone. A commanded turn rate is taken as it
 /// is, with the velocity's part along the heading as surge; only `holonomic` has no use for it.
 BodyRequest steer(const SteeringParams& params, const Command& command, double yaw) noexcept;
+
+/// Likewise by `crab`, for a vehicle that cannot stop, in a current [m/s, NED] that it knows. The request is
+/// one through the water: it heads for the commanded velocity less the current, at its speed but never below
+/// `min_speed_mps`. Without a course, as when it is to stop in still water, it keeps its heading. A commanded
+/// heading or turn rate is taken as it is.
+BodyRequest steer_through_water(const SteeringParams& params, const Command& command, double yaw,
+                                const Vec3& current_n) noexcept;
 
 }  // namespace fairway

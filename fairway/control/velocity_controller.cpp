@@ -6,8 +6,6 @@
 #include <cmath>
 #include <vector>
 
-#include "fairway/dynamics/lag.hpp"
-
 namespace fairway {
 namespace {
 
@@ -33,24 +31,12 @@ std::vector<int> independent_rows(const Eigen::MatrixXd& B) {
 
 VelocityController::VelocityController(const Propulsion& propulsion, std::span<const ActuatorInfo> actuators,
                                        const Params& params)
-    : observer_bandwidth_{params.observer_bandwidth_radps} {
+    : observer_bandwidth_{params.observer_bandwidth_radps}, thrusters_{actuators} {
   const auto thrusters = static_cast<Eigen::Index>(actuators.size());
   if (propulsion.effectiveness.cols() != thrusters) {
     throw InputError("the thrust configuration has " + std::to_string(propulsion.effectiveness.cols()) +
                      " columns for " + std::to_string(thrusters) + " actuators");
   }
-  lowest_.resize(thrusters);
-  highest_.resize(thrusters);
-  time_constants_.resize(thrusters);
-  for (Eigen::Index i = 0; i < thrusters; ++i) {
-    const ActuatorInfo& actuator = actuators[static_cast<std::size_t>(i)];
-    lowest_[i] = actuator.range.lo;
-    highest_[i] = actuator.range.hi;
-    time_constants_[i] = actuator.time_constant_s;
-  }
-  thrust_ = ActuatorValues::Zero(thrusters).cwiseMax(lowest_).cwiseMin(highest_);
-  mean_thrust_ = thrust_;
-  remaining_ = mean_remaining_ = ActuatorValues::Zero(thrusters);
 
   // B^+ = B^T (B B^T)^-1 over the independent rows; roll and pitch, where independent, are asked for nothing
   const Eigen::MatrixXd all = propulsion.effectiveness;
@@ -83,22 +69,12 @@ VelocityController::VelocityController(const Propulsion& propulsion, std::span<c
 
 void VelocityController::reset() noexcept { memories_.fill({}); }
 
-void VelocityController::observe(const Axis& axis, Memory& memory, double velocity) const noexcept {
-  const double h = lag_step_;
-  if (memory.begun) {
-    const double nu = 0.5 * (memory.velocity + velocity);
+void VelocityController::observe(const Axis& axis, AccelerationObserver& memory,
+                                 double velocity) const noexcept {
+  memory.observe(velocity, thrusters_.step(), kept_surprise_, [&](double nu) {
     const double drag = (axis.linear_damping + axis.quadratic_damping * std::abs(nu)) * nu;
-    const double force = axis.effect.dot(mean_thrust_) - axis.restoring - drag;
-    const double surprise = velocity - (memory.expected + h * (force / axis.mass + memory.unexplained));
-
-    // both poles at exp(-L h)
-    memory.expected = velocity - kept_surprise_ * kept_surprise_ * surprise;
-    memory.unexplained += (1.0 - kept_surprise_) * (1.0 - kept_surprise_) / h * surprise;
-  } else {
-    memory.begun = true;
-    memory.expected = velocity;
-  }
-  memory.velocity = velocity;
+    return (axis.effect.dot(thrusters_.mean()) - axis.restoring - drag) / axis.mass;
+  });
 }
 
 ActuatorValues VelocityController::allocate(std::array<double, 4>& missing) const noexcept {
@@ -109,7 +85,7 @@ ActuatorValues VelocityController::allocate(std::array<double, 4>& missing) cons
 }
 
 ActuatorValues VelocityController::share_in_turn(std::array<double, 4>& missing) const noexcept {
-  ActuatorValues u = ActuatorValues::Zero(lowest_.size()).cwiseMax(lowest_).cwiseMin(highest_);
+  ActuatorValues u = thrusters_.rest();
   // one axis after the other takes what the limits leave; the second round uses room that the first made:
   // thrust ahead lets the reversing thruster of a turn give more
   for (int round = 0; round < 2; ++round) {
@@ -119,24 +95,14 @@ ActuatorValues VelocityController::share_in_turn(std::array<double, 4>& missing)
       double scale = 1.0;
       for (Eigen::Index k = 0; k < u.size(); ++k) {
         if (change[k] == 0.0) continue;
-        const double left = (change[k] > 0.0 ? highest_[k] : lowest_[k]) - u[k];
+        const double left = (change[k] > 0.0 ? thrusters_.highest()[k] : thrusters_.lowest()[k]) - u[k];
         scale = std::min(scale, std::max(0.0, left / change[k]));
       }
       u += scale * change;
       missing[i] *= 1.0 - scale;
     }
   }
-  return u.cwiseMax(lowest_).cwiseMin(highest_);
-}
-
-void VelocityController::follow(const ActuatorValues& command, double h) noexcept {
-  if (h != lag_step_) {
-    first_order_lag(time_constants_, h, remaining_, mean_remaining_);
-    kept_surprise_ = std::exp(-observer_bandwidth_ * h);
-    lag_step_ = h;
-  }
-  mean_thrust_ = command + (thrust_ - command).cwiseProduct(mean_remaining_);
-  thrust_ = command + (thrust_ - command).cwiseProduct(remaining_);
+  return thrusters_.limited(u);
 }
 
 ActuatorValues VelocityController::control(const BodyRequest& request, const Vec3& v_b, const Vec3& omega_b,
@@ -158,7 +124,8 @@ ActuatorValues VelocityController::control(const BodyRequest& request, const Vec
   }
 
   ActuatorValues u = allocate(missing);
-  follow(u, h);
+  if (h != thrusters_.step()) kept_surprise_ = std::exp(-observer_bandwidth_ * h);
+  thrusters_.follow(u, h);
   return u;
 }
 

@@ -5,7 +5,9 @@
 #include <optional>
 #include <span>
 
+#include "fairway/control/acceleration_observer.hpp"
 #include "fairway/control/body_request.hpp"
+#include "fairway/control/expected_actuators.hpp"
 #include "fairway/control/thrust_allocator.hpp"
 #include "fairway/dynamics/propulsion.hpp"
 
@@ -77,35 +79,19 @@ class VelocityController {
     ActuatorValues effect;  // row of B: tau for a unit of thrust
   };
 
-  /// What an axis has learnt; `expected` is nu^, `velocity` what was last measured, `unexplained` a.
-  struct Memory {
-    bool begun{false};
-    double velocity{};
-    double expected{};
-    double unexplained{};
-  };
-
-  void observe(const Axis& axis, Memory& memory, double velocity) const noexcept;
+  void observe(const Axis& axis, AccelerationObserver& memory, double velocity) const noexcept;
   ActuatorValues allocate(std::array<double, 4>& missing) const noexcept;
   ActuatorValues share_in_turn(std::array<double, 4>& missing) const noexcept;
-  void follow(const ActuatorValues& command, double h) noexcept;
 
   std::array<Axis, 4> axes_;  // in order of priority
   std::size_t axis_count_{};
   double observer_bandwidth_{};
-  ActuatorValues lowest_;
-  ActuatorValues highest_;
-  ActuatorValues time_constants_;
 
   std::optional<ThrustAllocator> allocator_;  // of more thrusters than axes
 
-  std::array<Memory, 4> memories_{};
-  ActuatorValues thrust_;       // of the actuators now, by their limits and lags
-  ActuatorValues mean_thrust_;  // since the call before
-  double lag_step_{-1.0};       // [s] of the call before; the three below hold for it
-  double kept_surprise_{1.0};   // exp(-L h)
-  ActuatorValues remaining_;
-  ActuatorValues mean_remaining_;
+  std::array<AccelerationObserver, 4> memories_{};
+  ExpectedActuators thrusters_;
+  double kept_surprise_{1.0};  // exp(-L h) for their step
 };
 
 }  // namespace fairway

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "fairway/dynamics/fin_drive.hpp"
 #include "fairway/dynamics/integrate.hpp"
 #include "fairway/dynamics/propulsion.hpp"
 #include "fairway/dynamics/vehicle_model.hpp"
@@ -38,8 +39,12 @@ class Vehicle {
   const VehicleInfo& info() const { return self_->info(); }
   std::span<const ActuatorInfo> actuators() const { return self_->actuators(); }
 
-  /// How actuators push, for controllers; null where the actuators are setpoints (kinematic models).
+  /// How actuators push, for controllers; null where the actuators are setpoints (kinematic models) or push
+  /// by the speed of the vehicle.
   const Propulsion* propulsion() const { return self_->propulsion(); }
+
+  /// What steers a body with fins, for controllers; null for any other.
+  const FinDrive* fin_drive() const { return self_->fin_drive(); }
 
   const VehicleState& state() const { return state_; }
   void set_state(const VehicleState& state) { state_ = state; }
@@ -67,6 +72,7 @@ class Vehicle {
     virtual const VehicleInfo& info() const = 0;
     virtual std::span<const ActuatorInfo> actuators() const = 0;
     virtual const Propulsion* propulsion() const = 0;
+    virtual const FinDrive* fin_drive() const = 0;
     virtual void advance(VehicleState&, const ActuatorValues&, const Water&, double h) const noexcept = 0;
     virtual double power(const ActuatorValues&) const noexcept = 0;
     virtual std::unique_ptr<Interface> clone() const = 0;
@@ -79,6 +85,10 @@ class Vehicle {
     std::span<const ActuatorInfo> actuators() const override { return model.actuators(); }
     const Propulsion* propulsion() const override {
       if constexpr (requires { model.propulsion(); }) return &model.propulsion();
+      return nullptr;
+    }
+    const FinDrive* fin_drive() const override {
+      if constexpr (requires { model.fin_drive(); }) return &model.fin_drive();
       return nullptr;
     }
     void advance(VehicleState& x, const ActuatorValues& u, const Water& water,

@@ -49,7 +49,13 @@ bool can_sway(const Propulsion& propulsion) {
 SteeringParams steering_of(const VehicleSpec& spec, const Vehicle& vehicle) {
   SteeringParams params;
   const Propulsion* propulsion = vehicle.propulsion();
-  if (propulsion == nullptr) {
+  if (const FinDrive* drive = vehicle.fin_drive()) {
+    const FinAutopilot autopilot{*drive, vehicle.actuators()};
+    params.kind = SteeringKind::crab;
+    params.turn_gain_hz = autopilot.turn_gain();
+    params.min_speed_mps = autopilot.steerage_way();
+    params.circle_radius_m = 3.0 * autopilot.turning_radius(autopilot.steerage_way());
+  } else if (propulsion == nullptr) {
     params.kind = SteeringKind::proportional;
   } else if (can_sway(*propulsion)) {
     params.kind = SteeringKind::holonomic;

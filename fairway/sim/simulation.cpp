@@ -60,6 +60,27 @@ Wrench wrench_of(const Vehicle& vehicle) {
   return propulsion->effectiveness * vehicle.actuator_state();
 }
 
+/// What the vehicle asks of its autopilot to carry out its command in this current.
+BodyRequest request_through_water(const Agent& agent, const Vec3& current_n, const Vec3& current_b) {
+  const double yaw = agent.own.yaw;
+  SteeringParams steering = agent.steering;
+  if (steering.kind == SteeringKind::crab) {
+    const Command command =
+        agent.holding ? circle(agent.hold, steering.circle_radius_m, steering.min_speed_mps, agent.own)
+                      : agent.command;
+    return steer_through_water(steering, command, yaw, current_n);
+  }
+
+  const bool transit = is_avoiding(agent.mission.phase());
+  if (!transit) steering.kind = SteeringKind::proportional;
+  const BodyRequest over_ground =
+      agent.holding ? keep_position(agent.hold, agent.own) : steer(steering, agent.command, yaw);
+  return {.surge_mps = over_ground.surge_mps - current_b.x(),
+          .sway_mps = over_ground.sway_mps - current_b.y(),
+          .heave_mps = over_ground.heave_mps - current_b.z(),
+          .yaw_rate_radps = over_ground.yaw_rate_radps};
+}
+
 }  // namespace
 
 Simulation::Simulation(const Scenario& scenario, const Catalogs& catalogs)
@@ -218,20 +239,13 @@ void Simulation::control() {
     if (hold && !agent.holding) agent.hold = {agent.own.position, agent.own.yaw};
     agent.holding = hold;
 
-    const bool transit = is_avoiding(agent.mission.phase());
-    SteeringParams steering = agent.steering;
-    if (!transit) steering.kind = SteeringKind::proportional;
-    const BodyRequest over_ground =
-        hold ? keep_position(agent.hold, agent.own) : steer(steering, agent.command, agent.own.yaw);
-
     // the vehicle's own controller works on velocities through the water
     const VehicleState& x = agent.vehicle.state();
-    const Vec3 current_b = x.q_nb.conjugate() * sea_.water_at(x.p_n, time()).current_n;
-    const BodyRequest request{.surge_mps = over_ground.surge_mps - current_b.x(),
-                              .sway_mps = over_ground.sway_mps - current_b.y(),
-                              .heave_mps = over_ground.heave_mps - current_b.z(),
-                              .yaw_rate_radps = over_ground.yaw_rate_radps};
-    agent.demand = agent.autopilot.control(request, x.v_b - current_b, x.omega_b, period_);
+    const Vec3 current_n = sea_.water_at(x.p_n, time()).current_n;
+    const Vec3 current_b = x.q_nb.conjugate() * current_n;
+    const BodyRequest request = request_through_water(agent, current_n, current_b);
+    agent.demand =
+        agent.autopilot.control(request, x.v_b - current_b, x.omega_b, period_, euler_of(x.q_nb).pitch);
   }
 }
 

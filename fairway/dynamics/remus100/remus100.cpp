@@ -102,6 +102,32 @@ Remus100::Remus100(const Params& p)
                    "revolutions of the propeller per minute",
                    {0.0, max_propeller_rpm},
                    p.propeller_time_constant_s}};
+  fin_drive_ = describe_drive();
+}
+
+FinDrive Remus100::describe_drive() const {
+  // where thrust (1 - t) rho D^4 (K_0 n^2 - K_1 n u) is the drag d u^2 of the hull, without surge damping:
+  // u = x n, with K_1 n u for the part that grows with the advance
+  const double D = propeller_diameter;
+  const double scale = (1.0 - thrust_deduction) * sea_density * D * D * D * D;
+  const double K_1 = (K_T_bollard - K_T_design) / design_advance * (1.0 - wake_fraction) / D;  // [s/m]
+  const double d = 0.5 * sea_density * planform * parasitic_drag_;
+  const double x = (std::sqrt(scale * K_1 * scale * K_1 + 4.0 * d * scale * K_T_bollard) - scale * K_1) /
+                   (2.0 * d);                      // [m]
+  const double slope = 2.0 * d + scale * K_1 / x;  // of drag less thrust by u, over u
+
+  return {.propeller = 2,
+          .rudder = 0,
+          .stern = 1,
+          .speed_per_turn = x / 60.0,
+          .surge_distance = M_(0, 0) / slope,
+          .yaw_inertia = M_(5, 5),
+          .yaw_damping = D_[5],
+          .rudder_moment = -fin_x * rudder_lift_,
+          .pitch_inertia = M_(4, 4),
+          .pitch_damping = D_[4],
+          .pitch_restoring = weight_ * r_g.z(),
+          .stern_moment = fin_x * stern_lift_};
 }
 
 Remus100::Screw Remus100::propeller(double n_rps, double speed) noexcept {

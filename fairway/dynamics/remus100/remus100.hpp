@@ -4,6 +4,7 @@
 #include <array>
 
 #include "fairway/dynamics/cross_flow.hpp"
+#include "fairway/dynamics/fin_drive.hpp"
 #include "fairway/dynamics/fossen.hpp"
 
 namespace fairway {
@@ -17,7 +18,7 @@ namespace fairway {
 /// 1026 kg/m3, whatever `Water::density` says, as every number belongs to it.
 ///
 /// Rudder, planes and propeller push by the speed through the water as well as by their own setting, so that
-/// there is no Propulsion. README.md beside this file has equations, numbers and limits.
+/// there is no Propulsion but a FinDrive. README.md beside this file has equations, numbers and limits.
 class Remus100 {
  public:
   static constexpr VehicleInfo info{
@@ -63,6 +64,8 @@ class Remus100 {
   /// vehicle settles within 2 % of that whatever n; held fast it takes 2.2 times as much.
   double power(const ActuatorValues& u) const noexcept;
 
+  const FinDrive& fin_drive() const { return fin_drive_; }
+
   const fossen::Matrix6& mass() const { return M_; }  ///< M = M_RB + M_A
 
  private:
@@ -72,6 +75,7 @@ class Remus100 {
     double torque_nm;
   };
 
+  FinDrive describe_drive() const;
   static Screw propeller(double n_rps, double speed) noexcept;
   fossen::Vector6 actuator_wrench(const ActuatorValues& u, const Vec3& v) const noexcept;
   fossen::Vector6 hull_wrench(const Vec3& v, const Vec3& omega) const noexcept;
@@ -88,6 +92,7 @@ class Remus100 {
   CylinderDrag cylinder_;
   CrossFlow strips_;
   std::array<ActuatorInfo, 3> actuators_;
+  FinDrive fin_drive_;
 };
 
 }  // namespace fairway
