@@ -42,9 +42,7 @@ class Search {
       : obstacles_{obstacles}, reachable_{reachable}, wish_{wish} {
     const double fastest =
         std::min(reachable.max_speed(), reachable.middle().norm() + reachable.max_change());
-    scale_ = std::max(wish.velocity.norm(), reachable.middle().norm());
-    for (const VelocityObstacle& obstacle : obstacles) scale_ = std::max(scale_, obstacle.apex().norm());
-    scale_ = std::min(std::max(2.0 * scale_, 1.0), fastest);
+    scale_ = std::min(2.0 * std::max({wish.velocity.norm(), reachable.middle().norm(), 0.5}), fastest);
     slack_ = rounding * scale_;
   }
 
@@ -113,7 +111,8 @@ class Search {
   }
 
   void consider_rings() {
-    const double reach = std::min(reachable_.max_change(), scale_ + reachable_.middle().norm());
+    const double reach = std::min(reachable_.max_change(),
+                                  limit_or(reachable_.max_speed(), scale_) + reachable_.middle().norm());
     for (int spoke = 0; spoke < spokes; ++spoke) {
       const double angle = 2.0 * pi * spoke / spokes;
       const Vec2 out = reach * turned(reachable_.bow(), std::cos(angle), std::sin(angle));
@@ -161,8 +160,8 @@ class Search {
   std::span<const VelocityObstacle> obstacles_;
   const ReachableSet& reachable_;
   const Wish& wish_;
-  double scale_{};  ///< the largest speed that matters [m/s]
-  double slack_{};  ///< [m/s]
+  double scale_;  ///< the largest speed that matters [m/s]
+  double slack_;  ///< [m/s]
   std::array<Candidate, max_candidates> candidates_;
   std::size_t count_ = 0;
   std::size_t last_in_ = 0;  ///< of the obstacles; likely to be in the way of what is tried next too

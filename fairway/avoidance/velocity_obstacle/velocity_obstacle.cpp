@@ -50,12 +50,12 @@ double urgency_of_side(const Vec2& from, const Vec2& to, double radius, const Ve
 VelocityObstacle::VelocityObstacle(const Solid& solid, const Outlook& outlook) noexcept
     : from_{solid.from},
       to_{solid.to},
-      radius_{solid.radius},
       apex_{solid.velocity},
+      drift_{solid.velocity},
+      radius_{solid.radius},
       inverse_horizon_{1.0 / outlook.horizon},
       inverse_interval_{1.0 / outlook.interval},
-      gain_{1.0},
-      drift_{solid.velocity} {
+      gain_{1.0} {
   const Vec2 p = nearest_on_segment(from_, to_, Vec2::Zero());
   const double d = p.norm();
   overlaps_ = solid.within || d <= radius_ * (1.0 + in_line);

@@ -73,17 +73,17 @@ class VelocityObstacle {
 
   Vec2 from_;  ///< the ends of the solid [m]
   Vec2 to_;
-  double radius_;
   Vec2 apex_;
+  Vec2 drift_;  ///< gain v - drift is what VO is asked about [m/s]
+  Vec2 port_;   ///< unit, along the legs
+  Vec2 starboard_;
+  Vec2 away_;  ///< unit; where it overlaps, (v - apex) . away >= rate leads out
+  double radius_;
   double inverse_horizon_;  ///< of the cut, seen from the apex [1/s]
   double inverse_interval_;
-  double gain_;  ///< gain v - drift is what VO is asked about
-  Vec2 drift_;   ///< [m/s]
-  bool overlaps_;
-  Vec2 port_;  ///< unit, along the legs
-  Vec2 starboard_;
-  Vec2 away_;    ///< unit; where it overlaps, (v - apex) . away >= rate leads out
+  double gain_;
   double rate_;  ///< [m/s]
+  bool overlaps_;
 };
 
 }  // namespace fairway::velocity_obstacle
