@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "fairway/avoidance/testing/encounters.hpp"
 
@@ -11,6 +14,21 @@ namespace fairway::velocity_obstacle {
 namespace {
 
 using encounters::Encounter;
+
+/// Keeps what it is shown.
+class Notes final : public Sketch {
+ public:
+  void velocity(const Vec3& v, std::string_view meaning) override { velocities.emplace_back(meaning, v); }
+  void half_space(const Vec3&, const Vec3&, std::string_view) override {}
+  void path(std::span<const Vec3> points, std::string_view) override {
+    paths.emplace_back(points.begin(), points.end());
+  }
+  void sphere(const Vec3&, double, std::string_view) override {}
+  void image(const VelocityImage&, std::string_view) override {}
+
+  std::vector<std::pair<std::string, Vec3>> velocities;
+  std::vector<std::vector<Vec3>> paths;
+};
 
 constexpr std::array everyone{Responsibility::all, Responsibility::shared, Responsibility::by_side};
 
@@ -200,6 +218,19 @@ TEST(VelocityObstacleDecision, WhoStandsAndMayOnlyGoAheadTurnsToItsCourse) {
   EXPECT_LT(vo(e).velocity.norm(), 1e-12);
   EXPECT_NEAR(vo(e).heading.value_or(0.0), -0.5 * pi, 1e-12);
   EXPECT_FALSE(vo(e).astern);
+}
+
+TEST(VelocityObstacleDecision, SketchesTheOutlineOfEachObstacleAndItsChoice) {
+  // R / d = 3 / 5, T = 5: the legs leave the cut 0.8 from the apex, which is the other's velocity
+  Encounter e = encounters::open_water();
+  e.tracks = {encounters::track(1, {5.0, 0.0, 50.0}, {0.0, -1.0, 0.0}, 2.0)};
+  Notes notes;
+  const Command command = decide(e, {}, Responsibility::all, &notes);
+  ASSERT_EQ(notes.paths.size(), 1U);
+  EXPECT_LT((notes.paths[0][1] - Vec3(0.64, -1.48, 50.0)).norm(), 1e-12);
+  EXPECT_LT((notes.paths[0][2] - Vec3(0.64, -0.52, 50.0)).norm(), 1e-12);
+  ASSERT_EQ(notes.velocities.size(), 2U);
+  EXPECT_EQ(notes.velocities[1], std::pair(std::string("chosen"), command.velocity));
 }
 
 TEST(VelocityObstacleDecision, WhoTouchesAndMayOnlyGoAheadTurnsAway) {
