@@ -148,6 +148,19 @@ TEST(TeamRecord, WithTicksShorterThanItsStepTheTimeIsAtMostHalfAStepOff) {
   }
 }
 
+TEST(TeamRecord, AnyTwentyFiveBytesAreAMessage) {
+  Rng rng{13};
+  for (int i = 0; i < 10'000; ++i) {
+    TeamRecord record;
+    for (std::uint8_t& byte : record) byte = static_cast<std::uint8_t>(rng.index(256));
+    const Message read = decode(record, Tick{100'000}, period);
+    ASSERT_TRUE(is_finite(read.position) && is_finite(read.velocity) && std::isfinite(read.yaw));
+    ASSERT_TRUE(!read.destination || is_finite(*read.destination));
+    ASSERT_LE(count(read.sent), 100'000);
+    ASSERT_GE(count(read.sent), 100'000 - 26'215);  // 1310.72 s
+  }
+}
+
 TEST(TeamRecord, WhatIsNotANumberIsToldAsTheLowestValue) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   Message message{.yaw = nan, .radius = nan};
