@@ -208,6 +208,15 @@ TEST(AcousticChannel, NobodyTellsMoreOftenThanTheUpdateRate) {
   }
 }
 
+TEST(AcousticChannel, AfterASilenceNothingIsMadeUpFor) {
+  Sea sea{{}, pair(10)};
+  for (Message& message : sea.said) message.told = false;
+  sea.run(100);
+  for (Message& message : sea.said) message.told = true;
+  sea.run(30);
+  EXPECT_EQ(sea.counts().sent, 2 * 3);
+}
+
 TEST(AcousticChannel, WithoutSlotsVehiclesBeginAtDifferentTimes) {
   const AcousticParams params{.slots = false};
   for (std::size_t sender = 1; sender < 8; ++sender) {
