@@ -20,9 +20,9 @@ struct IdealBody {
 
   void follow(const BodyRequest& request, const Vec3& current_n, double h) {
     yaw = wrap_angle(yaw + h * request.yaw_rate_radps);
-    over_ground =
-        Vec3{request.surge_mps * std::cos(yaw), request.surge_mps * std::sin(yaw), request.heave_mps} +
-        current_n;
+    const double ahead =
+        std::sqrt(request.surge_mps * request.surge_mps - request.heave_mps * request.heave_mps);
+    over_ground = Vec3{ahead * std::cos(yaw), ahead * std::sin(yaw), request.heave_mps} + current_n;
     position += h * over_ground;
   }
 };

@@ -69,7 +69,7 @@ BodyRequest steer_through_water(const SteeringParams& params, const Command& com
   const double speed = horizontal_norm(wanted);
   const double course = speed > 0.0 ? std::atan2(wanted.y(), wanted.x()) : yaw;
   const double error = wrap_angle(command.heading.value_or(course) - yaw);
-  return {.surge_mps = std::fmax(speed, params.min_speed_mps),
+  return {.surge_mps = std::fmax(wanted.norm(), params.min_speed_mps),
           .heave_mps = wanted.z(),
           .yaw_rate_radps = command.turn_rate.value_or(turn_rate(params, error))};
 }
