@@ -17,10 +17,10 @@ namespace fairway {
 /// independently, of surge, sway, heave and yaw; a request on another axis is ignored. Per axis, with m its
 /// mass with added mass, omega its bandwidth, r the request and nu the velocity through the water:
 ///
-///     tau   = g + (d_l + d_q |r|) r + m omega (r - nu) - m a      drag and restoring ahead, P, what is
-///     unexplained nu^'  = (f - g - (d_l + d_q |nu|) nu) / m + a + 2 L (nu - nu^)                    what the
-///     model expects a'    = L^2 (nu - nu^)                                        acceleration that it does
-///     not explain u     = B^+ tau
+///     tau  = g + (d_l + d_q |r|) r + m omega (r - nu) - m a     restoring and drag, P, what is unexplained
+///     nu^' = (f - g - (d_l + d_q |nu|) nu) / m + a + 2 L (nu - nu^)             what the model expects
+///     a'   = L^2 (nu - nu^)                                     acceleration that it does not explain
+///     u    = B^+ tau
 ///
 /// with f the thrust the actuators are giving: limits and lag of past commands included. The integral action
 /// is the observer's a: without limits and lag this is PI control, both observer poles at L; and a request

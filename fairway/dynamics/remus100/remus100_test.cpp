@@ -138,6 +138,42 @@ TEST(Remus100, ActuatorsHaveThePublishedLimits) {
   EXPECT_EQ(Vehicle{remus}.propulsion(), nullptr);
 }
 
+TEST(Remus100, TellsAutopilotsWhatItsDerivativeDoes) {
+  const Remus100 remus{{}};
+  const FinDrive& drive = remus.fin_drive();
+  EXPECT_EQ(remus.actuators()[drive.propeller].name, "n_rpm");
+  EXPECT_EQ(remus.actuators()[drive.rudder].name, "rudder_rad");
+  EXPECT_EQ(remus.actuators()[drive.stern].name, "stern_rad");
+
+  // steady speed and how fast it is come to: the published ones, without the little surge damping
+  EXPECT_NEAR(1000 * drive.speed_per_turn, 1.6642, 0.002);
+  EXPECT_NEAR(1525 * drive.speed_per_turn, 2.5396, 0.002);
+  VehicleState x;
+  x.v_b.x() = 1.5;
+  const double n = 1.02 * 1.5 / drive.speed_per_turn;
+  const double gathering = remus.derivative(x, actuators(0, 0, n), {}).v_b.x();
+  EXPECT_NEAR(gathering, 0.02 * 1.5 * 1.5 / drive.surge_distance, 0.05 * gathering);
+
+  // moments by finite differences; a fin turned moves sway and heave too, through the centre of gravity
+  const Wrench change = remus.mass() * [&] {
+    const StateRate still = remus.derivative(x, actuators(0, 0, 0), {});
+    const StateRate turned = remus.derivative(x, actuators(0.01, 0.02, 0), {});
+    return (Wrench() << turned.v_b - still.v_b, turned.omega_b - still.omega_b).finished();
+  }();
+  EXPECT_NEAR(change[5], drive.rudder_moment * 1.5 * 1.5 * 0.01, 1e-9);
+  EXPECT_NEAR(change[4], drive.stern_moment * 1.5 * 1.5 * 0.02, 1e-9);
+  EXPECT_EQ(drive.yaw_inertia, remus.mass()(5, 5));
+  EXPECT_EQ(drive.pitch_inertia, remus.mass()(4, 4));
+
+  // at rest, pitched and turning
+  x = {.q_nb = quaternion_of({.pitch = 0.1})};
+  x.omega_b = {0.0, 0.0, 0.001};
+  const StateRate rate = remus.derivative(x, actuators(0, 0, 0), {});
+  const Wrench force = remus.mass() * (Wrench() << rate.v_b, rate.omega_b).finished();
+  EXPECT_NEAR(force[4], -drive.pitch_restoring * std::sin(0.1), 1e-4);
+  EXPECT_NEAR(force[5], -drive.yaw_damping * 0.001, 1e-4);
+}
+
 TEST(Remus100, PowerIsThatOfTheShaftAtTheDesignPoint) {
   // 2 pi n Q with Q = 0.0312 * 1026 * 0.14^5 n^2, n = 25.417 / s
   const double n = 1525.0 / 60.0;
