@@ -30,7 +30,7 @@ Belief fused(const Belief& a, const Belief& b) {
 
 Merge::Merge(const MergeParams& params, std::size_t seen_count, std::size_t told_count)
     : params_{params},
-      gate_{gate_of(params.merge_gate_ratio)},
+      gate_{gate_of(params.merge_gate_ratio, 3)},
       assignment_{seen_count, std::min(told_count, usual_pairs)} {
   near_.reserve(told_count);
 }

@@ -8,7 +8,7 @@
 namespace fairway {
 namespace {
 
-constexpr int gauss_newton_steps = 6;
+constexpr int gauss_newton_steps = 8;
 constexpr double least_radius = 0.05;    // [m]
 constexpr double least_variance = 1e-4;  // [m2], 1 cm: no echo is from a better circle
 

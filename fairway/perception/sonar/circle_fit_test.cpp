@@ -39,8 +39,8 @@ TEST(CircleFit, ErrorsAreAsLargeAsTold) {
   for (int run = 0; run < runs; ++run) {
     Rng rng = Rng{2}.stream("run", static_cast<std::uint64_t>(run));
     const Vec3 truth{10, 0, 2};
-    const Vec3 thought = truth + Vec3{rng.normal(), rng.normal(), 0.3 * rng.normal()};
-    const Mat3 doubt = Vec3{1, 1, 0.09}.asDiagonal();
+    const Vec3 thought = truth + 0.5 * Vec3{rng.normal(), rng.normal(), rng.normal()};
+    const Mat3 doubt = 0.25 * Mat3::Identity();
     const Circle circle =
         fitted({thought.head<2>(), thought.z(), doubt}, arc({10, 0}, 2.0, -0.8, 0.0, noise, rng), noise);
     const Vec3 error = Vec3{circle.centre.x(), circle.centre.y(), circle.radius} - truth;

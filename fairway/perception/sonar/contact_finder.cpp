@@ -179,10 +179,15 @@ ContactFinder::Sighting ContactFinder::arc(std::span<const Echo> thing) const {
   const double scale = 0.25 * params_.max_extent_m;
   const Circle prior{seen.place, seen.radius, square(scale) * Mat3::Identity()};
   const Circle circle = fitted(prior, thing, {square(params_.range_sigma_m), bearing_variance_});
+
+  // what the echoes leave open stays open: in that pings err alike for about a second
+  const double alike = std::max(1.0, params_.rate_hz);
+  const Mat3 covariance =
+      circle.covariance + (alike - 1.0) / square(scale) * circle.covariance * circle.covariance;
   return {.place = circle.centre,
-          .covariance = circle.covariance.topLeftCorner<2, 2>(),
+          .covariance = covariance.topLeftCorner<2, 2>(),
           .radius = circle.radius,
-          .radius_variance = circle.covariance(2, 2)};
+          .radius_variance = covariance(2, 2)};
 }
 
 ContactFinder::Sighting ContactFinder::piece(std::span<const Echo> thing) const {

@@ -5,13 +5,16 @@
 #include <cmath>
 #include <limits>
 
-#include "fairway/core/angles.hpp"
-
 namespace fairway {
 
-double gate_of(double ratio) {
-  const auto share = [](double x) {
-    return std::erf(std::sqrt(0.5 * x)) - std::sqrt(2.0 * x / pi) * std::exp(-0.5 * x);
+double gate_of(double ratio, int dimensions) {
+  // from one or two dimensions upwards by two
+  const auto share = [&](double x) {
+    const bool odd = dimensions % 2 == 1;
+    double sum = odd ? std::erf(std::sqrt(0.5 * x)) : 1.0 - std::exp(-0.5 * x);
+    for (int k = odd ? 3 : 4; k <= dimensions; k += 2)
+      sum -= std::pow(0.5 * x, 0.5 * k - 1.0) * std::exp(-0.5 * x) / std::tgamma(0.5 * k);
+    return sum;
   };
   double low = 0.0;
   double high = 100.0;

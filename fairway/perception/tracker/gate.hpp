@@ -5,9 +5,9 @@
 
 namespace fairway {
 
-/// The squared Mahalanobis distance in three dimensions that a share `ratio` of all stays within: the
-/// quantile of chi-square with three degrees of freedom. `ratio` in (0, 1).
-double gate_of(double ratio);
+/// The squared Mahalanobis distance in so many dimensions (1 to 10) that a share `ratio`, in (0, 1), of all
+/// stays within: the quantile of chi-square.
+double gate_of(double ratio, int dimensions);
 
 /// Square of the Mahalanobis distance of a difference whose error has the positive definite `covariance`, or
 /// infinity where it is surely beyond `gate`, which is cheaper to see.

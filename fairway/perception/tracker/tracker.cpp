@@ -10,6 +10,8 @@
 namespace fairway {
 namespace {
 
+constexpr double radius_tolerance = 0.2;  // things are not balls: a share of the radius
+
 TrackerParams consistent(const TrackerParams& params) {
   check(params);
   return params;
@@ -32,7 +34,7 @@ void check(const TrackerParams& params) {
 Tracker::Tracker(const TrackerParams& params)
     : params_{consistent(params)},
       density_{params.velocity_change_mps * params.velocity_change_mps},
-      gate_{gate_of(params.gate_ratio)},
+      gate_{gate_of(params.gate_ratio, 4)},
       assignment_{static_cast<std::size_t>(params.max_tracks_count), capacity()} {
   const auto most = static_cast<std::size_t>(params.max_tracks_count);
   targets_.reserve(most);
@@ -75,11 +77,10 @@ void Tracker::assign(std::span<const Contact> contacts, bool established) {
   }
   assignment_.begin(rows_.size(), contacts.size());
   for (std::size_t row = 0; row < rows_.size(); ++row) {
-    const ConstantVelocity& motion = targets_[rows_[row]].motion;
+    const Target& target = targets_[rows_[row]];
     for (std::size_t j = 0; j < contacts.size(); ++j) {
       if (used_[j] != 0) continue;
-      const double distance = distance2(contacts[j].position - motion.position,
-                                        motion.position_covariance + contacts[j].covariance, gate_);
+      const double distance = distance_to(contacts[j], target);
       if (distance < gate_) assignment_.offer(row, j, gate_ - distance);
     }
   }
@@ -89,6 +90,15 @@ void Tracker::assign(std::span<const Contact> contacts, bool established) {
     contact_of_[rows_[row]] = pairs[row];
     used_[*pairs[row]] = 1;
   }
+}
+
+double Tracker::distance_to(const Contact& contact, const Target& target) const {
+  const double tolerance = radius_tolerance * std::max(contact.radius, target.radius);
+  const double variance =
+      target.radius_variance + contact.radius_sigma * contact.radius_sigma + tolerance * tolerance;
+  const double off = contact.radius - target.radius;
+  return off * off / variance + distance2(contact.position - target.motion.position,
+                                          target.motion.position_covariance + contact.covariance, gate_);
 }
 
 void Tracker::correct(Target& target, const Contact& contact) const {

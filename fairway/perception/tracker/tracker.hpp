@@ -92,6 +92,7 @@ class Tracker {
   };
 
   void assign(std::span<const Contact> contacts, bool established);
+  double distance_to(const Contact& contact, const Target& target) const;
   void correct(Target& target, const Contact& contact) const;
   void miss(Target& target, const Fan& view) const;
   void establish();
@@ -100,7 +101,7 @@ class Tracker {
 
   TrackerParams params_;
   double density_;  // of acceleration [m2/s3]
-  double gate_;     // of the squared Mahalanobis distance
+  double gate_;     // of the squared Mahalanobis distance of position and radius
   std::uint32_t next_id_{first_tracker_id};
   double time_{};
   std::vector<Target> targets_;  // in order of birth

@@ -171,12 +171,21 @@ TEST(Tracker, CoincidentContactsAndMoreThanItHasRoomForAreFine) {
 TEST(Tracker, TheRadiusIsASlowAverage) {
   Tracker tracker = following({10, 0, 0}, 200);
   Contact large = contact({10, 0, 0});
-  large.radius = 5.0;
+  large.radius = 1.5;
   tracker.update(200 * period, std::vector{large}, everywhere());
   // in steady state the share s of a new radius keeps s^2 / (1 - s) = q / r
   const double noise = 0.05 * 0.05 * period / (0.2 * 0.2);
   const double share = 0.5 * (std::sqrt(noise * noise + 4.0 * noise) - noise);
-  EXPECT_NEAR(reported(tracker, 200 * period)[0].radius, 1.0 + share * 4.0, 1e-4);
+  EXPECT_NEAR(reported(tracker, 200 * period)[0].radius, 1.0 + share * 0.5, 1e-4);
+}
+
+TEST(Tracker, AnEchoOfNoSizeIsNotTakenForAThingOfSize) {
+  Tracker tracker = following({10, 0, 0}, 30, {.death_missed_count = 1000});
+  Contact speck = contact({10, 0, 0});
+  speck.radius = 0.05;
+  speck.radius_sigma = 0.05;
+  tracker.update(30 * period, std::vector{speck}, everywhere());
+  EXPECT_NEAR(reported(tracker, 30 * period)[0].age, period, 1e-9);
 }
 
 TEST(Tracker, ErrorsThatLastAreNotAveragedAway) {
@@ -250,14 +259,16 @@ TEST(Tracker, ContradictionsAreRefused) {
   }
 }
 
-TEST(Tracker, TheGateIsTheQuantileOfChiSquareWithThreeDegreesOfFreedom) {
-  EXPECT_NEAR(gate_of(0.95), 7.8147, 1e-4);
-  EXPECT_NEAR(gate_of(0.99), 11.3449, 1e-4);
+TEST(Tracker, TheGateIsTheQuantileOfChiSquare) {
+  EXPECT_NEAR(gate_of(0.95, 3), 7.8147, 1e-4);
+  EXPECT_NEAR(gate_of(0.99, 3), 11.3449, 1e-4);
+  EXPECT_NEAR(gate_of(0.95, 1), 3.8415, 1e-4);
+  EXPECT_NEAR(gate_of(0.99, 4), 13.2767, 1e-4);
   Rng rng{5};
   int inside = 0;
   for (int i = 0; i < 4000; ++i) {
     const Vec3 error{2.0 * rng.normal(), rng.normal(), 0.5 * rng.normal()};
-    inside += distance2(error, Vec3{4, 1, 0.25}.asDiagonal(), gate_of(0.9)) < gate_of(0.9) ? 1 : 0;
+    inside += distance2(error, Vec3{4, 1, 0.25}.asDiagonal(), gate_of(0.9, 3)) < gate_of(0.9, 3) ? 1 : 0;
   }
   EXPECT_NEAR(inside / 4000.0, 0.9, 3.0 * std::sqrt(0.9 * 0.1 / 4000));
 }
