@@ -7,6 +7,7 @@ Kinematic::Kinematic(const Params& p)
     : rate_{1.0 / p.time_constant_s},
       max_acceleration_{p.max_acceleration_mps2},
       max_turn_acceleration_{p.max_turn_acceleration_radps2},
+      sways_{p.max_sway_mps > 0.0},
       actuators_{ActuatorInfo{"surge_mps",
                               "setpoint of the speed ahead through the water",
                               {-p.max_reverse_mps, p.max_speed_mps},
@@ -18,6 +19,10 @@ Kinematic::Kinematic(const Params& p)
                  ActuatorInfo{"yaw_rate_radps",
                               "setpoint of the turn rate, positive to starboard",
                               {-p.max_turn_rate_radps, p.max_turn_rate_radps},
+                              0.0},
+                 ActuatorInfo{"sway_mps",
+                              "setpoint of the speed to starboard through the water",
+                              {-p.max_sway_mps, p.max_sway_mps},
                               0.0}} {}
 
 }  // namespace fairway

@@ -76,6 +76,25 @@ TEST(Kinematic, SteadyTurnIsACircleOfSpeedOverTurnRate) {
   EXPECT_NEAR(vehicle.state().p_n.y(), 2 * 0.5 / 0.25, 1e-8);
 }
 
+TEST(Kinematic, HasNoSwayActuatorUnlessItIsGivenSway) {
+  EXPECT_EQ(Kinematic{{}}.actuators().size(), 3U);
+  EXPECT_EQ(Kinematic{{.max_sway_mps = 1.0}}.actuators().back().name, "sway_mps");
+}
+
+TEST(Kinematic, WithSwayGoesAnyWayWithinOneLimitOfAcceleration) {
+  const Kinematic::Params p{
+      .max_speed_mps = 10.0, .max_sway_mps = 10.0, .max_acceleration_mps2 = 2.0, .time_constant_s = 0.02};
+  Vehicle vehicle{Kinematic{p}};
+  ActuatorValues u(4);
+  u << 3.0, 0.0, 0.0, -4.0;
+  for (int i = 0; i < 50; ++i) vehicle.step(u, {}, 0.02);
+  EXPECT_NEAR(vehicle.state().v_b.norm(), 2.0, 1e-9);  // 2 m/s2 for a second
+  for (int i = 0; i < 150; ++i) vehicle.step(u, {}, 0.02);
+  EXPECT_NEAR(vehicle.state().v_b.x(), 3.0, 1e-6);
+  EXPECT_NEAR(vehicle.state().v_b.y(), -4.0, 1e-6);
+  EXPECT_NEAR(yaw_of(vehicle.state().q_nb), 0.0, 1e-12);
+}
+
 TEST(Kinematic, IsCarriedByTheCurrentWhileItTurns) {
   const Water water{.current_n = {0.3, 0.2, -0.1}, .density = 1000.0};
   Vehicle vehicle{Kinematic{{}}};
