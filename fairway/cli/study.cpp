@@ -19,7 +19,29 @@ struct StudyFlags {
   int seeds{20};
   std::string out;
   bool json{false};
+  std::vector<std::string> overrides;
 };
+
+/// "path=value" for each, as `--set` takes them.
+std::vector<std::string> written(const Overrides& overrides) {
+  std::vector<std::string> texts;
+  for (const auto& [path, value] : overrides) texts.push_back(path + "=" + value);
+  return texts;
+}
+
+/// The rows, and what they were made under.
+nlohmann::json document_of(const Study& study, const StudyResult& result, const Overrides& overrides) {
+  nlohmann::json document = rows_json(study.name, result.rows);
+  if (!overrides.empty()) document["set"] = written(overrides);
+  return document;
+}
+
+/// The page, with what it was made under among its facts.
+nlohmann::json page_under(const Overrides& overrides, nlohmann::json page) {
+  for (const std::string& text : written(overrides))
+    page["facts"].push_back({{"label", "Under"}, {"value", text}});
+  return page;
+}
 
 void write_file(const std::filesystem::path& path, const std::string& text) {
   std::ofstream file{path, std::ios::binary};
@@ -38,13 +60,13 @@ std::filesystem::path prepared(const std::string& out, const std::string& name) 
 
 /// Leaves results.csv, rows.json and report.html beside the store.
 void write_results(const std::filesystem::path& directory, const Study& study, const StudyResult& result,
-                   const Store& store) {
+                   const Overrides& overrides, const Store& store) {
   std::ofstream csv{directory / "results.csv", std::ios::binary};
   store.export_csv(csv);
   csv.close();
   if (!csv) throw InputError((directory / "results.csv").string() + ": cannot be written");
-  write_file(directory / "rows.json", rows_json(study.name, result.rows).dump(1) + "\n");
-  write_page(result.page.dump(), (directory / "report.html").string());
+  write_file(directory / "rows.json", document_of(study, result, overrides).dump(1) + "\n");
+  write_page(page_under(overrides, result.page).dump(), (directory / "report.html").string());
 }
 
 int run_study(const Study& study, const StudyFlags& flags, const Program& program) {
@@ -55,23 +77,27 @@ int run_study(const Study& study, const StudyFlags& flags, const Program& progra
     directory = prepared(flags.out, name);
     store.emplace(Store::open((directory / "results.sqlite").string()));
   }
+  const Overrides overrides = overrides_of(flags.overrides);
   Progress progress{name};
   const StudyResult result = study.run({.jobs = flags.jobs,
                                         .seeds = flags.seeds,
                                         .store = store ? &*store : nullptr,
                                         .progress = &progress,
                                         .stop = program.stop,
-                                        .command = program.typed});
+                                        .command = program.typed,
+                                        .overrides = overrides});
   if (!result.complete) {
     std::cerr << "fairway: interrupted; "
               << (store ? "the same command goes on from here" : "nothing was kept (no --out)") << "\n";
     return interrupted;
   }
-  if (store) write_results(directory, study, result, *store);
+  if (store) write_results(directory, study, result, overrides, *store);
   if (flags.json) {
-    std::cout << rows_json(study.name, result.rows).dump() << "\n";
+    std::cout << document_of(study, result, overrides).dump() << "\n";
   } else {
-    std::cout << study.title << "\n" << rows_text(result.rows);
+    std::cout << study.title << "\n";
+    for (const std::string& text : written(overrides)) std::cout << "under " << text << "\n";
+    std::cout << rows_text(result.rows);
     if (store)
       std::cout << "report: " << std::filesystem::absolute(directory / "report.html").string() << "\n";
   }
@@ -95,6 +121,7 @@ void add_study(CLI::App& app, Program& program) {
       ->check(CLI::Range(0, 100000));
   verb->add_option("--out", flags->out, "folder for results, rows and the report");
   verb->add_flag("--json", flags->json, "print the rows as JSON");
+  verb->add_option("--set", flags->overrides, "path=value, put into every scenario of the study");
   verb->callback([=, &program] {
     program.chosen = [=, &program] {
       std::vector<const Study*> studies;

@@ -14,11 +14,13 @@ namespace fairway::yaml {
 namespace {
 
 /// What a choice written as one word is short for: `avoider: orca3d` is `{algorithm: orca3d}`.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 5> shorthands{{{"model", "name"},
+constexpr std::array<std::pair<std::string_view, std::string_view>, 7> shorthands{{{"model", "name"},
                                                                                    {"avoider", "algorithm"},
                                                                                    {"steering", "kind"},
                                                                                    {"allocation", "method"},
-                                                                                   {"perception", "kind"}}};
+                                                                                   {"perception", "kind"},
+                                                                                   {"exchange", "kind"},
+                                                                                   {"navigation", "kind"}}};
 
 std::string_view name_key_of(std::string_view key) {
   const auto found =

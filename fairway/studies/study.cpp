@@ -10,6 +10,7 @@
 #include "fairway/studies/cubes/cubes.hpp"
 #include "fairway/studies/surface/surface.hpp"
 #include "fairway/studies/transport/transport.hpp"
+#include "fairway/studies/uuv/uuv.hpp"
 
 namespace fairway {
 namespace {
@@ -52,7 +53,7 @@ void judge(StudyRow& row, bool is_count) {
 }
 
 std::span<const Study> builtin_studies() {
-  static const std::array all{cubes::study(), transport::study(), surface::study()};
+  static const std::array all{cubes::study(), transport::study(), surface::study(), uuv::study()};
   return all;
 }
 

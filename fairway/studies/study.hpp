@@ -14,6 +14,7 @@
 #include "fairway/core/params.hpp"
 #include "fairway/experiment/progress.hpp"
 #include "fairway/experiment/store.hpp"
+#include "fairway/scenario/load.hpp"
 
 namespace fairway {
 
@@ -57,6 +58,7 @@ struct StudyOptions {
   Progress* progress{nullptr};
   const std::atomic<bool>* stop{nullptr};
   std::string command;  ///< as typed, for the report
+  Overrides overrides;  ///< put into the scenario of every run, as by `run --set`
 };
 
 /// What a study found.

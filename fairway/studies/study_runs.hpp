@@ -21,8 +21,12 @@ struct StudyRun {
 /// What a run is measured by; called by several threads at once, throws RunAbandoned once `stop` is true.
 using MeasureRun = std::function<std::vector<Measure>(const Scenario&, const std::atomic<bool>* stop)>;
 
-/// Makes the runs that the store lacks (of the options; else of memory) and gives the measures of all, in the
-/// order of `runs`. Nothing if stopped before all were made. Throws InputError for a run that failed.
+/// The scenario under the overrides. Throws InputError naming the override that does not fit it.
+Scenario under(const Overrides& overrides, Scenario scenario);
+
+/// Makes the runs, under the options' overrides, that the store lacks (of the options; else of memory) and
+/// gives the measures of all, in the order of `runs`. Runs under other overrides have other keys. Nothing if
+/// stopped before all were made. Throws InputError for a run that failed, or if an override does not fit.
 std::optional<std::vector<std::vector<Measure>>> make_runs(std::span<const StudyRun> runs,
                                                            const MeasureRun& measure,
                                                            const StudyOptions& options);

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/studies/uuv/encounter.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "fairway/core/rng.hpp"
+
+namespace fairway::uuv {
+namespace {
+
+constexpr double duration = 60.0;       // [s]
+constexpr double max_speed = 10.0;      // [m/s], as published
+constexpr double ship_speed = 6.0;      // [m/s], likewise
+constexpr double arrived_within = 1.0;  // [m]
+constexpr double turn_rate = 1.0;       // [rad/s], of the unicycle
+
+constexpr std::array known_settings{
+    Setting{"literal", 7.07, 0.8, 0.0, 1.0, 1.0, 4.0},  Setting{"common", 6.0, 2.0, 6.0, 1.5, 2.0, 2.0},
+    Setting{"common_3s", 6.0, 2.0, 6.0, 1.5, 2.0, 3.0}, Setting{"from_rest", 6.0, 2.0, 0.0, 1.5, 2.0, 3.0},
+    Setting{"slower", 6.5, 1.0, 0.0, 1.0, 1.0, 4.0},    Setting{"top_speed", 10.0, 1.0, 0.0, 2.5, 2.5, 6.0},
+    Setting{"short", 7.07, 1.0, 0.0, 1.0, 1.0, 2.0}};
+
+/// A point of the paper, whose x is east and y north.
+Vec3 place(double x, double y) { return {y, x, 0.0}; }
+
+Vec3 anywhere_near(const Vec3& at, double reach, Rng& rng) {
+  const double n = rng.uniform(-reach, reach);
+  return at + Vec3{n, rng.uniform(-reach, reach), 0.0};
+}
+
+ParamValues params_of(const Method& method, const Setting& setting) {
+  ParamValues params = method.params;
+  const auto with_horizon = [&](std::string_view name) { return method.algorithm.starts_with(name); };
+  if (std::ranges::any_of(std::array{"vo", "rvo", "hrvo", "orca"}, with_horizon))
+    params.emplace_back("time_horizon_s", setting.time_horizon_s);
+  return params;
+}
+
+Choice model_of(const Setting& setting, Hull hull) {
+  const bool sways = hull == Hull::point;
+  return {.name = "kinematic",
+          .params = {{"max_speed_mps", max_speed},
+                     {"max_reverse_mps", sways ? max_speed : 0.0},
+                     {"max_sway_mps", sways ? max_speed : 0.0},
+                     {"max_heave_mps", 0.0},
+                     {"max_turn_rate_radps", turn_rate},
+                     {"max_acceleration_mps2", setting.acceleration_mps2},
+                     {"max_turn_acceleration_radps2", 100.0},
+                     {"time_constant_s", 0.05}},
+          .path = "model"};
+}
+
+Choice steering_of(Hull hull, double yaw) {
+  if (hull == Hull::point) return {.name = "holonomic", .params = {{"heading_rad", yaw}}, .path = "steering"};
+  return {.name = "speed_and_course",
+          .params = {{"turn_gain_hz", 2.0}, {"max_turn_rate_radps", turn_rate}},
+          .path = "steering"};
+}
+
+VehicleSpec uuv_of(const Meeting& meeting, std::size_t index, const Setting& setting, Hull hull,
+                   const Method& method) {
+  const Vec3 way = meeting.goals[index] - meeting.starts[index];
+  const double yaw = std::atan2(way.y(), way.x());
+  VehicleSpec uuv{.id = static_cast<std::uint32_t>(index), .name = index == 0 ? "uuv1" : "uuv2"};
+  uuv.model = model_of(setting, hull);
+  uuv.avoider = {
+      .name = std::string(method.algorithm), .params = params_of(method, setting), .path = "avoider"};
+  uuv.steering = steering_of(hull, yaw);
+  uuv.position = meeting.starts[index];
+  uuv.yaw = yaw;
+  uuv.speed = setting.start_speed_mps;
+  uuv.start_delay_s = meeting.start_delays_s[index];
+  uuv.radius_m = setting.uuv_radius_m;
+  uuv.priority = static_cast<std::int32_t>(index);
+  uuv.limits = {.max_speed = max_speed,
+                .max_climb_rate = 0.0,
+                .max_acceleration = setting.acceleration_mps2,
+                .max_turn_rate = turn_rate};
+  uuv.mission = {{.kind = LegKind::transit,
+                  .position = meeting.goals[index],
+                  .speed_mps = setting.speed_mps,
+                  .arrival_m = arrived_within}};
+  return uuv;
+}
+
+ObstacleSpec ship_at(const Vec3& position, const Vec3& velocity, double radius) {
+  ObstacleSpec ship{.kind = Obstacle::Kind::sphere};
+  ship.position = position;
+  ship.velocity = velocity;
+  ship.radius = radius;
+  return ship;
+}
+
+}  // namespace
+
+std::string_view name_of(Encounter encounter) {
+  constexpr std::array names{"head_on", "multi_obstacle", "parallel_goals"};
+  return names[static_cast<std::size_t>(encounter)];
+}
+
+std::string_view name_of(Hull hull) { return hull == Hull::point ? "point" : "unicycle"; }
+
+std::span<const Setting> settings() { return known_settings; }
+
+const Setting& find_setting(std::string_view name) {
+  const auto found = std::ranges::find(known_settings, name, &Setting::name);
+  if (found == known_settings.end()) throw std::out_of_range("no setting " + std::string(name));
+  return *found;
+}
+
+Hull hull_of(const Method& method) {
+  const bool by_heading =
+      method.algorithm.starts_with("avoa") || method.algorithm.starts_with("wall_following");
+  return by_heading ? Hull::unicycle : Hull::point;
+}
+
+std::span<const Method> planar_methods() {
+  static const ParamValues fast{{"window_s", 4.0},
+                                {"thruster_speed_mps", max_speed},
+                                {"beta_m", 7.5},
+                                {"turn_gain_hz", 2.0},
+                                {"least_speed_mps", 1.3},
+                                {"danger_threshold_mps", 2.0},
+                                {"max_speed_mps", max_speed},
+                                {"max_turn_rate_radps", turn_rate}};
+  static const std::vector<Method> methods{
+      {"rvo", "rvo", {}},
+      {"vo", "vo", {}},
+      {"hrvo", "hrvo", {}},
+      {"orca2d", "orca2d", {}},
+      {"orca3d", "orca3d", {}},
+      {"apf", "apf", {{"crit_dist_m", 20.0}}},
+      {"avoa", "avoa", fast},
+      {"avoa_improved", "avoa_improved", {}},
+      {"orca3d+stop_and_wait", "orca3d+stop_and_wait", {}},
+      {"direct+filter", "direct+safety_filter", {}},
+      {"wall_following", "wall_following", {{"form", std::string("corrected")}}},
+      {"direct", "direct", {}},
+  };
+  return methods;
+}
+
+Meeting meeting_of(Encounter encounter) {
+  if (encounter == Encounter::head_on) {
+    const Vec3 p1 = place(20.0, 20.0);
+    const Vec3 p2 = place(100.0, 100.0);
+    return {.starts = {p1, p2}, .goals = {p2, p1}};
+  }
+  const Vec3 one = place(100.0, 80.0);
+  const Vec3 other = place(80.0, 100.0);
+  Meeting meeting{.starts = {place(0.0, 20.0), place(20.0, 0.0)}, .goals = {one, other}};
+  if (encounter == Encounter::parallel_goals) std::swap(meeting.goals[0], meeting.goals[1]);
+  meeting.ships = {place(20.0, 80.0), place(15.0, 90.0), place(10.0, 85.0)};
+  meeting.ship_velocity = ship_speed * std::sqrt(0.5) * place(1.0, -1.0);
+  return meeting;
+}
+
+Meeting varied(Encounter encounter, std::uint64_t seed) {
+  Meeting meeting = meeting_of(encounter);
+  Rng rng = Rng{seed}.stream(name_of(encounter));
+  for (Vec3& start : meeting.starts) start = anywhere_near(start, 2.0, rng);
+  for (double& delay : meeting.start_delays_s) delay = rng.uniform(0.0, 1.0);
+  for (Vec3& ship : meeting.ships) ship = anywhere_near(ship, 2.0, rng);
+  const double speed_ratio = rng.uniform(0.9, 1.1);
+  meeting.ship_velocity =
+      speed_ratio * (Eigen::AngleAxisd{rng.uniform(-0.1, 0.1), Vec3::UnitZ()} * meeting.ship_velocity);
+  return meeting;
+}
+
+Scenario encounter_scenario(Encounter encounter, const Meeting& meeting, const Setting& setting, Hull hull,
+                            const Method& method, std::uint64_t seed) {
+  Scenario scenario{.name = std::string(name_of(encounter)), .duration_s = duration, .seed = seed};
+  scenario.steps_per_decision = 2;
+  scenario.exam = {
+      .crit_dist_m = 20.0, .safety_distance_m = 2.0 * setting.uuv_radius_m, .time_coefficient_ratio = 1e6};
+  for (const Vec3& ship : meeting.ships)
+    scenario.obstacles.push_back(ship_at(ship, meeting.ship_velocity, setting.ship_radius_m));
+  for (std::size_t i = 0; i < meeting.starts.size(); ++i)
+    scenario.vehicles.push_back(uuv_of(meeting, i, setting, hull, method));
+  return scenario;
+}
+
+}  // namespace fairway::uuv

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/studies/uuv/figures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "fairway/sim/simulation.hpp"
+#include "fairway/studies/study_runs.hpp"
+
+namespace fairway::uuv {
+namespace {
+
+using nlohmann::json;
+
+double to_millimetres(double value) { return std::round(value * 1000.0) / 1000.0; }
+
+/// What the paper's figures show.
+std::vector<double> shown_times(Encounter encounter) {
+  if (encounter == Encounter::head_on) return {10.0, 12.0, 13.0, 20.0};
+  return {7.0, 9.0, 11.0, 20.0};
+}
+
+/// One vehicle's way, ten times a second.
+struct Wake {
+  std::vector<double> t, n, e, speed;
+
+  json track(const std::string& label) const {
+    return {{"label", label}, {"n", n}, {"e", e}, {"d", std::vector<double>(n.size(), 0.0)}, {"t", t}};
+  }
+
+  /// Where it was at a time, or at the end if it had ended.
+  std::array<double, 3> place_at(double time) const {
+    const auto later = std::ranges::lower_bound(t, time - 1e-6);
+    const auto i = static_cast<std::size_t>(std::min(later, std::prev(t.end())) - t.begin());
+    return {n[i], e[i], 0.0};
+  }
+};
+
+class Wakes final : public FrameSink {
+ public:
+  explicit Wakes(std::size_t count) : wakes_(count) {}
+
+  void write(const Frame& frame) override {
+    if (count(frame.tick) % 2 != 0) return;
+    for (std::size_t i = 0; i < wakes_.size(); ++i) {
+      const VehicleState& x = frame.vehicles[i].state;
+      wakes_[i].t.push_back(to_millimetres(frame.time));
+      wakes_[i].n.push_back(to_millimetres(x.p_n.x()));
+      wakes_[i].e.push_back(to_millimetres(x.p_n.y()));
+      wakes_[i].speed.push_back(to_millimetres(x.v_b.norm()));
+    }
+  }
+
+  const std::vector<Wake>& all() const { return wakes_; }
+
+ private:
+  std::vector<Wake> wakes_;
+};
+
+std::vector<Wake> sailed(const Scenario& scenario) {
+  Wakes wakes{scenario.vehicles.size()};
+  const std::array<FrameSink*, 1> sinks{&wakes};
+  Simulation{scenario, builtin_catalogs()}.run(sinks);
+  return wakes.all();
+}
+
+/// The way of a ship, which nothing turns.
+Wake drifted(const ObstacleSpec& ship, double duration) {
+  Wake wake;
+  for (int i = 0; i <= 10; ++i) {
+    const double time = duration * i / 10.0;
+    const Vec3 place = ship.position + time * ship.velocity;
+    wake.t.push_back(to_millimetres(time));
+    wake.n.push_back(to_millimetres(place.x()));
+    wake.e.push_back(to_millimetres(place.y()));
+  }
+  return wake;
+}
+
+json sphere(const std::array<double, 3>& centre, double radius, const std::string& label) {
+  return {{"centre", centre}, {"radius", radius}, {"label", label}};
+}
+
+json goals_of(const Scenario& scenario) {
+  json goals = json::array();
+  for (const VehicleSpec& vehicle : scenario.vehicles) {
+    const Vec3& goal = vehicle.mission.back().position;
+    goals.push_back({goal.x(), goal.y(), goal.z()});
+  }
+  return goals;
+}
+
+json speeds_over_time(const std::vector<Wake>& wakes, const std::string& title) {
+  json series = json::array();
+  for (std::size_t i = 0; i < wakes.size(); ++i)
+    series.push_back({{"label", fmt::format("UUV{}", i + 1)}, {"x", wakes[i].t}, {"y", wakes[i].speed}});
+  return {{"kind", "lines"},
+          {"title", title},
+          {"x_label", "time [s]"},
+          {"y_label", "speed [m/s]"},
+          {"series", std::move(series)}};
+}
+
+Scenario as_published(Encounter encounter, const Setting& setting, const Method& method,
+                      const Overrides& overrides) {
+  return under(overrides,
+               encounter_scenario(encounter, meeting_of(encounter), setting, hull_of(method), method, 1));
+}
+
+}  // namespace
+
+std::vector<json> redrawn(Encounter encounter, const Setting& setting, const std::string& title,
+                          const Overrides& overrides) {
+  const Scenario scenario = as_published(encounter, setting, planar_methods().front(), overrides);
+  const std::vector<Wake> wakes = sailed(scenario);
+  const double end = wakes.front().t.back();
+  json tracks = json::array();
+  json spheres = json::array();
+  for (std::size_t i = 0; i < wakes.size(); ++i) {
+    tracks.push_back(wakes[i].track(fmt::format("UUV{}", i + 1)));
+    for (const double time : shown_times(encounter)) {
+      spheres.push_back(sphere(wakes[i].place_at(time), setting.uuv_radius_m,
+                               fmt::format("UUV{} at {:.0f} s", i + 1, time)));
+    }
+  }
+  for (std::size_t i = 0; i < scenario.obstacles.size(); ++i) {
+    const ObstacleSpec& ship = scenario.obstacles[i];
+    tracks.push_back(drifted(ship, end).track(fmt::format("ship {}", i + 1)));
+    for (const double time : shown_times(encounter)) {
+      const Vec3 place = ship.position + time * ship.velocity;
+      spheres.push_back(
+          sphere({place.x(), place.y(), 0.0}, ship.radius, fmt::format("ship {} at {:.0f} s", i + 1, time)));
+    }
+  }
+  return {{{"kind", "trajectories"},
+           {"title", title},
+           {"vehicles", std::move(tracks)},
+           {"goals", goals_of(scenario)},
+           {"spheres", std::move(spheres)}},
+          speeds_over_time(wakes, "Speeds: " + title)};
+}
+
+json ways_of(Encounter encounter, std::span<const std::string_view> methods, const std::string& title,
+             const Overrides& overrides) {
+  json tracks = json::array();
+  json goals = json::array();
+  for (const std::string_view name : methods) {
+    const Method& method = *std::ranges::find(planar_methods(), name, &Method::name);
+    const Scenario scenario = as_published(encounter, find_setting("common"), method, overrides);
+    tracks.push_back(sailed(scenario).front().track(std::string(name)));
+    goals = goals_of(scenario);
+  }
+  return {{"kind", "trajectories"},
+          {"title", title},
+          {"vehicles", std::move(tracks)},
+          {"goals", std::move(goals)}};
+}
+
+}  // namespace fairway::uuv

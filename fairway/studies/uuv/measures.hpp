@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <atomic>
+#include <vector>
+
+#include "fairway/metrics/measure.hpp"
+#include "fairway/scenario/scenario.hpp"
+#include "fairway/sim/catalogs.hpp"
+
+namespace fairway::uuv {
+
+/// Runs an encounter under every metric and the timeline. Throws RunAbandoned once `stop` is true.
+std::vector<Measure> measure_encounter(const Scenario& scenario, const Catalogs& catalogs,
+                                       const std::atomic<bool>* stop);
+
+/// Runs a scenario of many and keeps what is the fleet's, with means over the vehicles: `mean_time_s` and
+/// `time_ratio` (to the straight way at the leg's speed) over those that arrived, `mean_heading_change_rad`
+/// and `mean_infeasible_count` over all. Throws likewise.
+std::vector<Measure> measure_fleet(const Scenario& scenario, const Catalogs& catalogs,
+                                   const std::atomic<bool>* stop);
+
+}  // namespace fairway::uuv

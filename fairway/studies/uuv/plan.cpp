@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/studies/uuv/plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace fairway::uuv {
+namespace {
+
+constexpr std::array chosen_settings{"literal", "common"};
+
+struct PublishedMoment {
+  Encounter encounter{};
+  std::string_view quantity;
+  double value{};
+};
+
+/// cao2022, sections 4.1 and 4.2.
+constexpr std::array moments{
+    PublishedMoment{Encounter::head_on, "slow_down_time_s", 10.0},
+    PublishedMoment{Encounter::head_on, "pass_time_s", 12.0},
+    PublishedMoment{Encounter::head_on, "resume_time_s", 13.0},
+    PublishedMoment{Encounter::head_on, "arrive_time_s", 20.0},
+    PublishedMoment{Encounter::head_on, "contact_count", 0.0},
+    PublishedMoment{Encounter::head_on, "keeps_right_ratio", 1.0},
+    PublishedMoment{Encounter::multi_obstacle, "slow_down_time_s", 7.0},
+    PublishedMoment{Encounter::multi_obstacle, "slowest_time_s", 9.0},
+    PublishedMoment{Encounter::multi_obstacle, "resume_time_s", 11.0},
+    PublishedMoment{Encounter::multi_obstacle, "arrive_time_s", 20.0},
+    PublishedMoment{Encounter::multi_obstacle, "contact_count", 0.0},
+};
+
+/// A run for each of the seeds 1, 2, …
+Cell cell_of(std::string_view place, std::string_view method, std::string mode, int seeds,
+             const std::function<Scenario(std::uint64_t)>& scenario) {
+  Cell cell{.place = std::string(place), .method = std::string(method), .mode = std::move(mode)};
+  for (int i = 1; i <= seeds; ++i) {
+    const auto seed = static_cast<std::uint64_t>(i);
+    cell.add_run(
+        "uuv", [scenario, seed] { return scenario(seed); }, seed);
+  }
+  return cell;
+}
+
+Cell published_cell(Encounter encounter, const Setting& setting, Hull hull, const Method& method) {
+  return cell_of(name_of(encounter), method.name, fmt::format("{} {}", setting.name, name_of(hull)), 1,
+                 [encounter, &setting, hull, &method](std::uint64_t seed) {
+                   return encounter_scenario(encounter, meeting_of(encounter), setting, hull, method, seed);
+                 });
+}
+
+}  // namespace
+
+std::optional<double> published(Encounter encounter, std::string_view quantity) {
+  for (const PublishedMoment& moment : moments) {
+    if (moment.encounter == encounter && moment.quantity == quantity) return moment.value;
+  }
+  return {};
+}
+
+std::vector<Cell> published_cells() {
+  const Method& rvo = planar_methods().front();
+  std::vector<Cell> cells;
+  for (const Encounter encounter : encounters) {
+    for (const Setting& setting : settings())
+      cells.push_back(published_cell(encounter, setting, Hull::point, rvo));
+    for (const std::string_view name : chosen_settings)
+      cells.push_back(published_cell(encounter, find_setting(name), Hull::unicycle, rvo));
+    for (const Method& method : planar_methods().subspan(1))
+      cells.push_back(published_cell(encounter, find_setting("common"), hull_of(method), method));
+  }
+  return cells;
+}
+
+std::vector<Cell> varied_cells(int seeds) {
+  std::vector<Cell> cells;
+  for (const Encounter encounter : {Encounter::head_on, Encounter::multi_obstacle}) {
+    for (const Method& method : planar_methods()) {
+      const auto scenario = [encounter, &method](std::uint64_t seed) {
+        return encounter_scenario(encounter, varied(encounter, seed), find_setting("common"), hull_of(method),
+                                  method, seed);
+      };
+      cells.push_back(cell_of(name_of(encounter), method.name, "varied", seeds, scenario));
+    }
+  }
+  return cells;
+}
+
+std::vector<Cell> gathering_cells(int seeds) {
+  std::vector<Cell> cells;
+  for (const Gathering& gathering : gatherings()) {
+    const int runs = gathering.count < 32 ? seeds : (seeds + 4) / 5;
+    for (const Awareness& awareness : awarenesses()) {
+      for (const Method& method : gathering_methods()) {
+        const auto scenario = [&](std::uint64_t seed) {
+          return gathering_scenario(gathering, awareness, method, seed);
+        };
+        cells.push_back(cell_of(gathering.name(), method.name, std::string(awareness.name), runs, scenario));
+      }
+    }
+  }
+  return cells;
+}
+
+std::vector<Cell> silence_cells(int seeds) {
+  std::vector<Channel> channels{{Channel::Kind::perfect}, {Channel::Kind::modem}};
+  for (const double loss : loss_ratios) {
+    for (const double rate : update_rates_hz) channels.push_back({Channel::Kind::acoustic, rate, loss});
+  }
+  std::vector<Cell> cells;
+  for (const std::string_view cube : silent_cubes()) {
+    for (const Method& method : silence_methods()) {
+      for (const Channel& channel : channels) {
+        const auto scenario = [cube, &method, channel](std::uint64_t seed) {
+          return silence_scenario(cube, method, channel, seed);
+        };
+        cells.push_back(cell_of(cube, method.name, channel.name(), seeds, scenario));
+      }
+    }
+  }
+  return cells;
+}
+
+}  // namespace fairway::uuv
