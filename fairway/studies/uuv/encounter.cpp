@@ -17,9 +17,10 @@ constexpr double arrived_within = 1.0;  // [m]
 constexpr double turn_rate = 1.0;       // [rad/s], of the unicycle
 
 constexpr std::array known_settings{
-    Setting{"literal", 7.07, 0.8, 0.0, 1.0, 1.0, 4.0},  Setting{"common", 6.0, 2.0, 6.0, 1.5, 2.0, 2.0},
-    Setting{"common_3s", 6.0, 2.0, 6.0, 1.5, 2.0, 3.0}, Setting{"from_rest", 6.0, 2.0, 0.0, 1.5, 2.0, 3.0},
-    Setting{"slower", 6.5, 1.0, 0.0, 1.0, 1.0, 4.0},    Setting{"top_speed", 10.0, 1.0, 0.0, 2.5, 2.5, 6.0},
+    Setting{"fit_head_on", 6.8, 1.0, 0.0, 1.5, 1.5, 2.0}, Setting{"fit_ships", 6.0, 2.0, 6.0, 2.0, 3.0, 2.0},
+    Setting{"literal", 7.07, 0.8, 0.0, 1.0, 1.0, 4.0},    Setting{"common", 6.0, 2.0, 6.0, 1.5, 2.0, 2.0},
+    Setting{"common_3s", 6.0, 2.0, 6.0, 1.5, 2.0, 3.0},   Setting{"from_rest", 6.0, 2.0, 0.0, 1.5, 2.0, 3.0},
+    Setting{"slower", 6.5, 1.0, 0.0, 1.0, 1.0, 4.0},      Setting{"top_speed", 10.0, 1.0, 0.0, 2.5, 2.5, 6.0},
     Setting{"short", 7.07, 1.0, 0.0, 1.0, 1.0, 2.0}};
 
 /// A point of the paper, whose x is east and y north.
@@ -30,11 +31,16 @@ Vec3 anywhere_near(const Vec3& at, double reach, Rng& rng) {
   return at + Vec3{n, rng.uniform(-reach, reach), 0.0};
 }
 
+/// Whoever is within the horizon is within this range.
+constexpr double sight = 1000.0;  // [m]
+
 ParamValues params_of(const Method& method, const Setting& setting) {
   ParamValues params = method.params;
-  const auto with_horizon = [&](std::string_view name) { return method.algorithm.starts_with(name); };
-  if (std::ranges::any_of(std::array{"vo", "rvo", "hrvo", "orca"}, with_horizon))
+  const auto begins = [&](std::string_view name) { return method.algorithm.starts_with(name); };
+  if (std::ranges::any_of(std::array{"vo", "rvo", "hrvo", "orca"}, begins)) {
     params.emplace_back("time_horizon_s", setting.time_horizon_s);
+    params.emplace_back("crit_dist_m", sight);
+  }
   return params;
 }
 
@@ -77,7 +83,7 @@ VehicleSpec uuv_of(const Meeting& meeting, std::size_t index, const Setting& set
   uuv.limits = {.max_speed = max_speed,
                 .max_climb_rate = 0.0,
                 .max_acceleration = setting.acceleration_mps2,
-                .max_turn_rate = turn_rate};
+                .max_turn_rate = hull == Hull::point ? Limits::none : turn_rate};
   uuv.mission = {{.kind = LegKind::transit,
                   .position = meeting.goals[index],
                   .speed_mps = setting.speed_mps,
@@ -133,7 +139,7 @@ std::span<const Method> planar_methods() {
       {"orca3d", "orca3d", {}},
       {"apf", "apf", {{"crit_dist_m", 20.0}}},
       {"avoa", "avoa", fast},
-      {"avoa_improved", "avoa_improved", {}},
+      {"avoa_improved", "avoa_improved", {{"turn_gain_hz", 2.0}, {"response_s", 0.1}}},
       {"orca3d+stop_and_wait", "orca3d+stop_and_wait", {}},
       {"direct+filter", "direct+safety_filter", {}},
       {"wall_following", "wall_following", {{"form", std::string("corrected")}}},

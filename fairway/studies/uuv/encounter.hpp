@@ -35,7 +35,8 @@ struct Setting {
   double time_horizon_s;
 };
 
-/// Those under which an RVO comes near the published times; `common` serves both encounters.
+/// Those under which an RVO comes near the published times: `fit_head_on` and `fit_ships` the nearest for
+/// each encounter, `common` one for both, on which the other methods are compared.
 std::span<const Setting> settings();
 
 /// Throws std::out_of_range.

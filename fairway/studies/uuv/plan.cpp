@@ -8,7 +8,7 @@
 namespace fairway::uuv {
 namespace {
 
-constexpr std::array chosen_settings{"literal", "common"};
+constexpr std::array chosen_settings{"fit_head_on", "fit_ships", "common"};
 
 struct PublishedMoment {
   Encounter encounter{};
@@ -93,7 +93,7 @@ std::vector<Cell> gathering_cells(int seeds) {
     const int runs = gathering.count < 32 ? seeds : (seeds + 4) / 5;
     for (const Awareness& awareness : awarenesses()) {
       for (const Method& method : gathering_methods()) {
-        const auto scenario = [&](std::uint64_t seed) {
+        const auto scenario = [&gathering, &awareness, &method](std::uint64_t seed) {
           return gathering_scenario(gathering, awareness, method, seed);
         };
         cells.push_back(cell_of(gathering.name(), method.name, std::string(awareness.name), runs, scenario));

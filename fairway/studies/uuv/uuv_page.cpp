@@ -47,10 +47,9 @@ json figures_section(const StudyOptions& options) {
     for (json& block : redrawn(encounter, find_setting(setting), title, options.overrides))
       blocks.push_back(std::move(block));
   };
-  draw(Encounter::head_on, "literal", "Figure 4: head-on, the setting that fits its times");
-  draw(Encounter::head_on, "common", "Figure 4 in the setting that serves both encounters");
-  draw(Encounter::multi_obstacle, "common", "Figure 5: three ships cross, goals as adopted");
-  draw(Encounter::parallel_goals, "common", "Figure 5 with parallel goals: nobody slows down");
+  draw(Encounter::head_on, "fit_head_on", "Figure 4: head-on, the setting that fits its times");
+  draw(Encounter::multi_obstacle, "fit_ships", "Figure 5: three ships cross, goals as adopted");
+  draw(Encounter::parallel_goals, "fit_ships", "Figure 5 with parallel goals");
   blocks.push_back(
       ways_of(Encounter::head_on, drawn_methods, "Head-on: UUV1 under other methods", options.overrides));
   blocks.push_back(ways_of(Encounter::multi_obstacle, drawn_methods, "Three ships: UUV1 under other methods",
