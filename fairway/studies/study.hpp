@@ -58,7 +58,7 @@ struct StudyOptions {
   Progress* progress{nullptr};
   const std::atomic<bool>* stop{nullptr};
   std::string command;  ///< as typed, for the report
-  Overrides overrides;  ///< put into the scenario of every run, as by `run --set`
+  Overrides overrides;  ///< put into every scenario, figures included, as by `run --set`
 };
 
 /// What a study found.

@@ -7,6 +7,7 @@
 
 #include "fairway/sim/simulation.hpp"
 #include "fairway/studies/cubes/cubes.hpp"
+#include "fairway/studies/study_runs.hpp"
 
 namespace fairway::cubes {
 namespace {
@@ -86,9 +87,10 @@ class Curves final : public FrameSink {
 
 }  // namespace
 
-std::vector<json> chosen_run_blocks(const CubeCase& cube, const Method& method, Code code,
-                                    std::uint64_t seed) {
-  const Scenario scenario = cube_scenario(cube, method, code, comparison_tuning(cube, method), seed);
+std::vector<json> chosen_run_blocks(const CubeCase& cube, const Method& method, Code code, std::uint64_t seed,
+                                    const Overrides& overrides) {
+  const Scenario scenario =
+      under(overrides, cube_scenario(cube, method, code, comparison_tuning(cube, method), seed));
   Curves curves{scenario.vehicles.size()};
   const std::array<FrameSink*, 1> sinks{&curves};
   Simulation{scenario, cube_catalogs()}.run(sinks);

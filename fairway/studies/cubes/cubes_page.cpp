@@ -187,7 +187,7 @@ json page_of(const Results& results, std::span<const StudyRow> rows, const Study
   sections.push_back(
       section("run", "A run in detail",
               {"Eight vehicles in the small cube under ORCA as printed, from the first tick under way."},
-              chosen_run_blocks(busy, methods()[1], Code::corrected, 1)));
+              chosen_run_blocks(busy, methods()[1], Code::corrected, 1, options.overrides)));
 
   return {
       {"title", "Crossing a cube"},

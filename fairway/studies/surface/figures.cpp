@@ -6,6 +6,7 @@
 #include "fairway/core/angles.hpp"
 #include "fairway/sim/simulation.hpp"
 #include "fairway/studies/page_blocks.hpp"
+#include "fairway/studies/study_runs.hpp"
 
 namespace fairway::surface {
 namespace {
@@ -66,8 +67,8 @@ json way_of_the_other(const Layout& layout, double duration) {
 
 }  // namespace
 
-Passage passage_of(Course course, const Method& method) {
-  const Scenario scenario = passage(course, layout_of(course), Vessel::zarco, method, 1);
+Passage passage_of(Course course, const Method& method, const Overrides& overrides) {
+  const Scenario scenario = under(overrides, passage(course, layout_of(course), Vessel::zarco, method, 1));
   Simulation simulation{scenario, builtin_catalogs()};
   simulation.time_decisions();
   Log log{simulation.agents().front().steering};

@@ -18,8 +18,8 @@ struct Passage {
   double worst_decision_us{};  ///< likewise
 };
 
-/// The first published run of a method on a course.
-Passage passage_of(Course course, const Method& method);
+/// The first published run of a method on a course, under the overrides.
+Passage passage_of(Course course, const Method& method, const Overrides& overrides);
 
 /// Passages over one course, seen from above, with the way of the other vessel.
 nlohmann::json ways(const std::string& title, Course course, const std::vector<Passage>& passages);

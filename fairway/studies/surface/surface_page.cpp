@@ -38,13 +38,13 @@ json published_section(const Results& results) {
 }
 
 /// The chosen methods on every course, each made once.
-std::vector<std::vector<Passage>> passages() {
+std::vector<std::vector<Passage>> passages(const Overrides& overrides) {
   std::vector<std::vector<Passage>> all;
   for (const Course course : courses) {
     std::vector<Passage>& of_course = all.emplace_back();
     for (const std::string_view name : figure_methods) {
       const auto method = std::ranges::find(compared_methods(), name, &Method::name);
-      of_course.push_back(passage_of(course, *method));
+      of_course.push_back(passage_of(course, *method, overrides));
     }
   }
   return all;
@@ -147,7 +147,7 @@ json facts(const Results& results) {
 }  // namespace
 
 json page_of(const Results& results, const StudyOptions& options) {
-  const std::vector<std::vector<Passage>> shown = passages();
+  const std::vector<std::vector<Passage>> shown = passages(options.overrides);
   json sections = json::array({published_section(results), figures_section(shown), zones_section()});
   if (results.seeds > 0) sections.push_back(variations_section(results));
   sections.push_back(decision_times_section(shown));

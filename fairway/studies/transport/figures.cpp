@@ -6,6 +6,7 @@
 #include "fairway/planning/path_planner.hpp"
 #include "fairway/sim/simulation.hpp"
 #include "fairway/studies/page_blocks.hpp"
+#include "fairway/studies/study_runs.hpp"
 #include "fairway/studies/transport/field.hpp"
 #include "fairway/studies/transport/voyage_log.hpp"
 
@@ -91,10 +92,10 @@ json polyline(std::string_view label, std::span<const Vec2> points) {
 
 }  // namespace
 
-std::vector<json> redrawn(const PublishedRun& run, const std::string& title) {
-  const Scenario scenario = scenario_of(run, Plant::paper_compat);
+std::vector<json> redrawn(const PublishedRun& run, const std::string& title, const Overrides& overrides) {
+  const Scenario scenario = under(overrides, scenario_of(run, Plant::paper_compat));
   const Curve compat = followed(scenario);
-  const Curve physical = followed(scenario_of(run, Plant::physical));
+  const Curve physical = followed(under(overrides, scenario_of(run, Plant::physical)));
   std::vector<json> blocks{page::scene(title, {compat.track("paper_compat"), physical.track("physical")},
                                        obstacles_of(run.which), goal_of(run.which)),
                            compat.forces()};
@@ -104,10 +105,11 @@ std::vector<json> redrawn(const PublishedRun& run, const std::string& title) {
 }
 
 json ways(const std::string& title, std::span<const Method> methods,
-          const std::vector<ObstacleSpec>& obstacles, const Vec3& goal) {
+          const std::vector<ObstacleSpec>& obstacles, const Vec3& goal, const Overrides& overrides) {
   json vehicles = json::array();
   for (const Method& method : methods)
-    vehicles.push_back(followed(voyage("way", method, obstacles, goal, 600.0, 1)).track(method.name));
+    vehicles.push_back(
+        followed(under(overrides, voyage("way", method, obstacles, goal, 600.0, 1))).track(method.name));
   return page::scene(title, std::move(vehicles), obstacles, goal);
 }
 

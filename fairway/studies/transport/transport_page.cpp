@@ -48,23 +48,23 @@ json plants_section() {
       {});
 }
 
-json figures_section() {
+json figures_section(const Overrides& overrides) {
   std::vector<json> blocks;
   const std::array titles{"Figure 5: hard switching", "Figure 6: wall following",
                           "Figure 7: wall following among four obstacles", "Figure 9: trajectory following"};
   for (std::size_t i = 0; i < titles.size(); ++i) {
     if (i == 3) blocks.push_back(planned_paths());
-    for (json& block : redrawn(published_runs()[i], titles[i])) blocks.push_back(std::move(block));
+    for (json& block : redrawn(published_runs()[i], titles[i], overrides)) blocks.push_back(std::move(block));
   }
   return page::section("figures", "Figures 5 to 9 redrawn", {"Positions north and east, one point a second."},
                        std::move(blocks));
 }
 
-json cases_section(const Results& results) {
+json cases_section(const Results& results, const Overrides& overrides) {
   std::vector<json> blocks;
   for (const Case which : {Case::one_obstacle, Case::four_obstacles, Case::unknown_obstacle}) {
-    blocks.push_back(
-        ways(std::string(name_of(which)), compared_methods(), obstacles_of(which), goal_of(which)));
+    blocks.push_back(ways(std::string(name_of(which)), compared_methods(), obstacles_of(which),
+                          goal_of(which), overrides));
   }
   blocks.push_back(page::comparison_table("Every method on the three cases", comparison_rows(results.cases)));
   return page::section(
@@ -116,7 +116,8 @@ json facts(const Results& results) {
 
 json page_of(const Results& results, const StudyOptions& options) {
   json sections =
-      json::array({published_section(results), plants_section(), figures_section(), cases_section(results)});
+      json::array({published_section(results), plants_section(), figures_section(options.overrides),
+                   cases_section(results, options.overrides)});
   if (results.seeds > 0) sections.push_back(fields_section(results));
   return {{"title", "A transport system among obstacles"},
           {"subtitle",

@@ -165,6 +165,7 @@ Scenario gathering_scenario(const Gathering& gathering, const Awareness& awarene
       .crit_dist_m = 6.0, .safety_distance_m = 2.0 * body_radius, .time_coefficient_ratio = patience_ratio};
   scenario.perception.kind = {.name = std::string(awareness.perception), .path = "perception"};
   scenario.exchange = {.name = std::string(awareness.exchange), .path = "exchange"};
+  if (awareness.exchange == "acoustic") scenario.exchange.params = {{"update_rate_hz", 1.0}};
   for (std::size_t i = 0; i < voyages.size(); ++i)
     scenario.vehicles.push_back(vehicle_of(voyages[i], i, method));
   return scenario;

@@ -31,7 +31,7 @@ struct Gathering {
 };
 std::span<const Gathering> gatherings();
 
-/// What everyone knows of everyone else.
+/// What everyone knows of everyone else. Acoustic messages are sent in turns, by each at most once a second.
 struct Awareness {
   std::string_view name;        ///< "sonar+acoustic"
   std::string_view perception;  ///< kinds of the scenario

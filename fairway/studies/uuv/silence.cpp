@@ -20,8 +20,11 @@ Choice exchange_of(const Channel& channel) {
     exchange.params = {{"slots", true}, {"rate_law", std::string("measured")}};
     return exchange;
   }
-  exchange.params = {
-      {"update_rate_hz", channel.update_rate_hz}, {"loss_ratio", channel.loss_ratio}, {"slots", false}};
+  exchange.params = {{"update_rate_hz", channel.update_rate_hz},
+                     {"loss_ratio", channel.loss_ratio},
+                     {"slots", false},
+                     {"range_m", 1000.0},
+                     {"bit_rate_bps", 1e9}};
   return exchange;
 }
 

@@ -20,8 +20,8 @@ inline constexpr std::array loss_ratios{0.0, 0.1, 0.25, 0.5};
 struct Channel {
   enum class Kind {
     perfect,
-    acoustic,  ///< everyone sends at `update_rate_hz`, whatever the others do
-    modem      ///< in turns, at the rate and with the losses of a real modem
+    acoustic,  ///< everyone sends at `update_rate_hz`, through water that carries any amount any distance
+    modem      ///< in turns, as far, as slowly and as often as was measured of a real one
   };
   Kind kind{};
   double update_rate_hz{};
