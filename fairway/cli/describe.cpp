@@ -50,12 +50,11 @@ json actuators_json(std::span<const ActuatorInfo> actuators) {
   return list;
 }
 
-/// A kind of exchange, perception or navigation: whatever has name, title, source and params. `role` is its
-/// key in a scenario. Empty if none of `kinds` is called so; all of them become known.
-template <class Kind>
-std::optional<json> described_kind(std::string_view role, const std::vector<Kind>& kinds,
+/// A kind of exchange, perception or navigation; `role` is its key in a scenario. Empty if none of `kinds` is
+/// called so; all of them become known.
+std::optional<json> described_kind(std::string_view role, const std::vector<KindInfo>& kinds,
                                    std::string_view name, std::vector<std::string_view>& known) {
-  for (const Kind& kind : kinds) {
+  for (const KindInfo& kind : kinds) {
     known.push_back(kind.name);
     if (kind.name != name) continue;
     return json{{"kind", role},
@@ -112,8 +111,9 @@ json describe(const std::string& name) {
               {"per_vehicle", quantity.per_vehicle}};
     }
   }
-  const std::vector<ExchangeKind> exchanges = exchange_kinds();
-  if (const auto kind = described_kind("exchange", exchanges, name, known)) return *kind;
+  if (const auto kind = described_kind("exchange", exchange_kinds(), name, known)) return *kind;
+  if (const auto kind = described_kind("perception", perception_kinds(), name, known)) return *kind;
+  if (const auto kind = described_kind("navigation", navigation_kinds(), name, known)) return *kind;
   throw InputError("nothing is called \"" + name + "\"" + suggestion(name, known));
 }
 

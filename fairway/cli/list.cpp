@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -57,6 +58,12 @@ std::vector<Item> studies() {
   return items;
 }
 
+std::vector<Item> items_of(const std::vector<KindInfo>& kinds) {
+  std::vector<Item> items;
+  for (const KindInfo& kind : kinds) items.push_back({std::string(kind.name), std::string(kind.title)});
+  return items;
+}
+
 std::vector<Item> metrics() {
   std::vector<Item> items;
   for (const QuantityInfo& quantity : all_quantities()) {
@@ -67,33 +74,44 @@ std::vector<Item> metrics() {
   return items;
 }
 
+/// Everything that can be listed, by its name, in the order of a scenario.
+using Lists = std::vector<std::pair<std::string, std::function<std::vector<Item>()>>>;
+Lists lists(const std::string& directory) {
+  return {{"algorithms", algorithms},
+          {"vehicles", vehicles},
+          {"exchanges", [] { return items_of(exchange_kinds()); }},
+          {"perceptions", [] { return items_of(perception_kinds()); }},
+          {"navigations", [] { return items_of(navigation_kinds()); }},
+          {"scenarios", [directory] { return scenarios(directory); }},
+          {"studies", studies},
+          {"metrics", metrics}};
+}
+
 }  // namespace
 
 void add_list(CLI::App& app, Program& program) {
-  CLI::App* verb =
-      app.add_subcommand("list", "What there is: algorithms, vehicles, scenarios, studies, metrics");
+  CLI::App* verb = app.add_subcommand(
+      "list",
+      "What there is: algorithms, vehicles, exchanges, perceptions, navigations, scenarios, studies, "
+      "metrics");
   verb->footer("Example: fairway list algorithms");
   auto kind = std::make_shared<std::string>();
   auto directory = std::make_shared<std::string>("scenarios");
   auto json = std::make_shared<bool>(false);
-  const std::vector<std::string> kinds{"algorithms", "vehicles", "scenarios", "studies", "metrics"};
+  std::vector<std::string> kinds;
+  for (const auto& [name, items] : lists(*directory)) kinds.push_back(name);
   verb->add_option("kind", *kind, "one of them; all without it")->check(CLI::IsMember(kinds));
   verb->add_option("--dir", *directory, "where scenarios are looked for")->capture_default_str();
   verb->add_flag("--json", *json, "print JSON");
   verb->callback([=, &program] {
     program.chosen = [=] {
       nlohmann::json document;
-      for (const std::string& name : kinds) {
+      for (const auto& [name, items] : lists(*directory)) {
         if (!kind->empty() && *kind != name) continue;
         if (kind->empty() && name == "scenarios" && !std::filesystem::is_directory(*directory)) continue;
-        const std::vector<Item> items = name == "algorithms"  ? algorithms()
-                                        : name == "vehicles"  ? vehicles()
-                                        : name == "scenarios" ? scenarios(*directory)
-                                        : name == "studies"   ? studies()
-                                                              : metrics();
         if (!*json) std::cout << name << "\n";
         document[name] = nlohmann::json::array();
-        for (const Item& item : items) {
+        for (const Item& item : items()) {
           if (!*json) std::cout << fmt::format("  {:<22} {}\n", item.name, item.title);
           document[name].push_back({{"name", item.name}, {"title", item.title}});
         }

@@ -13,13 +13,6 @@ P chosen(const ParamValues& values) {
   return params;
 }
 
-[[noreturn]] void refuse_kind(std::string_view kind) {
-  const std::vector<ExchangeKind> kinds = exchange_kinds();
-  std::vector<std::string_view> names;
-  for (const ExchangeKind& known : kinds) names.push_back(known.name);
-  throw InputError({}, "kind", "unknown exchange" + suggestion(kind, names));
-}
-
 }  // namespace
 
 Exchange::Exchange(std::string_view kind, const ParamValues& params, std::size_t vehicle_count, double period,
@@ -28,8 +21,8 @@ Exchange::Exchange(std::string_view kind, const ParamValues& params, std::size_t
 
 Exchange::Way Exchange::way_of(std::string_view kind, const ParamValues& params, std::size_t vehicle_count,
                                double period, const Rng& rng) {
+  require_known(kind, "exchange", exchange_kinds());
   if (kind == "acoustic") return AcousticChannel{chosen<AcousticParams>(params), vehicle_count, period, rng};
-  if (kind != "perfect" && kind != "none") refuse_kind(kind);
   if (!params.empty())
     throw InputError({}, params.front().first, std::string(kind) + " exchange takes no parameters");
   if (kind == "none") return Silence{};
@@ -52,7 +45,7 @@ double Exchange::unforeseen_acceleration() const {
   return channel != nullptr ? channel->params().unforeseen_acceleration_mps2 : 0.0;
 }
 
-std::vector<ExchangeKind> exchange_kinds() {
+std::vector<KindInfo> exchange_kinds() {
   return {{.name = "perfect", .title = "Everyone hears everyone at once", .source = "", .params = {}},
           {.name = "none", .title = "Nobody tells anything", .source = "", .params = {}},
           {.name = "acoustic",

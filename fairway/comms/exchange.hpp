@@ -9,6 +9,7 @@
 
 #include "fairway/comms/acoustic_channel.hpp"
 #include "fairway/comms/message.hpp"
+#include "fairway/core/kind_info.hpp"
 #include "fairway/core/params.hpp"
 #include "fairway/core/rng.hpp"
 
@@ -51,15 +52,7 @@ class Exchange {
   Way way_;
 };
 
-/// A kind of exchange, for those who list them.
-struct ExchangeKind {
-  std::string_view name;
-  std::string_view title;
-  std::string_view source;
-  std::vector<ParamInfo> params;
-};
-
 /// All that a scenario may choose.
-std::vector<ExchangeKind> exchange_kinds();
+std::vector<KindInfo> exchange_kinds();
 
 }  // namespace fairway

@@ -39,7 +39,7 @@ TEST(Exchange, AcousticSaysHowMuchIsUnforeseen) {
 }
 
 TEST(Exchange, EveryKindThatIsListedCanBeMade) {
-  for (const ExchangeKind& kind : exchange_kinds()) {
+  for (const KindInfo& kind : exchange_kinds()) {
     ParamValues values;
     for (const ParamInfo& param : kind.params) values.emplace_back(param.name, param.value);
     EXPECT_NO_THROW((Exchange{kind.name, values, 2, 0.05, Rng{1}})) << kind.name;

@@ -20,6 +20,12 @@ inline bool is_finite(const Vec3& a) {
   return 0.0 * a.x() + 0.0 * a.y() + 0.0 * a.z() == 0.0;  // NaN and infinities times zero are NaN
 }
 
+/// Positive if `b` points to starboard of `a`: the sine of the angle between them times their lengths.
+inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+/// `a` turned by a quarter to starboard.
+inline Vec2 starboard_of(const Vec2& a) { return {-a.y(), a.x()}; }
+
 /// `a` scaled to unit length, or zero if it has none.
 inline Vec3 unit(const Vec3& a) {
   const double length = a.norm();

@@ -10,7 +10,7 @@
 #include "fairway/core/echo.hpp"
 #include "fairway/core/params.hpp"
 #include "fairway/core/rng.hpp"
-#include "fairway/perception/kind_info.hpp"
+#include "fairway/core/kind_info.hpp"
 #include "fairway/perception/perfect.hpp"
 #include "fairway/perception/sonar_watch.hpp"
 

@@ -7,7 +7,7 @@
 #include "fairway/core/params.hpp"
 #include "fairway/core/rng.hpp"
 #include "fairway/core/state.hpp"
-#include "fairway/perception/kind_info.hpp"
+#include "fairway/core/kind_info.hpp"
 
 namespace fairway {
 

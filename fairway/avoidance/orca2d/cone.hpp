@@ -30,12 +30,6 @@ inline HalfPlane half_plane(const Change& change, const Vec2& v_opt, double shar
   return {change.normal, change.normal.dot(v_opt) + share * change.distance};
 }
 
-/// `a` turned a quarter to starboard.
-inline Vec2 starboard_of(const Vec2& a) { return {-a.y(), a.x()}; }
-
-/// Positive if `b` points to starboard of `a`.
-inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
 /// Below this sine a relative velocity points along the axis of the cone: no position is known better.
 inline constexpr double on_axis = 1e-9;
 

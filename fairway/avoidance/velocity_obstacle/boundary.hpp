@@ -8,12 +8,6 @@
 
 namespace fairway::velocity_obstacle {
 
-/// Positive if `b` lies to starboard of `a`: the sine of the angle between them times their lengths.
-inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
-/// `a` turned by a quarter to starboard.
-inline Vec2 starboard_of(const Vec2& a) { return {-a.y(), a.x()}; }
-
 /// `a` turned to starboard by the angle of that cosine and sine.
 inline Vec2 turned(const Vec2& a, double cosine, double sine) { return cosine * a + sine * starboard_of(a); }
 

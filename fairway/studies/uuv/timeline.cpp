@@ -14,8 +14,6 @@ namespace {
 constexpr double slower_ratio = 0.97;    // of the speed that there was or should be
 constexpr double aside_angle = 0.05236;  // 3 degrees [rad]
 
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
 /// Between two directions; of a standstill, the largest.
 double angle_between(const Vec2& a, const Vec2& b) {
   if (a.isZero(1e-9) || b.isZero(1e-9)) return pi;

@@ -8,7 +8,7 @@
 
 namespace fairway {
 
-/// One kind of perception or of navigation that a scenario may choose, as `fairway describe` tells it.
+/// One kind of exchange, perception or navigation that a scenario may choose, as `fairway describe` tells it.
 struct KindInfo {
   std::string_view name;
   std::string_view title;

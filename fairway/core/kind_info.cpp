@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fairway/perception/kind_info.hpp"
+#include "fairway/core/kind_info.hpp"
 
 #include <algorithm>
 #include <string>
