@@ -10,6 +10,7 @@
 namespace fairway {
 namespace {
 
+constexpr int misses_made_up = 2;         // by one contact: who is seen less than every third time is none
 constexpr double radius_tolerance = 0.2;  // things are not balls: a share of the radius
 
 TrackerParams consistent(const TrackerParams& params) {
@@ -107,7 +108,7 @@ void Tracker::correct(Target& target, const Contact& contact) const {
   target.seen = time_;
   ++target.pings;
   ++target.hits;
-  target.missed = 0;
+  target.missed = std::max(0, target.missed - misses_made_up);
 
   const double measured_variance = contact.radius_sigma * contact.radius_sigma;
   const double share = target.radius_variance / (target.radius_variance + measured_variance);

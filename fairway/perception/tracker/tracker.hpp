@@ -39,9 +39,10 @@ struct TrackerParams {
         field<&TrackerParams::birth_hits_count>({1, 64},
                                                 "a track is reported once it has so many contacts ..."),
         field<&TrackerParams::birth_pings_count>({1, 64}, "... in so many pings, else it is forgotten"),
-        field<&TrackerParams::death_missed_count>({1, 100000},
-                                                  "so many pings in a row that should have shown a target "
-                                                  "and did not, or as many as ever showed it"),
+        field<&TrackerParams::death_missed_count>(
+            {1, 100000},
+            "pings that should have shown a target and did not after which it is given up, if they "
+            "are not fewer than those that did; each contact makes up for two"),
         field<&TrackerParams::death_sigma_m>(
             {0.01, 10000}, "horizontal standard deviation at which a target out of view is given up"),
         field<&TrackerParams::radius_change_mps>(
@@ -86,7 +87,7 @@ class Tracker {
     double radius_variance{};
     int pings{};   // since birth
     int hits{};    // of them
-    int missed{};  // in a row
+    int missed{};  // not made up for
     TrackId id{};
     bool established{false};
   };

@@ -68,6 +68,18 @@ TEST(Tracker, ATargetThatShouldBeSeenAndIsNotDies) {
   EXPECT_TRUE(reported(tracker, 29 * period).empty());
 }
 
+TEST(Tracker, WhatIsSeenOnlyNowAndThenDiesAndHalfTheTimeIsEnough) {
+  for (const int every : {2, 6}) {
+    Tracker tracker = following({10, 0, 0}, 60);
+    const std::vector<Contact> seen{contact({10, 0, 0})};
+    for (int i = 60; i < 160; ++i)
+      tracker.update(i * period, i % every == 0 ? seen : std::vector<Contact>{}, everywhere());
+    const auto tracks = reported(tracker, 160 * period);
+    const bool same = !tracks.empty() && tracks[0].id == TrackId{first_tracker_id};
+    EXPECT_EQ(same, every == 2);
+  }
+}
+
 TEST(Tracker, ATargetOutOfViewLivesUntilItIsTooUncertain) {
   const TrackerParams params{.death_missed_count = 10, .death_sigma_m = 2.0};
   Tracker tracker = following({10, 0, 0}, 40, params);
