@@ -134,6 +134,7 @@ void score(std::uint64_t seed, Score& sum, double runs) {
         index.push_back(k);
       }
     }
+    std::erase_if(tracks, [&](const Track& track) { return !view.covers(track.position); });
     for (const Track& track : tracks) seen.push_back(track.position);
     if (i >= settled) {
       sum.ospa += ospa(truth, seen, 10.0) / (pings - settled) / runs;

@@ -9,6 +9,8 @@
 #include "fairway/comms/exchange.hpp"
 #include "fairway/core/text.hpp"
 #include "fairway/metrics/run_metrics.hpp"
+#include "fairway/perception/lookout.hpp"
+#include "fairway/perception/navigation.hpp"
 #include "fairway/sim/catalogs.hpp"
 #include "fairway/studies/study.hpp"
 

@@ -9,7 +9,10 @@
 #include <nlohmann/json.hpp>
 
 #include "fairway/cli/program.hpp"
+#include "fairway/comms/exchange.hpp"
 #include "fairway/metrics/run_metrics.hpp"
+#include "fairway/perception/lookout.hpp"
+#include "fairway/perception/navigation.hpp"
 #include "fairway/sim/catalogs.hpp"
 #include "fairway/studies/study.hpp"
 

@@ -22,7 +22,7 @@ struct SonarParams {
   double missed_ratio = 0.05;
   double false_echoes_count = 1.0;
   double heading_sigma_deg = 0.5;
-  double cluster_gap_m = 3.0;
+  double cluster_gap_m = 2.5;
   double max_extent_m = 12.0;
   double chart_tolerance_m = 2.0;
 

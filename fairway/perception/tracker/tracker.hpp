@@ -20,9 +20,9 @@ struct TrackerParams {
   double velocity_change_mps = 0.1;
   double first_speed_mps = 1.0;
   double gate_ratio = 0.99;
-  int birth_hits_count = 4;
-  int birth_pings_count = 6;
-  int death_missed_count = 45;
+  int birth_hits_count = 5;
+  int birth_pings_count = 8;
+  int death_missed_count = 30;
   double death_sigma_m = 5.0;
   double radius_change_mps = 0.05;
   int max_tracks_count = 64;

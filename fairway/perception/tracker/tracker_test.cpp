@@ -37,22 +37,22 @@ Tracker following(const Vec3& place, int pings, const TrackerParams& params = {}
   return tracker;
 }
 
-TEST(Tracker, ATrackIsReportedAfterFourContactsInSixPings) {
+TEST(Tracker, ATrackIsReportedAfterFiveContactsInEightPings) {
   Tracker tracker{{}};
-  const std::vector<bool> hits{true, false, true, false, true, true};
-  for (int i = 0; i < 6; ++i) {
+  const std::vector<bool> hits{true, false, true, false, true, true, false, true};
+  for (int i = 0; i < 8; ++i) {
     EXPECT_TRUE(reported(tracker, i * period).empty());
     tracker.update(i * period, hits[i] ? std::vector{contact({10, 0, 0})} : std::vector<Contact>{},
                    everywhere());
   }
-  ASSERT_EQ(reported(tracker, 6 * period).size(), 1U);
-  EXPECT_EQ(reported(tracker, 6 * period)[0].id, TrackId{first_tracker_id});
+  ASSERT_EQ(reported(tracker, 8 * period).size(), 1U);
+  EXPECT_EQ(reported(tracker, 8 * period)[0].id, TrackId{first_tracker_id});
 }
 
-TEST(Tracker, ThreeContactsInSixPingsAreForgotten) {
+TEST(Tracker, FourContactsInEightPingsAreForgotten) {
   Tracker tracker{{}};
   int i = 0;
-  for (const int hit : {1, 0, 1, 1, 0, 0, 1, 1, 0, 0, 0, 1}) {
+  for (const int hit : {1, 0, 1, 1, 0, 1, 0, 0, 1, 1, 1, 1, 0, 0, 0, 0, 1}) {
     tracker.update(i++ * period, hit != 0 ? std::vector{contact({10, 0, 0})} : std::vector<Contact>{},
                    everywhere());
     EXPECT_TRUE(reported(tracker, i * period).empty());
@@ -222,10 +222,10 @@ TEST(Tracker, IdsAreGivenInOrderAndNeverAgain) {
   Tracker tracker{{.death_missed_count = 3}};
   std::uint32_t last = first_tracker_id - 1;
   for (int round = 0; round < 5; ++round) {
-    for (int i = 0; i < 5; ++i)
+    for (int i = 0; i < 6; ++i)
       tracker.update((10 * round + i) * period, std::vector{contact({10.0 + 20 * round, 0, 0})},
                      everywhere());
-    const auto tracks = reported(tracker, (10 * round + 5) * period);
+    const auto tracks = reported(tracker, (10 * round + 6) * period);
     EXPECT_EQ(number(tracks.back().id), ++last);
   }
 }
@@ -264,7 +264,7 @@ TEST(Tracker, ACopyGoesOnAsTheOriginalDoesAndNeitherAllocates) {
 
 TEST(Tracker, ContradictionsAreRefused) {
   try {
-    Tracker{{.birth_hits_count = 7}};
+    Tracker{{.birth_hits_count = 9}};
     FAIL();
   } catch (const InputError& error) {
     EXPECT_STREQ(error.what(), "birth_hits_count: is more than birth_pings_count");
