@@ -9,8 +9,8 @@ namespace fairway {
 namespace {
 
 constexpr int gauss_newton_steps = 8;
-constexpr double least_radius = 0.05;    // [m]
-constexpr double least_variance = 1e-4;  // [m2], 1 cm: no echo is from a better circle
+constexpr double least_radius = 0.05;  // [m]
+constexpr double imperfection = 1e-4;  // [m2], 1 cm: no echo is from a better circle
 
 /// What is seen of a circle is its near side: its centre is farther than any of it.
 void keep_behind(double range, Vec3& x) {
@@ -40,7 +40,7 @@ Circle fitted(const Circle& prior, std::span<const Echo> echoes, const EchoNoise
       // noise of range along the line of sight, of bearing athwart it
       const double along = normal.dot(sight) * normal.dot(sight);
       const double variance =
-          along * noise.range + (1.0 - along) * echo.range * echo.range * noise.bearing + least_variance;
+          along * noise.range + (1.0 - along) * echo.range * echo.range * noise.bearing + imperfection;
       const Vec3 slope{normal.x(), normal.y(), 1.0};
       information += slope * slope.transpose() / variance;
       pull += slope * (distance - x.z()) / variance;

@@ -141,7 +141,8 @@ TEST(ContactFinder, AWallIsCutIntoPiecesThatCoverIt) {
       {.kind = Obstacle::Kind::segment, .from = {30, -25, 0}, .to = {30, 25, 0}, .charted = false}};
   const auto contacts = contacts_of(params, {}, {}, wall);
   ASSERT_GE(contacts.size(), 4U);
-  for (double east = -24; east <= 24; east += 1.0) {
+  for (int i = -24; i <= 24; ++i) {
+    const double east = i;
     const bool covered = std::ranges::any_of(contacts, [&](const Contact& contact) {
       return (contact.position - Vec3{30, east, 0}).norm() <= contact.radius + 0.6;
     });
