@@ -56,10 +56,10 @@ std::string refusal(std::string_view kind, const ParamValues& params) {
 TEST(Lookout, WhatCannotBeIsRefusedWithOneLine) {
   EXPECT_EQ(refusal("sonar", {{"beams_count", 0.0}}),
             "beams_count: is 0; expected a whole number in [1, 1024]");
-  EXPECT_EQ(refusal("sonar", {{"range_sigma_m", -0.1}}),
-            "range_sigma_m: is -0.1; expected a number in [0, 100]");
-  EXPECT_EQ(refusal("sonar", {{"bearing_sigma_deg", -1.0}}),
-            "bearing_sigma_deg: is -1; expected a number in [0, 45]");
+  EXPECT_EQ(refusal("sonar", {{"echo_range_sigma_m", -0.1}}),
+            "echo_range_sigma_m: is -0.1; expected a number in [0, 100]");
+  EXPECT_EQ(refusal("sonar", {{"echo_bearing_sigma_deg", -1.0}}),
+            "echo_bearing_sigma_deg: is -1; expected a number in [0, 45]");
   EXPECT_EQ(refusal("sonar", {{"min_range_m", 100.0}}), "min_range_m: is not below max_range_m");
   EXPECT_EQ(refusal("sonar", {{"birth_hits_count", 9.0}}),
             "birth_hits_count: is more than birth_pings_count");

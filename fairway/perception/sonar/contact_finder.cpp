@@ -20,7 +20,7 @@ Vec2 place_of(const Echo& echo) { return echo.range * Vec2{std::cos(echo.bearing
 }  // namespace
 
 ContactFinder::ContactFinder(const SonarParams& params)
-    : params_{params}, bearing_variance_{square(radians(params.bearing_sigma_deg))}, chart_{params} {
+    : params_{params}, bearing_variance_{square(radians(params.echo_bearing_sigma_deg))}, chart_{params} {
   // two missed beams between them, and noise of both
   neighbourhood_ = 3.0 * chart_.spacing() + 2.0 * std::sqrt(2.0 * bearing_variance_);
   members_.reserve(echo_capacity(params));
@@ -161,7 +161,7 @@ ContactFinder::Sighting ContactFinder::disc(std::span<const Echo> thing) const {
                                  count;
   const double angle_variance = square(1.5 / half_angle) * spread_variance + ragged;
   const double radius_per_angle = distance * std::cos(half_angle) / (1.0 - sine);
-  const double range_variance = square(params_.range_sigma_m / (1.0 - sine)) / std::max(central, 1.0);
+  const double range_variance = square(params_.echo_range_sigma_m / (1.0 - sine)) / std::max(central, 1.0);
   const double aside_variance = (bearing_variance_ + mean_square * params_.missed_ratio) / count + ragged;
   const Eigen::Matrix2d sight{{std::cos(bearing), -std::sin(bearing)},
                               {std::sin(bearing), std::cos(bearing)}};
@@ -178,7 +178,7 @@ ContactFinder::Sighting ContactFinder::arc(std::span<const Echo> thing) const {
   const Sighting seen = disc(thing);
   const double scale = 0.25 * params_.max_extent_m;
   const Circle prior{seen.place, seen.radius, square(scale) * Mat3::Identity()};
-  const Circle circle = fitted(prior, thing, {square(params_.range_sigma_m), bearing_variance_});
+  const Circle circle = fitted(prior, thing, {square(params_.echo_range_sigma_m), bearing_variance_});
 
   // what the echoes leave open stays open: in that pings err alike for about a second
   const double alike = std::max(1.0, params_.rate_hz);
@@ -200,7 +200,7 @@ ContactFinder::Sighting ContactFinder::piece(std::span<const Echo> thing) const 
   const double chance = square(reach) / 3.0;
   const Vec2 across = Vec2{-middle.y(), middle.x()};
   return {.place = middle,
-          .covariance = (square(params_.range_sigma_m) + chance) * Eigen::Matrix2d::Identity() +
+          .covariance = (square(params_.echo_range_sigma_m) + chance) * Eigen::Matrix2d::Identity() +
                         bearing_variance_ * across * across.transpose(),
           .radius = reach,
           .radius_variance = chance};

@@ -18,7 +18,11 @@ SonarParams checked(const SonarParams& params) {
 int poisson(double mean, Rng& rng) {
   const double limit = std::exp(-mean);
   int count = 0;
-  for (double product = rng.uniform(0.0, 1.0); product > limit; product *= rng.uniform(0.0, 1.0)) ++count;
+  double product = rng.uniform(0.0, 1.0);
+  while (product > limit) {
+    product *= rng.uniform(0.0, 1.0);
+    ++count;
+  }
   return count;
 }
 
@@ -43,12 +47,12 @@ void Sonar::ping(const VehicleState& truth, const Scene& scene, Rng& rng, Rng& f
 }
 
 void Sonar::add_true(Rng& rng, std::vector<Echo>& echoes) const {
-  const double bearing_sigma = radians(params_.bearing_sigma_deg);
+  const double bearing_sigma = radians(params_.echo_bearing_sigma_deg);
   const std::span<const double> ranges = sweep_.ranges();
   for (std::size_t beam = 0; beam < ranges.size(); ++beam) {
     if (ranges[beam] < params_.min_range_m || ranges[beam] > params_.max_range_m) continue;
     if (rng.uniform(0.0, 1.0) < params_.missed_ratio) continue;
-    const double range_error = params_.range_sigma_m * rng.normal();
+    const double range_error = params_.echo_range_sigma_m * rng.normal();
     const double bearing_error = bearing_sigma * rng.normal();
     echoes.push_back({std::max(0.0, ranges[beam] + range_error), sweep_.bearing(beam) + bearing_error});
   }

@@ -17,8 +17,8 @@ struct SonarParams {
   double rate_hz = 15.0;
   double min_range_m = 1.0;
   double max_range_m = 100.0;
-  double range_sigma_m = 0.027;
-  double bearing_sigma_deg = 0.5;
+  double echo_range_sigma_m = 0.027;
+  double echo_bearing_sigma_deg = 0.5;
   double missed_ratio = 0.05;
   double false_echoes_count = 1.0;
   double heading_sigma_deg = 0.5;
@@ -36,8 +36,8 @@ struct SonarParams {
         field<&SonarParams::min_range_m>({0, 1000},
                                          "what is nearer hides what is behind it and is not heard"),
         field<&SonarParams::max_range_m>({0.1, 10000}, "what is farther is not heard"),
-        field<&SonarParams::range_sigma_m>({0, 100}, "standard deviation of an echo's range"),
-        field<&SonarParams::bearing_sigma_deg>({0, 45}, "standard deviation of an echo's bearing"),
+        field<&SonarParams::echo_range_sigma_m>({0, 100}, "standard deviation of an echo's range"),
+        field<&SonarParams::echo_bearing_sigma_deg>({0, 45}, "standard deviation of an echo's bearing"),
         field<&SonarParams::missed_ratio>({0, 1}, "of the echoes that there should be"),
         field<&SonarParams::false_echoes_count>(
             {0, 100}, "mean a ping, Poisson; uniform in range and bearing over the fan"),

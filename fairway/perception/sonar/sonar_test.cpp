@@ -67,8 +67,8 @@ TEST(Sonar, EchoesAreMissedAsOftenAsSaid) {
 TEST(Sonar, RangeAndBearingHaveTheNoiseThatIsSaid) {
   SonarParams params = quiet_sonar();
   params.beams_count = 1;
-  params.range_sigma_m = 0.2;
-  params.bearing_sigma_deg = 2.0;
+  params.echo_range_sigma_m = 0.2;
+  params.echo_bearing_sigma_deg = 2.0;
   const std::vector<Echo> echoes = many(params, 4000);
   ASSERT_EQ(echoes.size(), 4000U);
   Vec2 mean = Vec2::Zero();

@@ -10,7 +10,7 @@ namespace fairway {
 /// A sonar without noise, misses and false echoes.
 inline SonarParams quiet_sonar() {
   SonarParams params;
-  params.range_sigma_m = params.bearing_sigma_deg = params.heading_sigma_deg = 0.0;
+  params.echo_range_sigma_m = params.echo_bearing_sigma_deg = params.heading_sigma_deg = 0.0;
   params.missed_ratio = params.false_echoes_count = 0.0;
   return params;
 }
