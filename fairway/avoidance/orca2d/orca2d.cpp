@@ -11,21 +11,23 @@
 namespace fairway {
 namespace {
 
+constexpr int max_neighbours = 500;
+
 /// The half-planes of one decision, on the stack; those of what does not move come first.
-class HalfPlanes {
+class AllowedVelocities {
  public:
   void add(const HalfPlane& h) { half_planes_[count_++] = h; }
   std::span<const HalfPlane> view() const { return {half_planes_.data(), count_}; }
 
  private:
-  std::array<HalfPlane, orca2d::max_landmarks + 500> half_planes_;
+  std::array<HalfPlane, orca2d::max_landmarks + max_neighbours> half_planes_;
   std::size_t count_ = 0;
 };
 
-Vec3 level(const Vec2& v) { return {v.x(), v.y(), 0.0}; }
+Vec3 horizontal(const Vec2& v) { return {v.x(), v.y(), 0.0}; }
 
 /// What does not move leaves all of the change to us, and is not to be hit whatever the neighbours ask.
-void add_shore(const Situation& s, const Orca2d::Params& params, HalfPlanes& half_planes) {
+void add_shore(const Situation& s, const Orca2d::Params& params, AllowedVelocities& allowed) {
   const double tau = params.obstacle_time_horizon_s;
   const Vec2 position = s.own.position.head<2>();
   const orca2d::Mariner mariner{s.own.velocity.head<2>(), s.own.radius, tau, s.period,
@@ -40,22 +42,22 @@ void add_shore(const Situation& s, const Orca2d::Params& params, HalfPlanes& hal
     if (landmark.kind == orca2d::Landmark::Kind::disc) {
       const orca2d::Encounter encounter{obstacle.position.head<2>() - position, mariner.velocity,
                                         s.own.radius + obstacle.radius, mariner.parting};
-      half_planes.add(half_plane(least_change(encounter, tau, s.period), mariner.velocity, 1.0));
+      allowed.add(half_plane(least_change(encounter, tau, s.period), mariner.velocity, 1.0));
       continue;
     }
     const orca2d::Wall wall = orca2d::wall_at(obstacle, landmark, position);
     if (landmark.kind == orca2d::Landmark::Kind::wall_from_inside) {
-      half_planes.add(way_out(wall, mariner));
+      allowed.add(way_out(wall, mariner));
       continue;
     }
     const auto covers_it = [&](const HalfPlane& h) { return covers(h, wall, mariner); };
-    if (std::ranges::any_of(half_planes.view(), covers_it)) continue;
-    if (const auto allowed = half_plane(wall, mariner)) half_planes.add(*allowed);
+    if (std::ranges::any_of(allowed.view(), covers_it)) continue;
+    if (const auto beyond = half_plane(wall, mariner)) allowed.add(*beyond);
   }
 }
 
 /// Vehicles share the work of avoiding each other; what does not react leaves all of it to us.
-void add_tracks(const Situation& s, const Orca2d::Params& params, HalfPlanes& half_planes) {
+void add_tracks(const Situation& s, const Orca2d::Params& params, AllowedVelocities& allowed) {
   const Vec2 position = s.own.position.head<2>();
   const Vec2 v_opt = s.own.velocity.head<2>();
   const double radius = s.own.radius;
@@ -63,7 +65,7 @@ void add_tracks(const Situation& s, const Orca2d::Params& params, HalfPlanes& ha
   const double period = s.period;
   const double range2 = params.crit_dist_m * params.crit_dist_m;
   const double share = params.responsibility_ratio;
-  int left = params.max_neighbours_count;
+  int left = std::min(params.max_neighbours_count, max_neighbours);
   for (const Track& track : s.tracks) {
     const Vec2 p = track.position.head<2>() - position;
     if (p.squaredNorm() > range2) continue;
@@ -71,34 +73,35 @@ void add_tracks(const Situation& s, const Orca2d::Params& params, HalfPlanes& ha
     const orca2d::Encounter encounter{p, v_opt - track.velocity.head<2>(), radius + track.radius,
                                       parting_direction(s.own.id, track.id).head<2>()};
     const orca2d::Change change = orca2d::least_change(encounter, tau, period);
-    half_planes.add(half_plane(change, v_opt, track.reacts ? share : 1.0));
+    allowed.add(half_plane(change, v_opt, track.reacts ? share : 1.0));
   }
+}
+
+void show(std::span<const HalfPlane> allowed, std::size_t hard_count, const Vec2& preferred,
+          const Vec2& chosen, Sketch& sketch) {
+  for (std::size_t i = 0; i < allowed.size(); ++i) {
+    sketch.half_space(horizontal(allowed[i].offset * allowed[i].normal), horizontal(allowed[i].normal),
+                      i < hard_count ? "allowed by an obstacle" : "allowed by a neighbour");
+  }
+  sketch.velocity(horizontal(preferred), "preferred");
+  sketch.velocity(horizontal(chosen), "chosen");
 }
 
 }  // namespace
 
 Command Orca2d::decide(const Situation& s, Memory&, Context& context) const noexcept {
-  HalfPlanes half_planes;
-  if (!s.obstacles.empty()) add_shore(s, params, half_planes);
-  const std::size_t hard_count = half_planes.view().size();
-  add_tracks(s, params, half_planes);
+  AllowedVelocities allowed;
+  if (!s.obstacles.empty()) add_shore(s, params, allowed);
+  const std::size_t hard_count = allowed.view().size();
+  add_tracks(s, params, allowed);
 
   const Vec2 preferred = s.preferred_velocity().head<2>();
-  if (half_planes.view().empty()) return {.velocity = level(preferred), .mode = Mode::cruise};
+  if (allowed.view().empty()) return {.velocity = horizontal(preferred), .mode = Mode::cruise};
 
-  const PlaneChoice choice =
-      nearest_in_plane({half_planes.view(), hard_count, s.limits.max_speed}, preferred);
+  const PlaneChoice choice = nearest_in_plane({allowed.view(), hard_count, s.limits.max_speed}, preferred);
 
-  if (context.sketch) {
-    for (std::size_t i = 0; i < half_planes.view().size(); ++i) {
-      const HalfPlane& h = half_planes.view()[i];
-      context.sketch->half_space(level(h.offset * h.normal), level(h.normal),
-                                 i < hard_count ? "allowed by an obstacle" : "allowed by a neighbour");
-    }
-    context.sketch->velocity(level(preferred), "preferred");
-    context.sketch->velocity(level(choice.point), "chosen");
-  }
-  return {.velocity = level(choice.point),
+  if (context.sketch) show(allowed.view(), hard_count, preferred, choice.point, *context.sketch);
+  return {.velocity = horizontal(choice.point),
           .mode = choice.is_feasible() ? Mode::avoid : Mode::infeasible,
           .astern = true};
 }

@@ -76,7 +76,7 @@ Side tangent_leg(const WallEnd& end, double hand, const Mariner& mariner) {
 
 /// The same on the hand on which another wall may follow: no leg points into that one.
 Side outer_leg(const WallEnd& end, double hand, const Mariner& mariner) {
-  const Side tangent = tangent_leg(end, hand, mariner);
+  Side tangent = tangent_leg(end, hand, mariner);
   if (hand * cross(tangent.along, end.beyond) <= 0.0) return tangent;
   return {.start = tangent.start,
           .along = end.beyond,

@@ -76,7 +76,7 @@ class Program {
 
   Answer solve() const {
     if (const auto nearest = this->nearest()) return {*nearest, 0};
-    const Answer least = least_violation();
+    Answer least = least_violation();
     if (least.violation < std::numeric_limits<Real>::infinity()) return least;
     const auto end = lines_.begin() + static_cast<std::ptrdiff_t>(hard_count_);
     return Program{{lines_.begin(), end}, 0, preferred_, speed_}.solve();
