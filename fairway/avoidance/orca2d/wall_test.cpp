@@ -172,8 +172,10 @@ TEST(OrcaWall, AtAReflexCornerTheWallRunsOnBehindTheNext) {
   // ahead at 6 m as far as 2 m to port, where the next wall comes towards us
   const Wall ahead{{{6.0, 10.0}}, {{6.0, -2.0}, false, {-1.0, 0.0}}};
   const Wall abeam{{{6.0, -2.0}, false, {0.0, 1.0}}, {{-10.0, -2.0}}};
-  expect_half_plane(half_plane(ahead, mariner({3.0, -2.0})), -north, -1.0);
-  expect_half_plane(half_plane(abeam, mariner({3.0, -2.0})), {0.0, 1.0}, -0.2);
+  for (const double speed : {0.5, 3.0}) {
+    expect_half_plane(half_plane(ahead, mariner({speed, -2.0})), -north, -1.0);
+    expect_half_plane(half_plane(abeam, mariner({3.0, -0.1 * speed})), {0.0, 1.0}, -0.2);
+  }
 }
 
 TEST(OrcaWall, PastAReflexCornerItIsHiddenByTheNext) {
