@@ -58,13 +58,6 @@ Choice model_of(const Setting& setting, Hull hull) {
           .path = "model"};
 }
 
-Choice steering_of(Hull hull, double yaw) {
-  if (hull == Hull::point) return {.name = "holonomic", .params = {{"heading_rad", yaw}}, .path = "steering"};
-  return {.name = "speed_and_course",
-          .params = {{"turn_gain_hz", 2.0}, {"max_turn_rate_radps", turn_rate}},
-          .path = "steering"};
-}
-
 VehicleSpec uuv_of(const Meeting& meeting, std::size_t index, const Setting& setting, Hull hull,
                    const Method& method) {
   const Vec3 way = meeting.goals[index] - meeting.starts[index];
@@ -100,6 +93,13 @@ ObstacleSpec ship_at(const Vec3& position, const Vec3& velocity, double radius) 
 }
 
 }  // namespace
+
+Choice steering_of(Hull hull, double yaw) {
+  if (hull == Hull::point) return {.name = "holonomic", .params = {{"heading_rad", yaw}}, .path = "steering"};
+  return {.name = "speed_and_course",
+          .params = {{"turn_gain_hz", 2.0}, {"max_turn_rate_radps", turn_rate}},
+          .path = "steering"};
+}
 
 std::string_view name_of(Encounter encounter) {
   constexpr std::array names{"head_on", "multi_obstacle", "parallel_goals"};

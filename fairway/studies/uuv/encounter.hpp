@@ -50,6 +50,9 @@ enum class Hull {
 inline constexpr std::array hulls{Hull::point, Hull::unicycle};
 std::string_view name_of(Hull hull);
 
+/// How a hull that starts on heading `yaw` [rad] carries out a velocity.
+Choice steering_of(Hull hull, double yaw);
+
 /// Where everyone is and wants to be [m, NED].
 struct Meeting {
   std::array<Vec3, 2> starts, goals;

@@ -109,7 +109,7 @@ std::vector<StudyRow> gathering_rows(const std::vector<Cell>& cells) {
                              "runs in which somebody did not arrive; Wilson's interval"));
     rows.push_back(interval_row(cell, "time_ratio", "to the straight way, of the vehicles that arrived"));
     rows.push_back(interval_row(cell, "mean_time_s", "of the vehicles that arrived"));
-    rows.push_back(interval_row(cell, "mean_heading_change_rad", "turned in all, of all vehicles"));
+    rows.push_back(interval_row(cell, "mean_course_change_rad", "changes of course in all, of all vehicles"));
   }
   return rows;
 }

@@ -31,6 +31,7 @@ constexpr std::array all_awarenesses{
     Awareness{"perfect+acoustic", "perfect", "acoustic"},
     Awareness{"sonar+none", "sonar", "none"},
     Awareness{"sonar+acoustic", "sonar", "acoustic"},
+    Awareness{"unicycles", "perfect", "perfect", Hull::unicycle},
 };
 
 Vec3 near_place(double n, double e, double reach, Rng& rng) {
@@ -86,29 +87,30 @@ std::vector<Voyage> crowding(std::size_t count, Rng rng) {
   return voyages;
 }
 
-VehicleSpec vehicle_of(const Voyage& voyage, std::size_t index, const Method& method) {
+VehicleSpec vehicle_of(const Voyage& voyage, std::size_t index, Hull hull, const Method& method) {
   const Vec3 way = voyage.goal - voyage.start;
+  const double yaw = std::atan2(way.y(), way.x());
+  const bool sways = hull == Hull::point;
   VehicleSpec vehicle{.id = static_cast<std::uint32_t>(index), .name = fmt::format("uuv{}", index + 1)};
   vehicle.model = {.name = "kinematic",
                    .params = {{"max_speed_mps", top_speed},
-                              {"max_reverse_mps", 0.0},
+                              {"max_reverse_mps", sways ? top_speed : 0.0},
+                              {"max_sway_mps", sways ? top_speed : 0.0},
                               {"max_heave_mps", 0.0},
                               {"max_turn_rate_radps", quickest_turn},
                               {"max_acceleration_mps2", acceleration},
                               {"max_turn_acceleration_radps2", 5.0}},
                    .path = "model"};
   vehicle.avoider = {.name = std::string(method.algorithm), .params = method.params, .path = "avoider"};
-  vehicle.steering = {.name = "proportional",
-                      .params = {{"turn_gain_hz", 2.0}, {"max_turn_rate_radps", quickest_turn}},
-                      .path = "steering"};
+  vehicle.steering = steering_of(hull, yaw);
   vehicle.position = voyage.start;
-  vehicle.yaw = std::atan2(way.y(), way.x());
+  vehicle.yaw = yaw;
   vehicle.radius_m = kept_radius;
   vehicle.priority = static_cast<std::int32_t>(index);
   vehicle.limits = {.max_speed = top_speed,
                     .max_climb_rate = 0.0,
                     .max_acceleration = acceleration,
-                    .max_turn_rate = quickest_turn};
+                    .max_turn_rate = sways ? Limits::none : quickest_turn};
   vehicle.mission = {
       {.kind = LegKind::transit, .position = voyage.goal, .speed_mps = cruise_speed, .arrival_m = 1.0}};
   return vehicle;
@@ -167,7 +169,7 @@ Scenario gathering_scenario(const Gathering& gathering, const Awareness& awarene
   scenario.exchange = {.name = std::string(awareness.exchange), .path = "exchange"};
   if (awareness.exchange == "acoustic") scenario.exchange.params = {{"update_rate_hz", 1.0}};
   for (std::size_t i = 0; i < voyages.size(); ++i)
-    scenario.vehicles.push_back(vehicle_of(voyages[i], i, method));
+    scenario.vehicles.push_back(vehicle_of(voyages[i], i, awareness.hull, method));
   return scenario;
 }
 

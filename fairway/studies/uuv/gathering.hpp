@@ -11,6 +11,7 @@
 
 #include "fairway/scenario/scenario.hpp"
 #include "fairway/studies/cell.hpp"
+#include "fairway/studies/uuv/encounter.hpp"
 
 namespace fairway::uuv {
 
@@ -31,11 +32,13 @@ struct Gathering {
 };
 std::span<const Gathering> gatherings();
 
-/// What everyone knows of everyone else. Acoustic messages are sent in turns, by each at most once a second.
+/// What everyone knows of everyone else, and what sails. Acoustic messages are sent in turns, by each at most
+/// once a second.
 struct Awareness {
   std::string_view name;        ///< "sonar+acoustic"
   std::string_view perception;  ///< kinds of the scenario
   std::string_view exchange;
+  Hull hull{Hull::point};
 };
 std::span<const Awareness> awarenesses();
 
@@ -53,7 +56,7 @@ struct Voyage {
 /// radii apart and everyone's way at least half the square.
 std::vector<Voyage> voyages_of(const Gathering& gathering, std::uint64_t seed);
 
-/// Unicycles of 1 m/s, decisions five times a second, deadlocked after four times the straight way's
+/// Everyone at 1 m/s, decisions five times a second, deadlocked after four times the straight way's
 /// time.
 Scenario gathering_scenario(const Gathering& gathering, const Awareness& awareness, const Method& method,
                             std::uint64_t seed);

@@ -2,10 +2,13 @@
 #include "fairway/studies/uuv/measures.hpp"
 
 #include <array>
+#include <cmath>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 
+#include "fairway/core/angles.hpp"
 #include "fairway/experiment/executor.hpp"
 #include "fairway/experiment/measure_run.hpp"
 #include "fairway/sim/simulation.hpp"
@@ -16,6 +19,40 @@ namespace {
 
 /// One vehicle's quantities by name.
 using Quantities = std::map<std::string_view, double>;
+
+/// Adds up how much everyone's course changed while it was under way and made way.
+class CourseLog final : public FrameSink {
+ public:
+  explicit CourseLog(std::size_t count) : courses_(count) {}
+
+  void write(const Frame& frame) override {
+    for (std::size_t i = 0; i < courses_.size(); ++i) {
+      const VehicleFrame& vehicle = frame.vehicles[i];
+      const Vec3 v = vehicle.state.v_n();
+      if (!is_avoiding(vehicle.phase) || horizontal_norm(v) < slowest_way) continue;
+      const double course = std::atan2(v.y(), v.x());
+      if (courses_[i]) total_ += std::abs(wrap_angle(course - *courses_[i]));
+      courses_[i] = course;
+    }
+  }
+
+  double mean() const { return total_ / static_cast<double>(courses_.size()); }
+
+ private:
+  static constexpr double slowest_way = 0.1;  // below it a course means nothing [m/s]
+
+  std::vector<std::optional<double>> courses_;
+  double total_{};
+};
+
+void run(const Scenario& scenario, const Catalogs& catalogs, std::span<FrameSink* const> sinks,
+         const std::atomic<bool>* stop) {
+  Simulation simulation{scenario, catalogs};
+  while (!simulation.is_done()) {
+    if (stop != nullptr && stop->load(std::memory_order_relaxed)) throw RunAbandoned{};
+    simulation.step(sinks);
+  }
+}
 
 std::vector<Quantities> by_vehicle(const std::vector<Measure>& measures, std::size_t count) {
   std::vector<Quantities> vehicles(count);
@@ -30,14 +67,10 @@ std::vector<Quantities> by_vehicle(const std::vector<Measure>& measures, std::si
 
 std::vector<Measure> measure_encounter(const Scenario& scenario, const Catalogs& catalogs,
                                        const std::atomic<bool>* stop) {
-  Simulation simulation{scenario, catalogs};
   RunMetrics metrics = metrics_for(scenario);
   Timeline timeline{scenario};
   const std::array<FrameSink*, 2> sinks{&metrics, &timeline};
-  while (!simulation.is_done()) {
-    if (stop != nullptr && stop->load(std::memory_order_relaxed)) throw RunAbandoned{};
-    simulation.step(sinks);
-  }
+  run(scenario, catalogs, sinks, stop);
   std::vector<Measure> measures = metrics.measures();
   timeline.report(measures);
   return measures;
@@ -45,7 +78,12 @@ std::vector<Measure> measure_encounter(const Scenario& scenario, const Catalogs&
 
 std::vector<Measure> measure_fleet(const Scenario& scenario, const Catalogs& catalogs,
                                    const std::atomic<bool>* stop) {
-  const std::vector<Measure> all = measure_run(scenario, catalogs, stop);
+  RunMetrics metrics = metrics_for(scenario);
+  CourseLog courses{scenario.vehicles.size()};
+  const std::array<FrameSink*, 2> sinks{&metrics, &courses};
+  run(scenario, catalogs, sinks, stop);
+
+  const std::vector<Measure> all = metrics.measures();
   std::vector<Measure> kept;
   for (const Measure& measure : all) {
     if (measure.vehicle == Measure::fleet) kept.push_back(measure);
@@ -53,10 +91,9 @@ std::vector<Measure> measure_fleet(const Scenario& scenario, const Catalogs& cat
 
   const std::size_t count = scenario.vehicles.size();
   const std::vector<Quantities> vehicles = by_vehicle(all, count);
-  double time = 0.0, ratio = 0.0, turned = 0.0, infeasible = 0.0, arrived = 0.0;
+  double time = 0.0, ratio = 0.0, infeasible = 0.0, arrived = 0.0;
   for (std::size_t i = 0; i < count; ++i) {
     const Quantities& own = vehicles[i];
-    turned += own.at("heading_change_rad");
     infeasible += own.at("infeasible_count");
     if (own.at("stuck_count") > 0.0) continue;
     arrived += 1.0;
@@ -71,7 +108,7 @@ std::vector<Measure> measure_fleet(const Scenario& scenario, const Catalogs& cat
     add("mean_time_s", time / arrived);
     add("time_ratio", ratio / arrived);
   }
-  add("mean_heading_change_rad", turned / static_cast<double>(count));
+  add("mean_course_change_rad", courses.mean());
   add("mean_infeasible_count", infeasible / static_cast<double>(count));
   return kept;
 }

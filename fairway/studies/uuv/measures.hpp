@@ -15,8 +15,8 @@ std::vector<Measure> measure_encounter(const Scenario& scenario, const Catalogs&
                                        const std::atomic<bool>* stop);
 
 /// Runs a scenario of many and keeps what is the fleet's, with means over the vehicles: `mean_time_s` and
-/// `time_ratio` (to the straight way at the leg's speed) over those that arrived, `mean_heading_change_rad`
-/// and `mean_infeasible_count` over all. Throws likewise.
+/// `time_ratio` (to the straight way at the leg's speed) over those that arrived, `mean_course_change_rad`
+/// (of the way made, not of the hull) and `mean_infeasible_count` over all. Throws likewise.
 std::vector<Measure> measure_fleet(const Scenario& scenario, const Catalogs& catalogs,
                                    const std::atomic<bool>* stop);
 

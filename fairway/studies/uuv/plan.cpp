@@ -52,6 +52,10 @@ Cell published_cell(Encounter encounter, const Setting& setting, Hull hull, cons
 
 }  // namespace
 
+std::string_view fit_of(Encounter encounter) {
+  return encounter == Encounter::head_on ? "fit_head_on" : "fit_ships";
+}
+
 std::optional<double> published(Encounter encounter, std::string_view quantity) {
   for (const PublishedMoment& moment : moments) {
     if (moment.encounter == encounter && moment.quantity == quantity) return moment.value;
@@ -63,8 +67,11 @@ std::vector<Cell> published_cells() {
   const Method& rvo = planar_methods().front();
   std::vector<Cell> cells;
   for (const Encounter encounter : encounters) {
-    for (const Setting& setting : settings())
-      cells.push_back(published_cell(encounter, setting, Hull::point, rvo));
+    const std::string_view fit = fit_of(encounter);
+    cells.push_back(published_cell(encounter, find_setting(fit), Hull::point, rvo));
+    for (const Setting& setting : settings()) {
+      if (setting.name != fit) cells.push_back(published_cell(encounter, setting, Hull::point, rvo));
+    }
     for (const std::string_view name : chosen_settings)
       cells.push_back(published_cell(encounter, find_setting(name), Hull::unicycle, rvo));
     for (const Method& method : planar_methods().subspan(1))

@@ -16,8 +16,11 @@ namespace fairway::uuv {
 /// adopted here.
 std::optional<double> published(Encounter encounter, std::string_view quantity);
 
-/// RVO in every setting as the point, in the two chosen ones also as the unicycle; then every other method
-/// of the plane in the common setting. One run each: nothing is drawn.
+/// The setting that fits an encounter.
+std::string_view fit_of(Encounter encounter);
+
+/// RVO in every setting as the point, the encounter's fit first, in the chosen ones also as the unicycle;
+/// then every other method of the plane in the common setting. One run each: nothing is drawn.
 std::vector<Cell> published_cells();
 
 /// Both encounters in `seeds` variations, common setting, every method.

@@ -45,7 +45,8 @@ Study study() {
   return {.name = "uuv",
           .title = "UUVs that meet: velocity obstacles, fifty at once, sonar and acoustic messages",
           .source =
-              "cao2022: Cao et al., Dynamic Obstacle Avoidance for Unmanned Underwater Vehicles based on Velocity Obstacle, sections "
+              "cao2022: Cao et al., Dynamic Obstacle Avoidance for Unmanned Underwater Vehicles based on "
+              "Velocity Obstacle, sections "
               "4.1 and 4.2",
           .run = run_uuv};
 }

@@ -92,12 +92,12 @@ json gatherings_section(const Results& results) {
     blocks.push_back(page::grid(2, {bars("collision_ratio", "runs with a collision"),
                                     bars("deadlock_ratio", "runs in which somebody did not arrive"),
                                     bars("time_ratio", "time to the straight way's"),
-                                    bars("mean_heading_change_rad", "turned in all [rad]")}));
+                                    bars("mean_course_change_rad", "changes of course in all [rad]")}));
   }
   blocks.push_back(page::comparison_table("All gatherings", results.gathering_rows));
   return page::section(
       "gatherings", "Up to fifty",
-      {"Swaps across a circle, two columns that cross, and crowds in a square: unicycles of 1 m/s that keep "
+      {"Swaps across a circle, two columns that cross, and crowds in a square: everyone at 1 m/s, keeping "
        "spheres of 1 m clear, bodies of 0.75 m that collide. Awareness is perception and exchange: "
        "\"sonar+none\" "
        "sees and is told nothing, \"perfect+acoustic\" knows others by their messages alone."},

@@ -94,7 +94,7 @@ TEST(UuvGathering, TwoWhoSwapAvoidEachOtherAndArrive) {
   EXPECT_EQ(collision_runs(cell), 0U);
   EXPECT_TRUE(arrived(cell, 0));
   EXPECT_GT(cell.value(0, "time_ratio"), 0.9);
-  EXPECT_GT(cell.value(0, "mean_heading_change_rad"), 0.0);
+  EXPECT_GT(cell.value(0, "mean_course_change_rad"), 0.0);
 }
 
 TEST(UuvGathering, WithoutPerceptionOrExchangeTheyMeet) {
