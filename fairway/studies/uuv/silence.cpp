@@ -12,6 +12,15 @@ namespace {
 
 constexpr std::array<std::string_view, 3> cubes_crossed{"cube20_4", "cube20_8", "cube60_8"};
 
+void set(ParamValues& params, const std::string& name, const ParamValue& value) {
+  const auto there = std::ranges::find(params, name, &ParamValues::value_type::first);
+  if (there == params.end()) {
+    params.emplace_back(name, value);
+  } else {
+    there->second = value;
+  }
+}
+
 Choice exchange_of(const Channel& channel) {
   Choice exchange{.name = "perfect", .path = "exchange"};
   if (channel.kind == Channel::Kind::perfect) return exchange;
@@ -46,6 +55,8 @@ std::span<const Method> silence_methods() {
       {"orca3d+stop_and_wait", "orca3d+stop_and_wait", {}},
       {"apf+inflate", "apf+inflate", {}},
       {"orca3d+inflate", "orca3d+inflate", {}},
+      {"apf_w2_2.5", "apf", {{"w2_ratio", 2.5}}},
+      {"apf_w2_2.5+inflate", "apf+inflate", {{"w2_ratio", 2.5}}},
   };
   return methods;
 }
@@ -60,7 +71,7 @@ Scenario silence_scenario(std::string_view cube, const Method& method, const Cha
   scenario.exchange = exchange_of(channel);
   for (VehicleSpec& vehicle : scenario.vehicles) {
     vehicle.avoider.name = std::string(method.algorithm);
-    std::ranges::copy(method.params, std::back_inserter(vehicle.avoider.params));
+    for (const auto& [name, value] : method.params) set(vehicle.avoider.params, name, value);
   }
   return scenario;
 }

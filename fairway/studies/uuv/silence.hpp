@@ -33,7 +33,9 @@ struct Channel {
 /// The published cubes that are crossed again.
 std::span<const std::string_view> silent_cubes();
 
-/// As published, in the corrected mode, and with `inflate`.
+/// As published, in the corrected mode, and with `inflate`; APF also with a repulsion that holds vehicles
+/// apart, the next of the published tuning, since with its best one it collides even when it knows
+/// everything.
 std::span<const Method> silence_methods();
 
 /// raja2024's crossing with the published best parameters, corrected, over the channel.

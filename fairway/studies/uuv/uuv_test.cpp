@@ -119,13 +119,15 @@ TEST(UuvSilence, IsSafeDownToTheLastRateBeforeTheFirstCollision) {
 }
 
 TEST(UuvSilence, TheMethodRunsOverTheChannelThatIsNamed) {
-  const Scenario scenario =
-      silence_scenario("cube20_8", silence_methods().back(), {Channel::Kind::acoustic, 0.5, 0.25}, 3);
+  const Method& strong = silence_methods().back();
+  const Scenario scenario = silence_scenario("cube20_8", strong, {Channel::Kind::acoustic, 0.5, 0.25}, 3);
   EXPECT_EQ(scenario.exchange.name, "acoustic");
   EXPECT_EQ(scenario.seed, 3U);
   EXPECT_EQ(scenario.vehicles.size(), 8U);
-  EXPECT_EQ(scenario.vehicles.front().avoider.name, "orca3d+inflate");
-  EXPECT_EQ(silence_scenario("cube20_8", silence_methods().back(), {}, 3).exchange.name, "perfect");
+  EXPECT_EQ(scenario.vehicles.front().avoider.name, "apf+inflate");
+  const ParamValues w2{{"crit_dist_m", 6.0}, {"w2_ratio", 2.5}};
+  EXPECT_EQ(scenario.vehicles.front().avoider.params, w2);
+  EXPECT_EQ(silence_scenario("cube20_8", strong, {}, 3).exchange.name, "perfect");
 }
 
 }  // namespace
