@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "fairway/core/echo.hpp"
+#include "fairway/core/kind_info.hpp"
 #include "fairway/core/params.hpp"
 #include "fairway/core/rng.hpp"
-#include "fairway/core/kind_info.hpp"
 #include "fairway/perception/perfect.hpp"
 #include "fairway/perception/sonar_watch.hpp"
 

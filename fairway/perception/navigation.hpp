@@ -4,10 +4,10 @@
 #include <string_view>
 #include <vector>
 
+#include "fairway/core/kind_info.hpp"
 #include "fairway/core/params.hpp"
 #include "fairway/core/rng.hpp"
 #include "fairway/core/state.hpp"
-#include "fairway/core/kind_info.hpp"
 
 namespace fairway {
 
