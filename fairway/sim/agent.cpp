@@ -100,10 +100,10 @@ Agent make_agent(const VehicleSpec& spec, const Scenario& scenario, const Catalo
 
   Agent agent{
       .id = VehicleId{spec.id},
+      .own_priority = spec.priority,
       .name = spec.name,
       .radius = spec.radius_m,
       .start_delay = spec.start_delay_s,
-      .own_priority = spec.priority,
       .cooperative = spec.cooperative,
       .limits = spec.limits,
       .steering = steering,

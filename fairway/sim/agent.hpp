@@ -25,10 +25,10 @@ namespace fairway {
 struct Agent {
   // constants
   VehicleId id{};
+  std::int32_t own_priority{};
   std::string name;
   double radius{};
   double start_delay{};
-  std::int32_t own_priority{};
   bool cooperative{true};
   Limits limits;
   SteeringParams steering;
@@ -42,13 +42,12 @@ struct Agent {
   Navigation navigation;
   Lookout lookout;
 
-  Tick next_decision{0};  ///< of the avoider
-
   // this tick's values
   VehicleState estimate;  ///< where it believes to be
   Ownship own;
   std::vector<Track> tracks;
   std::vector<Obstacle> obstacles;  ///< as far as it knows of them
+  Tick next_decision{0};            ///< when the avoider is asked again
   Command command;
   HoldPoint hold;
   bool holding{false};
