@@ -47,8 +47,8 @@ std::span<const Echo> Lookout::echoes() const {
 }
 
 std::vector<KindInfo> perception_kinds() {
-  return {{"perfect", "what vehicles tell, and the truth of all else within reach", "", {}},
-          {"sonar", "forward-looking multibeam sonar and a multi-target tracker",
+  return {{"perfect", "What vehicles tell, and the truth of all else within reach", "", {}},
+          {"sonar", "Forward-looking multibeam sonar and a multi-target tracker",
            "Bar-Shalom, Li, Kirubarajan 2001; Blackman, Popoli 1999", describe_params<SonarWatchParams>()}};
 }
 

@@ -43,8 +43,8 @@ VehicleState Navigation::estimate(const VehicleState& truth, double period) {
 }
 
 std::vector<KindInfo> navigation_kinds() {
-  return {{"perfect", "a vehicle knows where it is and how it moves", "", {}},
-          {"drifting", "position and heading drift as dead reckoning does, velocity is noisy",
+  return {{"perfect", "A vehicle knows where it is and how it moves", "", {}},
+          {"drifting", "Position and heading drift as dead reckoning does, velocity is noisy",
            "first-order Gauss-Markov processes (Gelb 1974)", describe_params<NavigationParams>()}};
 }
 
