@@ -9,9 +9,13 @@ namespace {
 
 bool is_length(double value) { return value >= 0.0 && value <= std::numeric_limits<double>::max(); }
 
+/// Of numbers whose sum does not overflow; one test for all of them, since every decision asks it of every
+/// track.
+bool has_finite_sum(const Mat3& a, const Mat3& b) { return 0.0 * (a + b).sum() == 0.0; }
+
 bool is_usable(const Track& track) {
   return is_finite(track.position) && is_finite(track.velocity) && is_length(track.radius) &&
-         track.position_covariance.allFinite() && track.velocity_covariance.allFinite();
+         has_finite_sum(track.position_covariance, track.velocity_covariance);
 }
 
 bool is_usable(const Obstacle& obstacle) {
