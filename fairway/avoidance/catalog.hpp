@@ -76,9 +76,7 @@ class Catalog {
  private:
   template <Reflected P>
   static P chosen(const ParamValues& values) {
-    P params;
-    for (const auto& [name, value] : values) set_param(params, name, value, /*optional=*/true);
-    return params;
+    return params_of(values, P{}, /*optional=*/true);
   }
 
   std::vector<const Entry*> layers(std::string_view name) const;

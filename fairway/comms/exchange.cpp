@@ -4,16 +4,6 @@
 #include <string>
 
 namespace fairway {
-namespace {
-
-template <Reflected P>
-P chosen(const ParamValues& values) {
-  P params;
-  for (const auto& [name, value] : values) set_param(params, name, value);
-  return params;
-}
-
-}  // namespace
 
 Exchange::Exchange(std::string_view kind, const ParamValues& params, std::size_t vehicle_count, double period,
                    Rng rng)
@@ -22,7 +12,8 @@ Exchange::Exchange(std::string_view kind, const ParamValues& params, std::size_t
 Exchange::Way Exchange::way_of(std::string_view kind, const ParamValues& params, std::size_t vehicle_count,
                                double period, const Rng& rng) {
   require_known(kind, "exchange", exchange_kinds());
-  if (kind == "acoustic") return AcousticChannel{chosen<AcousticParams>(params), vehicle_count, period, rng};
+  if (kind == "acoustic")
+    return AcousticChannel{params_of<AcousticParams>(params), vehicle_count, period, rng};
   if (!params.empty())
     throw InputError({}, params.front().first, std::string(kind) + " exchange takes no parameters");
   if (kind == "none") return Silence{};

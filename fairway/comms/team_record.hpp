@@ -18,9 +18,8 @@ namespace fairway {
 ///     yaw          8           1.41 deg  modulo a turn
 ///     radius       9           0.1 m     rounded up; at most 51.1 m
 ///     priority     10          1         -512 .. 510, beyond which it saturates; 511 is last of all
-///     destination  14, 14, 12  25 cm     from the position as told, +-2047 m, depth +-511 m; a farther one
-///     is
-///                                        shortened along the line to it
+///     destination  14, 14, 12  25 cm     from the position as told, +-2047 m, depth +-511 m; if
+///                                        farther, shortened along the line to it
 ///
 /// and one bit that says whether there is a destination. What is not a number is told as the lowest value.
 using TeamRecord = std::array<std::uint8_t, 25>;

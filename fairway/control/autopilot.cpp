@@ -38,9 +38,9 @@ Autopilot::Autopilot(const Vehicle& vehicle, const VelocityController::Params& p
 }
 
 ActuatorValues Autopilot::control(const BodyRequest& request, const Vec3& v_b, const Vec3& omega_b, double h,
-                                  double pitch) noexcept {
+                                  const Eigen::Quaterniond& q_nb) noexcept {
   if (controller_) return controller_->control(request, v_b, omega_b, h);
-  if (fins_) return fins_->control(request, pitch, v_b, omega_b, h);
+  if (fins_) return fins_->control(request, euler_of(q_nb).pitch, v_b, omega_b, h);
 
   ActuatorValues command(setpoint_count_);
   for (Eigen::Index i = 0; i < setpoint_count_; ++i)

@@ -21,10 +21,10 @@ class Autopilot {
   explicit Autopilot(const Vehicle& vehicle, const VelocityController::Params& params = {},
                      AllocationMethod allocation = AllocationMethod::bounded);
 
-  /// The actuator command for the next `h` [s], from velocities through the water [body axes] and the pitch
-  /// [rad], of which fins alone need to know. Neither allocates nor throws.
+  /// The actuator command for the next `h` [s], from velocities through the water [body axes] and the
+  /// attitude, of which fins alone need to know. Neither allocates nor throws.
   ActuatorValues control(const BodyRequest& request, const Vec3& v_b, const Vec3& omega_b, double h,
-                         double pitch = 0.0) noexcept;
+                         const Eigen::Quaterniond& q_nb = Eigen::Quaterniond::Identity()) noexcept;
 
   /// The actuator command for a wrench about the body origin; nothing where the actuators do not push.
   std::optional<ActuatorValues> push(const Wrench& tau) const noexcept;

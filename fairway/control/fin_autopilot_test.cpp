@@ -259,7 +259,7 @@ TEST(Autopilot, DrivesAVehicleWithFinsByThem) {
   const BodyRequest request{.surge_mps = 1.4, .heave_mps = 0.1, .yaw_rate_radps = 0.02};
   for (int i = 0; i < 50; ++i) {
     const VehicleState& x = vehicle.state();
-    const ActuatorValues u = autopilot.control(request, x.v_b, x.omega_b, h, pitch_of(vehicle));
+    const ActuatorValues u = autopilot.control(request, x.v_b, x.omega_b, h, x.q_nb);
     ASSERT_EQ(u, control(fins, vehicle, request));
     vehicle.step(u, {}, h);
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/core/params.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -132,3 +133,19 @@ InputError in_list(std::string_view name, std::string_view member, const InputEr
 }
 
 }  // namespace fairway::detail
+
+namespace fairway {
+
+ParamValues merged(ParamValues values, const ParamValues& over) {
+  for (const auto& [name, value] : over) {
+    const auto same = std::ranges::find(values, name, &ParamValues::value_type::first);
+    if (same == values.end()) {
+      values.emplace_back(name, value);
+    } else {
+      same->second = value;
+    }
+  }
+  return values;
+}
+
+}  // namespace fairway

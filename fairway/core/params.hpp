@@ -242,6 +242,17 @@ bool set_param(P& params, std::string_view name, const ParamValue& value, bool o
   return known;
 }
 
+/// `params` with `values` in place of those that they name. Throws as set_param(); `optional` passes over
+/// names that there are not.
+template <Reflected P>
+P params_of(const ParamValues& values, P params = {}, bool optional = false) {
+  for (const auto& [name, value] : values) set_param(params, name, value, optional);
+  return params;
+}
+
+/// `values`, with those of `over` in place of the same names.
+ParamValues merged(ParamValues values, const ParamValues& over);
+
 /// Every parameter with its present value.
 template <Reflected P>
 std::vector<ParamInfo> describe_params(const P& params = {}) {

@@ -22,9 +22,7 @@ class VehicleCatalog {
   template <VehicleModel M>
   VehicleCatalog& add() {
     entries_.push_back({M::info, describe_params<typename M::Params>(), [](const ParamValues& values) {
-                          typename M::Params params;
-                          for (const auto& [name, value] : values) set_param(params, name, value);
-                          return Vehicle{M{params}};
+                          return Vehicle{M{params_of<typename M::Params>(values)}};
                         }});
     return *this;
   }

@@ -14,15 +14,20 @@ RunMetrics metrics_for(const Scenario& scenario) {
   return RunMetrics{{scenario.exam.crit_dist_m, scenario.exam.safety_distance_m}, std::move(surroundings)};
 }
 
-std::vector<Measure> measure_run(const Scenario& scenario, const Catalogs& catalogs,
-                                 const std::atomic<bool>* stop) {
+void run_into(const Scenario& scenario, const Catalogs& catalogs, std::span<FrameSink* const> sinks,
+              const std::atomic<bool>* stop) {
   Simulation simulation{scenario, catalogs};
-  RunMetrics metrics = metrics_for(scenario);
-  const std::array<FrameSink*, 1> sinks{&metrics};
   while (!simulation.is_done()) {
     if (stop != nullptr && stop->load(std::memory_order_relaxed)) throw RunAbandoned{};
     simulation.step(sinks);
   }
+}
+
+std::vector<Measure> measure_run(const Scenario& scenario, const Catalogs& catalogs,
+                                 const std::atomic<bool>* stop) {
+  RunMetrics metrics = metrics_for(scenario);
+  const std::array<FrameSink*, 1> sinks{&metrics};
+  run_into(scenario, catalogs, sinks, stop);
   return metrics.measures();
 }
 

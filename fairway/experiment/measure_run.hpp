@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <span>
 #include <vector>
 
 #include "fairway/metrics/run_metrics.hpp"
@@ -12,6 +13,10 @@ namespace fairway {
 
 /// Every metric, with the scenario's counting rules and obstacles. The scenario must outlive it.
 RunMetrics metrics_for(const Scenario& scenario);
+
+/// Runs a scenario into `sinks`. Throws as measure_run().
+void run_into(const Scenario& scenario, const Catalogs& catalogs, std::span<FrameSink* const> sinks,
+              const std::atomic<bool>* stop);
 
 /// Runs a scenario and measures it. Throws RunAbandoned as soon as `stop` is true, InputError for what the
 /// catalogs do not accept.

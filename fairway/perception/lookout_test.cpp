@@ -35,12 +35,14 @@ struct Report {
   std::vector<Obstacle> obstacles;
 };
 
+const VehicleState at_rest;
+const Viewpoint at_the_origin{at_rest, at_rest, 1.0};
+
 /// After so many ticks of watching.
 Report report_after(Lookout& lookout, Waters& waters, int ticks) {
-  const Viewpoint own{.radius = 1.0};
-  for (int i = 0; i <= ticks; ++i) lookout.sense(waters.at(i * period), own);
+  for (int i = 0; i <= ticks; ++i) lookout.sense(waters.at(i * period), at_the_origin);
   Report report;
-  lookout.report(waters.at(ticks * period), own, report.tracks, report.obstacles);
+  lookout.report(waters.at(ticks * period), at_the_origin, report.tracks, report.obstacles);
   return report;
 }
 
@@ -133,7 +135,7 @@ TEST(SonarWatch, ItPingsAtItsRateWithoutDrift) {
     std::vector<Echo> last;
     int pings = 0;
     for (int i = 0; i < 2000; ++i) {
-      lookout.sense(waters.at(i * period), {});
+      lookout.sense(waters.at(i * period), at_the_origin);
       const bool pinged = !std::ranges::equal(last, lookout.echoes());
       pings += pinged ? 1 : 0;
       last.assign(lookout.echoes().begin(), lookout.echoes().end());
@@ -169,8 +171,8 @@ TEST(SonarWatch, InSteadyStateNothingIsAllocated) {
   auto [tracks, obstacles] = report_after(lookout, waters, 20);
   const long before = allocation_count();
   for (int i = 21; i < 400; ++i) {
-    lookout.sense(waters.at(i * period), {});
-    lookout.report(waters.at(i * period), {}, tracks, obstacles);
+    lookout.sense(waters.at(i * period), at_the_origin);
+    lookout.report(waters.at(i * period), at_the_origin, tracks, obstacles);
   }
   EXPECT_EQ(allocation_count() - before, 0);
   EXPECT_GE(tracks.size(), 7U);

@@ -23,7 +23,7 @@ Navigation::Navigation(std::string_view kind, const ParamValues& params, Rng rng
     if (!params.empty()) throw InputError({}, params.front().first, "perfect navigation takes no parameters");
     return;
   }
-  for (const auto& [name, value] : params) set_param(params_, name, value);
+  params_ = params_of<NavigationParams>(params);
   position_error_ = params_.position_sigma_m * Vec2{rng_.normal(), rng_.normal()};
   heading_error_ = radians(params_.heading_sigma_deg) * rng_.normal();
 }

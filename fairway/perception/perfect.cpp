@@ -1,22 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/perception/perfect.hpp"
 
-#include <algorithm>
-
 namespace fairway {
 namespace {
 
+/// Since it was sent [s].
+double age_of(const Message& message, const Scene& scene) {
+  return scene.time - seconds(message.sent, scene.period);
+}
+
 /// Where the sender is by now if it has kept its velocity [m, NED].
 Vec3 place_of(const Message& message, const Scene& scene) {
-  const double age = scene.time - seconds(message.sent, scene.period);
-  return message.position + age * message.velocity;
+  return message.position + age_of(message, scene) * message.velocity;
 }
 
 Track track_of(const Mover& mover) {
   return {.id = mover.id,
           .position = mover.position,
           .velocity = mover.velocity,
-          .yaw = mover.yaw,
+          .yaw = yaw_of(mover.q_nb),
           .radius = mover.radius,
           .priority = mover.priority,
           .reacts = mover.reacts};
@@ -26,7 +28,7 @@ Track track_of(const Mover& mover) {
 
 Track track_of(const Message& message, const Scene& scene) {
   // an unforeseen acceleration a, kept up since, has changed the velocity by a t and moved it by a t^2 / 2
-  const double age = scene.time - seconds(message.sent, scene.period);
+  const double age = age_of(message, scene);
   const double drift = scene.unforeseen_acceleration * age;
   return {.id = TrackId{number(message.from)},
           .position = place_of(message, scene),
@@ -45,7 +47,6 @@ void PerfectPerception::perceive(const Scene& scene, const Viewpoint& own, const
   const Vec3& here = own.estimate.p_n;
   const TrackId self = scene.movers[scene.own_index].id;
 
-  // order by distance first, so that the larger tracks are written once
   near_.clear();
   for (std::size_t i = 0; i < scene.heard.size(); ++i) {
     const Message& message = scene.heard[i];
@@ -61,10 +62,7 @@ void PerfectPerception::perceive(const Scene& scene, const Viewpoint& own, const
     const double range = mover.is_vehicle ? reach.vehicles : reach.obstacles + own.radius + mover.radius;
     if (distance2 <= range * range) near_.push_back({distance2, mover.id, scene.heard.size() + i});
   }
-  std::ranges::sort(near_, [](const Near& a, const Near& b) {
-    if (a.distance2 != b.distance2) return a.distance2 < b.distance2;
-    return number(a.id) < number(b.id);
-  });
+  sort_nearest_first(near_);
 
   tracks.clear();
   for (const Near& near : near_) {

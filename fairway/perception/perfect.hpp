@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fairway/avoidance/situation.hpp"
+#include "fairway/perception/nearest_first.hpp"
 #include "fairway/perception/scene.hpp"
 
 namespace fairway {
@@ -20,11 +21,6 @@ class PerfectPerception {
   void perceive(const Scene& scene, const Viewpoint& own, const Reach& reach, std::vector<Track>& tracks);
 
  private:
-  struct Near {
-    double distance2;
-    TrackId id;
-    std::size_t index;  ///< of the message; of the mover from heard.size() on
-  };
   std::vector<Near> near_;
 };
 

@@ -28,10 +28,9 @@ Mover drifter(const Vec3& at) {
 
 std::vector<Track> perceived(const Scene& scene, const Reach& reach = {.vehicles = 100, .obstacles = 100}) {
   PerfectPerception perception{scene.movers.size()};
-  Viewpoint own{.radius = 1.0};
-  own.truth.p_n = own.estimate.p_n = scene.movers[scene.own_index].position;
+  const VehicleState x{.p_n = scene.movers[scene.own_index].position};
   std::vector<Track> tracks;
-  perception.perceive(scene, own, reach, tracks);
+  perception.perceive(scene, {x, x, 1.0}, reach, tracks);
   return tracks;
 }
 

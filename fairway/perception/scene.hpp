@@ -13,14 +13,14 @@ namespace fairway {
 
 /// Something that moves, as it truly is: a vehicle, or an obstacle that drifts.
 struct Mover {
-  TrackId id{};                  ///< of a vehicle its own number
-  Vec3 position = Vec3::Zero();  ///< [m, NED]
-  Vec3 velocity = Vec3::Zero();  ///< over ground [m/s, NED]
-  double yaw{};                  ///< [rad]
-  double radius{};               ///< of its sphere [m]
-  std::int32_t priority{};       ///< the smaller number has the right of way
-  bool reacts{true};             ///< false: it keeps its course whatever comes
-  bool silent{false};            ///< it tells nobody where it is
+  TrackId id{};                                              ///< of a vehicle its own number
+  Vec3 position = Vec3::Zero();                              ///< [m, NED]
+  Vec3 velocity = Vec3::Zero();                              ///< over ground [m/s, NED]
+  Eigen::Quaterniond q_nb = Eigen::Quaterniond::Identity();  ///< body to NED
+  double radius{};                                           ///< of its sphere [m]
+  std::int32_t priority{};                                   ///< the smaller number has the right of way
+  bool reacts{true};                                         ///< false: it keeps its course whatever comes
+  bool silent{false};                                        ///< it tells nobody where it is
   bool is_vehicle{true};
 };
 
@@ -38,9 +38,9 @@ struct Scene {
 
 /// The vehicle that looks.
 struct Viewpoint {
-  VehicleState truth;     ///< where its sensors are
-  VehicleState estimate;  ///< where it believes to be
-  double radius{};        ///< of its sphere [m]
+  const VehicleState& truth;     ///< where its sensors are
+  const VehicleState& estimate;  ///< where it believes to be
+  double radius{};               ///< of its sphere [m]
 };
 
 /// How far perception reaches.

@@ -1,24 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/perception/sonar_watch.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "fairway/perception/perfect.hpp"
 
 namespace fairway {
-namespace {
-
-SonarWatchParams watch_params(const ParamValues& values) {
-  SonarWatchParams params;
-  for (const auto& [name, value] : values) set_param(params, name, value);
-  return params;
-}
-
-}  // namespace
 
 SonarWatch::SonarWatch(const ParamValues& params, std::size_t told_count, Rng rng)
-    : SonarWatch{watch_params(params), told_count, rng} {}
+    : SonarWatch{params_of<SonarWatchParams>(params), told_count, rng} {}
 
 SonarWatch::SonarWatch(const SonarWatchParams& params, std::size_t told_count, Rng rng)
     : rate_{params.rate_hz},
@@ -63,9 +53,7 @@ void SonarWatch::report(const Scene& scene, const Viewpoint& own, const Reach& r
   near_.clear();
   for (std::size_t i = 0; i < known_.size(); ++i)
     near_.push_back({(known_[i].position - here).squaredNorm(), known_[i].id, i});
-  std::ranges::sort(near_, [](const Near& a, const Near& b) {
-    return a.distance2 != b.distance2 ? a.distance2 < b.distance2 : number(a.id) < number(b.id);
-  });
+  sort_nearest_first(near_);
   tracks.clear();
   tracks.reserve(known_.capacity());
   for (const Near& near : near_) tracks.push_back(known_[near.index]);

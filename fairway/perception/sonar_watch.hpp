@@ -11,6 +11,7 @@
 #include "fairway/core/params.hpp"
 #include "fairway/core/rng.hpp"
 #include "fairway/perception/merge.hpp"
+#include "fairway/perception/nearest_first.hpp"
 #include "fairway/perception/scene.hpp"
 #include "fairway/perception/sonar/contact_finder.hpp"
 #include "fairway/perception/sonar/sonar.hpp"
@@ -45,12 +46,6 @@ class SonarWatch {
   std::span<const Echo> echoes() const { return echoes_; }
 
  private:
-  struct Near {
-    double distance2;
-    TrackId id;
-    std::size_t index;
-  };
-
   SonarWatch(const SonarWatchParams& params, std::size_t told_count, Rng rng);
 
   double rate_;

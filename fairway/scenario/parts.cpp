@@ -185,7 +185,7 @@ const Block<Scenario>& scenario_block() {
       key("water", &Scenario::water, water(), "The water."),
       key("exam", &Scenario::exam, block_form(exam_block()), "How encounters are counted."),
       key("perception", &Scenario::perception, perception(),
-          "What everyone knows of everyone. Default: perfect."),
+          "What a vehicle makes of what is round it: perfect, or sonar. Default: perfect."),
       key("exchange", &Scenario::exchange, choice_unless("perfect", "kind"),
           "What vehicles tell each other, and when: perfect, none, or acoustic. Default: perfect."),
       key("navigation", &Scenario::navigation, choice_unless("perfect", "kind"),

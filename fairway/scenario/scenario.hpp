@@ -70,7 +70,7 @@ struct Exam {
   double time_coefficient_ratio{10.0};  ///< stuck after this many times the straight-line time
 };
 
-/// What everyone knows of everyone.
+/// What a vehicle makes of what is round it.
 struct PerceptionSpec {
   Choice kind{.name = "perfect"};
   double range_m{std::numeric_limits<double>::infinity()};

@@ -36,8 +36,7 @@ AllocationMethod allocation_of(const VehicleSpec& spec) {
   AllocationParams params;
   return made(spec.allocation, [&] {
     if (!spec.allocation.name.empty()) set_param(params, "method", spec.allocation.name);
-    for (const auto& [name, value] : spec.allocation.params) set_param(params, name, value);
-    return params.method;
+    return params_of(spec.allocation.params, params).method;
   });
 }
 
@@ -63,8 +62,7 @@ SteeringParams steering_of(const VehicleSpec& spec, const Vehicle& vehicle) {
   }
   return made(spec.steering, [&] {
     if (!spec.steering.name.empty()) set_param(params, "kind", spec.steering.name);
-    for (const auto& [name, value] : spec.steering.params) set_param(params, name, value);
-    return params;
+    return params_of(spec.steering.params, params);
   });
 }
 

@@ -19,7 +19,7 @@ Mover mover_of(const Agent& agent, bool is_silent) {
   return {.id = TrackId{number(agent.id)},
           .position = x.p_n,
           .velocity = x.v_n(),
-          .yaw = yaw_of(x.q_nb),
+          .q_nb = x.q_nb,
           .radius = agent.radius,
           .priority = agent.cooperative ? agent.own.priority : first_of_all,
           .reacts = agent.cooperative,
@@ -244,8 +244,7 @@ void Simulation::control() {
     const Vec3 current_n = sea_.water_at(x.p_n, time()).current_n;
     const Vec3 current_b = x.q_nb.conjugate() * current_n;
     const BodyRequest request = request_through_water(agent, current_n, current_b);
-    agent.demand =
-        agent.autopilot.control(request, x.v_b - current_b, x.omega_b, period_, euler_of(x.q_nb).pitch);
+    agent.demand = agent.autopilot.control(request, x.v_b - current_b, x.omega_b, period_, x.q_nb);
   }
 }
 

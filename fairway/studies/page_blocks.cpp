@@ -28,6 +28,31 @@ json interval(const MeanEstimate& estimate, std::optional<double> published) {
   return point;
 }
 
+double rounded(double value, double parts) { return std::round(value * parts) / parts; }
+
+json series(std::string_view label, const std::vector<double>& x, const std::vector<double>& y) {
+  return {{"label", label}, {"x", x}, {"y", y}};
+}
+
+json lines(std::string_view title, std::string_view x_label, std::string_view y_label, json curves) {
+  return {{"kind", "lines"},
+          {"title", title},
+          {"x_label", x_label},
+          {"y_label", y_label},
+          {"series", std::move(curves)}};
+}
+
+void Way::add(double time, const Vec3& position) {
+  t_.push_back(rounded(time, parts_));
+  n_.push_back(rounded(position.x(), parts_));
+  e_.push_back(rounded(position.y(), parts_));
+  d_.push_back(rounded(position.z(), parts_));
+}
+
+json Way::track(std::string_view label) const {
+  return {{"label", label}, {"n", n_}, {"e", e_}, {"d", d_}, {"t", t_}};
+}
+
 json note(std::string_view tone, std::string text) {
   return {{"kind", "note"}, {"tone", tone}, {"text", std::move(text)}};
 }

@@ -21,6 +21,34 @@ nlohmann::json box(std::vector<double> values);
 /// A point of an interval chart.
 nlohmann::json interval(const MeanEstimate& estimate, std::optional<double> published);
 
+/// To so many parts of one, as far as a picture shows it.
+double rounded(double value, double parts);
+
+/// A curve of the block `lines`.
+nlohmann::json series(std::string_view label, const std::vector<double>& x, const std::vector<double>& y);
+
+nlohmann::json lines(std::string_view title, std::string_view x_label, std::string_view y_label,
+                     nlohmann::json curves);
+
+/// Where something was, over time, to so many parts of a metre and a second.
+class Way {
+ public:
+  explicit Way(double parts) : parts_{parts} {}
+
+  void add(double time, const Vec3& position);
+
+  const std::vector<double>& t() const { return t_; }
+  const std::vector<double>& n() const { return n_; }
+  const std::vector<double>& e() const { return e_; }
+
+  /// Of the block `trajectories`.
+  nlohmann::json track(std::string_view label) const;
+
+ private:
+  double parts_;
+  std::vector<double> t_, n_, e_, d_;
+};
+
 nlohmann::json note(std::string_view tone, std::string text);
 
 nlohmann::json grid(int columns, std::vector<nlohmann::json> blocks);

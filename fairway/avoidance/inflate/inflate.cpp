@@ -4,16 +4,11 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "fairway/core/chi.hpp"
 
 namespace fairway {
 namespace {
-
-/// P(|x| <= k) of three standard Gaussians.
-double chi_probability_3(double k) {
-  return std::erf(k / std::numbers::sqrt2) -
-         std::sqrt(2.0 * std::numbers::inv_pi) * k * std::exp(-0.5 * k * k);
-}
 
 /// Rounding may leave it a little below zero.
 template <int N>
@@ -24,22 +19,10 @@ double greatest_eigenvalue(const Eigen::Matrix<double, N, N>& covariance) {
 
 }  // namespace
 
-double chi_quantile_2(double probability) { return std::sqrt(-2.0 * std::log1p(-probability)); }
-
-double chi_quantile_3(double probability) {
-  double below = 0.0;
-  double above = 40.0;  // the probability beyond it is less than the smallest number
-  for (int i = 0; i < 60; ++i) {
-    const double middle = 0.5 * (below + above);
-    (chi_probability_3(middle) < probability ? below : above) = middle;
-  }
-  return 0.5 * (below + above);
-}
-
 Inflate::Inflate(const Params& chosen)
     : params{chosen},
-      k_space{chi_quantile_3(chosen.confidence_ratio)},
-      k_plane{chi_quantile_2(chosen.confidence_ratio)} {}
+      k_space{chi_quantile(chosen.confidence_ratio, 3)},
+      k_plane{chi_quantile(chosen.confidence_ratio, 2)} {}
 
 double Inflate::growth(const Track& track, bool is_planar) const noexcept {
   const Mat3& covariance = track.position_covariance;

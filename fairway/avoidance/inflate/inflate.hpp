@@ -50,9 +50,4 @@ struct Inflate {
 
 static_assert(AvoidanceWrapper<Inflate>);
 
-/// The length that the norm of a vector of standard Gaussians does not exceed with `probability`, in [0, 1):
-/// the quantile of the chi distribution with 2 and with 3 degrees of freedom.
-double chi_quantile_2(double probability);
-double chi_quantile_3(double probability);
-
 }  // namespace fairway

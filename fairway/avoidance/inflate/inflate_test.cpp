@@ -5,6 +5,7 @@
 
 #include "fairway/avoidance/catalog.hpp"
 #include "fairway/avoidance/testing/encounters.hpp"
+#include "fairway/core/chi.hpp"
 
 namespace fairway {
 namespace {
@@ -39,13 +40,13 @@ Mat3 turned(const Vec3& variances) {
 }
 
 TEST(Inflate, ItsQuantilesAreThoseOfTheTables) {
-  EXPECT_NEAR(chi_quantile_3(0.95), 2.795483, 1e-6);  // sqrt(7.814728)
-  EXPECT_NEAR(chi_quantile_3(0.5), 1.538172, 1e-6);   // sqrt(2.365974)
-  EXPECT_NEAR(chi_quantile_3(0.99), 3.368214, 1e-6);  // sqrt(11.344867)
-  EXPECT_NEAR(chi_quantile_2(0.95), 2.447747, 1e-6);  // sqrt(5.991465)
-  EXPECT_NEAR(chi_quantile_2(0.99), 3.034854, 1e-6);  // sqrt(9.210340)
-  EXPECT_LT(chi_quantile_3(0.0), 1e-3);
-  EXPECT_EQ(chi_quantile_2(0.0), 0.0);
+  EXPECT_NEAR(chi_quantile(0.95, 3), 2.795483, 1e-6);  // sqrt(7.814728)
+  EXPECT_NEAR(chi_quantile(0.5, 3), 1.538172, 1e-6);   // sqrt(2.365974)
+  EXPECT_NEAR(chi_quantile(0.99, 3), 3.368214, 1e-6);  // sqrt(11.344867)
+  EXPECT_NEAR(chi_quantile(0.95, 2), 2.447747, 1e-6);  // sqrt(5.991465)
+  EXPECT_NEAR(chi_quantile(0.99, 2), 3.034854, 1e-6);  // sqrt(9.210340)
+  EXPECT_LT(chi_quantile(0.0, 3), 1e-3);
+  EXPECT_EQ(chi_quantile(0.0, 2), 0.0);
 }
 
 TEST(Inflate, ASphereGrowsByTheLongestAxisOfTheError) {

@@ -79,27 +79,27 @@ Bearing bearing_of(const Vec2& from, const Vec2& to) {
 
 }  // namespace
 
-Shore::Shore(std::span<const Obstacle> obstacles, const Lookout& lookout) noexcept {
+Shore::Shore(std::span<const Obstacle> obstacles, const Sight& sight) noexcept {
   for (std::uint32_t i = 0; i < obstacles.size(); ++i) {
     const Obstacle& obstacle = obstacles[i];
     if (obstacle.kind == Obstacle::Kind::sphere) {
-      const double centre = (obstacle.position.head<2>() - lookout.position).norm();
+      const double centre = (obstacle.position.head<2>() - sight.position).norm();
       const double distance = centre - obstacle.radius;
-      if (distance <= lookout.disc_range) add({std::fmax(0.0, distance), i, 0, Landmark::Kind::disc, false});
+      if (distance <= sight.disc_range) add({std::fmax(0.0, distance), i, 0, Landmark::Kind::disc, false});
     } else if (obstacle.kind == Obstacle::Kind::segment) {
-      const Vec2 from = obstacle.from.head<2>() - lookout.position;
-      const double distance = std::sqrt(bearing_of(from, obstacle.to.head<2>() - lookout.position).distance2);
-      if (distance <= lookout.wall_range) add({distance, i, 0, Landmark::Kind::wall, false});
+      const Vec2 from = obstacle.from.head<2>() - sight.position;
+      const double distance = std::sqrt(bearing_of(from, obstacle.to.head<2>() - sight.position).distance2);
+      if (distance <= sight.wall_range) add({distance, i, 0, Landmark::Kind::wall, false});
     } else if (!obstacle.vertices.empty()) {
-      add_polygon(obstacle.vertices, i, lookout);
+      add_polygon(obstacle.vertices, i, sight);
     }
   }
   std::sort(landmarks_.begin(), landmarks_.begin() + static_cast<std::ptrdiff_t>(count_), is_nearer);
 }
 
-void Shore::add_polygon(std::span<const Vec3> vertices, std::uint32_t index, const Lookout& lookout) {
+void Shore::add_polygon(std::span<const Vec3> vertices, std::uint32_t index, const Sight& sight) {
   const bool is_reversed = is_clockwise(vertices);
-  const Outline outline{vertices, is_reversed, lookout.position};
+  const Outline outline{vertices, is_reversed, sight.position};
   const auto each_edge = [&](const auto& see) {
     for (std::size_t i = 0; i < outline.size(); ++i) {
       const Vec2 from = outline.at(i);
@@ -117,7 +117,7 @@ void Shore::add_polygon(std::span<const Vec3> vertices, std::uint32_t index, con
     to_nearest = bearing;
   });
   const auto landmark = [&](std::size_t edge, double distance, Landmark::Kind kind) {
-    if (distance <= lookout.wall_range)
+    if (distance <= sight.wall_range)
       add({distance, index, static_cast<std::uint32_t>(edge), kind, is_reversed});
   };
   if (to_nearest.distance2 == std::numeric_limits<double>::infinity()) {

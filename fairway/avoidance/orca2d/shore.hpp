@@ -21,7 +21,7 @@ struct Landmark {
 };
 
 /// What to look for round own ship.
-struct Lookout {
+struct Sight {
   Vec2 position;      ///< [m, north and east]
   double disc_range;  ///< how far to look for discs, to their surface [m]
   double wall_range;  ///< how far to look for walls [m]
@@ -35,12 +35,12 @@ inline constexpr std::size_t max_landmarks = 512;
 class Shore {
  public:
   /// O(vertices + landmarks log landmarks).
-  Shore(std::span<const Obstacle> obstacles, const Lookout& lookout) noexcept;
+  Shore(std::span<const Obstacle> obstacles, const Sight& sight) noexcept;
 
   std::span<const Landmark> landmarks() const { return {landmarks_.data(), count_}; }
 
  private:
-  void add_polygon(std::span<const Vec3> vertices, std::uint32_t index, const Lookout& lookout);
+  void add_polygon(std::span<const Vec3> vertices, std::uint32_t index, const Sight& sight);
   void add(const Landmark& landmark);
 
   std::array<Landmark, max_landmarks> landmarks_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "fairway/avoidance/avoider.hpp"
+#include "fairway/avoidance/orca_params.hpp"
 #include "fairway/avoidance/velocity_program/velocity_program.hpp"
 
 namespace fairway {
@@ -25,27 +26,7 @@ struct Orca3d {
       .source = "van den Berg, Guy, Lin, Manocha 2011, sections 4 and 5; raja2024, eqs. 5-10",
   };
 
-  struct Params {
-    double time_horizon_s = 5.0;
-    double obstacle_time_horizon_s = 5.0;
-    double crit_dist_m = 20.0;
-    int max_neighbours_count = 500;
-    double responsibility_ratio = 0.5;
-
-    static consteval auto fields() {
-      return std::tuple{
-          field<&Params::time_horizon_s>({0.01, 10000}, "how long the velocities of two vehicles stay safe"),
-          field<&Params::obstacle_time_horizon_s>({0.01, 10000}, "the same for what does not move"),
-          field<&Params::crit_dist_m>({0.1, 10000},
-                                      "range within which neighbours count, centre to centre; "
-                                      "to the surface of an obstacle"),
-          field<&Params::max_neighbours_count>({0, 500}, "how many of them, the nearest first"),
-          field<&Params::responsibility_ratio>({0, 1},
-                                               "own share in avoiding a vehicle: 0.5 reciprocal, 1 all"),
-      };
-    }
-  };
-
+  using Params = OrcaParams;
   using Memory = NoMemory;
 
   Params params;

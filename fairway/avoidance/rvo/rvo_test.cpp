@@ -35,12 +35,8 @@ TEST(Rvo, TwoThatBothUseItHardlyEverTouch) {
 
 TEST(Rvo, TwoAlikeHeadOnPassPortToPort) {
   for (std::uint64_t i = 0; i < 200; ++i) {
-    Rng rng = Rng{3}.stream("head to head", i);
-    const double distance = rng.uniform(10.0, 30.0);
-    const double speed = rng.uniform(0.3, 1.5);
-    const double max_acceleration = rng.uniform(0.2, 1.0);
     const Outcome outcome = velocity_obstacle::outcome_of(
-        velocity_obstacle::head_to_head(distance, speed, max_acceleration, rng.uniform(-pi, pi)), Rvo{});
+        velocity_obstacle::any_head_to_head(Rng{3}.stream("head to head", i)), Rvo{});
     EXPECT_TRUE(outcome.port_to_port) << i;
     EXPECT_TRUE(outcome.arrived) << i;
     EXPECT_GT(outcome.least_gap, -1e-9) << i;

@@ -17,19 +17,6 @@ namespace {
 
 constexpr std::size_t max_line_bytes = 16 << 20;
 
-/// `values`, with those of `over` in place of the same names.
-ParamValues merged(ParamValues values, const ParamValues& over) {
-  for (const auto& [name, value] : over) {
-    const auto same = std::ranges::find(values, name, &ParamValues::value_type::first);
-    if (same == values.end()) {
-      values.emplace_back(name, value);
-    } else {
-      same->second = value;
-    }
-  }
-  return values;
-}
-
 /// Avoiders by the parameters that a line brings. Most lines bring none, or those of the line before,
 /// so the last ones made are kept and copied.
 class Prototypes {

@@ -7,6 +7,7 @@
 
 #include "fairway/sim/simulation.hpp"
 #include "fairway/studies/cubes/cubes.hpp"
+#include "fairway/studies/page_blocks.hpp"
 #include "fairway/studies/study_runs.hpp"
 
 namespace fairway::cubes {
@@ -14,7 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-double rounded(double value) { return std::round(value * 100.0) / 100.0; }
+constexpr double centimetres = 100.0;
 
 /// Gathers every vehicle's path and separation from the first tick under way.
 class Curves final : public FrameSink {
@@ -29,13 +30,10 @@ class Curves final : public FrameSink {
     for (std::size_t i = 0; i < paths_.size(); ++i) {
       const Vec3& p = frame.vehicles[i].state.p_n;
       Path& path = paths_[i];
-      if (path.t.empty())
+      if (path.separation.empty())
         path.goal = {frame.vehicles[i].goal.x(), frame.vehicles[i].goal.y(), frame.vehicles[i].goal.z()};
-      path.t.push_back(rounded(static_cast<double>(elapsed) * frame.period));
-      path.n.push_back(rounded(p.x()));
-      path.e.push_back(rounded(p.y()));
-      path.d.push_back(rounded(p.z()));
-      path.separation.push_back(rounded(separation(frame, i)));
+      path.way.add(static_cast<double>(elapsed) * frame.period, p);
+      path.separation.push_back(page::rounded(separation(frame, i), centimetres));
     }
   }
 
@@ -43,32 +41,28 @@ class Curves final : public FrameSink {
     json vehicles = json::array(), goals = json::array();
     for (std::size_t i = 0; i < paths_.size(); ++i) {
       const Path& path = paths_[i];
-      vehicles.push_back(
-          {{"label", fmt::format("robot{}", i)}, {"n", path.n}, {"e", path.e}, {"d", path.d}, {"t", path.t}});
+      vehicles.push_back(path.way.track(fmt::format("robot{}", i)));
       goals.push_back(path.goal);
     }
     return {{"kind", "trajectories"}, {"title", title}, {"vehicles", vehicles}, {"goals", goals}};
   }
 
   json separations(const std::string& title) const {
-    json series = json::array();
-    for (std::size_t i = 0; i < paths_.size(); ++i) {
-      series.push_back(
-          {{"label", fmt::format("robot{}", i)}, {"x", paths_[i].t}, {"y", paths_[i].separation}});
-    }
-    return {{"kind", "lines"},
-            {"title", title},
-            {"x_label", "time under way [s]"},
-            {"y_label", "distance to the nearest vehicle [m]"},
-            {"series", series},
-            {"lines", {{{"label", "collision"}, {"value", 3.0}}}}};
+    json curves = json::array();
+    for (std::size_t i = 0; i < paths_.size(); ++i)
+      curves.push_back(page::series(fmt::format("robot{}", i), paths_[i].way.t(), paths_[i].separation));
+    json chart =
+        page::lines(title, "time under way [s]", "distance to the nearest vehicle [m]", std::move(curves));
+    chart["lines"] = {{{"label", "collision"}, {"value", 3.0}}};
+    return chart;
   }
 
  private:
   static constexpr std::int64_t stride = 20;  // once a second
 
   struct Path {
-    std::vector<double> t, n, e, d, separation;
+    page::Way way{centimetres};
+    std::vector<double> separation;
     std::array<double, 3> goal{};
   };
 

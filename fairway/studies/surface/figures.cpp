@@ -13,7 +13,9 @@ namespace {
 
 using nlohmann::json;
 
-double rounded(double value) { return std::round(value * 1000.0) / 1000.0; }
+constexpr double millimetres = 1000.0;
+
+double rounded(double value) { return page::rounded(value, millimetres); }
 
 /// Where the vessel is, how it moves and how it should, five times a second.
 class Log final : public FrameSink {
@@ -24,35 +26,27 @@ class Log final : public FrameSink {
     if (count(frame.tick) % 4 != 0) return;
     const VehicleFrame& vehicle = frame.vehicles.front();
     const BodyRequest wanted = steer(steering_, vehicle.command, yaw_of(vehicle.state.q_nb));
-    t_.push_back(rounded(frame.time));
-    n_.push_back(rounded(vehicle.state.p_n.x()));
-    e_.push_back(rounded(vehicle.state.p_n.y()));
+    way_.add(frame.time, {vehicle.state.p_n.x(), vehicle.state.p_n.y(), 0.0});
     speed_.push_back(rounded(vehicle.state.v_b.x()));
     turn_rate_.push_back(rounded(vehicle.state.omega_b.z()));
     wanted_speed_.push_back(rounded(wanted.surge_mps));
     wanted_turn_rate_.push_back(rounded(wanted.yaw_rate_radps));
   }
 
-  json track(const std::string& label) const {
-    return {{"label", label}, {"n", n_}, {"e", e_}, {"d", std::vector<double>(n_.size(), 0.0)}, {"t", t_}};
-  }
+  json track(const std::string& label) const { return way_.track(label); }
 
   json speeds(const std::string& title) const {
-    const auto series = [&](const char* label, const std::vector<double>& y) {
-      return json{{"label", label}, {"x", t_}, {"y", y}};
-    };
-    return {{"kind", "lines"},
-            {"title", title},
-            {"x_label", "time [s]"},
-            {"y_label", "speed [m/s], turn rate [rad/s]"},
-            {"series",
-             {series("speed", speed_), series("turn rate", turn_rate_), series("speed wanted", wanted_speed_),
-              series("turn rate wanted", wanted_turn_rate_)}}};
+    const std::vector<double>& t = way_.t();
+    return page::lines(title, "time [s]", "speed [m/s], turn rate [rad/s]",
+                       {page::series("speed", t, speed_), page::series("turn rate", t, turn_rate_),
+                        page::series("speed wanted", t, wanted_speed_),
+                        page::series("turn rate wanted", t, wanted_turn_rate_)});
   }
 
  private:
   SteeringParams steering_;
-  std::vector<double> t_, n_, e_, speed_, turn_rate_, wanted_speed_, wanted_turn_rate_;
+  page::Way way_{millimetres};
+  std::vector<double> speed_, turn_rate_, wanted_speed_, wanted_turn_rate_;
 };
 
 json way_of_the_other(const Layout& layout, double duration) {

@@ -15,7 +15,9 @@ namespace {
 
 using nlohmann::json;
 
-double rounded(double value) { return std::round(value * 100.0) / 100.0; }
+constexpr double centimetres = 100.0;
+
+double rounded(double value) { return page::rounded(value, centimetres); }
 
 /// Where the first vehicle is, and what is commanded of it, once a second.
 class Curve final : public FrameSink {
@@ -26,52 +28,39 @@ class Curve final : public FrameSink {
     if (count(frame.tick) % stride_ != 0) return;
     const VehicleFrame& vehicle = frame.vehicles.front();
     const Wrench wrench = vehicle.command.wrench.value_or(vehicle.wrench);
-    t_.push_back(rounded(frame.time));
-    n_.push_back(rounded(vehicle.state.p_n.x()));
-    e_.push_back(rounded(vehicle.state.p_n.y()));
+    way_.add(frame.time, {vehicle.state.p_n.x(), vehicle.state.p_n.y(), 0.0});
     surge_.push_back(rounded(wrench[0]));
     sway_.push_back(rounded(wrench[1]));
     yaw_.push_back(rounded(wrench[5]));
   }
 
-  json track(std::string_view label) const {
-    return {{"label", label}, {"n", n_}, {"e", e_}, {"d", std::vector<double>(n_.size(), 0.0)}, {"t", t_}};
-  }
+  json track(std::string_view label) const { return way_.track(label); }
 
   json forces() const {
-    const auto series = [&](const char* label, const std::vector<double>& y) {
-      return json{{"label", label}, {"x", t_}, {"y", y}};
-    };
-    return {{"kind", "lines"},
-            {"title", "Forces commanded"},
-            {"x_label", "time [s]"},
-            {"y_label", "surge, sway [N]; yaw [N m]"},
-            {"series", {series("surge", surge_), series("sway", sway_), series("yaw", yaw_)}}};
+    const std::vector<double>& t = way_.t();
+    return page::lines(
+        "Forces commanded", "time [s]", "surge, sway [N]; yaw [N m]",
+        {page::series("surge", t, surge_), page::series("sway", t, sway_), page::series("yaw", t, yaw_)});
   }
 
   /// North and east over time beside what should be followed.
   json responses(const Trajectory& reference) const {
+    const std::vector<double>& t = way_.t();
     std::vector<double> north, east;
-    for (const double time : t_) {
+    for (const double time : t) {
       const Vec2 p = reference.sample(time).position;
       north.push_back(rounded(p.x()));
       east.push_back(rounded(p.y()));
     }
-    const auto series = [&](const char* label, const std::vector<double>& y) {
-      return json{{"label", label}, {"x", t_}, {"y", y}};
-    };
-    return {{"kind", "lines"},
-            {"title", "Response and trajectory"},
-            {"x_label", "time [s]"},
-            {"y_label", "position [m]"},
-            {"series",
-             {series("north", n_), series("north, desired", north), series("east", e_),
-              series("east, desired", east)}}};
+    return page::lines("Response and trajectory", "time [s]", "position [m]",
+                       {page::series("north", t, way_.n()), page::series("north, desired", t, north),
+                        page::series("east", t, way_.e()), page::series("east, desired", t, east)});
   }
 
  private:
   std::int64_t stride_;
-  std::vector<double> t_, n_, e_, surge_, sway_, yaw_;
+  page::Way way_{centimetres};
+  std::vector<double> surge_, sway_, yaw_;
 };
 
 Curve followed(const Scenario& scenario) {

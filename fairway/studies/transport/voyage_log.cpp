@@ -7,7 +7,6 @@
 #include <cmath>
 #include <limits>
 
-#include "fairway/experiment/executor.hpp"
 #include "fairway/experiment/measure_run.hpp"
 #include "fairway/planning/rrt_star/rrt_star.hpp"
 #include "fairway/studies/transport/field.hpp"
@@ -139,8 +138,7 @@ void VoyageLog::report(std::vector<Measure>& measures) const {
 
 std::optional<Trajectory> printed_reference(const VehicleSpec& vehicle) {
   if (vehicle.avoider.name != RrtStar::info.name) return {};
-  RrtStar::Params params;
-  for (const auto& [name, value] : vehicle.avoider.params) set_param(params, name, value);
+  const auto params = params_of<RrtStar::Params>(vehicle.avoider.params);
   if (params.segment_time_s <= 0.0 || params.waypoints.size() < 2) return {};
 
   std::vector<Vec2> waypoints;
@@ -151,14 +149,10 @@ std::optional<Trajectory> printed_reference(const VehicleSpec& vehicle) {
 std::vector<Measure> measure_voyage(const Scenario& scenario, const Catalogs& catalogs,
                                     const std::atomic<bool>* stop) {
   const std::optional<Trajectory> reference = printed_reference(scenario.vehicles.front());
-  Simulation simulation{scenario, catalogs};
   RunMetrics metrics = metrics_for(scenario);
   VoyageLog log{scenario, reference ? &*reference : nullptr};
   const std::array<FrameSink*, 2> sinks{&metrics, &log};
-  while (!simulation.is_done()) {
-    if (stop != nullptr && stop->load(std::memory_order_relaxed)) throw RunAbandoned{};
-    simulation.step(sinks);
-  }
+  run_into(scenario, catalogs, sinks, stop);
 
   std::vector<Measure> measures = metrics.measures();
   double net = 0.0;

@@ -14,7 +14,6 @@ constexpr double duration = 60.0;       // [s]
 constexpr double max_speed = 10.0;      // [m/s], as published
 constexpr double ship_speed = 6.0;      // [m/s], likewise
 constexpr double arrived_within = 1.0;  // [m]
-constexpr double turn_rate = 1.0;       // [rad/s], of the unicycle
 
 constexpr std::array known_settings{
     Setting{"fit_head_on", 6.8, 1.0, 0.0, 1.5, 1.5, 2.0}, Setting{"fit_ships", 6.0, 2.0, 6.0, 2.0, 3.0, 2.0},
@@ -44,18 +43,11 @@ ParamValues params_of(const Method& method, const Setting& setting) {
   return params;
 }
 
-Choice model_of(const Setting& setting, Hull hull) {
-  const bool sways = hull == Hull::point;
-  return {.name = "kinematic",
-          .params = {{"max_speed_mps", max_speed},
-                     {"max_reverse_mps", sways ? max_speed : 0.0},
-                     {"max_sway_mps", sways ? max_speed : 0.0},
-                     {"max_heave_mps", 0.0},
-                     {"max_turn_rate_radps", turn_rate},
-                     {"max_acceleration_mps2", setting.acceleration_mps2},
-                     {"max_turn_acceleration_radps2", 100.0},
-                     {"time_constant_s", 0.05}},
-          .path = "model"};
+Agility agility_of(const Setting& setting) {
+  return {.speed_mps = max_speed,
+          .acceleration_mps2 = setting.acceleration_mps2,
+          .turn_acceleration_radps2 = 100.0,
+          .time_constant_s = 0.05};
 }
 
 VehicleSpec uuv_of(const Meeting& meeting, std::size_t index, const Setting& setting, Hull hull,
@@ -63,7 +55,7 @@ VehicleSpec uuv_of(const Meeting& meeting, std::size_t index, const Setting& set
   const Vec3 way = meeting.goals[index] - meeting.starts[index];
   const double yaw = std::atan2(way.y(), way.x());
   VehicleSpec uuv{.id = static_cast<std::uint32_t>(index), .name = index == 0 ? "uuv1" : "uuv2"};
-  uuv.model = model_of(setting, hull);
+  uuv.model = model_of(hull, agility_of(setting));
   uuv.avoider = {
       .name = std::string(method.algorithm), .params = params_of(method, setting), .path = "avoider"};
   uuv.steering = steering_of(hull, yaw);
@@ -73,10 +65,7 @@ VehicleSpec uuv_of(const Meeting& meeting, std::size_t index, const Setting& set
   uuv.start_delay_s = meeting.start_delays_s[index];
   uuv.radius_m = setting.uuv_radius_m;
   uuv.priority = static_cast<std::int32_t>(index);
-  uuv.limits = {.max_speed = max_speed,
-                .max_climb_rate = 0.0,
-                .max_acceleration = setting.acceleration_mps2,
-                .max_turn_rate = hull == Hull::point ? Limits::none : turn_rate};
+  uuv.limits = limits_of(hull, agility_of(setting));
   uuv.mission = {{.kind = LegKind::transit,
                   .position = meeting.goals[index],
                   .speed_mps = setting.speed_mps,
@@ -94,19 +83,10 @@ ObstacleSpec ship_at(const Vec3& position, const Vec3& velocity, double radius) 
 
 }  // namespace
 
-Choice steering_of(Hull hull, double yaw) {
-  if (hull == Hull::point) return {.name = "holonomic", .params = {{"heading_rad", yaw}}, .path = "steering"};
-  return {.name = "speed_and_course",
-          .params = {{"turn_gain_hz", 2.0}, {"max_turn_rate_radps", turn_rate}},
-          .path = "steering"};
-}
-
 std::string_view name_of(Encounter encounter) {
   constexpr std::array names{"head_on", "multi_obstacle", "parallel_goals"};
   return names[static_cast<std::size_t>(encounter)];
 }
-
-std::string_view name_of(Hull hull) { return hull == Hull::point ? "point" : "unicycle"; }
 
 std::span<const Setting> settings() { return known_settings; }
 
@@ -130,7 +110,7 @@ std::span<const Method> planar_methods() {
                                 {"least_speed_mps", 1.3},
                                 {"danger_threshold_mps", 2.0},
                                 {"max_speed_mps", max_speed},
-                                {"max_turn_rate_radps", turn_rate}};
+                                {"max_turn_rate_radps", 1.0}};
   static const std::vector<Method> methods{
       {"rvo", "rvo", {}},
       {"vo", "vo", {}},

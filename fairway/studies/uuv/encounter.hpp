@@ -10,6 +10,7 @@
 
 #include "fairway/scenario/scenario.hpp"
 #include "fairway/studies/cell.hpp"
+#include "fairway/studies/uuv/hull.hpp"
 
 namespace fairway::uuv {
 
@@ -41,17 +42,6 @@ std::span<const Setting> settings();
 
 /// Throws std::out_of_range.
 const Setting& find_setting(std::string_view name);
-
-/// What sails.
-enum class Hull {
-  point,    ///< goes any way at once, as the paper's UUV; it keeps its heading
-  unicycle  ///< goes where it heads, and turns there at up to 1 rad/s
-};
-inline constexpr std::array hulls{Hull::point, Hull::unicycle};
-std::string_view name_of(Hull hull);
-
-/// How a hull that starts on heading `yaw` [rad] carries out a velocity.
-Choice steering_of(Hull hull, double yaw);
 
 /// Where everyone is and wants to be [m, NED].
 struct Meeting {

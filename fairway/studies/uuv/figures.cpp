@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "fairway/sim/simulation.hpp"
+#include "fairway/studies/page_blocks.hpp"
 #include "fairway/studies/study_runs.hpp"
 
 namespace fairway::uuv {
@@ -14,7 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-double to_millimetres(double value) { return std::round(value * 1000.0) / 1000.0; }
+constexpr double millimetres = 1000.0;
 
 /// What the paper's figures show.
 std::vector<double> shown_times(Encounter encounter) {
@@ -24,17 +25,15 @@ std::vector<double> shown_times(Encounter encounter) {
 
 /// One vehicle's way, ten times a second.
 struct Wake {
-  std::vector<double> t, n, e, speed;
-
-  json track(const std::string& label) const {
-    return {{"label", label}, {"n", n}, {"e", e}, {"d", std::vector<double>(n.size(), 0.0)}, {"t", t}};
-  }
+  page::Way way{millimetres};
+  std::vector<double> speed;
 
   /// Where it was at a time, or at the end if it had ended.
   std::array<double, 3> place_at(double time) const {
+    const std::vector<double>& t = way.t();
     const auto later = std::ranges::lower_bound(t, time - 1e-6);
     const auto i = static_cast<std::size_t>(std::min(later, std::prev(t.end())) - t.begin());
-    return {n[i], e[i], 0.0};
+    return {way.n()[i], way.e()[i], 0.0};
   }
 };
 
@@ -46,10 +45,8 @@ class Wakes final : public FrameSink {
     if (count(frame.tick) % 2 != 0) return;
     for (std::size_t i = 0; i < wakes_.size(); ++i) {
       const VehicleState& x = frame.vehicles[i].state;
-      wakes_[i].t.push_back(to_millimetres(frame.time));
-      wakes_[i].n.push_back(to_millimetres(x.p_n.x()));
-      wakes_[i].e.push_back(to_millimetres(x.p_n.y()));
-      wakes_[i].speed.push_back(to_millimetres(x.v_b.norm()));
+      wakes_[i].way.add(frame.time, {x.p_n.x(), x.p_n.y(), 0.0});
+      wakes_[i].speed.push_back(page::rounded(x.v_b.norm(), millimetres));
     }
   }
 
@@ -67,16 +64,13 @@ std::vector<Wake> sailed(const Scenario& scenario) {
 }
 
 /// The way of a ship, which nothing turns.
-Wake drifted(const ObstacleSpec& ship, double duration) {
-  Wake wake;
+page::Way drifted(const ObstacleSpec& ship, double duration) {
+  page::Way way{millimetres};
   for (int i = 0; i <= 10; ++i) {
     const double time = duration * i / 10.0;
-    const Vec3 place = ship.position + time * ship.velocity;
-    wake.t.push_back(to_millimetres(time));
-    wake.n.push_back(to_millimetres(place.x()));
-    wake.e.push_back(to_millimetres(place.y()));
+    way.add(time, ship.position + time * ship.velocity);
   }
-  return wake;
+  return way;
 }
 
 json sphere(const std::array<double, 3>& centre, double radius, const std::string& label) {
@@ -93,14 +87,10 @@ json goals_of(const Scenario& scenario) {
 }
 
 json speeds_over_time(const std::vector<Wake>& wakes, const std::string& title) {
-  json series = json::array();
+  json curves = json::array();
   for (std::size_t i = 0; i < wakes.size(); ++i)
-    series.push_back({{"label", fmt::format("UUV{}", i + 1)}, {"x", wakes[i].t}, {"y", wakes[i].speed}});
-  return {{"kind", "lines"},
-          {"title", title},
-          {"x_label", "time [s]"},
-          {"y_label", "speed [m/s]"},
-          {"series", std::move(series)}};
+    curves.push_back(page::series(fmt::format("UUV{}", i + 1), wakes[i].way.t(), wakes[i].speed));
+  return page::lines(title, "time [s]", "speed [m/s]", std::move(curves));
 }
 
 Scenario as_published(Encounter encounter, const Setting& setting, const Method& method,
@@ -115,11 +105,11 @@ std::vector<json> redrawn(Encounter encounter, const Setting& setting, const std
                           const Overrides& overrides) {
   const Scenario scenario = as_published(encounter, setting, planar_methods().front(), overrides);
   const std::vector<Wake> wakes = sailed(scenario);
-  const double end = wakes.front().t.back();
+  const double end = wakes.front().way.t().back();
   json tracks = json::array();
   json spheres = json::array();
   for (std::size_t i = 0; i < wakes.size(); ++i) {
-    tracks.push_back(wakes[i].track(fmt::format("UUV{}", i + 1)));
+    tracks.push_back(wakes[i].way.track(fmt::format("UUV{}", i + 1)));
     for (const double time : shown_times(encounter)) {
       spheres.push_back(sphere(wakes[i].place_at(time), setting.uuv_radius_m,
                                fmt::format("UUV{} at {:.0f} s", i + 1, time)));
@@ -149,7 +139,7 @@ json ways_of(Encounter encounter, std::span<const std::string_view> methods, con
   for (const std::string_view name : methods) {
     const Method& method = *std::ranges::find(planar_methods(), name, &Method::name);
     const Scenario scenario = as_published(encounter, find_setting("common"), method, overrides);
-    tracks.push_back(sailed(scenario).front().track(std::string(name)));
+    tracks.push_back(sailed(scenario).front().way.track(std::string(name)));
     goals = goals_of(scenario);
   }
   return {{"kind", "trajectories"},

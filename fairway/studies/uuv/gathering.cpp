@@ -13,11 +13,11 @@ namespace fairway::uuv {
 namespace {
 
 constexpr double cruise_speed = 1.0;       // [m/s]
-constexpr double top_speed = 1.2;          // [m/s]
-constexpr double acceleration = 0.5;       // [m/s2]
-constexpr double quickest_turn = 1.0;      // [rad/s]
 constexpr double patience_ratio = 4.0;     // of the straight way's time
 constexpr double apart = 5 * kept_radius;  // in a crowd [m]
+
+constexpr Agility agility{
+    .speed_mps = 1.2, .acceleration_mps2 = 0.5, .turn_acceleration_radps2 = 5.0, .time_constant_s = 0.2};
 
 constexpr std::array all_gatherings{
     Gathering{Pattern::swap, 2},    Gathering{Pattern::swap, 4},     Gathering{Pattern::swap, 8},
@@ -90,27 +90,15 @@ std::vector<Voyage> crowding(std::size_t count, Rng rng) {
 VehicleSpec vehicle_of(const Voyage& voyage, std::size_t index, Hull hull, const Method& method) {
   const Vec3 way = voyage.goal - voyage.start;
   const double yaw = std::atan2(way.y(), way.x());
-  const bool sways = hull == Hull::point;
   VehicleSpec vehicle{.id = static_cast<std::uint32_t>(index), .name = fmt::format("uuv{}", index + 1)};
-  vehicle.model = {.name = "kinematic",
-                   .params = {{"max_speed_mps", top_speed},
-                              {"max_reverse_mps", sways ? top_speed : 0.0},
-                              {"max_sway_mps", sways ? top_speed : 0.0},
-                              {"max_heave_mps", 0.0},
-                              {"max_turn_rate_radps", quickest_turn},
-                              {"max_acceleration_mps2", acceleration},
-                              {"max_turn_acceleration_radps2", 5.0}},
-                   .path = "model"};
+  vehicle.model = model_of(hull, agility);
   vehicle.avoider = {.name = std::string(method.algorithm), .params = method.params, .path = "avoider"};
   vehicle.steering = steering_of(hull, yaw);
   vehicle.position = voyage.start;
   vehicle.yaw = yaw;
   vehicle.radius_m = kept_radius;
   vehicle.priority = static_cast<std::int32_t>(index);
-  vehicle.limits = {.max_speed = top_speed,
-                    .max_climb_rate = 0.0,
-                    .max_acceleration = acceleration,
-                    .max_turn_rate = sways ? Limits::none : quickest_turn};
+  vehicle.limits = limits_of(hull, agility);
   vehicle.mission = {
       {.kind = LegKind::transit, .position = voyage.goal, .speed_mps = cruise_speed, .arrival_m = 1.0}};
   return vehicle;

@@ -9,9 +9,7 @@
 #include <string_view>
 
 #include "fairway/core/angles.hpp"
-#include "fairway/experiment/executor.hpp"
 #include "fairway/experiment/measure_run.hpp"
-#include "fairway/sim/simulation.hpp"
 #include "fairway/studies/uuv/timeline.hpp"
 
 namespace fairway::uuv {
@@ -45,15 +43,6 @@ class CourseLog final : public FrameSink {
   double total_{};
 };
 
-void run(const Scenario& scenario, const Catalogs& catalogs, std::span<FrameSink* const> sinks,
-         const std::atomic<bool>* stop) {
-  Simulation simulation{scenario, catalogs};
-  while (!simulation.is_done()) {
-    if (stop != nullptr && stop->load(std::memory_order_relaxed)) throw RunAbandoned{};
-    simulation.step(sinks);
-  }
-}
-
 std::vector<Quantities> by_vehicle(const std::vector<Measure>& measures, std::size_t count) {
   std::vector<Quantities> vehicles(count);
   for (const Measure& measure : measures) {
@@ -70,7 +59,7 @@ std::vector<Measure> measure_encounter(const Scenario& scenario, const Catalogs&
   RunMetrics metrics = metrics_for(scenario);
   Timeline timeline{scenario};
   const std::array<FrameSink*, 2> sinks{&metrics, &timeline};
-  run(scenario, catalogs, sinks, stop);
+  run_into(scenario, catalogs, sinks, stop);
   std::vector<Measure> measures = metrics.measures();
   timeline.report(measures);
   return measures;
@@ -81,7 +70,7 @@ std::vector<Measure> measure_fleet(const Scenario& scenario, const Catalogs& cat
   RunMetrics metrics = metrics_for(scenario);
   CourseLog courses{scenario.vehicles.size()};
   const std::array<FrameSink*, 2> sinks{&metrics, &courses};
-  run(scenario, catalogs, sinks, stop);
+  run_into(scenario, catalogs, sinks, stop);
 
   const std::vector<Measure> all = metrics.measures();
   std::vector<Measure> kept;

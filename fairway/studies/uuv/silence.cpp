@@ -12,15 +12,6 @@ namespace {
 
 constexpr std::array<std::string_view, 3> cubes_crossed{"cube20_4", "cube20_8", "cube60_8"};
 
-void set(ParamValues& params, const std::string& name, const ParamValue& value) {
-  const auto there = std::ranges::find(params, name, &ParamValues::value_type::first);
-  if (there == params.end()) {
-    params.emplace_back(name, value);
-  } else {
-    there->second = value;
-  }
-}
-
 Choice exchange_of(const Channel& channel) {
   Choice exchange{.name = "perfect", .path = "exchange"};
   if (channel.kind == Channel::Kind::perfect) return exchange;
@@ -71,7 +62,7 @@ Scenario silence_scenario(std::string_view cube, const Method& method, const Cha
   scenario.exchange = exchange_of(channel);
   for (VehicleSpec& vehicle : scenario.vehicles) {
     vehicle.avoider.name = std::string(method.algorithm);
-    for (const auto& [name, value] : method.params) set(vehicle.avoider.params, name, value);
+    vehicle.avoider.params = merged(vehicle.avoider.params, method.params);
   }
   return scenario;
 }

@@ -125,4 +125,12 @@ inline Meeting head_to_head(double distance, double speed, double max_accelerati
   return m;
 }
 
+/// The same, of 10 to 30 m, 0.3 to 1.5 m/s, 0.2 to 1 m/s2, on any course.
+inline Meeting any_head_to_head(Rng rng) {
+  const double distance = rng.uniform(10.0, 30.0);
+  const double speed = rng.uniform(0.3, 1.5);
+  const double max_acceleration = rng.uniform(0.2, 1.0);
+  return head_to_head(distance, speed, max_acceleration, rng.uniform(-pi, pi));
+}
+
 }  // namespace fairway::velocity_obstacle

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "fairway/scenario/scenario.hpp"
+
+namespace fairway::uuv {
+
+/// What sails.
+enum class Hull {
+  point,    ///< goes any way at once, as the paper's UUV; it keeps its heading
+  unicycle  ///< goes where it heads, and turns there at up to 1 rad/s
+};
+inline constexpr std::array hulls{Hull::point, Hull::unicycle};
+std::string_view name_of(Hull hull);
+
+/// What it can do.
+struct Agility {
+  double speed_mps{};  ///< any way that it goes at all
+  double acceleration_mps2{};
+  double turn_acceleration_radps2{};
+  double time_constant_s{};
+};
+
+/// The kinematic vehicle that does so.
+Choice model_of(Hull hull, const Agility& agility);
+
+/// What methods are told of it.
+Limits limits_of(Hull hull, const Agility& agility);
+
+/// How a hull that starts on heading `yaw` [rad] carries out a velocity.
+Choice steering_of(Hull hull, double yaw);
+
+}  // namespace fairway::uuv
