@@ -4,8 +4,11 @@ import { defineConfig } from 'vite';
 import { sample_data, single_page } from './bundle/single_page.ts';
 
 // One page per mode: `vite build --mode report` makes report.html into the template that the C++ library
-// fairway/report embeds.
-const templates: Record<string, string> = { report: '../fairway/report/template.html' };
+// fairway/report embeds, and so on.
+const templates: Record<string, string> = {
+  report: '../fairway/report/template.html',
+  view: '../fairway/view/template.html',
+};
 const here = (path: string): string => fileURLToPath(new URL(path, import.meta.url));
 
 export default defineConfig(({ mode, command }) => {
@@ -23,6 +26,6 @@ export default defineConfig(({ mode, command }) => {
       reportCompressedSize: false,
       rollupOptions: { input: here(`./${command === 'build' ? mode : 'report'}.html`) },
     },
-    plugins: [sample_data(here('./sample/report.json')), ...(template ? [single_page(here(template))] : [])],
+    plugins: [sample_data((page) => here(`./sample/${page}.json`)), ...(template ? [single_page(here(template))] : [])],
   };
 });

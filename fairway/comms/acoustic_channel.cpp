@@ -108,6 +108,17 @@ std::span<const Message> AcousticChannel::heard_by(std::size_t receiver) const {
   return std::span{heard_}.subspan(receiver * vehicle_count_, vehicle_count_);
 }
 
+void AcousticChannel::add_under_way(std::vector<MessageFlight>& flights) const {
+  for (const Flight& flight : std::span{flights_}.first(under_way_)) {
+    flights.push_back({.from = static_cast<std::uint32_t>(flight.from),
+                       .to = static_cast<std::uint32_t>(flight.to),
+                       .sent = flight.sent * period_,
+                       .begins = flight.begins * period_,
+                       .arrives = flight.ends * period_,
+                       .drowned = flight.drowned});
+  }
+}
+
 bool AcousticChannel::may_transmit(std::size_t vehicle, Tick now) const {
   if (static_cast<double>(count(now)) < transmitters_[vehicle].due - instant) return false;
   if (!params_.slots) return true;
@@ -139,7 +150,7 @@ void AcousticChannel::transmit(std::size_t from, Tick now, const Mailbox& said,
     } else {
       const double begins = begin + way_of_sound(params_, distance, period_);
       Flight& flight = flights_[under_way_++];
-      flight = {message, from, to, begins, begins + transmission_};
+      flight = {message, from, to, begin, begins, begins + transmission_};
       flight.drowned = is_deaf(to, flight);
     }
   }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fairway/comms/message.hpp"
+#include "fairway/core/message_flight.hpp"
 #include "fairway/core/params.hpp"
 #include "fairway/core/rng.hpp"
 
@@ -88,6 +89,7 @@ class AcousticChannel {
   /// As Exchange.
   void pass_on(Tick now, const Mailbox& said, std::span<const Vec3> places);
   std::span<const Message> heard_by(std::size_t receiver) const;
+  void add_under_way(std::vector<MessageFlight>& flights) const;
 
   const AcousticParams& params() const { return params_; }
   const AcousticCounts& counts() const { return counts_; }
@@ -114,6 +116,7 @@ class AcousticChannel {
     Message message;
     std::size_t from{};
     std::size_t to{};
+    double sent{};
     double begins{};  // to be heard
     double ends{};
     bool drowned{};

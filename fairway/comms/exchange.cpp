@@ -31,6 +31,10 @@ std::span<const Message> Exchange::heard_by(std::size_t receiver) const {
   return {};
 }
 
+void Exchange::add_under_way(std::vector<MessageFlight>& flights) const {
+  if (const auto* channel = std::get_if<AcousticChannel>(&way_)) channel->add_under_way(flights);
+}
+
 double Exchange::unforeseen_acceleration() const {
   const auto* channel = std::get_if<AcousticChannel>(&way_);
   return channel != nullptr ? channel->params().unforeseen_acceleration_mps2 : 0.0;

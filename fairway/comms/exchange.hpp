@@ -10,6 +10,7 @@
 #include "fairway/comms/acoustic_channel.hpp"
 #include "fairway/comms/message.hpp"
 #include "fairway/core/kind_info.hpp"
+#include "fairway/core/message_flight.hpp"
 #include "fairway/core/params.hpp"
 #include "fairway/core/rng.hpp"
 
@@ -31,6 +32,10 @@ class Exchange {
   /// The last message that `receiver` has heard of each vehicle; its own may be among them, and so may
   /// vehicles that never told anything (`told` is false). Valid until the next pass_on().
   std::span<const Message> heard_by(std::size_t receiver) const;
+
+  /// Adds the messages that are under way, in the order in which they were sent; none where telling takes no
+  /// time.
+  void add_under_way(std::vector<MessageFlight>& flights) const;
 
   /// False if nobody ever hears anything.
   bool carries_anything() const { return !std::holds_alternative<Silence>(way_); }

@@ -4,10 +4,12 @@
 #include <span>
 
 #include "fairway/avoidance/command.hpp"
+#include "fairway/avoidance/drawing.hpp"
 #include "fairway/avoidance/situation.hpp"
 #include "fairway/core/echo.hpp"
 #include "fairway/core/ids.hpp"
 #include "fairway/core/leg.hpp"
+#include "fairway/core/message_flight.hpp"
 #include "fairway/core/state.hpp"
 #include "fairway/core/tick.hpp"
 
@@ -26,6 +28,7 @@ struct VehicleFrame {
   Wrench wrench = Wrench::Zero();     ///< of the actuators on the vehicle [N, N m, body]
   std::span<const Track> tracks;      ///< as it perceived the others when it last decided
   std::span<const Echo> echoes;       ///< of the sonar's last ping; empty without one
+  std::span<const Stroke> strokes;    ///< what it drew when it last decided; empty unless someone is looking
 };
 
 /// What was true at one instant and what was decided on it. Metrics and the viewer know nothing else.
@@ -34,6 +37,7 @@ struct Frame {
   double time{};                           ///< [s]
   double period{};                         ///< to the next frame [s]
   std::span<const VehicleFrame> vehicles;  ///< by index, as in the scenario
+  std::span<const MessageFlight> flights;  ///< messages under way; empty unless someone is looking
 };
 
 /// Takes the frames of a run, in order. May throw on I/O errors; the run then ends.

@@ -34,43 +34,47 @@ std::string script_safe(const std::string& json) {
   return safe;
 }
 
-[[noreturn]] void refuse(const std::string& path, int error) {
+[[noreturn]] void refuse(const std::string& path, const std::string& what, int error) {
   const std::string reason = error == 0 ? "write failed" : std::generic_category().message(error);
-  throw InputError({path}, "", "the report cannot be written: " + reason);
+  throw InputError({path}, "", what + " cannot be written: " + reason);
 }
 
 }  // namespace
 
-std::string render_page(const std::string& json) {
-  std::string page = embedded::report_template();
+std::string filled(std::string page, const std::string& json) {
   const std::size_t at = page.find(marker);
-  if (at == std::string::npos) throw std::logic_error("report template without " + std::string{marker});
+  if (at == std::string::npos) throw std::logic_error("page template without " + std::string{marker});
   return page.replace(at, marker.size(), script_safe(json));
 }
 
-void write_page(const std::string& json, const std::string& path) {
-  const std::string page = render_page(json);
-  if (std::filesystem::is_directory(path)) refuse(path, EISDIR);
+std::string render_page(const std::string& json) { return filled(embedded::report_template(), json); }
+
+void write_whole(const std::string& text, const std::string& path, const std::string& what) {
+  if (std::filesystem::is_directory(path)) refuse(path, what, EISDIR);
 
   const std::string part = path + ".part";
   errno = 0;
   std::ofstream file{part, std::ios::binary | std::ios::trunc};
-  if (!file) refuse(path, errno);
-  file.write(page.data(), static_cast<std::streamsize>(page.size()));
+  if (!file) refuse(path, what, errno);
+  file.write(text.data(), static_cast<std::streamsize>(text.size()));
   file.close();
   std::error_code failure;
   if (!file) {
     const int error = errno;
     std::filesystem::remove(part, failure);
-    refuse(path, error);
+    refuse(path, what, error);
   }
 
   std::filesystem::rename(part, path, failure);
   if (failure) {
     const int error = failure.value();
     std::filesystem::remove(part, failure);
-    refuse(path, error);
+    refuse(path, what, error);
   }
+}
+
+void write_page(const std::string& json, const std::string& path) {
+  write_whole(render_page(json), path, "the report");
 }
 
 }  // namespace fairway

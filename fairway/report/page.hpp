@@ -13,15 +13,21 @@ std::string report_template();
 
 }  // namespace embedded
 
-/// One self-contained HTML page that shows `json`, a report document; viewer/README.md describes its keys.
-/// The page needs no network and opens from file://. Characters that would end the <script> element the data
+/// `page`, a built page of viewer/, with `json` in the place of its marker __FAIRWAY_DATA__: self-contained
+/// HTML that needs no network and opens from file://. Characters that would end the <script> element the data
 /// lie in are escaped the way JSON allows, so any valid document is safe. The text is not checked here: the
-/// page tells its reader what is wrong with it.
+/// page tells its reader what is wrong with it. Throws std::logic_error if there is no marker.
+std::string filled(std::string page, const std::string& json);
+
+/// The report that shows `json`; viewer/README.md describes its keys.
 std::string render_page(const std::string& json);
 
-/// Writes render_page(json) to `path`, through a temporary file beside it and a rename, so that a reader
-/// never meets half a page. Throws InputError when it cannot be written; then no temporary file remains and
-/// what was at `path` before is untouched.
+/// Writes `text` to `path`, through a temporary file beside it and a rename, so that a reader never meets
+/// half of it. Throws InputError, "`what` cannot be written", when it cannot be; then no temporary file
+/// remains and what was at `path` before is untouched.
+void write_whole(const std::string& text, const std::string& path, const std::string& what);
+
+/// Writes render_page(json) to `path`, as write_whole().
 void write_page(const std::string& json, const std::string& path);
 
 }  // namespace fairway

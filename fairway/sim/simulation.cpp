@@ -97,6 +97,7 @@ Simulation::Simulation(const Scenario& scenario, const Catalogs& catalogs)
   mailbox_.resize(agents_.size());
   rendezvous_.resize(agents_.size());
   frame_.resize(agents_.size());
+  drawings_.resize(agents_.size());
 }
 
 void Simulation::step(std::span<FrameSink* const> sinks) {
@@ -183,7 +184,8 @@ bool Simulation::is_deciding(const Agent& agent) const {
   return is_avoiding(agent.mission.phase()) && agent.next_decision <= tick_;
 }
 
-Command Simulation::decide(Agent& agent) {
+Command Simulation::decide(std::size_t index) {
+  Agent& agent = agents_[index];
   const Leg* leg = agent.mission.leg();
   if (leg == nullptr || time() < agent.start_delay) return {.mode = Mode::hold};
   switch (leg->kind) {
@@ -197,27 +199,37 @@ Command Simulation::decide(Agent& agent) {
     case LegKind::transit:
       break;
   }
-  return agent.avoider.decide({.time = time(),
-                               .period = steps_per_decision_ * period_,
-                               .own = agent.own,
-                               .goal = {.position = leg->position, .cruise_speed = leg->speed_mps},
-                               .limits = agent.limits,
-                               .model = agent.model ? &*agent.model : nullptr,
-                               .tracks = agent.tracks,
-                               .obstacles = agent.obstacles});
+  return ask(index, *leg);
+}
+
+Command Simulation::ask(std::size_t index, const Leg& leg) {
+  Agent& agent = agents_[index];
+  const Situation situation{.time = time(),
+                            .period = steps_per_decision_ * period_,
+                            .own = agent.own,
+                            .goal = {.position = leg.position, .cruise_speed = leg.speed_mps},
+                            .limits = agent.limits,
+                            .model = agent.model ? &*agent.model : nullptr,
+                            .tracks = agent.tracks,
+                            .obstacles = agent.obstacles};
+  const Command command = agent.avoider.decide(situation, showing_ ? &drawings_[index] : nullptr);
+  if (observer_ != nullptr) observer_->see(index, situation, command);
+  return command;
 }
 
 void Simulation::decide() {
-  for (Agent& agent : agents_) {
+  for (std::size_t i = 0; i < agents_.size(); ++i) {
+    Agent& agent = agents_[i];
     const bool deciding = is_deciding(agent);
     if (is_avoiding(agent.mission.phase()) && !deciding) continue;
+    drawings_[i].clear();
     if (deciding) agent.next_decision = Tick{count(tick_) + steps_per_decision_};
     if (!timing_ || !deciding) {
-      agent.command = decide(agent);
+      agent.command = decide(i);
       continue;
     }
     const auto begin = std::chrono::steady_clock::now();
-    agent.command = decide(agent);
+    agent.command = decide(i);
     const double took = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     times_ = {times_.count + 1, times_.total_s + took, std::fmax(times_.worst_s, took)};
   }
@@ -264,9 +276,12 @@ void Simulation::record(std::span<FrameSink* const> sinks) {
                  .power = agent.vehicle.power(),
                  .wrench = wrench_of(agent.vehicle),
                  .tracks = agent.tracks,
-                 .echoes = agent.lookout.echoes()};
+                 .echoes = agent.lookout.echoes(),
+                 .strokes = drawings_[i].strokes()};
   }
-  const Frame frame{tick_, time(), period_, frame_};
+  flights_.clear();
+  if (showing_) exchange_.add_under_way(flights_);
+  const Frame frame{tick_, time(), period_, frame_, flights_};
   for (FrameSink* sink : sinks) sink->write(frame);
 }
 

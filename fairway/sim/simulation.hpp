@@ -11,6 +11,7 @@
 #include "fairway/record/frame.hpp"
 #include "fairway/scenario/scenario.hpp"
 #include "fairway/sim/agent.hpp"
+#include "fairway/sim/decision_observer.hpp"
 #include "fairway/world/obstacle_field.hpp"
 #include "fairway/world/sea/sea.hpp"
 
@@ -43,6 +44,13 @@ class Simulation {
   void time_decisions() { timing_ = true; }
   const DecisionTimes& decision_times() const { return times_; }
 
+  /// From now on, or no longer: frames hold what each method draws of its thinking and the messages under
+  /// way. It costs time and memory, and changes nothing else.
+  void show_thoughts(bool shown) { showing_ = shown; }
+
+  /// Shows `observer` every decision of an avoider from now on; null: nobody.
+  void observe(DecisionObserver* observer) { observer_ = observer; }
+
   Tick tick() const { return tick_; }
   double time() const { return seconds(tick_, period_); }
   std::span<const Agent> agents() const { return agents_; }
@@ -59,7 +67,8 @@ class Simulation {
   bool everyone_ready(std::size_t index) const;
   bool is_deciding(const Agent& agent) const;
   Scene scene_of(std::size_t index) const;
-  Command decide(Agent& agent);
+  Command decide(std::size_t index);
+  Command ask(std::size_t index, const Leg& leg);
 
   double period_;
   std::int32_t steps_per_decision_;
@@ -76,6 +85,10 @@ class Simulation {
   std::vector<Vec3> places_;   // of the vehicles
   std::vector<int> rendezvous_;
   std::vector<VehicleFrame> frame_;
+  std::vector<Drawing> drawings_;       // by vehicle, of its last decision
+  std::vector<MessageFlight> flights_;  // likewise empty unless showing
+  DecisionObserver* observer_{nullptr};
+  bool showing_{false};
   bool timing_{false};
   DecisionTimes times_;
 };

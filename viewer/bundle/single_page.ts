@@ -54,11 +54,12 @@ export function single_page(target: string): Plugin {
   };
 }
 
-/** While developing, the marker is replaced with the sample's data. */
-export function sample_data(file: string): Plugin {
+/** While developing, the marker of each page is replaced with its sample's data. */
+export function sample_data(file_of: (page: string) => string): Plugin {
   return {
     name: 'fairway-sample-data',
     apply: 'serve',
-    transformIndexHtml: (html) => html.replace(marker, () => script_safe(readFileSync(file, 'utf8'))),
+    transformIndexHtml: (html, { path }) =>
+      html.replace(marker, () => script_safe(readFileSync(file_of(path.replace(/^\/|\.html$/g, '')), 'utf8'))),
   };
 }

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "fairway/scenario/scenario.hpp"
+#include "fairway/view/film.hpp"
+
+namespace fairway {
+
+namespace embedded {
+
+/// fairway/view/template.html as it was when this library was built.
+std::string view_template();
+
+}  // namespace embedded
+
+/// What the page says about itself.
+struct PlaybackInfo {
+  std::string version;         ///< of fairway, that made the recording
+  std::string command;         ///< as typed
+  double period{};             ///< between frames of the run [s]
+  nlohmann::json explanation;  ///< of one decision, or null
+};
+
+/// The page's document: the scene and, unless `film` is null, as live, all of the film.
+nlohmann::json playback_document(const Scenario& scenario, const PlaybackInfo& info, const Film* film);
+
+/// What stands still in a run: vehicles, obstacles, rules, water, sensors. The document's `scene`.
+nlohmann::json scene_of(const Scenario& scenario);
+
+}  // namespace fairway

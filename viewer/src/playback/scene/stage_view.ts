@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// The picture in three dimensions: what the page asks of it.
+import type { Film, Moment } from '../film';
+import type { Scene } from '../model';
+
+export type CameraKind = 'orbit' | 'follow' | 'top' | 'side';
+export const layers = [
+  'trails', 'spheres', 'goals', 'obstacles', 'grid', 'surface', 'current', 'sketch', 'tracks', 'sonar', 'messages', 'names',
+] as const;
+export type Layer = (typeof layers)[number];
+
+export interface StageView {
+  /** Shows the film at a moment; vehicles lie between frames, colours are those of the frame at or before it. */
+  show(moment: Moment): void;
+  /** Chosen vehicles stand out; sketches, tracks and the sonar are those of the chosen ones. None: all alike. */
+  choose(vehicles: ReadonlySet<number>): void;
+  /** The vehicle that the camera keeps to. */
+  follow(vehicle: number): void;
+  set_camera(kind: CameraKind): void;
+  set_layer(layer: Layer, shown: boolean): void;
+  /** Fits everything that happens into the picture again. */
+  fit(): void;
+  /** Colours follow the page's theme. */
+  restyle(): void;
+  /** Where a vehicle is in the picture [px], for tests and labels; null behind the camera. */
+  place_of(vehicle: number): { x: number; y: number } | null;
+  on_pick(listener: (vehicle: number | null, adding: boolean) => void): void;
+  /** A picture of what is shown, PNG. */
+  picture(): Promise<Blob>;
+  readonly frames_per_second: number;
+}
+
+/** Makes the picture inside `host` and keeps to its size. Throws where the browser has no WebGL. */
+export type MakeStage = (host: HTMLElement, scene: Scene, film: Film) => StageView;
