@@ -41,6 +41,7 @@ void add_verbs(CLI::App& app, Program& program) {
   add_compare(app, program);
   add_report(app, program);
   add_replay(app, program);
+  add_view(app, program);
   add_diff(app, program);
   add_decide(app, program);
   add_trial(app, program);

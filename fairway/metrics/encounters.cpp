@@ -67,10 +67,11 @@ void EncounterMetric::see(const Frame& frame, std::size_t index) {
   // whoever is still near on arrival counts; a stuck vehicle leaves its open encounters uncounted
   count.finished = true;
   count.stuck = own.phase == Phase::stuck;
-  if (count.stuck) return;
   for (const Contact contact : count.contacts) {
-    if (contact != Contact::none) ++(contact == Contact::collided ? count.collisions : count.avoided);
+    if (contact != Contact::none && !count.stuck)
+      ++(contact == Contact::collided ? count.collisions : count.avoided);
   }
+  count.contacts.clear();
 }
 
 void EncounterMetric::see(const Frame& frame) {

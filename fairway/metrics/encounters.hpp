@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "fairway/metrics/metric.hpp"
@@ -21,13 +23,18 @@ class EncounterMetric final : public Metric {
  public:
   static const std::vector<QuantityInfo>& quantities();
 
+  /// The worst that a neighbour was to a vehicle since it came within the detection distance.
+  enum class Contact : std::uint8_t { none, near, collided };
+
   explicit EncounterMetric(EncounterRules rules) : rules_{rules} {}
   void see(const Frame& frame) override;
   void report(std::vector<Measure>& measures) const override;
 
- private:
-  enum class Contact : unsigned char { none, near, collided };
+  /// A vehicle's open encounters as of the last frame, by index of the other; empty before it is under way
+  /// and after it has finished. Valid until the next frame. O(1).
+  std::span<const Contact> contacts(std::size_t index) const { return counts_[index].contacts; }
 
+ private:
   struct Count {
     bool started{};
     bool finished{};

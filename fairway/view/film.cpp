@@ -1,19 +1,122 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/view/film.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "fairway/view/columns.hpp"
+#include "fairway/view/film_bytes.hpp"
+#include "fairway/view/film_events.hpp"
+#include "fairway/view/film_thoughts.hpp"
+#include "fairway/view/film_water.hpp"
+
 namespace fairway {
 
 struct Film::Contents {
+  Contents(const Scenario& scenario, const FilmLimits& its_limits)
+      : limits{its_limits},
+        water{scenario},
+        events{{scenario.exam.crit_dist_m, scenario.exam.safety_distance_m}, scenario.vehicles.size()},
+        thoughts{scenario.vehicles.size(), limits.thought_bytes},
+        columns{scenario.vehicles.size(), current_depths(scenario.water).size()},
+        stride{limits.every} {}
+
+  void keep(const Frame& frame) { columns.append(frame, {water.currents(), events.alerts()}); }
+  void remember(const Frame& frame);
+  void thin();
+
   FilmLimits limits;
+  FilmWater water;
+  FilmEvents events;
+  FilmThoughts thoughts;
+  FilmColumns columns;
+  std::size_t seen{};  // frames between from_s and to_s
+  std::size_t stride;
+  std::size_t generation{};
+  std::vector<VehicleFrame> last_vehicles;
+  Frame last;  // unless it was kept
+  bool last_kept{true};
 };
 
-Film::Film(const Scenario&, FilmLimits limits) : contents_{std::make_unique<Contents>(Contents{limits})} {}
+void Film::Contents::remember(const Frame& frame) {
+  last_vehicles.assign(frame.vehicles.begin(), frame.vehicles.end());
+  last = frame;
+  last.vehicles = last_vehicles;
+}
+
+void Film::Contents::thin() {
+  last_kept = last_kept && columns.size() % 2 == 1;
+  columns.halve();
+  stride *= 2;
+  ++generation;
+}
+
+Film::Film(const Scenario& scenario, FilmLimits limits)
+    : contents_{std::make_unique<Contents>(scenario, limits)} {}
 Film::~Film() = default;
-void Film::write(const Frame&) {}
-std::size_t Film::size() const { return 0; }
-std::size_t Film::stride() const { return 1; }
-std::size_t Film::generation() const { return 0; }
-nlohmann::json Film::part(std::size_t, std::size_t, bool) const { return {}; }
-std::string Film::notice() const { return {}; }
+
+void Film::write(const Frame& frame) {
+  Contents& c = *contents_;
+  c.water.move_to(frame.tick);
+  c.events.see(frame);
+  if (frame.time < c.limits.from_s || frame.time > c.limits.to_s) return;
+  c.thoughts.see(frame);
+  c.last_kept = c.seen++ % c.stride == 0;
+  if (c.last_kept) c.keep(frame);
+  if (c.columns.size() * frame.vehicles.size() > c.limits.vehicle_frames && c.columns.size() > 2) c.thin();
+  if (!c.last_kept) c.remember(frame);
+}
+
+void Film::finish() {
+  Contents& c = *contents_;
+  if (!c.last_kept) c.keep(c.last);
+  c.last_kept = true;
+}
+
+std::size_t Film::size() const { return contents_->columns.size(); }
+std::size_t Film::stride() const { return contents_->stride; }
+std::size_t Film::generation() const { return contents_->generation; }
+bool Film::has_sketches() const { return contents_->thoughts.has_sketches(); }
+
+nlohmann::json Film::part(std::size_t first, std::size_t most, bool compress) const {
+  const Contents& c = *contents_;
+  first = std::min(first, size());
+  const std::size_t count = std::min(most, size() - first);
+  const auto packed = [compress](const std::string& bytes) {
+    return bytes.empty() ? "" : base64_of(compress ? zstd_of(bytes) : bytes);
+  };
+  nlohmann::json part{{"first", first},
+                      {"count", count},
+                      {"stride", c.stride},
+                      {"generation", c.generation},
+                      {"data", packed(c.columns.bytes(first, count))},
+                      {"compression", compress ? "zstd" : "none"},
+                      {"events", nlohmann::json::array()},
+                      {"thoughts", ""}};
+  if (count == 0) return part;
+  const double after = first == 0 ? std::nextafter(c.limits.from_s, -1.0) : c.columns.time(first - 1);
+  const double until = c.columns.time(first + count - 1);
+  part["events"] = c.events.between(after, until);
+  part["thoughts"] = packed(c.thoughts.between(after, until));
+  return part;
+}
+
+std::string Film::notice() const {
+  const Contents& c = *contents_;
+  std::string text;
+  if (c.stride > 1)
+    text += fmt::format("Of {} frames one in {} is shown; colours and events are those of every frame. ",
+                        c.seen, c.stride);
+  if (c.thoughts.spacing() > 1)
+    text += fmt::format("What each vehicle drew, knew and heard is shown at most once in {} frames. ",
+                        c.thoughts.spacing());
+  if (c.thoughts.transmission_stride() > 1)
+    text += fmt::format("Of the transmissions one in {} is shown. ", c.thoughts.transmission_stride());
+  if (!text.empty()) text.pop_back();
+  return text;
+}
 
 }  // namespace fairway

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -11,23 +12,32 @@
 
 namespace fairway {
 
-/// How much a page holds before it is thinned.
+/// How much of a run a page holds, and how much of that before it is thinned.
 struct FilmLimits {
   std::size_t vehicle_frames = 400'000;               ///< frames times vehicles
-  std::size_t thought_bytes = std::size_t{1} << 25U;  ///< of sketches, tracks and echoes, as text
+  std::size_t thought_bytes = std::size_t{1} << 25U;  ///< of sketches, tracks, echoes and messages, as text
+  double from_s = 0.0;                                ///< what is earlier is not kept [s]
+  double to_s = std::numeric_limits<double>::infinity();  ///< nor what is later [s]
+  std::size_t every = 1;                                  ///< one in so many frames is kept to begin with
 };
 
 /// A run as the page plays it: the frames, and what is worked out from each as it is seen: who is near whom
-/// (by the rules that the metrics count with), events, how the water runs. Beyond its limits it keeps every
-/// second frame, and again, so that memory stays bounded however long a run is; colours and events are those
-/// of all frames. viewer/README.md describes what it writes.
+/// (by the metric that counts encounters itself), events, how the water runs. Beyond its limits it keeps
+/// every second frame, and again, so that memory stays bounded however long a run is; colours and events are
+/// those of all frames. viewer/README.md describes what it writes.
 class Film final : public FrameSink {
  public:
-  /// The scenario must outlive it.
+  /// The scenario must outlive it. Its names and parameters were accepted before, by whoever ran it.
   explicit Film(const Scenario& scenario, FilmLimits limits = {});
   ~Film() override;
+  Film(const Film&) = delete;
+  Film& operator=(const Film&) = delete;
 
+  /// Frames come in order, all of them: those that are not kept count, too. O(vehicles^2 + what is thought).
   void write(const Frame& frame) override;
+
+  /// No more frames come: the last one is kept too, whatever the stride, and with it what happened up to it.
+  void finish();
 
   /// Frames kept.
   std::size_t size() const;
@@ -35,8 +45,11 @@ class Film final : public FrameSink {
   std::size_t stride() const;
   /// Grows each time that frames which were kept are dropped: whoever asked for parts asks anew.
   std::size_t generation() const;
+  /// True if any vehicle drew anything.
+  bool has_sketches() const;
 
-  /// Frames [first, first + most) and what belongs to them, as a `part` of the page's document. O(part).
+  /// Frames [first, first + most) and what happened after frame first - 1 up to the last of them, as a `part`
+  /// of the page's document: parts that follow on each other give everything once. O(part).
   nlohmann::json part(std::size_t first, std::size_t most, bool compress) const;
 
   /// Empty, or what had to be left out, for the reader of the page.

@@ -24,8 +24,13 @@ struct PlaybackInfo {
   nlohmann::json explanation;  ///< of one decision, or null
 };
 
-/// The page's document: the scene and, unless `film` is null, as live, all of the film.
+/// The page's document: the scene and, unless `film` is null, as live, all of the film, compressed. The
+/// scenario is one that the catalogs accept. O(film).
 nlohmann::json playback_document(const Scenario& scenario, const PlaybackInfo& info, const Film* film);
+
+/// Writes the page that shows `document` to `path`, whole or not at all. Throws InputError if it cannot be
+/// written.
+void write_playback(const std::string& path, const nlohmann::json& document);
 
 /// What stands still in a run: vehicles, obstacles, rules, water, sensors. The document's `scene`.
 nlohmann::json scene_of(const Scenario& scenario);

@@ -28,10 +28,16 @@ void Sea::advance(double h) noexcept {
   if (wandering_) wandering_->advance(h);
 }
 
+Vec3 Sea::current_at(double depth) const noexcept {
+  Vec3 current_n = uniform_.current_n;
+  if (wandering_) current_n += wandering_->velocity();
+  if (sheared_) current_n.head<2>() += sheared_->at(depth).speed * sheared_->direction();
+  return current_n;
+}
+
 Water Sea::water_at(const Vec3& p_n, double time) const noexcept {
   Water water = uniform_;
-  if (wandering_) water.current_n += wandering_->velocity();
-  if (sheared_) water.current_n.head<2>() += sheared_->at(p_n.z()).speed * sheared_->direction();
+  water.current_n = current_at(p_n.z());
   if (!waves_.empty()) add_waves(p_n, time, water);
   return water;
 }

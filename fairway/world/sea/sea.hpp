@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "fairway/core/rng.hpp"
@@ -33,6 +34,12 @@ class Sea {
   Water water_halfway(const Vec3& p_n, const Vec3& v_n, double time, double h) const noexcept {
     return water_at(p_n + 0.5 * h * v_n, time + 0.5 * h);
   }
+
+  /// What flows at `depth` [m, down] without the waves' orbital motion, as it wanders now [m/s, NED].
+  Vec3 current_at(double depth) const noexcept;
+
+  /// What the surface is the sum of; empty where it is calm.
+  std::span<const WaveComponent> waves() const { return waves_; }
 
  private:
   void add_waves(const Vec3& p_n, double time, Water& water) const noexcept;

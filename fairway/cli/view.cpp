@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <filesystem>
+#include <iostream>
+#include <limits>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "fairway/cli/program.hpp"
+#include "fairway/record/hash_checker.hpp"
+#include "fairway/record/recording.hpp"
+#include "fairway/sim/simulation.hpp"
+#include "fairway/view/playback.hpp"
+
+namespace fairway::cli {
+namespace {
+
+struct ViewOptions {
+  std::string recording;
+  std::string out;
+  double from_s{0.0};
+  double to_s{std::numeric_limits<double>::infinity()};
+  std::size_t every{1};
+  bool sketch{false};
+  bool json{false};
+};
+
+/// How much of the work is done, on a terminal, at most five times a second, if it takes long.
+class Percentage {
+ public:
+  explicit Percentage(std::size_t total) : total_{total}, drawn_{Clock::now()} {}
+  ~Percentage() {
+    if (shown_) std::cerr << "\r\x1b[K" << std::flush;
+  }
+  Percentage(const Percentage&) = delete;
+  Percentage& operator=(const Percentage&) = delete;
+
+  void add_one() {
+    ++done_;
+    if (!visible_ || Clock::now() - drawn_ < std::chrono::milliseconds{200}) return;
+    drawn_ = Clock::now();
+    shown_ = true;
+    std::cerr << fmt::format("\r\x1b[K{} % of {} frames", 100 * done_ / total_, total_) << std::flush;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  std::size_t total_;
+  std::size_t done_{};
+  bool visible_{::isatty(STDERR_FILENO) == 1};
+  bool shown_{false};
+  Clock::time_point drawn_;
+};
+
+/// The recording's name with .html for .mcap.
+std::string page_beside(const std::string& recording) {
+  const std::filesystem::path path{recording};
+  return path.extension() == ".mcap" ? std::filesystem::path{path}.replace_extension(".html").string()
+                                     : recording + ".html";
+}
+
+/// Everything that is wrong with the flags by themselves.
+void check_view_options(const ViewOptions& options) {
+  if (!(options.from_s >= 0.0))
+    throw InputError(fmt::format("--from {}: expected seconds, 0 or more", options.from_s));
+  if (!(options.to_s >= options.from_s))
+    throw InputError(fmt::format("--to {}: expected seconds, {} or more", options.to_s, options.from_s));
+  if (options.every == 0) throw InputError("--every 0: expected 1 or more");
+  std::error_code none;
+  if (std::filesystem::equivalent(options.recording, options.out, none))
+    throw InputError(options.out + ": is the recording itself; expected another file for --out");
+}
+
+FilmLimits film_limits_of(const ViewOptions& options) {
+  FilmLimits limits;
+  limits.from_s = options.from_s;
+  limits.to_s = options.to_s;
+  limits.every = options.every;
+  return limits;
+}
+
+bool is_stopped(const std::atomic<bool>* stop) {
+  return stop != nullptr && stop->load(std::memory_order_relaxed);
+}
+
+/// Plays the recording into `film`; false if stopped.
+bool show_recorded(const Recording& recording, Film& film, const std::atomic<bool>* stop) {
+  Percentage progress{recording.size()};
+  for (std::size_t i = 0; i < recording.size(); ++i) {
+    if (is_stopped(stop)) return false;
+    film.write(recording.frame(i));
+    progress.add_one();
+  }
+  return true;
+}
+
+/// Simulates the recorded scenario again into `film`, with what its vehicles thought; false if stopped.
+/// Throws InputError where this build does not come to the recorded run.
+bool show_again(const Recording& recording, const Scenario& scenario, const std::string& name, Film& film,
+                const std::atomic<bool>* stop) {
+  Simulation simulation{scenario, builtin_catalogs()};
+  simulation.show_thoughts(true);
+  HashChecker checker{recording};
+  const std::array<FrameSink*, 2> sinks{&checker, &film};
+  Percentage progress{recording.run_frame_count()};
+  while (!simulation.is_done()) {
+    if (is_stopped(stop)) return false;
+    simulation.step(sinks);
+    if (checker.first_mismatch()) break;
+    progress.add_one();
+  }
+  if (!checker.same())
+    throw InputError(name + ": --sketch needs to simulate it again, but the run " + checker.describe());
+  return true;
+}
+
+/// What the recording itself holds of what vehicles thought is enough for --sketch.
+bool holds_thoughts(const Recording& recording) {
+  if (!recording.info().perception) return false;
+  for (std::size_t i = 0; i < recording.size(); ++i) {
+    for (const VehicleFrame& vehicle : recording.frame(i).vehicles) {
+      if (!vehicle.strokes.empty()) return true;
+    }
+  }
+  return false;
+}
+
+void check_window(const Recording& recording, const ViewOptions& options, const Film& film) {
+  if (film.size() > 0) return;
+  if (recording.size() == 0) throw InputError(options.recording + ": holds no frames");
+  throw InputError(fmt::format("{}: no frame between --from {} and --to {}; it runs from {} to {} s",
+                               options.recording, options.from_s, options.to_s, recording.frame(0).time,
+                               recording.frame(recording.size() - 1).time));
+}
+
+void print_view(const ViewOptions& options, const Film& film) {
+  const std::string page = std::filesystem::absolute(options.out).lexically_normal().string();
+  if (options.json) {
+    std::cout << nlohmann::json{{"recording", options.recording},
+                                {"playback", page},
+                                {"frames", film.size()},
+                                {"stride", film.stride()},
+                                {"bytes", std::filesystem::file_size(options.out)},
+                                {"sketches", film.has_sketches()},
+                                {"notice", film.notice()}}
+                     .dump(2)
+              << "\n";
+    return;
+  }
+  std::cout << "playback: " << page << "\n";
+  if (const std::string notice = film.notice(); !notice.empty()) std::cout << notice << "\n";
+}
+
+int view(const ViewOptions& options, const Program& program) {
+  check_view_options(options);
+  const Recording recording = Recording::read(options.recording);
+  const RecordingInfo& info = recording.info();
+  const Scenario scenario = parse_scenario(info.scenario_yaml, options.recording + " (scenario)");
+  Film film{scenario, film_limits_of(options)};
+  const bool again = options.sketch && !holds_thoughts(recording);
+  const bool complete = again ? show_again(recording, scenario, options.recording, film, program.stop)
+                              : show_recorded(recording, film, program.stop);
+  if (!complete) {
+    std::cerr << "fairway: interrupted\n";
+    return interrupted;
+  }
+  film.finish();
+  check_window(recording, options, film);
+  write_playback(options.out,
+                 playback_document(scenario, {info.version, program.typed, info.period, {}}, &film));
+  print_view(options, film);
+  return ok;
+}
+
+}  // namespace
+
+void add_view(CLI::App& app, Program& program) {
+  CLI::App* verb =
+      app.add_subcommand("view", "A recorded run in three dimensions: one page that plays it in any browser");
+  verb->footer("Example: fairway view cube.mcap --sketch --out cube.html");
+  auto options = std::make_shared<ViewOptions>();
+  verb->add_option("recording", options->recording, "MCAP file written by `fairway run --out`")->required();
+  verb->add_option("--out", options->out, "page to write; beside the recording, as .html, unless given");
+  verb->add_flag(
+      "--sketch", options->sketch,
+      "show what each method drew of its thinking; simulates the run again where that is not recorded");
+  verb->add_option("--from", options->from_s, "leave out what is earlier [s]");
+  verb->add_option("--to", options->to_s, "leave out what is later [s]");
+  verb->add_option("--every", options->every, "show one frame in so many")->capture_default_str();
+  verb->add_flag("--json", options->json, "print JSON");
+  verb->callback([=, &program] {
+    program.chosen = [=, &program] {
+      ViewOptions chosen = *options;
+      if (chosen.out.empty()) chosen.out = page_beside(chosen.recording);
+      return view(chosen, program);
+    };
+  });
+}
+
+}  // namespace fairway::cli
