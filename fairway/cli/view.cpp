@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <iostream>
 #include <limits>
@@ -24,7 +25,7 @@ struct ViewOptions {
   std::string out;
   double from_s{0.0};
   double to_s{std::numeric_limits<double>::infinity()};
-  std::size_t every{1};
+  std::int64_t every{1};
   bool sketch{false};
   bool json{false};
 };
@@ -69,7 +70,7 @@ void check_view_options(const ViewOptions& options) {
     throw InputError(fmt::format("--from {}: expected seconds, 0 or more", options.from_s));
   if (!(options.to_s >= options.from_s))
     throw InputError(fmt::format("--to {}: expected seconds, {} or more", options.to_s, options.from_s));
-  if (options.every == 0) throw InputError("--every 0: expected 1 or more");
+  if (options.every < 1) throw InputError(fmt::format("--every {}: expected 1 or more", options.every));
   std::error_code none;
   if (std::filesystem::equivalent(options.recording, options.out, none))
     throw InputError(options.out + ": is the recording itself; expected another file for --out");
@@ -79,7 +80,7 @@ FilmLimits film_limits_of(const ViewOptions& options) {
   FilmLimits limits;
   limits.from_s = options.from_s;
   limits.to_s = options.to_s;
-  limits.every = options.every;
+  limits.every = static_cast<std::size_t>(options.every);
   return limits;
 }
 
@@ -132,8 +133,8 @@ bool holds_thoughts(const Recording& recording) {
 void check_window(const Recording& recording, const ViewOptions& options, const Film& film) {
   if (film.size() > 0) return;
   if (recording.size() == 0) throw InputError(options.recording + ": holds no frames");
-  throw InputError(fmt::format("{}: no frame between --from {} and --to {}; it runs from {} to {} s",
-                               options.recording, options.from_s, options.to_s, recording.frame(0).time,
+  throw InputError(fmt::format("{}: no frame in the time that --from and --to leave; it runs from {} to {} s",
+                               options.recording, recording.frame(0).time,
                                recording.frame(recording.size() - 1).time));
 }
 
@@ -160,6 +161,8 @@ int view(const ViewOptions& options, const Program& program) {
   const Recording recording = Recording::read(options.recording);
   const RecordingInfo& info = recording.info();
   const Scenario scenario = parse_scenario(info.scenario_yaml, options.recording + " (scenario)");
+  if (scenario.vehicles.size() != info.vehicles.size())
+    throw InputError(options.recording + ": its frames and its scenario have different vehicles");
   Film film{scenario, film_limits_of(options)};
   const bool again = options.sketch && !holds_thoughts(recording);
   const bool complete = again ? show_again(recording, scenario, options.recording, film, program.stop)

@@ -72,6 +72,27 @@ TEST(EncounterMetric, AnEncounterStillOpenOnArrivalCounts) {
   EXPECT_EQ(s.value("collision_count", 0), 0);
 }
 
+TEST(EncounterMetric, ShowsItsOpenEncountersUntilTheyAreCounted) {
+  using Contact = EncounterMetric::Contact;
+  EncounterMetric metric{{6.0, 3.0}};
+  Tick tick{0};
+  const auto worst = [&](double x, Phase phase) {
+    std::array<VehicleFrame, 2> vehicles{};
+    vehicles[0].phase = phase;
+    vehicles[1].state.p_n = {x, 0, 0};
+    metric.see({tick, seconds(tick, 1.0), 1.0, vehicles});
+    tick = next(tick);
+    return metric.contacts(0).empty() ? Contact::none : metric.contacts(0)[1];
+  };
+  EXPECT_EQ(worst(5, Phase::waiting), Contact::none);
+  EXPECT_EQ(worst(5, Phase::under_way), Contact::near);
+  EXPECT_EQ(worst(2, Phase::under_way), Contact::collided);
+  EXPECT_EQ(worst(5, Phase::under_way), Contact::collided) << "latched";
+  EXPECT_EQ(worst(7, Phase::under_way), Contact::none);
+  EXPECT_EQ(worst(5, Phase::under_way), Contact::near);
+  EXPECT_EQ(worst(5, Phase::arrived), Contact::none);
+}
+
 TEST(EncounterMetric, AStuckVehicleIsCountedUpToThenAndItsOpenEncountersAreNot) {
   Script s;
   s.pair(10).pair(5).pair(5, Phase::stuck).pair(9, Phase::stuck);

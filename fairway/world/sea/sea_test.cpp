@@ -182,6 +182,21 @@ TEST(Sea, WavesAndCurrentDrawFromStreamsOfTheirOwn) {
       1e-15);
 }
 
+TEST(Sea, ItsCurrentIsItsWaterWithoutWhatTheWavesDo) {
+  Sea sea{everything(), Rng{8}};
+  WaterSpec calm = everything();
+  calm.waves = {};
+  Sea flat{calm, Rng{8}};
+  for (int i = 0; i < 100; ++i) {
+    sea.advance(0.05);
+    flat.advance(0.05);
+  }
+  EXPECT_EQ(sea.current_at(3.0), flat.water_at({1, 2, 3}, 5.0).current_n);
+  EXPECT_NE(sea.current_at(3.0), sea.water_at({1, 2, 3}, 5.0).current_n);
+  EXPECT_TRUE(flat.waves().empty());
+  EXPECT_FALSE(sea.waves().empty());
+}
+
 TEST(Sea, ACopyIsASnapshot) {
   Sea sea{everything(), Rng{8}};
   const Sea before = sea;
