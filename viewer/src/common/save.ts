@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 import { h } from './dom';
 
-/** Offers `text` as a file to save. */
-export function save_text(name: string, type: string, text: string): void {
-  const url = URL.createObjectURL(new Blob([text], { type: `${type};charset=utf-8` }));
+/** Offers `blob` as a file to save. */
+export function save_blob(name: string, blob: Blob): void {
+  const url = URL.createObjectURL(blob);
   const link = h('a', { href: url, download: name });
   document.body.append(link);
   link.click();
   link.remove();
   setTimeout(() => URL.revokeObjectURL(url), 10_000);
+}
+
+/** Offers `text` as a file to save. */
+export function save_text(name: string, type: string, text: string): void {
+  save_blob(name, new Blob([text], { type: `${type};charset=utf-8` }));
 }
 
 /** Puts `text` on the clipboard; false where the browser refuses. */

@@ -1,10 +1,58 @@
 // SPDX-License-Identifier: Apache-2.0
 import '../common/tokens.css';
+import '../common/parts.css';
+import './page.css';
+import './side.css';
+import './transport.css';
+import { h } from '../common/dom';
+import { embedded_text, show_problem } from '../common/problem';
+import { DataError } from '../common/reader';
+import { decode } from './decode';
 import { Film } from './film';
-import type { Document } from './model';
+import { LiveRun } from './live';
+import type { Document, Part } from './model';
+import { show_page } from './page';
 
-const text = document.getElementById('fairway-data')?.textContent?.trim() ?? '';
-const playback = JSON.parse(text) as Document;
-const film = new Film(playback.columns, playback.scene.vehicles.length);
-if (playback.film !== null) film.append(playback.film);
-document.getElementById('page')!.textContent = `${playback.title}: ${film.count} frames`;
+const into = document.getElementById('page')!;
+
+function complain(error: unknown): void {
+  show_problem(into, 'playback', error, 'Making the page again from its recording usually helps.');
+}
+
+function recorded(film: Film, part: Part): void {
+  try {
+    film.append(part);
+  } catch (error) {
+    throw new DataError(`film: ${error instanceof Error ? error.message : String(error)}`);
+  }
+  if (film.count === 0) throw new DataError('film: it has no frames');
+}
+
+/** The page appears with the first frame. */
+function watch(playback: Document, film: Film): void {
+  into.replaceChildren(h('p', { class: 'waiting', role: 'status' }, 'Waiting for the first frame of the run.'));
+  const live = new LiveRun(film);
+  let shown = false;
+  live.on_answer(() => {
+    if (!shown && film.count > 0) {
+      shown = true;
+      show_page(playback, film, live, into);
+    } else if (!shown && live.trouble !== '') {
+      into.replaceChildren(h('p', { class: 'waiting', role: 'status' }, live.trouble));
+    }
+  });
+  live.watch().catch(complain);
+}
+
+try {
+  const playback = decode(embedded_text('playback'));
+  const film = new Film(playback.columns, playback.scene.vehicles.length);
+  if (playback.film === null) {
+    watch(playback, film);
+  } else {
+    recorded(film, playback.film);
+    show_page(playback, film, null, into);
+  }
+} catch (error) {
+  complain(error);
+}

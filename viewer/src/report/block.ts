@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A block of the document as an element, numbered over the whole page.
 import { h } from '../common/dom';
+import { problem_element } from '../common/problem';
 import { boxes_chart } from './charts/boxes';
 import type { Chart, Palettes } from './charts/chart';
 import { intervals_chart } from './charts/intervals';
@@ -74,10 +75,6 @@ function grid_element(block: GridBlock, context: Context): HTMLElement {
     h('a', { class: 'ref', href: `#figure-${number}` }, `Figure ${number}`), h('span', { class: 'title' }, block.title)));
   return h('div', { class: 'grid-figure', id: number === null ? undefined : `figure-${number}` }, head,
     shared === null || entries.length === 0 ? null : legend(entries, shared.hidden, () => shared.redraws.forEach((redraw) => redraw())), area);
-}
-
-export function problem_element(text: string): HTMLElement {
-  return h('div', { class: 'note problem', role: 'alert' }, h('b', {}, 'Not shown'), h('p', {}, text));
 }
 
 export function block_element(block: Block, context: Context): HTMLElement {

@@ -5,7 +5,7 @@ import type {
   Block, BoxesBlock, Cell, Column, Document, GridBlock, IntervalsBlock, LinesBlock, NoteBlock, Point, Range, RasterBlock,
   Rule, Section, TableBlock, TrajectoriesBlock,
 } from './model';
-import { DataError, Reader } from './reader';
+import { DataError, Reader } from '../common/reader';
 
 const numbers_or_null = (entry: Reader): number | null => entry.number_or_null();
 

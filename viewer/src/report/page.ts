@@ -6,7 +6,7 @@ import { action_button, copy_text } from '../common/save';
 import { theme_toggle } from '../common/theme';
 import { block_element, Numbering, type Context } from './block';
 import type { Palettes } from './charts/chart';
-import { buoy } from './buoy';
+import { buoy } from '../common/buoy';
 import type { Block, Document } from './model';
 
 function all_blocks(blocks: Block[]): Block[] {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-import { s } from '../common/dom';
+import { s } from './dom';
 
 /** The mark of the page: a safe-water buoy, red and white in vertical stripes, as it stands in a fairway. */
 export function buoy(): SVGElement {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Reads a page's data strictly: whatever is not as it should be is said with the path that leads to it.
 
 /** What is wrong with the document, and where. */
 export class DataError extends Error {}
@@ -37,6 +38,9 @@ export class Reader {
   }
   number(): number {
     return typeof this.value === 'number' && Number.isFinite(this.value) ? this.value : this.fail('a number');
+  }
+  flag(): boolean {
+    return typeof this.value === 'boolean' ? this.value : this.fail('true or false');
   }
   number_or_null(): number | null {
     return this.absent ? null : this.number();

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// A run that is still going on: asks the server that this page came from for what is new, and may tell it to
+// pause, go on or step. It asks for nothing else.
+import { Reader } from '../common/reader';
+import { decode_part } from './decode';
+import type { Film } from './film';
+
+export interface RunState {
+  paused: boolean;
+  done: boolean;
+  time_s: number;
+  speed: number;
+}
+export type Order = 'pause' | 'resume' | 'step';
+
+const least_gap_ms = 50;
+const gap_without_answer_ms = 2000;
+
+function decode_state(at: Reader): RunState {
+  return {
+    paused: at.at('paused').flag(), done: at.at('done').flag(), time_s: at.at('time_s').number(), speed: at.at('speed').number(),
+  };
+}
+
+export class LiveRun {
+  /** Null before the first answer. */
+  state: RunState | null = null;
+  /** Why nothing comes; empty while all is well. */
+  trouble = '';
+  private readonly listeners: ((grown: boolean) => void)[] = [];
+
+  constructor(private readonly film: Film) {}
+
+  /** Hears of every answer, and whether the film has grown by it. */
+  on_answer(listener: (grown: boolean) => void): void {
+    this.listeners.push(listener);
+  }
+
+  /** Asks again and again, one request at a time, until the run is over and all of it is here. */
+  async watch(): Promise<void> {
+    for (;;) {
+      const begin = performance.now();
+      const grown = await this.ask();
+      for (const listener of this.listeners) listener(grown);
+      if (this.state?.done === true && !grown && this.trouble === '') return;
+      const gap = this.trouble === '' ? least_gap_ms : gap_without_answer_ms;
+      await new Promise((resume) => setTimeout(resume, Math.max(0, begin + gap - performance.now())));
+    }
+  }
+
+  order(what: Order): void {
+    fetch(what, { method: 'POST' }).catch(() => {
+      // The next question finds out that nobody is there.
+    });
+  }
+
+  private async ask(): Promise<boolean> {
+    let answer: unknown;
+    try {
+      const response = await fetch(`part?from=${this.film.count}&generation=${this.film.generation}`, { cache: 'no-store' });
+      if (!response.ok) throw new Error(`it answers ${response.status}`);
+      answer = await response.json();
+    } catch {
+      this.trouble = 'The run has ended, or its server is gone. What has come in so far stays here.';
+      return false;
+    }
+    try {
+      return this.take(new Reader(answer, ''));
+    } catch (error) {
+      this.trouble = `What the run sent cannot be read: ${error instanceof Error ? error.message : String(error)}.`;
+      return false;
+    }
+  }
+
+  /** True where the film has grown by it. */
+  private take(answer: Reader): boolean {
+    this.state = decode_state(answer.at('state'));
+    this.trouble = '';
+    const part = decode_part(answer.at('part'), this.film.vehicles);
+    if (part === null || part.count === 0) return false;
+    this.film.append(part);
+    return true;
+  }
+}

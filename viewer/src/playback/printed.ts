@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// The film's values as the page prints them.
+import { colour_count } from '../common/colour';
+import { fixed } from '../common/format';
+import type { Film } from './film';
+import { alerts, modes, phases, type RunEvent, type Scene } from './model';
+
+/** Decimals of times [s] and positions [m]. */
+const digits = 3;
+
+export const seconds = (time: number): string => fixed(time, digits);
+export const vehicle_colour = (vehicle: number): string => `var(--c${vehicle % colour_count})`;
+
+/** North, east and down [m]. */
+export function position_texts(film: Film, index: number, vehicle: number): string[] {
+  return [0, 1, 2].map((k) => fixed(film.value('position_m', index, vehicle, k), digits));
+}
+
+/** Over ground [m/s]. */
+export function speed_of(film: Film, index: number, vehicle: number): number {
+  return Math.hypot(...[0, 1, 2].map((k) => film.value('velocity_mps', index, vehicle, k)));
+}
+
+/** From the vehicle to its goal [m]. */
+export function goal_distance(film: Film, index: number, vehicle: number): number {
+  return Math.hypot(...[0, 1, 2].map((k) => film.value('goal_m', index, vehicle, k) - film.value('position_m', index, vehicle, k)));
+}
+
+const words = (code: string | undefined): string => (code ?? 'unknown').replace('_', ' ');
+export const phase_text = (film: Film, index: number, vehicle: number): string => words(phases[film.value('phase', index, vehicle)]);
+export const mode_text = (film: Film, index: number, vehicle: number): string => words(modes[film.value('mode', index, vehicle)]);
+export const alert_text = (film: Film, index: number, vehicle: number): string => words(alerts[film.value('alert', index, vehicle)]);
+
+/** What happened, for a list or a tip. */
+export function event_text(event: RunEvent, scene: Scene): string {
+  const name = (vehicle: number | null): string => (vehicle === null ? 'an obstacle' : scene.vehicles[vehicle]!.name);
+  const who = name(event.vehicle);
+  switch (event.kind) {
+    case 'detected': return `${who} detects ${name(event.other)}`;
+    case 'collision': return `${who} collides with ${name(event.other)}`;
+    case 'avoided': return `${who} has avoided ${name(event.other)}`;
+    case 'collided': return `${who} is clear of ${name(event.other)}, collision counted`;
+    case 'arrived': return `${who} arrives`;
+    case 'stuck': return `${who} is stuck`;
+  }
+}

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+// One card per vehicle: who it is and, of the frame that is shown, where it is and how it fares.
+import { h } from '../common/dom';
+import { fixed, finite } from '../common/format';
+import type { Choice } from './choice';
+import type { Film, Moment } from './film';
+import { icon_button } from './icons';
+import type { Scene } from './model';
+import type { Panel } from './panel';
+import { alert_text, goal_distance, mode_text, phase_text, position_texts, seconds, speed_of, vehicle_colour } from './printed';
+
+/** Of more vehicles than these, only the chosen ones show their numbers. */
+const most_in_full = 12;
+
+interface Card {
+  element: HTMLElement;
+  show(index: number): void;
+  choose(chosen: ReadonlySet<number>): void;
+}
+
+function value_row(label: string, unit: string): { row: HTMLElement; value: HTMLElement } {
+  const value = h('b', {});
+  return { row: h('span', { class: 'value' }, h('i', {}, label), value, h('i', {}, unit)), value };
+}
+
+// Untouched texts cost nothing; a page with fifty cards would otherwise spend its time in layout.
+function set_text(element: Element, text: string): void {
+  if (element.textContent !== text) element.textContent = text;
+}
+
+function make_card(vehicle: number, scene: Scene, film: Film, choice: Choice, brief: boolean): Card {
+  const spec = scene.vehicles[vehicle]!;
+  const swatch = h('span', { class: 'swatch', 'aria-hidden': 'true' });
+  swatch.style.background = vehicle_colour(vehicle);
+  const dot = h('span', { class: 'alert-dot' });
+  const status = h('span', { class: 'status' });
+  const places = ['n', 'e', 'd'].map((axis) => value_row(axis, ''));
+  const speed = value_row('speed', 'm/s');
+  const goal = value_row('to goal', 'm');
+  const main = h('button', {
+    type: 'button', class: 'vehicle', 'aria-pressed': 'false', title: 'Choose; shift-click adds, double-click follows',
+    click: (event) => choice.pick(vehicle, event instanceof MouseEvent && (event.shiftKey || event.ctrlKey || event.metaKey)),
+    dblclick: () => choice.follow(vehicle),
+  },
+  h('span', { class: 'who' }, swatch, h('span', { class: 'name' }, spec.name), dot, status),
+  h('span', { class: 'what' }, [spec.model, spec.avoider === '' ? 'no avoidance' : spec.avoider,
+    spec.cooperative ? '' : 'not cooperative'].filter((word) => word !== '').join(' · ')),
+  h('span', { class: 'values place' }, ...places.map(({ row }) => row), h('i', {}, 'm')),
+  h('span', { class: 'values' }, speed.row, goal.row));
+  const follow = icon_button('follow', `Follow ${spec.name}`, vehicle < 9 ? String(vehicle + 1) : '', () => choice.follow(vehicle));
+  const element = h('li', { class: brief ? 'brief' : '' }, main, follow);
+
+  let shown = false;
+  let state = '';
+  return {
+    element,
+    show(index) {
+      const alert = alert_text(film, index, vehicle);
+      const now = `${phase_text(film, index, vehicle)} · ${mode_text(film, index, vehicle)} · ${alert}`;
+      if (now !== state) {
+        state = now;
+        status.textContent = now;
+        dot.dataset['alert'] = alert;
+      }
+      if (brief && !shown) return;
+      position_texts(film, index, vehicle).forEach((text, k) => set_text(places[k]!.value, text));
+      set_text(speed.value, fixed(speed_of(film, index, vehicle), 3));
+      const distance = goal_distance(film, index, vehicle);
+      set_text(goal.value, finite(distance) ? fixed(distance, 3) : '–');
+    },
+    choose(chosen) {
+      shown = chosen.has(vehicle);
+      element.classList.toggle('chosen', shown);
+      main.setAttribute('aria-pressed', String(shown));
+      follow.classList.toggle('on', choice.camera === 'follow' && choice.followed === vehicle);
+    },
+  };
+}
+
+export function make_vehicle_list(scene: Scene, film: Film, choice: Choice): Panel {
+  const brief = scene.vehicles.length > most_in_full;
+  const cards = scene.vehicles.map((_, vehicle) => make_card(vehicle, scene, film, choice, brief));
+  const time = h('output', { class: 'at-time' });
+  const element = h('div', {}, h('p', { class: 'hint' }, 'In the frame at ', time, ' s: north, east, down'),
+    h('ul', { class: 'vehicles' }, ...cards.map((card) => card.element)));
+  let index = -1;
+  const show = (next: number): void => {
+    index = next;
+    set_text(time, seconds(film.time(index)));
+    for (const card of cards) card.show(index);
+  };
+  return {
+    element,
+    show(moment: Moment) {
+      if (moment.index !== index) show(moment.index);
+    },
+    choose(chosen) {
+      for (const card of cards) card.choose(chosen);
+      if (index >= 0) show(index);
+    },
+    grown: () => { index = -1; },
+    restyle: () => undefined,
+  };
+}
