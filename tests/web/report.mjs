@@ -4,71 +4,22 @@
 //   node tests/web/report.mjs [REPORT.html] [--screenshots DIR]
 //
 // Without a file, the committed template is filled with viewer/sample/report.json; rasters of known pixels and a few broken
-// documents are opened as well. Needs `npm ci` in viewer/ and a Chromium (CHROMIUM names another one than
-// /usr/bin/chromium). Ends with 0 when every check held, else with 1 and a list of those that did not.
-import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
-import { tmpdir } from 'node:os';
-import { join, resolve } from 'node:path';
-import { fileURLToPath, pathToFileURL } from 'node:url';
+// documents are opened as well. Ends with 0 when every check held, else with 1 and a list of those that did not.
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { Browser, command_line, root } from './browser.mjs';
 import { look_at_rasters, raster_report } from './raster_checks.mjs';
 import { checks } from './report_checks.mjs';
 
-const root = fileURLToPath(new URL('../../', import.meta.url));
-const { chromium } = createRequire(join(root, 'viewer/package.json'))('playwright-core');
+const { path: given, screenshots } = command_line();
+const browser = new Browser('fairway/report/template.html', ['--disable-gpu']);
 
-const words = process.argv.slice(2);
-const flag = words.indexOf('--screenshots');
-const screenshots = flag < 0 ? null : resolve(words.splice(flag, 2)[1] ?? '.');
-if (screenshots !== null) mkdirSync(screenshots, { recursive: true });
-
-const folder = mkdtempSync(join(tmpdir(), 'fairway-web-'));
-const failures = [];
-let held = 0;
-
-function render(json) {
-  const safe = json.replaceAll('</', '<\\/').replaceAll('<!', '\\u003c!');
-  return readFileSync(join(root, 'fairway/report/template.html'), 'utf8').replace('__FAIRWAY_DATA__', () => safe);
-}
-
-function write(name, json) {
-  const path = join(folder, name);
-  writeFileSync(path, render(json));
-  return path;
-}
-
-/** Opens the page in a fresh profile and hands it, with whatever it complained about, to `look`. */
-async function open(path, name, { width, height = 900, scheme }, look) {
-  const profile = mkdtempSync(join(folder, 'profile-'));
-  const context = await chromium.launchPersistentContext(profile, {
-    executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', headless: true,
-    viewport: { width, height }, colorScheme: scheme, acceptDownloads: true,
-    args: ['--no-sandbox', '--disable-dev-shm-usage', '--disable-gpu', '--disable-background-networking',
-      '--disable-component-update', '--disable-sync', '--no-first-run'],
-  });
-  const complaints = [];
-  try {
-    const page = context.pages()[0] ?? await context.newPage();
-    page.on('console', (message) => {
-      if (['error', 'warning'].includes(message.type())) complaints.push(`console ${message.type()}: ${message.text()}`);
-    });
-    page.on('pageerror', (error) => complaints.push(`page error: ${error.message}`));
-    page.on('request', (request) => {
-      if (!/^(file|data|blob):/.test(request.url())) complaints.push(`network request: ${request.url()}`);
-    });
-    const expect = (condition, what) => {
-      if (condition) ++held;
-      else failures.push(`${name}: ${what}`);
-    };
-    await page.goto(pathToFileURL(path).href);
-    await page.waitForSelector('main');
-    await page.evaluate(() => document.fonts.ready);
+/** Charts are laid out anew a moment after the page has got its size. */
+function open(path, name, options, look) {
+  return browser.open(path, name, options, async (page, expect, context) => {
     await page.waitForTimeout(150);
     await look(page, expect, context);
-    expect(complaints.length === 0, complaints.join('; '));
-  } finally {
-    await context.close();
-  }
+  });
 }
 
 async function look_at_report(path) {
@@ -114,7 +65,7 @@ const broken = {
 };
 
 async function look_at_known_rasters() {
-  const path = write('raster.html', raster_report);
+  const path = browser.write('raster.html', raster_report);
   for (const [width, scheme] of [[1280, 'light'], [400, 'dark']]) {
     await open(path, `raster, ${width} px, ${scheme}`, { width, scheme }, look_at_rasters);
   }
@@ -122,7 +73,7 @@ async function look_at_known_rasters() {
 
 async function look_at_broken() {
   for (const [name, [json, said]] of Object.entries(broken)) {
-    await open(write('broken.html', json), name, { width: 1280, scheme: 'light' }, async (page, expect) => {
+    await open(browser.write('broken.html', json), name, { width: 1280, scheme: 'light' }, async (page, expect) => {
       const text = await page.innerText('#page');
       expect(text.includes(said), `"${said}" is not on the page, which says: ${text.slice(0, 300)}`);
       expect(!/NaN|undefined/.test(await page.innerHTML('#page')), 'NaN on the page');
@@ -131,17 +82,11 @@ async function look_at_broken() {
   }
 }
 
-try {
-  if (words[0] !== undefined) {
-    await look_at_report(resolve(words[0]));
-  } else {
-    await look_at_report(write('report.html', readFileSync(join(root, 'viewer/sample/report.json'), 'utf8')));
-    await look_at_known_rasters();
-    await look_at_broken();
-  }
-} finally {
-  rmSync(folder, { recursive: true, force: true });
+if (given !== null) {
+  await look_at_report(given);
+} else {
+  await look_at_report(browser.write('report.html', readFileSync(join(root, 'viewer/sample/report.json'), 'utf8')));
+  await look_at_known_rasters();
+  await look_at_broken();
 }
-for (const failure of failures) console.log(`FAILED ${failure}`);
-console.log(`${held} checks held, ${failures.length} failed`);
-process.exit(failures.length === 0 ? 0 : 1);
+browser.finish();

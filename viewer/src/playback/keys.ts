@@ -28,6 +28,7 @@ export function key_name({ keys, shown, shift }: Binding): string {
 // Whoever types or turns a control with a key keeps that key.
 function taken(target: EventTarget | null, key: string): boolean {
   if (!(target instanceof Element)) return false;
+  if (target.closest('dialog') !== null) return key !== '?';
   if (target.closest('textarea, select, [contenteditable], input:not([type="range"])') !== null) return true;
   if (target.closest('button, a, summary') !== null) return key === ' ' || key === 'enter';
   return false;
