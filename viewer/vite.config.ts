@@ -26,6 +26,6 @@ export default defineConfig(({ mode, command }) => {
       reportCompressedSize: false,
       rollupOptions: { input: here(`./${command === 'build' ? mode : 'report'}.html`) },
     },
-    plugins: [sample_data((page) => here(`./sample/${page}.json`)), ...(template ? [single_page(here(template), mode === 'view')] : [])],
+    plugins: [sample_data((page) => here(`./sample/${page}.json`)), ...(template ? [single_page(here(template))] : [])],
   };
 });

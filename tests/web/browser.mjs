@@ -74,6 +74,7 @@ export class Browser {
         if (!/^(file|data|blob):/.test(address) && !allowed.includes(new URL(address).origin)) complain(`network request: ${address}`);
       });
       page.setDefaultTimeout(8000);
+      page.setDefaultNavigationTimeout(60_000);
       await page.goto(url);
       await page.waitForSelector('main');
       await page.evaluate(() => document.fonts.ready);

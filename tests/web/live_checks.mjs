@@ -38,7 +38,7 @@ function serve(html, sample) {
   const server = createServer((request, response) => {
     const { pathname, searchParams } = new URL(request.url, 'http://localhost');
     if (request.method === 'POST') {
-      run.seen.push(pathname);
+      run.seen.push(request.headers['x-fairway'] === '1' ? pathname : `${pathname} without X-Fairway`);
       if (pathname !== '/step') run.paused = pathname === '/pause';
       if (pathname === '/step') ++run.frames;
       response.writeHead(204).end();
@@ -60,7 +60,8 @@ function serve(html, sample) {
 }
 
 export async function look_at_live(browser, sample) {
-  const html = browser.render(JSON.stringify({ ...sample, film: null, explanation: null }));
+  const html = browser.render(JSON.stringify({ ...sample, film: null, explanation: null }))
+    .replace("default-src 'none';", "default-src 'none'; connect-src 'self';");
   const { server, run, address } = await serve(html, sample);
   const options = { width: 1180, height: 820, scheme: 'light', harmless: /GPU stall|GL Driver Message|ERR_CONNECTION_REFUSED/ };
   await browser.open(address, 'a live run', options, async (page, expect) => {

@@ -142,7 +142,7 @@ async function keys_and_scrubber_move_time(view, expect) {
   const { count, events } = await view.film();
   const index = async () => (await view.state()).index;
   const { page } = view;
-  await page.click('.stage', { position: { x: 5, y: 200 } });
+  await page.click('.stage-area', { position: { x: 5, y: 200 } });
   await page.keyboard.press('End');
   expect(await index() === count - 1, 'End does not end');
   await page.keyboard.press('ArrowLeft');
@@ -236,9 +236,9 @@ async function it_fits_a_phone(view, expect) {
     expect(picture.colours() > 4, `at ${width} px nothing is drawn`);
     const found = await page.evaluate(() => {
       const root = document.documentElement;
-      const wide = [...document.querySelectorAll('.playback *')].filter((e) => e.closest('svg, dialog, .picture, .charts, #thoughts, #explanation') === null &&
+      const wide = [...document.querySelectorAll('.playback *')].filter((e) => e.closest('svg, dialog, .picture, .charts-strip, #thoughts, #explanation') === null &&
         e.checkVisibility() && e.getBoundingClientRect().right > root.clientWidth + 1);
-      const small = [...document.querySelectorAll('.playback :is(button, summary, select)')].filter((e) => e.closest('.charts, #thoughts, #explanation, dialog') === null &&
+      const small = [...document.querySelectorAll('.playback :is(button, summary, select)')].filter((e) => e.closest('.charts-strip, #thoughts, #explanation, dialog') === null &&
         e.checkVisibility() && Math.min(e.getBoundingClientRect().height, e.getBoundingClientRect().width) < 39.5);
       const canvas = document.querySelector('.picture canvas').getBoundingClientRect();
       return { scroll: root.scrollWidth, client: root.clientWidth, canvas: [canvas.width, canvas.height],

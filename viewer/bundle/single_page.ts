@@ -10,15 +10,12 @@ export function script_safe(json: string): string {
   return json.replaceAll('</', '<\\/').replaceAll('<!', '\\u003c!');
 }
 
-// Nothing may be loaded from anywhere: the page says so itself, and browsers hold it to that. A page that is
-// served by a run asks that run, and nobody else.
-function policy(asks_its_server: boolean): string {
-  return "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:; font-src data:" +
-    (asks_its_server ? "; connect-src 'self'" : '');
-}
+// Nothing may be loaded from anywhere: the page says so itself, and browsers hold it to that.
+const policy =
+  "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:; font-src data:";
 
 /** Writes the built page to `target` with everything inlined; there is no other output. */
-export function single_page(target: string, asks_its_server: boolean): Plugin {
+export function single_page(target: string): Plugin {
   return {
     name: 'fairway-single-page',
     apply: 'build',
@@ -43,7 +40,7 @@ export function single_page(target: string, asks_its_server: boolean): Plugin {
         const html = String(page.source)
           .replace(/\s*<link rel="(stylesheet|modulepreload)"[^>]*>/g, '')
           .replace(/\s*<script type="module"[^>]*src=[^>]*><\/script>/g, '')
-          .replace('<head>', () => `<head>\n  <meta http-equiv="Content-Security-Policy" content="${policy(asks_its_server)}">`)
+          .replace('<head>', () => `<head>\n  <meta http-equiv="Content-Security-Policy" content="${policy}">`)
           .replace('</head>', () => `  <style>${styles.trim()}</style>\n</head>`)
           .replace('</body>', () => {
             const code = scripts.trim().replaceAll('</script', '<\\/script').replaceAll('<!--', '\\x3C!--');

@@ -52,7 +52,7 @@ export function make_about(playback: Document, film: Film): { element: HTMLEleme
     action_button('Copy', 'Copy the command', 'copied', () => copy_text(playback.command)));
   return {
     element: h('div', { class: 'about' }, playback.summary === '' ? null : h('p', {}, playback.summary), command, list,
-      h('p', { class: 'hint' }, 'This page is one file: it needs no network, and keeps working wherever it is copied.')),
+      h('p', { class: 'remark' }, 'This page is one file: it needs no network, and keeps working wherever it is copied.')),
     grown: fill,
   };
 }

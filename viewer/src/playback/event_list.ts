@@ -11,7 +11,7 @@ const most_shown = 300;
 
 export function make_event_list(scene: Scene, film: Film, go_to: (event: RunEvent) => void): Panel {
   const list = h('ol', { class: 'events' });
-  const note = h('p', { class: 'hint' });
+  const note = h('p', { class: 'remark' });
   const element = h('div', {}, note, list);
   let chosen: ReadonlySet<number> = new Set();
   let shown: { event: RunEvent; button: HTMLButtonElement }[] = [];

@@ -34,6 +34,15 @@ function taken(target: EventTarget | null, key: string): boolean {
   return false;
 }
 
+/** A button that was clicked gives the keys back: a space after it plays, and does not press it again. */
+export function give_back_keys(within: HTMLElement): void {
+  within.addEventListener('click', (event) => {
+    const button = event.target instanceof Element ? event.target.closest('button') : null;
+    // Pressed with a key, a click has no count.
+    if (button !== null && event.detail > 0) button.blur();
+  });
+}
+
 /** Keys reach `bindings` unless a control has use for them, or a modifier makes them the browser's. */
 export function listen(bindings: Binding[]): void {
   window.addEventListener('keydown', (event) => {

@@ -14,7 +14,7 @@ import type { Film } from './film';
 import { Help } from './help';
 import { expose } from './hook';
 import { icon_button } from './icons';
-import { listen } from './keys';
+import { give_back_keys, listen } from './keys';
 import { make_layer_list } from './layer_list';
 import { MomentLink } from './link';
 import type { LiveRun } from './live';
@@ -29,7 +29,7 @@ import { make_transport } from './transport';
 import { make_vehicle_list } from './vehicle_list';
 
 /** Windows at least this large begin with the charts open [px]. */
-const roomy = '(min-width: 1000px) and (min-height: 760px)';
+const roomy = '(min-width: 1000px) and (min-height: 840px)';
 
 function section(id: string, title: string, open: boolean, ...content: (HTMLElement | null)[]): HTMLDetailsElement {
   return h('details', { id, class: 'section', open }, h('summary', {}, title), ...content);
@@ -65,11 +65,13 @@ export function show_page(playback: Document, film: Film, live: LiveRun | null, 
   const { scene } = playback;
   window.document.title = `${playback.title} · fairway view`;
   const picture = h('div', { class: 'picture', role: 'img', 'aria-label': `The run in three dimensions: ${playback.title}` });
-  const stage_area = h('main', { class: 'stage' }, picture);
+  const stage_area = h('main', { class: 'stage-area' }, picture);
   const side = h('aside', { class: 'side', 'aria-label': 'The run' });
-  const charts_strip = h('details', { class: 'charts' }, h('summary', {}, 'Charts'));
+  const charts_strip = h('details', { class: 'charts-strip' }, h('summary', {}, 'Charts'));
   const lower = h('div', { class: 'lower' }, charts_strip, side);
   const bar = h('header', { class: 'bar' });
+  // It sets the theme, whose colours everything below draws with.
+  const theme = theme_toggle();
   const page = h('div', { class: 'playback' }, bar, stage_area, lower);
   into.replaceChildren(page);
 
@@ -125,7 +127,7 @@ export function show_page(playback: Document, film: Film, live: LiveRun | null, 
   bar.append(h('span', { class: 'brand' }, buoy()), h('h1', {}, playback.title),
     h('p', { class: 'summary', title: playback.summary }, playback.summary), h('span', { class: 'version' }, playback.version),
     h('button', { type: 'button', class: 'tool', 'aria-label': 'Help', title: 'Keys and pointer (?)', click: () => help.toggle() }, '?'),
-    panel_button, theme_toggle());
+    panel_button, theme);
 
   // Charts are worked out when they are first opened, after the first picture.
   let charts: Panel | null = null;
@@ -158,6 +160,7 @@ export function show_page(playback: Document, film: Film, live: LiveRun | null, 
     }
   });
   listen(bindings);
+  give_back_keys(page);
   expose(film, clock, choice, stage);
 
   if (explanation !== null) {

@@ -81,7 +81,7 @@ export function make_vehicle_list(scene: Scene, film: Film, choice: Choice): Pan
   const brief = scene.vehicles.length > most_in_full;
   const cards = scene.vehicles.map((_, vehicle) => make_card(vehicle, scene, film, choice, brief));
   const time = h('output', { class: 'at-time' });
-  const element = h('div', {}, h('p', { class: 'hint' }, 'In the frame at ', time, ' s: north, east, down'),
+  const element = h('div', {}, h('p', { class: 'remark' }, 'In the frame at ', time, ' s: north, east, down'),
     h('ul', { class: 'vehicles' }, ...cards.map((card) => card.element)));
   let index = -1;
   const show = (next: number): void => {
