@@ -1,68 +1,283 @@
 // SPDX-License-Identifier: Apache-2.0
-// A plain map in place of the picture in three dimensions: dots from above.
-import { alerts } from '../model';
+// The picture in three dimensions: its parts, cameras and labels, drawn only when something has changed.
+import { AmbientLight, DirectionalLight, HemisphereLight, Scene as World, SRGBColorSpace, WebGLRenderer } from 'three';
+import { h } from '../../common/dom';
 import type { Film, Moment } from '../film';
 import type { Scene } from '../model';
-import type { MakeStage } from './stage_view';
+import { Cameras } from './cameras';
+import { read_colours, type Colours } from './colours';
+import { extent_of, type Extent } from './extent';
+import { viewport } from './ink/lines';
+import { Labels, project, type Label } from './labels';
+import type { Part } from './part';
+import { fit_parts, make_parts, type Parts } from './parts/all';
+import { Vehicles } from './parts/vehicles';
+import { picture_of } from './picture';
+import { vehicle_at, watch_pointer } from './picker';
+import { Poses, steady_heading } from './poses';
+import { layers, type CameraKind, type Layer, type MakeStage, type StageView } from './stage_view';
+import './stage.css';
 
-const alert_colours = { clear: '#2e9e5b', detected: '#e08a00', collided: '#d0342c' };
+const heading_window_s = 2;
+/** Pictures further apart than this do not belong to one stretch of playing. */
+const pause_ms = 500;
 
-export const make_stage: MakeStage = (host: HTMLElement, scene: Scene, film: Film) => {
-  const canvas = document.createElement('canvas');
-  canvas.style.cssText = 'position:absolute;inset:0;width:100%;height:100%';
-  host.append(canvas);
-  const context = canvas.getContext('2d')!;
-  const hidden = new Set<string>();
-  let moment: Moment | null = null;
-  let chosen: ReadonlySet<number> = new Set();
-  let kind = 'orbit';
-  let reach = 1;
-  const fit = (): void => {
-    reach = 10;
-    for (let i = 0; i < film.count; i += 20) for (let v = 0; v < film.vehicles; ++v) for (const k of [0, 1]) reach = Math.max(reach, 1.2 * Math.abs(film.value('position_m', i, v, k)));
-  };
-  const place = (v: number): { x: number; y: number; scale: number } => {
-    const { index, part } = moment!;
-    const next = Math.min(index + 1, film.count - 1);
-    const at = (k: number): number => film.value('position_m', index, v, k) * (1 - part) + film.value('position_m', next, v, k) * part;
-    const scale = Math.min(host.clientWidth, host.clientHeight) / 2 / reach;
-    const tall = kind === 'side' ? -at(2) : at(0);
-    return { x: host.clientWidth / 2 + scale * at(1), y: host.clientHeight / 2 - scale * tall, scale };
-  };
-  const draw = (): void => {
-    const ratio = Math.min(devicePixelRatio, 2);
-    canvas.width = host.clientWidth * ratio;
-    canvas.height = host.clientHeight * ratio;
-    context.setTransform(ratio, 0, 0, ratio, 0, 0);
-    if (moment === null) return;
-    const style = getComputedStyle(host);
-    for (let v = 0; v < film.vehicles; ++v) {
-      const { x, y, scale } = place(v);
-      context.globalAlpha = 0.3;
-      context.fillStyle = alert_colours[alerts[film.value('alert', moment.index, v)]!];
-      context.beginPath();
-      context.arc(x, y, scale * scene.exam.crit_dist_m / 2, 0, 7);
-      if (!hidden.has('spheres')) context.fill();
-      context.globalAlpha = 1;
-      context.fillStyle = style.getPropertyValue(`--c${v % 8}`);
-      context.fillRect(x - 5, y - 5, 10, 10);
-      if (chosen.has(v)) context.strokeRect(x - 9, y - 9, 18, 18);
-      if (!hidden.has('sketch') && chosen.has(v) && film.sketches.any) context.strokeRect(x - 30, y - 30, 60, 60);
+function make_renderer(): WebGLRenderer {
+  try {
+    return new WebGLRenderer({ antialias: true, powerPreference: 'high-performance' });
+  } catch {
+    throw new Error('This browser shows no WebGL, which the picture in three dimensions needs.');
+  }
+}
+
+class Stage implements StageView {
+  frames_per_second = 0;
+  private readonly renderer = make_renderer();
+  private readonly canvas = this.renderer.domElement;
+  private readonly world = new World();
+  private readonly lights = [new HemisphereLight(), new DirectionalLight(), new AmbientLight()] as const;
+  private readonly labels = new Labels();
+  private readonly key = h('div', { class: 'stage-key' });
+  private readonly cameras: Cameras;
+  private readonly poses: Poses;
+  private readonly vehicles: Vehicles;
+  private readonly parts: Parts;
+  /** The same, for what is done to each. */
+  private readonly by_layer: Record<Layer, Part>;
+  private colours: Colours;
+  private extent: Extent;
+  private moment: Moment = { time: 0, index: 0, part: 0 };
+  private chosen: ReadonlySet<number> = new Set();
+  private followed = 0;
+  private picked: ((vehicle: number | null, adding: boolean) => void) | null = null;
+  /** Whether what is shown has changed since the last picture, besides the camera. */
+  private stale = true;
+  private requested = 0;
+  private last_picture_ms = 0;
+  private mean_ms = 0;
+  private key_text = '';
+  /** Of the film, when the extent was last measured. */
+  private measured = { count: -1, generation: -1 };
+
+  constructor(private readonly host: HTMLElement, private readonly scene: Scene, private readonly film: Film) {
+    host.classList.add('stage');
+    this.renderer.outputColorSpace = SRGBColorSpace;
+    this.poses = new Poses(film);
+    this.vehicles = new Vehicles(scene);
+    this.parts = make_parts(scene, film);
+    this.by_layer = this.parts;
+    this.world.add(...this.lights, this.vehicles.object, ...layers.map((layer) => this.parts[layer].object));
+    this.canvas.setAttribute('role', 'img');
+    this.canvas.setAttribute('aria-label', 'The run in three dimensions');
+    host.append(this.canvas, this.labels.element, this.key);
+    this.cameras = new Cameras(this.canvas, () => this.request());
+    this.colours = read_colours(host);
+    this.extent = extent_of(scene, film);
+    this.restyle();
+    this.resize();
+    this.fit();
+    this.listen();
+  }
+
+  private listen(): void {
+    new ResizeObserver(() => this.resize()).observe(this.host);
+    this.canvas.addEventListener('webglcontextrestored', () => this.refresh());
+    watch_pointer(this.canvas, (x, y, adding) => this.picked?.(this.vehicle_at(x, y), adding), (x, y) => this.point_at(x, y));
+  }
+
+  show(moment: Moment): void {
+    this.moment = moment;
+    this.refresh();
+  }
+
+  choose(vehicles: ReadonlySet<number>): void {
+    this.chosen = new Set(vehicles);
+    this.refresh();
+  }
+
+  follow(vehicle: number): void {
+    if (vehicle !== this.followed) this.cameras.release();
+    this.followed = vehicle;
+    this.parts.names.followed = vehicle;
+    this.refresh();
+  }
+
+  set_camera(kind: CameraKind): void {
+    this.cameras.set(kind);
+    this.refresh();
+  }
+
+  set_layer(layer: Layer, shown: boolean): void {
+    this.parts[layer].object.visible = shown;
+    this.refresh();
+  }
+
+  fit(): void {
+    this.measure();
+    this.cameras.fit(this.extent.box);
+    this.refresh();
+  }
+
+  restyle(): void {
+    this.colours = read_colours(this.host);
+    this.renderer.setClearColor(this.colours.deep);
+    this.light();
+    this.vehicles.restyle(this.colours.series);
+    fit_parts(this.parts, this.colours, this.extent);
+    this.refresh();
+  }
+
+  place_of(vehicle: number): { x: number; y: number } | null {
+    const at = this.poses.positions[vehicle];
+    if (at === undefined) return null;
+    this.settle();
+    const point = project(at, this.cameras.camera, this.host.clientWidth, this.host.clientHeight);
+    return point && { x: point.x, y: point.y };
+  }
+
+  on_pick(listener: (vehicle: number | null, adding: boolean) => void): void {
+    this.picked = listener;
+  }
+
+  picture(): Promise<Blob> {
+    // The buffer is only certain to hold the picture until the browser has shown it.
+    this.draw();
+    return picture_of(this.canvas, this.labels.placed, this.colours.deep.getStyle());
+  }
+
+  private light(): void {
+    const [sky, sun, around] = this.lights;
+    const { dark } = this.colours;
+    sky.color.set('#ffffff');
+    sky.groundColor.set(dark ? '#5d7486' : '#8aa0ae');
+    sky.intensity = dark ? 1.5 : 1.7;
+    sun.position.set(-0.5, 1, 0.4);
+    sun.intensity = dark ? 1.7 : 1.6;
+    around.intensity = dark ? 0.5 : 0.4;
+  }
+
+  /** How far the film reaches now. */
+  private measure(): void {
+    this.measured = { count: this.film.count, generation: this.film.generation };
+    this.extent = extent_of(this.scene, this.film);
+    fit_parts(this.parts, this.colours, this.extent);
+  }
+
+  private resize(): void {
+    const { clientWidth: width, clientHeight: height } = this.host;
+    if (width === 0 || height === 0) return;
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    this.renderer.setSize(width, height, false);
+    this.renderer.getDrawingBufferSize(viewport.size.value);
+    viewport.ratio.value = this.renderer.getPixelRatio();
+    this.cameras.resize(width, height);
+    // A canvas of another size is empty until it is drawn on, so that waiting would show as a flicker.
+    this.draw();
+  }
+
+  private refresh(): void {
+    this.stale = true;
+    this.request();
+  }
+
+  private request(): void {
+    if (this.requested === 0) this.requested = requestAnimationFrame((now) => this.on_frame(now));
+  }
+
+  private on_frame(now_ms: number): void {
+    this.requested = 0;
+    this.count_frame(now_ms);
+    this.draw();
+  }
+
+  private count_frame(now_ms: number): void {
+    const taken = now_ms - this.last_picture_ms;
+    this.last_picture_ms = now_ms;
+    if (taken <= 0 || taken > pause_ms) {
+      this.mean_ms = 0;
+      return;
     }
-  };
-  new ResizeObserver(draw).observe(host);
-  fit();
-  return {
-    show: (now) => { moment = now; draw(); },
-    choose: (vehicles) => { chosen = vehicles; draw(); },
-    follow: () => undefined,
-    set_camera: (next) => { kind = next; draw(); },
-    set_layer: (layer, shown) => { if (shown) hidden.delete(layer); else hidden.add(layer); draw(); },
-    fit: () => { fit(); draw(); },
-    restyle: draw,
-    place_of: (v) => (moment === null ? null : place(v)),
-    on_pick: () => undefined,
-    picture: () => new Promise((done) => canvas.toBlob((blob) => done(blob!))),
-    frames_per_second: 0,
-  };
-};
+    this.mean_ms = this.mean_ms === 0 ? taken : this.mean_ms + 0.08 * (taken - this.mean_ms);
+    this.frames_per_second = 1000 / this.mean_ms;
+  }
+
+  private draw(): void {
+    if (this.renderer.getContext().isContextLost()) return;
+    this.settle();
+    const { camera } = this.cameras;
+    this.parts.grid.face(camera);
+    this.renderer.render(this.world, camera);
+    this.labels.place(this.written(), camera, this.host.clientWidth, this.host.clientHeight);
+  }
+
+  /** Brings everything to the moment and the camera to its place. */
+  private settle(): void {
+    if (this.stale) {
+      this.stale = false;
+      this.grow();
+      this.show_parts();
+    }
+    this.cameras.update();
+  }
+
+  /** A live film reaches further and further: the frame follows where it has doubled, the camera stays. */
+  private grow(): void {
+    const { count, generation } = this.measured;
+    if (this.film.generation !== generation || this.film.count < count || this.film.count >= 2 * Math.max(count, 16)) this.measure();
+  }
+
+  private show_parts(): void {
+    if (this.film.count > 0) this.poses.update(this.moment);
+    const now = {
+      moment: this.moment, poses: this.poses, chosen: this.chosen, colours: this.colours,
+      thinkers: this.chosen.size > 0 ? [...this.chosen] : [this.followed],
+    };
+    this.vehicles.show(now);
+    for (const part of this.shown_parts()) part.show(now);
+    this.show_key();
+    const spec = this.scene.vehicles[this.followed];
+    if (this.cameras.kind === 'follow' && spec && this.film.count > 0) {
+      this.cameras.keep_to(this.poses.positions[this.followed]!, steady_heading(this.film, this.moment, this.followed, heading_window_s), spec.length_m);
+    }
+  }
+
+  private shown_parts(): Part[] {
+    return layers.map((layer) => this.by_layer[layer]).filter((part) => part.object.visible);
+  }
+
+  private show_key(): void {
+    const lines = this.shown_parts().flatMap((part) => part.key?.() ?? []);
+    const text = JSON.stringify(lines);
+    if (text === this.key_text) return;
+    this.key_text = text;
+    this.key.replaceChildren(...lines.map((line) => {
+      const swatch = h('span', { class: 'swatch' });
+      swatch.style.background = `var(${line.colour})`;
+      return line.colour === '' ? h('p', {}, line.text) : h('div', {}, swatch, line.text);
+    }));
+  }
+
+  private written(): Label[] {
+    const beside = this.shown_parts().flatMap((part) => part.labels?.() ?? []);
+    return [...beside, ...this.parts.names.labels_from(this.cameras.camera)];
+  }
+
+  private vehicle_at(x: number, y: number): number | null {
+    this.settle();
+    return vehicle_at(x, y, {
+      camera: this.cameras.camera, positions: this.poses.positions, radii: this.scene.vehicles.map((v) => v.length_m / 2),
+      width: this.host.clientWidth, height: this.host.clientHeight,
+    });
+  }
+
+  private point_at(x: number, y: number): void {
+    const vehicle = Number.isNaN(x) ? null : this.vehicle_at(x, y);
+    if (vehicle === this.vehicles.hovered) return;
+    this.vehicles.hovered = vehicle;
+    this.parts.names.hovered = vehicle;
+    this.canvas.classList.toggle('over-vehicle', vehicle !== null);
+    this.refresh();
+  }
+}
+
+export const make_stage: MakeStage = (host, scene, film) => new Stage(host, scene, film);

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+// The four ways of looking: around, behind a vehicle, from above with north up, and from the south.
+import { Box3, OrthographicCamera, PerspectiveCamera, Vector3, type Camera } from 'three';
+import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
+import type { CameraKind } from './stage_view';
+
+const field_deg = 38;
+/** From the west of south, some way above: where one looks from at first. */
+const first_look = new Vector3(-0.55, 0.5, 0.85).normalize();
+const upward = new Vector3(0, 1, 0);
+const north = new Vector3(0, 0, -1);
+
+const right = new Vector3();
+const above = new Vector3();
+const corner = new Vector3();
+const centre = new Vector3();
+const shift = new Vector3();
+
+function corners_of(box: Box3): Vector3[] {
+  return Array.from({ length: 8 }, (_, k) => new Vector3(k & 1 ? box.max.x : box.min.x, k & 2 ? box.max.y : box.min.y, k & 4 ? box.max.z : box.min.z));
+}
+
+/** How far a camera that looks along `-direction` has to be for the box to be within its field. */
+function distance_for(box: Box3, direction: Vector3, aspect: number): number {
+  const tan = Math.tan((field_deg * Math.PI) / 360);
+  right.crossVectors(upward, direction).normalize();
+  above.crossVectors(direction, right);
+  box.getCenter(centre);
+  return Math.max(...corners_of(box).map((p) => {
+    corner.subVectors(p, centre);
+    return corner.dot(direction) + Math.max(Math.abs(corner.dot(right)) / (tan * aspect), Math.abs(corner.dot(above)) / tan);
+  }));
+}
+
+export class Cameras {
+  kind: CameraKind = 'orbit';
+  private readonly perspective = new PerspectiveCamera(field_deg, 1, 0.1, 1000);
+  private readonly flat = { top: new OrthographicCamera(), side: new OrthographicCamera() };
+  private readonly around: OrbitControls;
+  private readonly across: { top: OrbitControls; side: OrbitControls };
+  private readonly box = new Box3(new Vector3(-1, -1, -1), new Vector3(1, 1, 1));
+  private radius = 1;
+  private aspect = 1;
+  /** What follows was last kept to, to move on by the difference. */
+  private kept: { at: Vector3; heading: number } | null = null;
+  private orbit_place: { position: Vector3; target: Vector3 } | null = null;
+
+  constructor(canvas: HTMLElement, changed: () => void) {
+    this.around = new OrbitControls(this.perspective, canvas);
+    this.around.enableDamping = true;
+    this.around.dampingFactor = 0.12;
+    this.across = { top: this.flat_controls('top', canvas), side: this.flat_controls('side', canvas) };
+    for (const controls of [this.around, this.across.top, this.across.side]) {
+      controls.zoomToCursor = true;
+      controls.addEventListener('change', changed);
+    }
+    this.enable();
+  }
+
+  private flat_controls(kind: 'top' | 'side', canvas: HTMLElement): OrbitControls {
+    // Which way is up has to be settled before the controls are made.
+    this.flat[kind].up.copy(kind === 'top' ? north : upward);
+    const controls = new OrbitControls(this.flat[kind], canvas);
+    controls.enableRotate = false;
+    controls.screenSpacePanning = true;
+    // Without rotation, one finger or the first button moves the chart.
+    controls.mouseButtons.LEFT = 2;
+    controls.touches.ONE = 1;
+    return controls;
+  }
+
+  get camera(): Camera {
+    return this.kind === 'top' || this.kind === 'side' ? this.flat[this.kind] : this.perspective;
+  }
+
+  private get controls(): OrbitControls {
+    return this.kind === 'top' || this.kind === 'side' ? this.across[this.kind] : this.around;
+  }
+
+  private enable(): void {
+    for (const controls of [this.around, this.across.top, this.across.side]) controls.enabled = controls === this.controls;
+  }
+
+  /** `follow` comes to the vehicle with the next `keep_to`; `orbit` returns to where it was. */
+  set(kind: CameraKind): void {
+    if (kind === this.kind) return;
+    if (this.kind === 'orbit') this.orbit_place = { position: this.perspective.position.clone(), target: this.around.target.clone() };
+    this.kind = kind;
+    this.kept = null;
+    if (kind === 'orbit' && this.orbit_place) {
+      this.perspective.position.copy(this.orbit_place.position);
+      this.around.target.copy(this.orbit_place.target);
+    }
+    this.around.zoomToCursor = kind === 'orbit';
+    this.around.enablePan = kind !== 'follow';
+    this.enable();
+    this.controls.update();
+  }
+
+  resize(width: number, height: number): void {
+    this.aspect = width / Math.max(1, height);
+    this.perspective.aspect = this.aspect;
+    this.perspective.updateProjectionMatrix();
+    for (const kind of ['top', 'side'] as const) this.span(kind, this.flat[kind].top);
+  }
+
+  private span(kind: 'top' | 'side', half: number): void {
+    const camera = this.flat[kind];
+    camera.top = half;
+    camera.bottom = -half;
+    camera.right = half * this.aspect;
+    camera.left = -camera.right;
+    camera.updateProjectionMatrix();
+  }
+
+  /** All of them look at the whole box again. */
+  fit(box: Box3): void {
+    this.box.copy(box);
+    this.radius = box.getSize(corner).length() / 2;
+    box.getCenter(centre);
+    const middle = centre.clone();
+    const place = { position: middle.clone().addScaledVector(first_look, 1.08 * distance_for(box, first_look, this.aspect)), target: middle };
+    this.orbit_place = place;
+    if (this.kind !== 'follow') {
+      this.perspective.position.copy(place.position);
+      this.around.target.copy(middle);
+    }
+    this.kept = null;
+    const half = box.getSize(corner).multiplyScalar(0.5);
+    this.look_flat('top', middle, upward, Math.max(half.z, half.x / this.aspect));
+    this.look_flat('side', middle, shift.copy(north).negate(), Math.max(half.y, half.x / this.aspect));
+    for (const controls of [this.around, this.across.top, this.across.side]) {
+      controls.maxDistance = 12 * this.radius;
+      controls.minDistance = 0.5;
+      controls.update();
+    }
+  }
+
+  private look_flat(kind: 'top' | 'side', middle: Vector3, from: Vector3, half: number): void {
+    const camera = this.flat[kind];
+    camera.position.copy(middle).addScaledVector(from, 4 * this.radius);
+    camera.near = 0;
+    camera.far = 8 * this.radius;
+    camera.zoom = 1;
+    this.across[kind].target.copy(middle);
+    this.span(kind, 1.12 * half);
+  }
+
+  /** In `follow`, moves on with the vehicle and turns with its heading; what the reader has turned or zoomed stays. */
+  keep_to(at: Vector3, heading: number, length: number): void {
+    if (this.kind !== 'follow') return;
+    if (this.kept === null) {
+      const back = Math.max(6 * length, 4);
+      this.around.target.copy(at);
+      this.perspective.position.copy(at).add(corner.set(-Math.sin(heading), 0.42, Math.cos(heading)).multiplyScalar(back));
+    } else {
+      shift.subVectors(this.perspective.position, this.around.target).applyAxisAngle(upward, this.kept.heading - heading);
+      this.around.target.copy(at);
+      this.perspective.position.copy(at).add(shift);
+    }
+    this.kept = { at: at.clone(), heading };
+  }
+
+  /** Another vehicle is followed from now on. */
+  release(): void {
+    this.kept = null;
+  }
+
+  /** Before each picture: lets what the reader has pushed run out, and puts the planes about the scene. */
+  update(): void {
+    this.controls.update();
+    const away = this.perspective.position.distanceTo(this.box.getCenter(centre));
+    this.perspective.near = Math.max(0.1, 0.002 * this.perspective.position.distanceTo(this.around.target));
+    this.perspective.far = away + 4 * this.radius + 100;
+    this.perspective.updateProjectionMatrix();
+    this.camera.updateMatrixWorld();
+  }
+}

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// Translucent spheres with an equator and two meridians, all of them in one draw call.
+import { DoubleSide, Mesh, ShaderMaterial, SphereGeometry, type Color, type Vector3 } from 'three';
+import { Instances } from './instances';
+
+const vertex = `
+attribute vec3 centre;
+attribute float radius;
+attribute vec4 tint;
+varying vec3 v_point;
+varying vec3 v_normal;
+varying vec3 v_view;
+varying vec4 v_tint;
+void main() {
+  v_point = position;
+  v_normal = normalMatrix * position;
+  vec4 seen = modelViewMatrix * vec4(centre + radius * position, 1.0);
+  v_view = isOrthographic ? vec3(0.0, 0.0, 1.0) : -seen.xyz;
+  v_tint = vec4(tint.rgb * tint.rgb, tint.a);
+  gl_Position = projectionMatrix * seen;
+}`;
+
+const fragment = `
+uniform float fill;
+uniform float rim;
+uniform float circles;
+uniform float hatch;
+varying vec3 v_point;
+varying vec3 v_normal;
+varying vec3 v_view;
+varying vec4 v_tint;
+float near_circle(float height) {
+  return 1.0 - smoothstep(0.5, 1.3, abs(height) / max(fwidth(height), 1e-6));
+}
+void main() {
+  float facing = abs(dot(normalize(v_normal), normalize(v_view)));
+  float circle = max(near_circle(v_point.y), max(near_circle(v_point.x), near_circle(v_point.z)));
+  float alpha = gl_FrontFacing ? fill + rim * pow(1.0 - facing, 3.0) : 0.0;
+  alpha = max(alpha, circle * circles * (gl_FrontFacing ? 1.0 : 0.45));
+  if (hatch > 0.0 && fract((v_point.x + v_point.y + v_point.z) * hatch) > 0.5) alpha *= 0.25;
+  gl_FragColor = vec4(v_tint.rgb * (0.8 + 0.2 * facing), v_tint.a * alpha);
+  #include <colorspace_fragment>
+}`;
+
+/** Opacities: of the whole face, of the silhouette on top, of the circles. `hatch`: stripes per radius, 0 for none. */
+export interface BubbleStyle {
+  fill: number;
+  rim: number;
+  circles: number;
+  hatch?: number;
+}
+
+export class Bubbles {
+  readonly object: Mesh<Instances['geometry'], ShaderMaterial>;
+  private readonly instances: Instances;
+
+  constructor(style: BubbleStyle, render_order: number) {
+    this.instances = new Instances(new SphereGeometry(1, 48, 28), [['centre', 3], ['radius', 1]], 16);
+    const material = new ShaderMaterial({
+      vertexShader: vertex, fragmentShader: fragment, transparent: true, depthWrite: false, side: DoubleSide,
+      uniforms: {
+        fill: { value: style.fill }, rim: { value: style.rim }, circles: { value: style.circles }, hatch: { value: style.hatch ?? 0 },
+      },
+    });
+    this.object = new Mesh(this.instances.geometry, material);
+    this.object.frustumCulled = false;
+    this.object.renderOrder = render_order;
+  }
+
+  clear(): void {
+    this.instances.clear();
+  }
+  add(centre: Vector3, radius: number, colour: Color, alpha = 1): void {
+    this.instances.add([centre.x, centre.y, centre.z, radius], colour, alpha);
+  }
+  commit(): void {
+    this.instances.commit();
+  }
+}

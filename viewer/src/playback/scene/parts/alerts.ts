@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// The spheres by which the metric judges: two outer ones touch where it counts a detection, two inner ones a collision.
+import { Group } from 'three';
+import type { Film } from '../../film';
+import type { Scene } from '../../model';
+import { Bubbles } from '../ink/bubbles';
+import { order, type Now, type Part } from '../part';
+
+export class Alerts implements Part {
+  readonly object = new Group();
+  private readonly outer: Bubbles;
+  private readonly inner: Bubbles;
+
+  constructor(private readonly scene: Scene, private readonly film: Film) {
+    // Many outer ones overlap: the more there are, the fainter.
+    const crowd = Math.min(1, Math.sqrt(6 / Math.max(1, film.vehicles)));
+    this.outer = new Bubbles({ fill: 0.035 * crowd, rim: 0.3 * crowd, circles: 0.42 * crowd }, order.outer);
+    this.inner = new Bubbles({ fill: 0.15, rim: 0.5, circles: 0.7 }, order.inner);
+    this.object.add(this.outer.object, this.inner.object);
+  }
+
+  show(now: Now): void {
+    const { crit_dist_m, safety_distance_m } = this.scene.exam;
+    this.outer.clear();
+    this.inner.clear();
+    for (let v = 0; v < this.film.vehicles && this.film.count > 0; ++v) {
+      const at = now.poses.positions[v]!;
+      const alert = this.film.value('alert', now.moment.index, v);
+      const colour = now.colours.alerts[alert] ?? now.colours.alerts[0];
+      const shown = now.chosen.size === 0 || now.chosen.has(v) ? 1 : 0.4;
+      this.outer.add(at, crit_dist_m / 2, colour, shown);
+      this.inner.add(at, safety_distance_m / 2, colour, shown);
+    }
+    this.outer.commit();
+    this.inner.commit();
+  }
+}

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// Messages under way: the stretch of water that the sound fills between the one who speaks and the one who hears.
+import { Group, Vector3 } from 'three';
+import { moment_at, type Film } from '../../film';
+import type { Flight } from '../../model';
+import { Dots } from '../ink/dots';
+import { Lines } from '../ink/lines';
+import { order, type Now, type Part } from '../part';
+import { position_at } from '../poses';
+
+/** Of more vehicles than these only the messages of the thinkers are shown. */
+const most_vehicles = 12;
+const from = new Vector3();
+const to = new Vector3();
+const a = new Vector3();
+const b = new Vector3();
+
+export class Messages implements Part {
+  readonly object = new Group();
+  private readonly ways = new Lines(1, order.lines);
+  private readonly pulses = new Lines(3.2, order.lines);
+  private readonly fronts = new Dots(order.dots);
+  /** By when they were sent; the longest tells how far back to look. */
+  private ordered: Flight[] = [];
+  private known = '';
+  private longest_s = 0;
+
+  constructor(private readonly film: Film) {
+    this.object.add(this.ways.object, this.pulses.object, this.fronts.object);
+  }
+
+  show(now: Now): void {
+    this.take_flights();
+    for (const ink of [this.ways, this.pulses, this.fronts]) ink.clear();
+    const { time } = now.moment;
+    const all = now.chosen.size === 0 && this.film.vehicles <= most_vehicles;
+    for (let k = this.first_after(time - this.longest_s); k < this.ordered.length && this.ordered[k]!.sent_s <= time; ++k) {
+      const flight = this.ordered[k]!;
+      if (time <= flight.arrives_s && (all || now.thinkers.includes(flight.from) || now.thinkers.includes(flight.to))) this.draw(flight, now);
+    }
+    for (const ink of [this.ways, this.pulses, this.fronts]) ink.commit();
+  }
+
+  private take_flights(): void {
+    const known = `${this.film.generation}/${this.film.flights.length}`;
+    if (known === this.known) return;
+    this.known = known;
+    this.ordered = [...this.film.flights].sort((x, y) => x.sent_s - y.sent_s);
+    this.longest_s = this.ordered.reduce((longest, f) => Math.max(longest, f.arrives_s - f.sent_s), 0);
+  }
+
+  private first_after(time: number): number {
+    let low = 0;
+    let high = this.ordered.length;
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (this.ordered[middle]!.sent_s < time) low = middle + 1;
+      else high = middle;
+    }
+    return low;
+  }
+
+  private draw(flight: Flight, now: Now): void {
+    const { time } = now.moment;
+    const colour = flight.drowned ? now.colours.bad : now.colours.accent;
+    position_at(this.film, moment_at(this.film, flight.sent_s), flight.from, from);
+    position_at(this.film, moment_at(this.film, flight.begins_s), flight.to, to);
+    // The front travels for begins - sent; the end follows when all of it has been spoken.
+    const travel = Math.max(flight.begins_s - flight.sent_s, 1e-6);
+    const spoken = flight.arrives_s - flight.begins_s;
+    const front = Math.min(1, (time - flight.sent_s) / travel);
+    const end = Math.min(1, Math.max(0, (time - flight.sent_s - spoken) / travel));
+    this.ways.add(from, to, colour, 0.28);
+    this.pulses.add(a.lerpVectors(from, to, end), b.lerpVectors(from, to, front), colour, 0.85);
+    this.fronts.add(b, flight.drowned ? 'ring' : 'disc', 8, colour);
+  }
+}

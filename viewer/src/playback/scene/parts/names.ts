@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// Names under the vehicles: all of a few; of many, those that are chosen, pointed at, followed or nearest.
+import { Group, type Camera } from 'three';
+import type { Scene } from '../../model';
+import { series_name } from '../colours';
+import type { Label } from '../labels';
+import type { Now, Part } from '../part';
+
+const few = 12;
+const nearest_of_many = 5;
+
+export class Names implements Part {
+  readonly object = new Group();
+  hovered: number | null = null;
+  followed = 0;
+  private now: Now | null = null;
+
+  constructor(private readonly scene: Scene) {}
+
+  show(now: Now): void {
+    this.now = now;
+  }
+
+  labels_from(camera: Camera): Label[] {
+    const { now } = this;
+    if (now === null || !this.object.visible) return [];
+    const away = now.poses.positions.map((p) => p.distanceToSquared(camera.position));
+    const by_distance = away.map((_, v) => v).sort((a, b) => away[a]! - away[b]!);
+    const shown = new Set(by_distance.slice(0, this.scene.vehicles.length <= few ? few : nearest_of_many));
+    for (const v of [...now.chosen, this.followed]) shown.add(v);
+    if (this.hovered !== null) shown.add(this.hovered);
+    const places = new Map(by_distance.map((v, place) => [v, place]));
+    return [...shown].flatMap((v) => {
+      const spec = this.scene.vehicles[v];
+      if (spec === undefined) return [];
+      return [{ text: spec.name, at: now.poses.positions[v]!, kind: 'name' as const, colour: series_name(v), rank: this.rank(v, places.get(v)!, now) }];
+    });
+  }
+
+  private rank(vehicle: number, place: number, now: Now): number {
+    if (vehicle === this.hovered) return 200;
+    if (now.chosen.has(vehicle)) return now.chosen.size <= few ? 150 : 90;
+    return (vehicle === this.followed ? 80 : 70) - place / this.scene.vehicles.length;
+  }
+}
