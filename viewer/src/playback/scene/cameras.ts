@@ -5,8 +5,12 @@ import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import type { CameraKind } from './stage_view';
 
 const field_deg = 38;
-/** From the west of south, some way above: where one looks from at first. */
-const first_look = new Vector3(-0.55, 0.5, 0.85).normalize();
+/** From the west of south, some way above: where one looks from at first; from higher up in an upright window. */
+function first_look(aspect: number): Vector3 {
+  return new Vector3(-0.55, aspect < 0.8 ? 1.1 : 0.52, 0.85).normalize();
+}
+/** Left free on both sides for what is written there. */
+const margin_px = 44;
 const upward = new Vector3(0, 1, 0);
 const north = new Vector3(0, 0, -1);
 
@@ -20,26 +24,38 @@ function corners_of(box: Box3): Vector3[] {
   return Array.from({ length: 8 }, (_, k) => new Vector3(k & 1 ? box.max.x : box.min.x, k & 2 ? box.max.y : box.min.y, k & 4 ? box.max.z : box.min.z));
 }
 
-/** How far a camera that looks along `-direction` has to be for the box to be within its field. */
-function distance_for(box: Box3, direction: Vector3, aspect: number): number {
+/** Where to look at from `direction`, and from how far, for the box to fill this part of the picture and be in its middle. */
+function view_of(box: Box3, direction: Vector3, aspect: number, room: number): { target: Vector3; distance: number } {
   const tan = Math.tan((field_deg * Math.PI) / 360);
   right.crossVectors(upward, direction).normalize();
   above.crossVectors(direction, right);
-  box.getCenter(centre);
-  return Math.max(...corners_of(box).map((p) => {
-    corner.subVectors(p, centre);
-    return corner.dot(direction) + Math.max(Math.abs(corner.dot(right)) / (tan * aspect), Math.abs(corner.dot(above)) / tan);
-  }));
+  const target = box.getCenter(new Vector3());
+  const corners = corners_of(box);
+  let distance = 0;
+  // What is nearer looks larger, so that the box' centre is not in the middle: a few rounds find what is.
+  for (let round = 0; round < 6; ++round) {
+    const seen = corners.map((p) => [corner.subVectors(p, target).dot(right), corner.dot(above), corner.dot(direction)] as const);
+    distance = Math.max(...seen.map(([x, y, z]) => z + Math.max(Math.abs(x) / (tan * aspect * room), Math.abs(y) / (0.95 * tan))));
+    const middle = (k: 0 | 1): number => {
+      const slopes = seen.map((p) => p[k] / (distance - p[2]));
+      return (distance * (Math.min(...slopes) + Math.max(...slopes))) / 2;
+    };
+    target.addScaledVector(right, 0.8 * middle(0)).addScaledVector(above, 0.8 * middle(1));
+  }
+  return { target, distance };
 }
 
 export class Cameras {
   kind: CameraKind = 'orbit';
+  /** Whether the reader has moved it since the last fit. */
+  moved = false;
   private readonly perspective = new PerspectiveCamera(field_deg, 1, 0.1, 1000);
   private readonly flat = { top: new OrthographicCamera(), side: new OrthographicCamera() };
   private readonly around: OrbitControls;
   private readonly across: { top: OrbitControls; side: OrbitControls };
   private readonly box = new Box3(new Vector3(-1, -1, -1), new Vector3(1, 1, 1));
   private radius = 1;
+  private width = 1;
   private aspect = 1;
   /** What follows was last kept to, to move on by the difference. */
   private kept: { at: Vector3; heading: number } | null = null;
@@ -53,6 +69,7 @@ export class Cameras {
     for (const controls of [this.around, this.across.top, this.across.side]) {
       controls.zoomToCursor = true;
       controls.addEventListener('change', changed);
+      controls.addEventListener('start', () => (this.moved = true));
     }
     this.enable();
   }
@@ -99,6 +116,7 @@ export class Cameras {
 
   resize(width: number, height: number): void {
     this.aspect = width / Math.max(1, height);
+    this.width = width;
     this.perspective.aspect = this.aspect;
     this.perspective.updateProjectionMatrix();
     for (const kind of ['top', 'side'] as const) this.span(kind, this.flat[kind].top);
@@ -115,20 +133,23 @@ export class Cameras {
 
   /** All of them look at the whole box again. */
   fit(box: Box3): void {
+    this.moved = false;
     this.box.copy(box);
     this.radius = box.getSize(corner).length() / 2;
     box.getCenter(centre);
     const middle = centre.clone();
-    const place = { position: middle.clone().addScaledVector(first_look, 1.08 * distance_for(box, first_look, this.aspect)), target: middle };
-    this.orbit_place = place;
+    const look = first_look(this.aspect);
+    const room = Math.max(0.5, 1 - (2 * margin_px) / this.width);
+    const { target, distance } = view_of(box, look, this.aspect, room);
+    this.orbit_place = { position: target.clone().addScaledVector(look, distance), target };
     if (this.kind !== 'follow') {
-      this.perspective.position.copy(place.position);
-      this.around.target.copy(middle);
+      this.perspective.position.copy(this.orbit_place.position);
+      this.around.target.copy(target);
     }
     this.kept = null;
     const half = box.getSize(corner).multiplyScalar(0.5);
-    this.look_flat('top', middle, upward, Math.max(half.z, half.x / this.aspect));
-    this.look_flat('side', middle, shift.copy(north).negate(), Math.max(half.y, half.x / this.aspect));
+    this.look_flat('top', middle, upward, Math.max(1.12 * half.z, half.x / this.aspect / room));
+    this.look_flat('side', middle, shift.copy(north).negate(), Math.max(1.4 * half.y, half.x / this.aspect / room));
     for (const controls of [this.around, this.across.top, this.across.side]) {
       controls.maxDistance = 12 * this.radius;
       controls.minDistance = 0.5;
@@ -143,7 +164,7 @@ export class Cameras {
     camera.far = 8 * this.radius;
     camera.zoom = 1;
     this.across[kind].target.copy(middle);
-    this.span(kind, 1.12 * half);
+    this.span(kind, half);
   }
 
   /** In `follow`, moves on with the vehicle and turns with its heading; what the reader has turned or zoomed stays. */

@@ -13,12 +13,14 @@ export function round_up(value: number): number {
 }
 
 export interface Extent {
-  /** Of vehicles, goals and charted obstacles, in the axes of the picture. */
+  /** Of vehicles, goals and obstacles, in the axes of the picture. */
   box: Box3;
   /** Of the grid, a multiple of `step` in every direction. */
   frame: Box3;
   step: number;
   depth_step: number;
+  /** What a camera has to take in. */
+  view: Box3;
   /** Half of the box' longest diagonal. */
   radius: number;
   /** Whether there is a sea surface to show, and whether all of it happens there. */
@@ -29,6 +31,11 @@ export interface Extent {
 }
 
 const point = new Vector3();
+
+/** Half a vehicle, and its inner sphere. */
+function margin_of(scene: Scene): number {
+  return Math.max(scene.exam.safety_distance_m, ...scene.vehicles.map((v) => v.length_m)) / 2;
+}
 
 function trails_box(scene: Scene, film: Film): Box3 {
   const box = new Box3();
@@ -42,7 +49,7 @@ function trails_box(scene: Scene, film: Film): Box3 {
     }
   }
   if (box.isEmpty()) box.expandByPoint(point.set(0, 0, 0));
-  return box.expandByScalar(Math.max(...scene.vehicles.map((v) => Math.max(v.length_m, v.radius_m)), 1));
+  return box.expandByScalar(margin_of(scene));
 }
 
 function top_speed(film: Film): number {
@@ -66,7 +73,7 @@ function frame_of(box: Box3, step: number, depth_step: number): Box3 {
 
 export function extent_of(scene: Scene, film: Film): Extent {
   const box = trails_box(scene, film);
-  const reach = Math.max(...scene.vehicles.map((v) => Math.max(v.length_m, v.radius_m)), 1);
+  const reach = margin_of(scene);
   const deepest = box.min.y + reach;
   const highest = box.max.y - reach;
   for (const o of scene.obstacles) {
@@ -83,11 +90,14 @@ export function extent_of(scene: Scene, film: Film): Extent {
   if (surface) box.max.y = Math.min(box.max.y, Math.max(crests, 0.5));
   // The surface belongs to the scene unless it is far above it.
   if (surface && -highest < 0.6 * across) box.max.y = Math.max(box.max.y, Math.max(crests, 0.2));
-  const step = round_up(across / 12);
+  const step = round_up(across / 16);
   const depth_step = round_up((box.max.y - box.min.y) / 6);
   const size = box.getSize(new Vector3());
+  const frame = frame_of(box, step, depth_step);
+  const view = frame.clone();
+  view.max.y = box.max.y;
   return {
-    box, frame: frame_of(box, step, depth_step), step, depth_step, radius: size.length() / 2, surface, afloat,
+    box, frame, view, step, depth_step, radius: size.length() / 2, surface, afloat,
     seconds: round_up(0.6 * Math.min(scene.exam.crit_dist_m, across / 3) / top_speed(film)),
   };
 }

@@ -19,8 +19,8 @@ import { layers, type CameraKind, type Layer, type MakeStage, type StageView } f
 import './stage.css';
 
 const heading_window_s = 2;
-/** Pictures further apart than this do not belong to one stretch of playing. */
-const pause_ms = 500;
+/** Who has nothing to draw for this long does not play. */
+const pause_ms = 150;
 
 function make_renderer(): WebGLRenderer {
   try {
@@ -55,6 +55,9 @@ class Stage implements StageView {
   private requested = 0;
   private last_picture_ms = 0;
   private mean_ms = 0;
+  /** When the last picture was done, and whether the next one came long after it. */
+  private drawn_ms = 0;
+  private paused = true;
   private key_text = '';
   /** Of the film, when the extent was last measured. */
   private measured = { count: -1, generation: -1 };
@@ -114,7 +117,7 @@ class Stage implements StageView {
 
   fit(): void {
     this.measure();
-    this.cameras.fit(this.extent.box);
+    this.cameras.fit(this.extent.view);
     this.refresh();
   }
 
@@ -168,9 +171,8 @@ class Stage implements StageView {
     if (width === 0 || height === 0) return;
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.renderer.setSize(width, height, false);
-    this.renderer.getDrawingBufferSize(viewport.size.value);
-    viewport.ratio.value = this.renderer.getPixelRatio();
     this.cameras.resize(width, height);
+    if (!this.cameras.moved) this.cameras.fit(this.extent.view);
     // A canvas of another size is empty until it is drawn on, so that waiting would show as a flicker.
     this.draw();
   }
@@ -181,7 +183,9 @@ class Stage implements StageView {
   }
 
   private request(): void {
-    if (this.requested === 0) this.requested = requestAnimationFrame((now) => this.on_frame(now));
+    if (this.requested !== 0) return;
+    this.paused = performance.now() - this.drawn_ms > pause_ms;
+    this.requested = requestAnimationFrame((now) => this.on_frame(now));
   }
 
   private on_frame(now_ms: number): void {
@@ -190,24 +194,25 @@ class Stage implements StageView {
     this.draw();
   }
 
+  /** The mean over about a second of playing, from one picture's beginning to the next one's. */
   private count_frame(now_ms: number): void {
-    const taken = now_ms - this.last_picture_ms;
+    const taken_ms = now_ms - this.last_picture_ms;
     this.last_picture_ms = now_ms;
-    if (taken <= 0 || taken > pause_ms) {
-      this.mean_ms = 0;
-      return;
-    }
-    this.mean_ms = this.mean_ms === 0 ? taken : this.mean_ms + 0.08 * (taken - this.mean_ms);
+    if (this.paused || taken_ms <= 0) return;
+    this.mean_ms += Math.min(1, taken_ms / 1000) * (taken_ms - this.mean_ms);
     this.frames_per_second = 1000 / this.mean_ms;
   }
 
   private draw(): void {
     if (this.renderer.getContext().isContextLost()) return;
     this.settle();
+    this.renderer.getDrawingBufferSize(viewport.size.value);
+    viewport.ratio.value = this.renderer.getPixelRatio();
     const { camera } = this.cameras;
     this.parts.grid.face(camera);
     this.renderer.render(this.world, camera);
     this.labels.place(this.written(), camera, this.host.clientWidth, this.host.clientHeight);
+    this.drawn_ms = performance.now();
   }
 
   /** Brings everything to the moment and the camera to its place. */
@@ -220,10 +225,13 @@ class Stage implements StageView {
     this.cameras.update();
   }
 
-  /** A live film reaches further and further: the frame follows where it has doubled, the camera stays. */
+  /** A live film reaches further and further: where it has doubled, the frame follows, and a camera that nobody has moved. */
   private grow(): void {
     const { count, generation } = this.measured;
-    if (this.film.generation !== generation || this.film.count < count || this.film.count >= 2 * Math.max(count, 16)) this.measure();
+    if (this.film.generation === generation && this.film.count >= count && this.film.count < 2 * count) return;
+    if (this.film.count === count) return;
+    this.measure();
+    if (!this.cameras.moved) this.cameras.fit(this.extent.view);
   }
 
   private show_parts(): void {

@@ -2,16 +2,22 @@
 // Arrows: a line some pixels wide and a cone, two draw calls for all of them.
 import { ConeGeometry, Group, Mesh, Quaternion, ShaderMaterial, Vector3, type Color } from 'three';
 import { Instances } from './instances';
-import { Lines } from './lines';
+import { Lines, viewport } from './lines';
 
 const vertex = `
 attribute vec3 tip;
 attribute vec4 turn;
-attribute float size;
+attribute float reach;
 attribute vec4 tint;
+uniform vec2 size;
+uniform float ratio;
 varying vec4 v_tint;
 void main() {
-  vec3 local = size * position;
+  vec4 end = modelViewMatrix * vec4(tip, 1.0);
+  float pixels_per_metre = projectionMatrix[1][1] * 0.5 * size.y / ratio / max((projectionMatrix * end).w, 1e-3);
+  // Seen from anywhere a head has the size of a letter, but a short arrow a smaller one.
+  float head = min(0.4 * reach, clamp(0.3 * reach, 9.0 / pixels_per_metre, 15.0 / pixels_per_metre));
+  vec3 local = head * position;
   vec3 turned = local + 2.0 * cross(turn.xyz, cross(turn.xyz, local) + turn.w * local);
   v_tint = vec4(tint.rgb * tint.rgb, tint.a);
   gl_Position = projectionMatrix * modelViewMatrix * vec4(tip + turned, 1.0);
@@ -32,24 +38,16 @@ export class Arrows {
   readonly object = new Group();
   private readonly shafts: Lines;
   private readonly heads: Instances;
-  private readonly cones: Mesh<Instances['geometry'], ShaderMaterial>;
 
-  /** Heads are as long as `head_m`, but never more than half of their arrow. */
-  constructor(width_px: number, private readonly head_m: number, render_order: number) {
+  constructor(width_px: number, render_order: number) {
     this.shafts = new Lines(width_px, render_order);
-    const cone = new ConeGeometry(0.3, 1, 14).translate(0, -0.5, 0);
-    this.heads = new Instances(cone, [['tip', 3], ['turn', 4], ['size', 1]]);
-    const material = new ShaderMaterial({ vertexShader: vertex, fragmentShader: fragment, transparent: true, depthWrite: false });
-    this.cones = new Mesh(this.heads.geometry, material);
-    this.cones.frustumCulled = false;
-    this.cones.renderOrder = render_order;
-    this.object.add(this.shafts.object, this.cones);
-  }
-
-  dispose(): void {
-    this.shafts.dispose();
-    this.cones.geometry.dispose();
-    this.cones.material.dispose();
+    const cone = new ConeGeometry(0.3, 1, 20).translate(0, -0.5, 0);
+    this.heads = new Instances(cone, [['tip', 3], ['turn', 4], ['reach', 1]]);
+    const material = new ShaderMaterial({ vertexShader: vertex, fragmentShader: fragment, transparent: true, depthWrite: false, uniforms: { ...viewport } });
+    const cones = new Mesh(this.heads.geometry, material);
+    cones.frustumCulled = false;
+    cones.renderOrder = render_order;
+    this.object.add(this.shafts.object, cones);
   }
 
   clear(): void {
@@ -60,10 +58,10 @@ export class Arrows {
     along.subVectors(to, from);
     const length = along.length();
     if (length < 1e-4) return;
-    const head = Math.min(this.head_m, 0.5 * length);
     turn.setFromUnitVectors(up, along.divideScalar(length));
-    this.shafts.add(from, neck.copy(to).addScaledVector(along, -head), colour, alpha);
-    this.heads.add([to.x, to.y, to.z, turn.x, turn.y, turn.z, turn.w, head], colour, alpha);
+    // The line ends within the head, so that it does not blunt the tip.
+    this.shafts.add(from, neck.copy(to).addScaledVector(along, -0.04 * length), colour, alpha);
+    this.heads.add([to.x, to.y, to.z, turn.x, turn.y, turn.z, turn.w, length], colour, alpha);
   }
   commit(): void {
     this.shafts.commit();

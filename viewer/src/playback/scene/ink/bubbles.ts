@@ -2,6 +2,7 @@
 // Translucent spheres with an equator and two meridians, all of them in one draw call.
 import { DoubleSide, Mesh, ShaderMaterial, SphereGeometry, type Color, type Vector3 } from 'three';
 import { Instances } from './instances';
+import { viewport } from './lines';
 
 const vertex = `
 attribute vec3 centre;
@@ -25,6 +26,7 @@ uniform float fill;
 uniform float rim;
 uniform float circles;
 uniform float hatch;
+uniform float ratio;
 varying vec3 v_point;
 varying vec3 v_normal;
 varying vec3 v_view;
@@ -37,12 +39,12 @@ void main() {
   float circle = max(near_circle(v_point.y), max(near_circle(v_point.x), near_circle(v_point.z)));
   float alpha = gl_FrontFacing ? fill + rim * pow(1.0 - facing, 3.0) : 0.0;
   alpha = max(alpha, circle * circles * (gl_FrontFacing ? 1.0 : 0.45));
-  if (hatch > 0.0 && fract((v_point.x + v_point.y + v_point.z) * hatch) > 0.5) alpha *= 0.25;
+  if (hatch > 0.0 && fract((gl_FragCoord.x + gl_FragCoord.y) / (hatch * ratio)) > 0.5) alpha *= 0.3;
   gl_FragColor = vec4(v_tint.rgb * (0.8 + 0.2 * facing), v_tint.a * alpha);
   #include <colorspace_fragment>
 }`;
 
-/** Opacities: of the whole face, of the silhouette on top, of the circles. `hatch`: stripes per radius, 0 for none. */
+/** Opacities: of the whole face, of the silhouette on top, of the circles. `hatch`: width of a stripe and its gap [px], 0 for none. */
 export interface BubbleStyle {
   fill: number;
   rim: number;
@@ -50,16 +52,17 @@ export interface BubbleStyle {
   hatch?: number;
 }
 
+/** Of a `crowd`, each is drawn with fewer faces. */
 export class Bubbles {
   readonly object: Mesh<Instances['geometry'], ShaderMaterial>;
   private readonly instances: Instances;
 
-  constructor(style: BubbleStyle, render_order: number) {
-    this.instances = new Instances(new SphereGeometry(1, 48, 28), [['centre', 3], ['radius', 1]], 16);
+  constructor(style: BubbleStyle, render_order: number, crowd = 1) {
+    this.instances = new Instances(crowd > 16 ? new SphereGeometry(1, 32, 20) : new SphereGeometry(1, 80, 48), [['centre', 3], ['radius', 1]], 16);
     const material = new ShaderMaterial({
       vertexShader: vertex, fragmentShader: fragment, transparent: true, depthWrite: false, side: DoubleSide,
       uniforms: {
-        fill: { value: style.fill }, rim: { value: style.rim }, circles: { value: style.circles }, hatch: { value: style.hatch ?? 0 },
+        fill: { value: style.fill }, rim: { value: style.rim }, circles: { value: style.circles }, hatch: { value: style.hatch ?? 0 }, ratio: viewport.ratio,
       },
     });
     this.object = new Mesh(this.instances.geometry, material);

@@ -8,7 +8,7 @@ export const viewport = { size: { value: new Vector2(1, 1) }, ratio: { value: 1 
 
 function quad(): BufferGeometry {
   const geometry = new BufferGeometry();
-  geometry.setAttribute('position', new BufferAttribute(new Float32Array([-1, 0, 0, 1, 0, 0, 1, 1, 0, -1, 1, 0]), 3));
+  geometry.setAttribute('position', new BufferAttribute(new Float32Array([1, 0, 0, -1, 0, 0, -1, 1, 0, 1, 1, 0]), 3));
   geometry.setIndex([0, 1, 2, 0, 2, 3]);
   return geometry;
 }

@@ -17,20 +17,18 @@ const flow = new Vector3();
 
 export class Currents implements Part {
   readonly object = new Group();
-  private arrows: Arrows | null = null;
+  private readonly arrows = new Arrows(1.6, order.ghosts);
   private extent: Extent | null = null;
   private depths: number[] = [];
   private metres_per_mps = 1;
   private written: Label[] = [];
 
-  constructor(private readonly scene: Scene, private readonly film: Film) {}
+  constructor(private readonly scene: Scene, private readonly film: Film) {
+    this.object.add(this.arrows.object);
+  }
 
   set_extent(extent: Extent): void {
     this.extent = extent;
-    this.object.clear();
-    this.arrows?.dispose();
-    this.arrows = new Arrows(1.6, 0.22 * extent.step, order.ghosts);
-    this.object.add(this.arrows.object);
     this.depths = this.shown_depths();
     const spacing = Math.max(extent.frame.max.x - extent.frame.min.x, extent.frame.max.z - extent.frame.min.z) / per_side;
     this.metres_per_mps = (0.6 * spacing) / round_up(this.fastest());
@@ -68,7 +66,7 @@ export class Currents implements Part {
   show(now: Now): void {
     const { min, max } = this.extent!.frame;
     this.written = [];
-    this.arrows!.clear();
+    this.arrows.clear();
     if (this.film.count === 0) return;
     for (const k of this.depths) {
       const speed = this.flow_at(now.moment.index, k).length();
@@ -77,11 +75,11 @@ export class Currents implements Part {
       for (let i = 0; i < per_side * per_side; ++i) {
         at.set(min.x + ((i % per_side) + 0.5) * (max.x - min.x) / per_side, y, min.z + (Math.floor(i / per_side) + 0.5) * (max.z - min.z) / per_side);
         tip.copy(at).addScaledVector(flow, this.metres_per_mps);
-        this.arrows!.add(at, tip, now.colours.water, 0.6);
+        this.arrows.add(at, tip, now.colours.water, 0.6);
         if (i === 0) this.written.push({ text: `current ${speed.toFixed(2)} m/s at ${-this.height(k)} m`, at: tip.clone(), kind: 'scale', colour: '--water', rank: 25 });
       }
     }
-    this.arrows!.commit();
+    this.arrows.commit();
   }
 
   labels(): Label[] {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The frame of reference: a grid below everything, a depth scale in the corner that is out of the way, and plumb lines.
 import { Group, Vector3, type Camera } from 'three';
-import type { Extent } from '../extent';
+import { round_up, type Extent } from '../extent';
 import { Dots } from '../ink/dots';
 import { Lines } from '../ink/lines';
 import type { Label } from '../labels';
@@ -92,7 +92,7 @@ export class DepthGrid implements Part {
   private write_axes(): void {
     const { frame: { min, max }, step } = this.extent!;
     const y = min.y;
-    const every = step * Math.max(1, Math.round((max.x - min.x) / step / 4));
+    const every = round_up(Math.max(max.x - min.x, max.z - min.z) / 6);
     for (let x = Math.ceil(min.x / every) * every; x <= max.x + 1e-6; x += every) {
       for (const z of [min.z, max.z]) this.write(`${metres(x, step)} m E`, a.set(x, y, z + Math.sign(z - (min.z + max.z) / 2) * 0.2 * step), 10);
     }

@@ -60,7 +60,7 @@ export class Images {
   }
 
   private make(image: Image): Mesh<BufferGeometry, MeshBasicMaterial> {
-    const material = new MeshBasicMaterial({ map: texture_of(image), transparent: true, opacity: 0.72, depthWrite: false, side: DoubleSide });
+    const material = new MeshBasicMaterial({ map: texture_of(image), transparent: true, opacity: 0.55, depthWrite: false, side: DoubleSide });
     const mesh = new Mesh(this.lying, material);
     mesh.renderOrder = this.render_order;
     this.object.add(mesh);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Names under the vehicles: all of a few; of many, those that are chosen, pointed at, followed or nearest.
-import { Group, type Camera } from 'three';
+import { Group, Vector3, type Camera } from 'three';
 import type { Scene } from '../../model';
 import { series_name } from '../colours';
 import type { Label } from '../labels';
@@ -8,6 +8,11 @@ import type { Now, Part } from '../part';
 
 const few = 12;
 const nearest_of_many = 5;
+
+/** Under a hull as the camera sees it, that near ones are not written over. */
+function below(at: Vector3, camera: Camera, by_m: number): Vector3 {
+  return new Vector3(0, -1, 0).transformDirection(camera.matrixWorld).multiplyScalar(by_m).add(at);
+}
 
 export class Names implements Part {
   readonly object = new Group();
@@ -33,7 +38,7 @@ export class Names implements Part {
     return [...shown].flatMap((v) => {
       const spec = this.scene.vehicles[v];
       if (spec === undefined) return [];
-      return [{ text: spec.name, at: now.poses.positions[v]!, kind: 'name' as const, colour: series_name(v), rank: this.rank(v, places.get(v)!, now) }];
+      return [{ text: spec.name, at: below(now.poses.positions[v]!, camera, 0.3 * spec.length_m), kind: 'name' as const, colour: series_name(v), rank: this.rank(v, places.get(v)!, now) }];
     });
   }
 

@@ -14,7 +14,7 @@ const at = new Vector3();
 export class Obstacles implements Part {
   readonly object = new Group();
   private readonly charted = new Bubbles({ fill: 0.62, rim: 0.3, circles: 0.85 }, order.walls);
-  private readonly uncharted = new Bubbles({ fill: 0.5, rim: 0.35, circles: 0.7, hatch: 6 }, order.walls);
+  private readonly uncharted = new Bubbles({ fill: 0.5, rim: 0.35, circles: 0.7, hatch: 9 }, order.walls);
   private readonly walls = new Faces(order.walls);
   private readonly edges = new Lines(1.4, order.walls);
 

@@ -27,7 +27,8 @@ void main() {
   }
   at.y += up;
   vec4 seen = viewMatrix * at;
-  v_normal = normalize((viewMatrix * vec4(-slope.x, 1.0, -slope.y, 0.0)).xyz);
+  // Light and shade as of a sea three times as steep, or gentle waves would not be seen.
+  v_normal = normalize((viewMatrix * vec4(-3.0 * slope.x, 1.0, -3.0 * slope.y, 0.0)).xyz);
   v_view = isOrthographic ? vec3(0.0, 0.0, 1.0) : -seen.xyz;
   v_edge = 2.0 * abs(uv - 0.5);
   gl_Position = projectionMatrix * seen;
@@ -48,7 +49,9 @@ void main() {
   float glint = pow(max(0.0, dot(reflect(-sun, normal), view)), 24.0);
   float edge = 1.0 - smoothstep(0.9, 1.0, max(v_edge.x, v_edge.y));
   float alpha = strength * (0.55 + 0.9 * pow(1.0 - facing, 2.0));
-  gl_FragColor = vec4(colour * (0.55 + 0.6 * light) + 0.5 * glint, (alpha + 0.35 * glint) * edge);
+  // From the side, crest stands behind crest: each may hide little.
+  if (isOrthographic) alpha *= mix(0.3, 1.0, facing);
+  gl_FragColor = vec4(colour * (0.25 + 0.95 * light) + 0.5 * glint, (alpha + 0.35 * glint) * edge);
   #include <colorspace_fragment>
 }`;
 

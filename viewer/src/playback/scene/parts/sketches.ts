@@ -44,7 +44,7 @@ export class Sketches implements Part {
   private readonly faces = new Faces(order.sketch);
   private readonly dots = new Dots(order.sketch);
   private readonly images = new Images(order.fans);
-  private arrows: Arrows | null = null;
+  private readonly arrows = new Arrows(2.4, order.sketch);
   private seconds = 5;
   private plane_radius = 1;
   private written: Label[] = [];
@@ -54,18 +54,12 @@ export class Sketches implements Part {
   private shown = '';
 
   constructor(private readonly film: Film) {
-    this.object.add(this.lines.object, this.thin.object, this.faces.object, this.dots.object, this.images.object);
+    this.object.add(this.lines.object, this.thin.object, this.faces.object, this.dots.object, this.images.object, this.arrows.object);
   }
 
   set_extent(extent: Extent): void {
     this.seconds = extent.seconds;
     this.plane_radius = 0.3 * extent.step;
-    if (this.arrows) {
-      this.object.remove(this.arrows.object);
-      this.arrows.dispose();
-    }
-    this.arrows = new Arrows(2.4, 0.16 * extent.step, order.sketch);
-    this.object.add(this.arrows.object);
     this.shown = '';
   }
 
@@ -80,7 +74,7 @@ export class Sketches implements Part {
   }
 
   private begin(): void {
-    for (const ink of [this.lines, this.thin, this.faces, this.dots, this.arrows!]) ink.clear();
+    for (const ink of [this.lines, this.thin, this.faces, this.dots, this.arrows]) ink.clear();
     this.images.begin();
     this.written = [];
     this.meanings = new Map();
@@ -88,7 +82,7 @@ export class Sketches implements Part {
   }
 
   private end(): void {
-    for (const ink of [this.lines, this.thin, this.faces, this.dots, this.arrows!]) ink.commit();
+    for (const ink of [this.lines, this.thin, this.faces, this.dots, this.arrows]) ink.commit();
     this.images.end();
   }
 
@@ -144,7 +138,7 @@ export class Sketches implements Part {
     const name = meaning_colour(meaning);
     const tip = this.led(at, velocity);
     this.meanings.set(meaning, name);
-    this.arrows!.add(at, tip, now.colours.of(name), meaning === 'velocity' ? 0.6 : 0.95);
+    this.arrows.add(at, tip, now.colours.of(name), meaning === 'velocity' ? 0.6 : 0.95);
     if (first && meaning !== 'velocity') this.written.push({ text: meaning, at: tip, kind: 'meaning', colour: name, rank: 40, beside_px: 7 });
   }
 

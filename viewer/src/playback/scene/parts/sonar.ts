@@ -48,7 +48,7 @@ export class SonarFan implements Part {
     const far = arc(sonar.max_range_m, 0);
     const rims = [far, near, arc(sonar.max_range_m, sonar.half_aperture_rad), arc(sonar.max_range_m, -sonar.half_aperture_rad)];
     for (let k = 0; k < arcs; ++k) {
-      this.face.quad(near[k]!, near[k + 1]!, far[k + 1]!, far[k]!, accent, 0.09);
+      this.face.quad(near[k]!, near[k + 1]!, far[k + 1]!, far[k]!, accent, 0.06);
       for (const rim of rims) this.edges.add(rim[k]!, rim[k + 1]!, accent, 0.5);
     }
     for (const k of [0, arcs]) {

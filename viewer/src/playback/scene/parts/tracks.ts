@@ -13,8 +13,8 @@ const led = new Vector3();
 
 export class Tracks implements Part {
   readonly object = new Group();
-  private readonly ghosts = new Bubbles({ fill: 0.1, rim: 0.45, circles: 0.55 }, order.ghosts);
-  private readonly halos = new Bubbles({ fill: 0.03, rim: 0.25, circles: 0 }, order.ghosts);
+  private readonly ghosts = new Bubbles({ fill: 0.03, rim: 0.5, circles: 0.45, hatch: 5 }, order.ghosts);
+  private readonly halos = new Bubbles({ fill: 0, rim: 0.3, circles: 0 }, order.ghosts);
   private readonly velocities = new Lines(1.6, order.lines);
   private seconds = 5;
   private any = false;
