@@ -7,7 +7,7 @@ import type { CameraKind } from './stage_view';
 const field_deg = 38;
 /** From the west of south, some way above: where one looks from at first; from higher up in an upright window. */
 function first_look(aspect: number): Vector3 {
-  return new Vector3(-0.55, aspect < 0.8 ? 1.1 : 0.52, 0.85).normalize();
+  return (aspect < 0.8 ? new Vector3(-0.2, 1.2, 0.85) : new Vector3(-0.55, 0.52, 0.85)).normalize();
 }
 /** Left free on both sides for what is written there. */
 const margin_px = 44;
@@ -64,7 +64,7 @@ export class Cameras {
   constructor(canvas: HTMLElement, changed: () => void) {
     this.around = new OrbitControls(this.perspective, canvas);
     this.around.enableDamping = true;
-    this.around.dampingFactor = 0.12;
+    this.around.dampingFactor = 0.2;
     this.across = { top: this.flat_controls('top', canvas), side: this.flat_controls('side', canvas) };
     for (const controls of [this.around, this.across.top, this.across.side]) {
       controls.zoomToCursor = true;

@@ -91,7 +91,7 @@ export function extent_of(scene: Scene, film: Film): Extent {
   // The surface belongs to the scene unless it is far above it.
   if (surface && -highest < 0.6 * across) box.max.y = Math.max(box.max.y, Math.max(crests, 0.2));
   const step = round_up(across / 16);
-  const depth_step = round_up((box.max.y - box.min.y) / 6);
+  const depth_step = round_up(Math.max((box.max.y - box.min.y) / 6, across / 40));
   const size = box.getSize(new Vector3());
   const frame = frame_of(box, step, depth_step);
   const view = frame.clone();

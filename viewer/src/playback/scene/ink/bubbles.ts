@@ -58,7 +58,7 @@ export class Bubbles {
   private readonly instances: Instances;
 
   constructor(style: BubbleStyle, render_order: number, crowd = 1) {
-    this.instances = new Instances(crowd > 16 ? new SphereGeometry(1, 32, 20) : new SphereGeometry(1, 80, 48), [['centre', 3], ['radius', 1]], 16);
+    this.instances = new Instances(crowd > 16 ? new SphereGeometry(1, 32, 20) : new SphereGeometry(1, 60, 36), [['centre', 3], ['radius', 1]], 16);
     const material = new ShaderMaterial({
       vertexShader: vertex, fragmentShader: fragment, transparent: true, depthWrite: false, side: DoubleSide,
       uniforms: {

@@ -13,8 +13,8 @@ export class Alerts implements Part {
 
   constructor(private readonly scene: Scene, private readonly film: Film) {
     // Many outer ones overlap: the more there are, the fainter.
-    const faint = Math.min(1, Math.sqrt(6 / Math.max(1, film.vehicles)));
-    this.outer = new Bubbles({ fill: 0.035 * faint, rim: 0.3 * faint, circles: 0.42 * faint }, order.outer, film.vehicles);
+    const faint = Math.min(1, Math.sqrt(4 / Math.max(1, film.vehicles)));
+    this.outer = new Bubbles({ fill: 0.03 * faint, rim: 0.26 * faint, circles: 0.36 * faint }, order.outer, film.vehicles);
     this.inner = new Bubbles({ fill: 0.1, rim: 0.5, circles: 0.65 }, order.inner, film.vehicles);
     this.object.add(this.outer.object, this.inner.object);
   }

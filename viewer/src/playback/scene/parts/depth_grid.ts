@@ -7,6 +7,8 @@ import { Lines } from '../ink/lines';
 import type { Label } from '../labels';
 import { order, type Now, type Part } from '../part';
 
+type Corner = readonly [x: number, z: number];
+
 const a = new Vector3();
 const b = new Vector3();
 
@@ -24,6 +26,7 @@ export class DepthGrid implements Part {
   private readonly feet = new Dots(order.grid);
   private extent: Extent | null = null;
   private corner = -1;
+  private faced = '';
   private written: Label[] = [];
   private colours: Now['colours'] | null = null;
 
@@ -35,6 +38,7 @@ export class DepthGrid implements Part {
     this.extent = extent;
     this.colours = colours;
     this.corner = -1;
+    this.faced = '';
     const { min, max } = extent.frame;
     this.grid.clear();
     for (let x = min.x; x <= max.x + 1e-6; x += extent.step) this.rule(x, min.z, x, max.z, Math.abs(x) < 1e-6);
@@ -61,43 +65,49 @@ export class DepthGrid implements Part {
     this.feet.commit();
   }
 
-  /** Puts the scale into the corner that the camera sees furthest to the left. */
+  /** Puts the scale into the corner that the camera sees furthest to the left, and numbers along the edges near it. */
   face(camera: Camera): void {
     const { min, max } = this.extent!.frame;
     const corners = [[min.x, min.z], [max.x, min.z], [max.x, max.z], [min.x, max.z]] as const;
     const across = corners.map(([x, z]) => a.set(x, min.y, z).applyMatrix4(camera.matrixWorldInverse).x);
-    const best = across.indexOf(Math.min(...across));
+    let corner = across.indexOf(Math.min(...across));
     // Between two that are about as far to the left, it stays where it is.
-    if (this.corner >= 0 && across[this.corner]! - across[best]! < 0.02 * (max.x - min.x)) return;
-    this.corner = best;
-    this.draw_scale(corners[best]!, corners[(best + 1) % 4]!, corners[(best + 3) % 4]!);
+    if (this.corner >= 0 && across[this.corner]! - across[corner]! < 0.02 * (max.x - min.x)) corner = this.corner;
+    const back = a.setFromMatrixColumn(camera.matrixWorld, 2);
+    // What is seen from its end would lie on one spot.
+    const view = { x: back.x > 0.01 ? max.x : min.x, z: back.z > -0.01 ? max.z : min.z, scale: back.y < 0.995,
+      east: Math.abs(back.z) > 0.02 || Math.abs(back.y) > 0.02, north: Math.abs(back.x) > 0.02 || Math.abs(back.y) > 0.02 };
+    const faced = JSON.stringify([corner, view]);
+    if (faced === this.faced) return;
+    this.faced = faced;
+    this.corner = corner;
+    this.written = [];
+    this.draw_scale(corners[corner]!, corners[(corner + 1) % 4]!, corners[(corner + 3) % 4]!, view.scale);
+    this.write_edges(view);
   }
 
-  private draw_scale([x, z]: readonly [number, number], one: readonly [number, number], other: readonly [number, number]): void {
-    const { min, max } = this.extent!.frame;
-    const { depth_step, surface, step } = this.extent!;
+  private draw_scale([x, z]: Corner, one: Corner, other: Corner, numbered: boolean): void {
+    const { frame: { min, max }, depth_step, surface, step } = this.extent!;
     const top = surface ? Math.min(0, max.y) : max.y;
     const { ink_3 } = this.colours!;
     this.scale.clear();
-    this.written = [];
     this.scale.add(a.set(x, min.y, z), b.set(x, top, z), ink_3, 0.9);
     for (let y = Math.floor(top / depth_step + 1e-6) * depth_step; y >= min.y - 1e-6; y -= depth_step) {
       this.scale.add(a.set(x, y, z), b.set(x + 0.12 * Math.sign(one[0] + other[0] - 2 * x) * step, y, z), ink_3, 0.9);
-      this.write(`${metres(-y, depth_step)} m`, a.set(x, y, z), 30, -6);
+      if (numbered) this.write(`${metres(-y, depth_step)} m`, a.set(x, y, z), 30, -6);
     }
     this.scale.commit();
-    this.write_axes();
   }
 
-  private write_axes(): void {
+  private write_edges({ x: at_x, z: at_z, east, north }: { x: number; z: number; east: boolean; north: boolean }): void {
     const { frame: { min, max }, step } = this.extent!;
-    const y = min.y;
     const every = round_up(Math.max(max.x - min.x, max.z - min.z) / 6);
-    for (let x = Math.ceil(min.x / every) * every; x <= max.x + 1e-6; x += every) {
-      for (const z of [min.z, max.z]) this.write(`${metres(x, step)} m E`, a.set(x, y, z + Math.sign(z - (min.z + max.z) / 2) * 0.2 * step), 10);
+    const outside = (at: number, low: number, high: number): number => at + Math.sign(at - (low + high) / 2) * 0.2 * step;
+    for (let x = Math.ceil(min.x / every) * every; east && x <= max.x + 1e-6; x += every) {
+      this.write(`${metres(x, step)} m E`, a.set(x, min.y, outside(at_z, min.z, max.z)), 10);
     }
-    for (let z = Math.ceil(min.z / every) * every; z <= max.z + 1e-6; z += every) {
-      for (const x of [min.x, max.x]) this.write(`${metres(-z, step)} m N`, a.set(x + Math.sign(x - (min.x + max.x) / 2) * 0.2 * step, y, z), 9);
+    for (let z = Math.ceil(min.z / every) * every; north && z <= max.z + 1e-6; z += every) {
+      this.write(`${metres(-z, step)} m N`, a.set(outside(at_x, min.x, max.x), min.y, z), 9);
     }
   }
 

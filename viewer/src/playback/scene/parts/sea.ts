@@ -5,7 +5,9 @@ import type { Scene, Wave } from '../../model';
 import type { Extent } from '../extent';
 import { order, type Now, type Part } from '../part';
 
-const cells = 160;
+/** Along each side: at most, and for each length of the shortest wave. */
+const most_cells = 160;
+const cells_per_wave = 8;
 /** What a shader's uniforms hold for certain; of more waves the greatest are drawn. */
 const most_waves = 48;
 
@@ -70,8 +72,9 @@ export class Sea implements Part {
     const { min, max } = extent.frame;
     const side = Math.max(max.x - min.x, max.z - min.z);
     const size = [max.x - min.x + 0.16 * side, max.z - min.z + 0.16 * side] as const;
-    const waves = this.visible_waves(Math.max(...size) / cells);
-    const many = waves.length > 0 ? cells : 1;
+    const waves = this.visible_waves(Math.max(...size) / most_cells);
+    const waves_along = (Math.max(0, ...waves.map((w) => w.number_radpm)) * Math.max(...size)) / (2 * Math.PI);
+    const many = waves.length > 0 ? Math.ceil(Math.min(most_cells, Math.max(32, cells_per_wave * waves_along))) : 1;
     this.mesh = new Mesh(new PlaneGeometry(size[0], size[1], many, many).rotateX(-Math.PI / 2), this.material(waves, colours, extent));
     this.mesh.position.set((min.x + max.x) / 2, 0, (min.z + max.z) / 2);
     this.mesh.frustumCulled = false;
@@ -95,7 +98,7 @@ export class Sea implements Part {
         phases: { value: drawn.map((w) => w.phase_rad) },
         time: { value: 0 },
         colour: { value: colours.water },
-        strength: { value: extent.afloat ? 0.4 : waves.length > 0 ? 0.2 : 0.09 },
+        strength: { value: extent.afloat ? 0.4 : waves.length > 0 ? 0.2 : 0.14 },
       },
     });
   }

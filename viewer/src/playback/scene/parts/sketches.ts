@@ -89,9 +89,10 @@ export class Sketches implements Part {
   private draw_vehicle(vehicle: number, record: SketchRecord | null, now: Now): void {
     if (this.film.count === 0) return;
     const at = now.poses.positions[vehicle]!;
-    this.arrow(at, vector_at(this.film, 'velocity_mps', now.moment.index, vehicle, a), 'velocity', now, true);
+    const is_chosen = now.chosen.has(vehicle);
+    if (record !== null || is_chosen) this.arrow(at, vector_at(this.film, 'velocity_mps', now.moment.index, vehicle, a), 'velocity', now, true);
     if (record === null) {
-      this.arrow(at, vector_at(this.film, 'command_mps', now.moment.index, vehicle, a), 'command', now, true);
+      if (is_chosen) this.arrow(at, vector_at(this.film, 'command_mps', now.moment.index, vehicle, a), 'command', now, true);
       return;
     }
     const counts = new Map<string, number>();

@@ -8,7 +8,7 @@ import { Lines } from '../ink/lines';
 import { order, type Now, type Part } from '../part';
 
 /** More lines than this are not seen, only paid for; a frame is left out between two that are kept. */
-const most_lines = 48_000;
+const most_lines = 32_000;
 
 const from = new Vector3();
 const to = new Vector3();
