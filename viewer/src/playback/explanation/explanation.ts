@@ -1,8 +1,49 @@
 // SPDX-License-Identifier: Apache-2.0
-import { h } from '../../common/dom';
+// Why a vehicle decided as it did, in words and numbers.
+import './explanation.css';
+import { h, type Child } from '../../common/dom';
+import { fixed, short } from '../../common/format';
+import { colour_count } from '../../common/colour';
 import type { Explanation, Scene } from '../model';
 
-export function make_explanation(explanation: Explanation, _scene: Scene, seek: (time: number) => void): HTMLElement {
-  return h('div', {}, h('p', {}, explanation.headline),
-    h('button', { type: 'button', class: 'action', click: () => seek(explanation.time_s) }, 'Go there'));
+type Section = Explanation['sections'][number];
+type Table = NonNullable<Section['table']>;
+
+/** `range_m` is read as "range [m]", as the libraries name quantities with their unit. */
+const units: Record<string, string> = { m: 'm', s: 's', mps: 'm/s', mps2: 'm/s²', rad: 'rad', deg: '°', radps: 'rad/s', n: 'N', w: 'W', hz: 'Hz', ratio: '–', count: '–' };
+
+export function heading_of(column: string): string {
+  const parts = column.split('_');
+  const unit = parts.length > 1 ? units[parts.at(-1)!] : undefined;
+  const words = (unit === undefined ? parts : parts.slice(0, -1)).join(' ');
+  return unit === undefined || unit === '–' ? words : `${words} [${unit}]`;
+}
+
+function cell(value: string | number): HTMLTableCellElement {
+  return typeof value === 'number' ? h('td', { class: 'number', title: String(value) }, short(value)) : h('td', {}, value);
+}
+
+function table({ columns, rows }: Table): HTMLElement {
+  const is_number = columns.map((_, k) => rows.length > 0 && rows.every((row) => typeof row[k] === 'number'));
+  return h('div', { class: 'explanation-table', tabindex: 0, role: 'group' }, h('table', {},
+    h('thead', {}, h('tr', {}, ...columns.map((column, k) =>
+      h('th', { scope: 'col', class: is_number[k] === true ? 'number' : undefined }, heading_of(column))))),
+    h('tbody', {}, ...rows.map((row) => h('tr', {}, ...row.map(cell))))));
+}
+
+function section({ title, lines, table: numbers }: Section): HTMLElement {
+  return h('section', {}, h('h3', {}, title), ...lines.map((line): Child => h('p', {}, line)),
+    numbers === null ? null : table(numbers));
+}
+
+/** What `fairway explain` found; `seek` goes to the moment of the decision. */
+export function make_explanation(explanation: Explanation, scene: Scene, seek: (time: number) => void): HTMLElement {
+  const { vehicle, time_s, headline, sections } = explanation;
+  const swatch = h('i', { class: 'swatch', 'aria-hidden': 'true' });
+  swatch.style.background = `var(--c${vehicle % colour_count})`;
+  const go = h('button', { type: 'button', class: 'chip', title: 'Show this moment in the picture' }, `Show t = ${fixed(time_s, 2)} s`);
+  go.addEventListener('click', () => seek(time_s));
+  return h('article', { class: 'explanation' },
+    h('header', {}, h('span', { class: 'who' }, swatch, `${scene.vehicles[vehicle]?.name ?? `vehicle ${vehicle}`}, decided at t = ${fixed(time_s, 2)} s`), go),
+    h('h2', {}, headline), ...sections.map(section));
 }
