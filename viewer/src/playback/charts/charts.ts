@@ -11,7 +11,7 @@ import { Plot } from './plot';
 import type { Timeline } from './pointing';
 import { Span } from './span';
 import { Strip } from './strip';
-import { vehicle_palette } from './style';
+import { forget_colours, vehicle_palette } from './style';
 
 const grown_every_ms = 300;
 const zoom_step = 0.5;
@@ -93,6 +93,7 @@ class Charts implements Panel {
   }
 
   restyle(): void {
+    forget_colours();
     this.width = this.stack.clientWidth;
     this.lay_out();
   }
@@ -130,10 +131,8 @@ class Charts implements Panel {
 
   private shown(): Shown {
     const chosen = [...this.chosen].filter((vehicle) => vehicle < this.scene.vehicles.length).sort((a, b) => a - b);
-    return {
-      vehicles: chosen.length > 0 ? chosen : this.scene.vehicles.map((_, k) => k),
-      alone: chosen.length === 1 ? chosen[0]! : null,
-    };
+    const vehicles = chosen.length > 0 ? chosen : this.scene.vehicles.map((_, k) => k);
+    return { vehicles, alone: vehicles.length === 1 ? vehicles[0]! : null };
   }
 
   /** The charts that are open, in their order; those of `kept` are as they have to be. */

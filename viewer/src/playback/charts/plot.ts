@@ -169,7 +169,7 @@ export class Plot {
   }
 
   private actions(): HTMLElement {
-    const name = slug(`${this.kind.title} ${this.curves.note.split(';')[0]}`);
+    const name = slug(this.kind.title);
     return h('span', { class: 'panel-actions' },
       action_button('CSV', `Save ${this.kind.title.toLowerCase()} at every frame as CSV`, 'saved', () => {
         this.store.update();

@@ -33,8 +33,10 @@ export class TimeArea {
     Object.assign(this.element.style, { left: `${left}px`, top: `${top}px`, width: `${width}px`, height: `${height}px` });
   }
 
+  /** A run that goes on is a little ahead of its charts: its moment is at their end. */
   show(time: number): void {
-    this.put(this.now, time);
+    const { span } = this.timeline;
+    this.put(this.now, span.is_zoomed ? time : Math.min(time, span.shown[1]));
   }
 
   point_out(time: number | null): void {

@@ -18,8 +18,18 @@ export function dash_of({ vehicle, look }: Series, palette: Palette): string {
   return look_dashes[look] || palette.dash(String(vehicle));
 }
 
-/** The value now of a colour such as var(--c0): a canvas knows no variables. */
+const known = new Map<string, string>();
+
+/** The value of a colour such as var(--c0) in the theme in force: a canvas knows no variables. */
 export function colour_now(colour: string): string {
   const name = /^var\((--[\w-]+)\)$/.exec(colour)?.[1];
-  return name === undefined ? colour : getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+  if (name === undefined) return colour;
+  const value = known.get(name) ?? getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+  known.set(name, value);
+  return value;
+}
+
+/** Asking the page for a colour makes it compute its styles: it is asked once per theme. */
+export function forget_colours(): void {
+  known.clear();
 }

@@ -19,16 +19,24 @@ export function heading_of(column: string): string {
   return unit === undefined || unit === '–' ? words : `${words} [${unit}]`;
 }
 
-function cell(value: string | number): HTMLTableCellElement {
-  return typeof value === 'number' ? h('td', { class: 'number', title: String(value) }, short(value)) : h('td', {}, value);
+/** Decimals with which a column of numbers lines up and keeps about four digits. */
+function decimals(values: (string | number | undefined)[]): number {
+  return Math.max(0, ...values.map((value) => (typeof value === 'number' ? (short(value).split('.')[1]?.length ?? 0) : 0)));
+}
+
+/** All digits of a number are in its title. */
+function cell(value: string | number, digits: number): HTMLTableCellElement {
+  if (typeof value !== 'number') return h('td', {}, value);
+  return h('td', { class: 'number', title: String(value) }, Number.isFinite(value) ? fixed(value, digits) : '–');
 }
 
 function table({ columns, rows }: Table): HTMLElement {
   const is_number = columns.map((_, k) => rows.length > 0 && rows.every((row) => typeof row[k] === 'number'));
+  const digits = columns.map((_, k) => decimals(rows.map((row) => row[k])));
   return h('div', { class: 'explanation-table', tabindex: 0, role: 'group' }, h('table', {},
     h('thead', {}, h('tr', {}, ...columns.map((column, k) =>
       h('th', { scope: 'col', class: is_number[k] === true ? 'number' : undefined }, heading_of(column))))),
-    h('tbody', {}, ...rows.map((row) => h('tr', {}, ...row.map(cell))))));
+    h('tbody', {}, ...rows.map((row) => h('tr', {}, ...row.map((value, k) => cell(value, digits[k] ?? 0)))))));
 }
 
 function section({ title, lines, table: numbers }: Section): HTMLElement {

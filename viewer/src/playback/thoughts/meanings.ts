@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// How each meaning looks, and which of them the reader wants to see.
-import { h, s } from '../../common/dom';
-import type { Stroke } from '../model';
+// How each meaning looks, and how it is told.
+import { s } from '../../common/dom';
+import type { Stroke, VehicleSpec } from '../model';
+import { about } from './who';
 
 export type Mark = 'arrow' | 'ring' | 'dot' | 'diamond' | 'edge' | 'area' | 'image';
 export interface Look {
@@ -22,7 +23,6 @@ const looks: Record<string, Look> = {
   desired: { mark: 'arrow', colour: 'var(--c0)', dash: '5 3' },
   'before the safety filter': { mark: 'arrow', colour: 'var(--c0)', dash: '5 3' },
   particle: { mark: 'dot', colour: 'var(--c6)', dash: '' },
-  'allowed by a neighbour': { mark: 'edge', colour: 'var(--c1)', dash: '' },
 };
 const further = ['var(--c3)', 'var(--c6)', 'var(--c1)', 'var(--c7)', 'var(--c5)', 'var(--c4)'];
 
@@ -33,11 +33,32 @@ function colour_of(meaning: string): string {
   return further[sum % further.length]!;
 }
 
-export function look_of(kind: Stroke['kind'], meaning: string): Look {
-  const known = looks[meaning];
-  if (known !== undefined) return known;
-  const mark: Mark = kind === 'half_space' ? 'edge' : kind === 'region' ? 'area' : kind === 'image' ? 'image' : 'ring';
-  return { mark, colour: kind === 'region' ? 'var(--c1)' : colour_of(meaning), dash: '' };
+const marks: Record<Stroke['kind'], Mark> = {
+  velocity: 'ring', half_space: 'edge', region: 'area', image: 'image', path: 'edge', tree: 'edge', sphere: 'ring',
+};
+
+export class Meanings {
+  constructor(private readonly vehicles: readonly VehicleSpec[]) {}
+
+  /** What is about a vehicle has that one's colour; about something else, grey. */
+  look(kind: Stroke['kind'], meaning: string): Look {
+    const known = looks[meaning];
+    if (known !== undefined) return known;
+    const subject = about(meaning, this.vehicles);
+    const colour = subject === null ? colour_of(meaning) : (subject.who.colour ?? 'var(--ink-2)');
+    return { mark: marks[kind], colour, dash: '' };
+  }
+
+  /** With the name of a vehicle in place of its number. */
+  words(meaning: string): string {
+    const subject = about(meaning, this.vehicles);
+    return subject === null ? meaning : `${subject.what} ${subject.who.name}`;
+  }
+
+  /** The same for all that differ in whom they are about only. */
+  group(meaning: string): string {
+    return about(meaning, this.vehicles)?.what ?? meaning;
+  }
 }
 
 export function glyph(look: Look): SVGSVGElement {
@@ -62,60 +83,4 @@ export function glyph_marks({ mark, colour, dash }: Look): SVGElement[] {
     case 'image': return [0, 1, 2, 3].map((k) => s('rect', { class: 'pixel', x: 3 + 6 * (k % 2), y: 6 * Math.floor(k / 2), width: 6, height: 6,
       opacity: [0.75, 0.35, 0.2, 0.55][k]! }));
   }
-}
-
-export interface Entry {
-  meaning: string;
-  kind: Stroke['kind'];
-  count: number;
-}
-
-const in_plane = new Set<Stroke['kind']>(['velocity', 'half_space', 'region', 'image']);
-const key_of = (kind: string, meaning: string): string => `${kind}:${meaning}`;
-
-/** What of the strokes is of the plane, by meaning, and what the picture in three dimensions shows. */
-export function entries_of(strokes: readonly Stroke[]): { plane: Entry[]; picture: Entry[] } {
-  const found = new Map<string, Entry>();
-  for (const { kind, meaning } of strokes) {
-    const entry = found.get(key_of(kind, meaning)) ?? { meaning, kind, count: 0 };
-    ++entry.count;
-    found.set(key_of(kind, meaning), entry);
-  }
-  const entries = [...found.values()];
-  return { plane: entries.filter(({ kind }) => in_plane.has(kind)), picture: entries.filter(({ kind }) => !in_plane.has(kind)) };
-}
-
-/** What the reader has hidden. Of several images, which would cover each other, one is shown. */
-export class Wanted {
-  private readonly hidden = new Set<string>();
-  private image: string | null | undefined;
-
-  shows({ kind, meaning }: { kind: Stroke['kind']; meaning: string }, all: readonly Entry[]): boolean {
-    if (kind !== 'image') return !this.hidden.has(key_of(kind, meaning));
-    if (this.image === null) return false;
-    const images = all.filter((entry) => entry.kind === 'image');
-    const shown = images.find((entry) => entry.meaning === this.image) ?? images[0];
-    return shown?.meaning === meaning;
-  }
-
-  toggle(entry: Entry, all: readonly Entry[]): void {
-    const shown = this.shows(entry, all);
-    if (entry.kind === 'image') this.image = shown ? null : entry.meaning;
-    else if (shown) this.hidden.add(key_of(entry.kind, entry.meaning));
-    else this.hidden.delete(key_of(entry.kind, entry.meaning));
-  }
-}
-
-/** The legend: a click on a meaning hides and shows it. */
-export function meaning_key(entries: readonly Entry[], wanted: Wanted, changed: () => void): HTMLElement {
-  return h('ul', { class: 'meaning-key', 'aria-label': 'What is drawn' }, ...entries.map((entry) => {
-    const label = entry.count > 1 ? `${entry.meaning} (${entry.count})` : entry.meaning;
-    const button = h('button', { type: 'button', 'aria-pressed': String(wanted.shows(entry, entries)), title: 'Show or hide' },
-      glyph(look_of(entry.kind, entry.meaning)), label);
-    button.addEventListener('click', () => {
-      wanted.toggle(entry, entries);
-      changed();
-    });
-    return h('li', {}, button);
-  }));
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a vehicle knows at a moment: tracks, the last ping, messages under way.
-import { colour_count } from '../../common/colour';
 import { h, type Child } from '../../common/dom';
 import { fixed } from '../../common/format';
 import { yaw_of } from '../charts/curves';
 import type { Film } from '../film';
 import type { EchoesRecord, Flight, Scene, TracksRecord, Vec3 } from '../model';
+import { who_is } from './who';
 
 const most_flights = 8;
 const degrees = 180 / Math.PI;
@@ -78,12 +78,11 @@ export class Perceived {
         h('td', {}, fixed(sight.closing_mps, 2)), h('td', {}, fixed(track.age_s, 1)), h('td', {}, fixed(track.sigma_m, 2))))))));
   }
 
-  /** Known by its identity, or only by the number that the tracker gave it. */
   private who({ id, reacts }: Track): Child[] {
-    const vehicle = this.scene.vehicles.findIndex((spec) => spec.id === id);
+    const { name, colour } = who_is(id, this.scene.vehicles);
     const swatch = h('i', { class: 'swatch', 'aria-hidden': 'true' });
-    if (vehicle >= 0) swatch.style.background = `var(--c${vehicle % colour_count})`;
-    return [swatch, vehicle >= 0 ? this.scene.vehicles[vehicle]!.name : `track ${id}`, reacts ? null : h('small', {}, ' does not react')];
+    if (colour !== null) swatch.style.background = colour;
+    return [swatch, name, reacts ? null : h('small', {}, ' does not react')];
   }
 
   private flight_list(vehicle: number, flights: Flight[]): HTMLElement {

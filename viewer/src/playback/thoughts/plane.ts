@@ -4,7 +4,7 @@ import { path_data, s } from '../../common/dom';
 import { fixed } from '../../common/format';
 import { tick_digits, ticks } from '../../common/scale';
 import type { Stroke, Vec3 } from '../model';
-import { look_of, type Look } from './meanings';
+import type { Look, Meanings } from './meanings';
 import { cut_half_space, dot, forbidden_part, projected, type Point, type Slice } from './slice';
 
 export interface PlaneOptions {
@@ -16,8 +16,9 @@ export interface PlaneOptions {
   /** What its top and its right side are called. */
   up: string;
   right: string;
-  /** Two half-spaces and a region are of the horizontal plane alone where they have no vertical part. */
-  areas: boolean;
+  /** Regions are outlines in the horizontal plane alone. */
+  regions: boolean;
+  meanings: Meanings;
 }
 export interface Spot {
   x: number;
@@ -34,7 +35,7 @@ const head_length = 9;
 let clip_count = 0;
 
 export function draw_plane(strokes: readonly Stroke[], options: PlaneOptions): Plane {
-  const { slice, reach, size } = options;
+  const { slice, reach, size, meanings } = options;
   const place = ([x, y]: Point): Point => [((x / reach + 1) * size) / 2, ((1 - y / reach) * size) / 2];
   const clip = `plane-clip-${++clip_count}`;
   const spots: Spot[] = [];
@@ -42,25 +43,26 @@ export function draw_plane(strokes: readonly Stroke[], options: PlaneOptions): P
   const edges: SVGElement[] = [];
   const marks: SVGElement[] = [];
   for (const stroke of strokes) {
-    const look = look_of(stroke.kind, stroke.meaning);
+    const look = meanings.look(stroke.kind, stroke.meaning);
     if (stroke.kind === 'half_space') {
       const { outline, edge } = forbidden_part(cut_half_space(slice, ...stroke.points), reach);
       if (outline.length > 0) areas.push(s('path', { class: 'forbidden', colour: look.colour, d: closed(outline.map(place)) }));
       edges.push(s('path', { class: 'edge', colour: look.colour, d: path_data(edge.map(place)) }));
-    } else if (stroke.kind === 'region' && options.areas) {
+    } else if (stroke.kind === 'region' && options.regions) {
       areas.push(s('path', { class: 'region', colour: look.colour, d: closed(stroke.points.map((v) => place(projected(slice, v)))) }));
     } else if (stroke.kind === 'velocity') {
       const velocity = stroke.points[0];
       const [x, y] = place(projected(slice, velocity));
-      spots.push({ x, y, meaning: stroke.meaning, velocity });
+      spots.push({ x, y, meaning: meanings.words(stroke.meaning), velocity });
       marks.push(...velocity_marks(look, [size / 2, size / 2], [x, y]));
     }
   }
+  const quarter = emptiest(spots, size / 2);
   const svg = s('svg', { class: 'chart plane', viewBox: `0 0 ${size} ${size}`, width: size, height: size, role: 'img' },
     s('defs', {}, s('clipPath', { id: clip }, s('rect', { width: size, height: size, rx: 4 }))),
-    s('g', { 'clip-path': `url(#${clip})` }, ...areas, ...edges, ...rings(options), ...marks),
+    s('g', { 'clip-path': `url(#${clip})` }, ...areas, ...edges, ...rings(options, quarter), ...marks),
     s('rect', { class: 'frame', x: 0.5, y: 0.5, width: size - 1, height: size - 1, rx: 4 }),
-    ...names(options));
+    ...names(options, quarter));
   svg.style.fontSize = '11px';
   return { svg, spots };
 }
@@ -69,7 +71,13 @@ function closed(points: Point[]): string {
   return path_data(points) + 'Z';
 }
 
-function rings({ reach, size }: PlaneOptions): SVGElement[] {
+/** The quarter of the plane on the far side of the velocities, as signs of x to the right and y downwards. */
+function emptiest(spots: readonly Spot[], middle: number): Point {
+  const [x, y] = spots.reduce(([sx, sy], spot) => [sx + spot.x - middle, sy + spot.y - middle], [0, 0]);
+  return [x > 0 ? -1 : 1, y > 0 ? -1 : 1];
+}
+
+function rings({ reach, size }: PlaneOptions, quarter: Point): SVGElement[] {
   const middle = size / 2;
   const speeds = ticks(0, reach, size > 260 ? 4 : 2).filter((speed) => speed > 0);
   const digits = tick_digits(speeds.length > 1 ? speeds : [0, ...speeds]);
@@ -78,18 +86,17 @@ function rings({ reach, size }: PlaneOptions): SVGElement[] {
     ...speeds.flatMap((speed, k) => {
       const radius = (speed / reach) * middle;
       const label = fixed(speed, digits) + (k === speeds.length - 1 ? ' m/s' : '');
-      // To port of ahead and below, where there is least else.
-      const at = middle - radius * Math.SQRT1_2;
+      const at = (side: number): number => middle + side * radius * Math.SQRT1_2;
       return [s('circle', { class: 'speed-ring', cx: middle, cy: middle, r: radius }),
-        speed < reach * 1.2 ? s('text', { class: 'ring-label', x: at, y: size - at, 'text-anchor': 'middle' }, label) : null];
-    }).filter((mark) => mark !== null),
+        s('text', { class: 'ring-label', x: at(quarter[0]), y: at(quarter[1]) + 4, 'text-anchor': 'middle' }, label)];
+    }),
   ];
 }
 
-function names({ size, up, right }: PlaneOptions): SVGElement[] {
+function names({ size, up, right }: PlaneOptions, [x, y]: Point): SVGElement[] {
   return [
-    s('text', { class: 'axis-name', x: size / 2 + 6, y: 15 }, up),
-    s('text', { class: 'axis-name', x: size - 7, y: size / 2 - 6, 'text-anchor': 'end' }, right),
+    s('text', { class: 'axis-name', x: size / 2 + 6 * x, y: 15, 'text-anchor': x > 0 ? 'start' : 'end' }, up),
+    s('text', { class: 'axis-name', x: size - 7, y: size / 2 + (y > 0 ? 15 : -6), 'text-anchor': 'end' }, right),
   ];
 }
 

@@ -2,7 +2,8 @@
 // The planes of velocities as one SVG that stands alone, with their legend.
 import { s, text_width } from '../../common/dom';
 import { standalone_svg } from '../../report/saved_svg';
-import { glyph_marks, look_of, type Entry } from './meanings';
+import { told, type Entry } from './key';
+import { glyph_marks, type Meanings } from './meanings';
 import { image_width, pixels_of, type ImageStroke } from './raster';
 
 const gap = 22;
@@ -15,18 +16,18 @@ export interface SavedPlane {
 
 /** `image` lies under the first plane, which reaches so far [m/s]. */
 export function planes_svg(title: string, planes: readonly SavedPlane[], entries: readonly Entry[],
-                           image: ImageStroke | null, reach: number): string {
+                           meanings: Meanings, image: ImageStroke | null, reach: number): string {
   const sizes = planes.map(({ svg }) => svg.viewBox.baseVal.width);
   const width = sizes.reduce((sum, size) => sum + size, (planes.length - 1) * gap);
   const tallest = Math.max(...sizes);
   if (image !== null && planes[0] !== undefined) put_image(planes[0].svg, image, reach);
   const legend = s('g', { transform: `translate(0 ${tallest + 2 * row})` });
   let [x, y] = [0, 0];
-  for (const { kind, meaning } of entries) {
-    const advance = 24 + text_width(meaning, 12) + 16;
+  for (const entry of entries) {
+    const advance = 24 + text_width(told(entry), 12) + 24;
     if (x > 0 && x + advance > width) [x, y] = [0, y + row];
-    legend.append(s('g', { transform: `translate(${x} ${y})` }, ...glyph_marks(look_of(kind, meaning)),
-      s('text', { class: 'saved-label', x: 24, y: 10 }, meaning)));
+    legend.append(s('g', { transform: `translate(${x} ${y})` }, ...glyph_marks(meanings.look(entry.kind, entry.meaning)),
+      s('text', { class: 'saved-label', x: 24, y: 10 }, told(entry))));
     x += advance;
   }
   const drawing = s('svg', { class: 'chart', viewBox: `0 0 ${width} ${tallest + 3 * row + y}` });

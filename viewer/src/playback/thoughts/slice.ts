@@ -67,5 +67,5 @@ export function round_reach(value: number): number {
   if (!(value > 0)) return 1;
   const power = 10 ** Math.floor(Math.log10(value));
   const lead = value / power;
-  return power * ([1, 1.5, 2, 3, 4, 6, 8].find((step) => lead <= step) ?? 10);
+  return power * ([1, 1.5, 2, 3, 4, 6, 8].find((step) => lead <= step * 1.001) ?? 10);
 }

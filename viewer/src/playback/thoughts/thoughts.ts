@@ -8,10 +8,11 @@ import { hide_tip, show_tip } from '../../common/tooltip';
 import type { Film, Moment } from '../film';
 import type { Scene, SketchRecord, Stroke, Vec3 } from '../model';
 import type { Panel } from '../panel';
-import { commanded, entries_of, meaning_key, own_velocity, Wanted, type Entry } from './meanings';
+import { entries_of, meaning_key, told, Wanted } from './key';
+import { commanded, Meanings, own_velocity } from './meanings';
 import { Perceived } from './perceived';
 import { draw_plane, velocity_words, type Plane, type Spot } from './plane';
-import { image_width, paint_image, type ImageStroke } from './raster';
+import { paint_image, type ImageStroke } from './raster';
 import { planes_svg } from './saved';
 import { horizontal_slice, round_reach, vertical_slice, type Slice } from './slice';
 
@@ -42,7 +43,8 @@ class Thoughts implements Panel {
   private readonly hint = h('p', { class: 'hint' });
   private readonly drawn = h('div', {});
   private readonly perceived: Perceived;
-  private readonly wanted = new Wanted();
+  private readonly meanings: Meanings;
+  private readonly wanted: Wanted;
   private vehicle: number | null;
   private record: SketchRecord | null = null;
   private time = 0;
@@ -53,6 +55,8 @@ class Thoughts implements Panel {
 
   constructor(private readonly scene: Scene, private readonly film: Film) {
     this.perceived = new Perceived(scene, film);
+    this.meanings = new Meanings(scene.vehicles);
+    this.wanted = new Wanted(this.meanings);
     this.vehicle = scene.vehicles.length === 1 ? 0 : null;
     const save = action_button('SVG', 'Save the planes of velocities as SVG', 'saved', () => this.save());
     this.drawn.append(h('div', { class: 'thoughts-head' }, this.when, h('span', { class: 'panel-actions' }, save)), this.planes, this.key, this.elsewhere);
@@ -86,7 +90,8 @@ class Thoughts implements Panel {
   }
 
   grown(): void {
-    this.restyle();
+    const record = this.vehicle === null ? null : this.film.sketches.at(this.vehicle, this.time);
+    if (record === null || record !== this.record) this.restyle();
   }
 
   restyle(): void {
@@ -131,7 +136,7 @@ class Thoughts implements Panel {
     const velocities = strokes.flatMap((stroke) => (stroke.kind === 'velocity' ? stroke.points : []));
     const chosen = strokes.flatMap((stroke) => (stroke.kind === 'velocity' && stroke.meaning === 'chosen' ? stroke.points : [])).at(-1) ?? command;
     const speeds = velocities.map((v) => Math.hypot(...v));
-    const images = strokes.filter((stroke) => stroke.kind === 'image').map((image) => image_width(image) / 2);
+    const images = strokes.filter((stroke) => stroke.kind === 'image').map(({ reach }) => reach);
     // A method of the plane draws nothing upwards, whatever the vehicle itself does.
     const is_steep = record.strokes.some((stroke) => (stroke.kind === 'half_space' && Math.abs(stroke.points[1][2]) > 1e-3) ||
       (stroke.kind === 'velocity' && Math.abs(stroke.points[0][2]) > 0.01 * Math.max(...speeds)));
@@ -146,7 +151,7 @@ class Thoughts implements Panel {
 
   private draw_decision(decision: Decision): void {
     const { record, strokes } = decision;
-    const { plane, picture } = entries_of(strokes);
+    const { plane, picture } = entries_of(strokes, this.meanings);
     this.when.replaceChildren(`decided at t = ${fixed(record.time_s, 2)} s`);
     const beside = decision.vertical !== null && this.width >= side_by_side;
     const size = Math.floor(Math.min(this.width, largest_plane, beside ? this.width * 0.62 : Infinity));
@@ -159,23 +164,23 @@ class Thoughts implements Panel {
       host.addEventListener('pointermove', (event) => point_at(drawn, host, event));
       return h('figure', {}, host, h('figcaption', {}, caption));
     }));
-    this.key.replaceChildren(meaning_key(plane, this.wanted, () => this.restyle()));
-    this.elsewhere.textContent = picture.length === 0 ? '' : `In the picture: ${picture.map(named).join(', ')}.`;
+    this.key.replaceChildren(meaning_key(plane, this.meanings, this.wanted, () => this.restyle()));
+    this.elsewhere.textContent = picture.length === 0 ? '' : `In the picture: ${picture.map(told).join(', ')}.`;
   }
 
   private parts({ horizontal, vertical, reach, down }: Decision, shown: readonly Stroke[], size: number, small: number):
       { drawn: Plane; caption: string; image?: ImageStroke | null }[] {
     const image = shown.find((stroke): stroke is ImageStroke => stroke.kind === 'image') ?? null;
+    const forbidden = shown.some(({ kind }) => kind === 'half_space' || kind === 'region') ? '; shaded ones are forbidden' : '';
     const level = Math.abs(down) < 5e-4 ? '' : `, all at ${fixed(Math.abs(down), 2)} m/s ${down > 0 ? 'down' : 'up'}`;
     const parts = [{
-      drawn: draw_plane(shown, { slice: horizontal, reach, size, up: 'north', right: 'east', areas: true }),
-      caption: vertical === null ? 'Horizontal velocities; shaded ones are forbidden.'
-        : `Horizontal cut through the chosen velocity${level}; shaded ones are forbidden.`,
+      drawn: draw_plane(shown, { slice: horizontal, reach, size, up: 'north', right: 'east', regions: true, meanings: this.meanings }),
+      caption: vertical === null ? `Horizontal velocities${forbidden}.` : `Horizontal cut through the chosen velocity${level}${forbidden}.`,
       image,
     }];
     if (vertical === null) return parts;
     return [...parts, {
-      drawn: draw_plane(shown, { slice: vertical, reach, size: small, up: 'up', right: 'on course', areas: false }),
+      drawn: draw_plane(shown, { slice: vertical, reach, size: small, up: 'up', right: 'on course', regions: false, meanings: this.meanings }),
       caption: 'Vertical cut through the chosen velocity, along its course.',
     }];
   }
@@ -183,20 +188,16 @@ class Thoughts implements Panel {
   private save(): boolean {
     if (this.record === null) return false;
     const decision = this.decision(this.record);
-    const { plane } = entries_of(decision.strokes);
+    const { plane } = entries_of(decision.strokes, this.meanings);
     const entries = plane.filter((entry) => this.wanted.shows(entry, plane));
     const shown = decision.strokes.filter((stroke) => this.wanted.shows(stroke, plane));
     const parts = this.parts(decision, shown, saved_size, 0.72 * saved_size);
     const name = this.scene.vehicles[decision.record.vehicle]!.name;
     const title = `${name}, decided at t = ${fixed(decision.record.time_s, 2)} s`;
     save_text(`${slug(`${name} ${decision.record.time_s}`)}.svg`, 'image/svg+xml',
-      planes_svg(title, parts.map(({ drawn, caption }) => ({ svg: drawn.svg, caption })), entries, parts[0]!.image ?? null, decision.reach));
+      planes_svg(title, parts.map(({ drawn, caption }) => ({ svg: drawn.svg, caption })), entries, this.meanings, parts[0]!.image ?? null, decision.reach));
     return true;
   }
-}
-
-function named({ meaning, count }: Entry): string {
-  return count > 1 ? `${meaning} (${count})` : meaning;
 }
 
 /** Says which velocity is under the pointer. */
