@@ -15,7 +15,10 @@ const { createServer } = await import(pathToFileURL(createRequire(`${viewer}pack
 let server;
 let load;
 before(async () => {
-  server = await createServer({ root: viewer, configFile: false, logLevel: 'error', appType: 'custom', server: { middlewareMode: true, ws: false, watch: null } });
+  server = await createServer({
+    root: viewer, configFile: false, logLevel: 'error', appType: 'custom',
+    server: { middlewareMode: true, ws: false, watch: null },
+  });
   load = (path) => server.ssrLoadModule(`/src/playback/${path}`);
 });
 after(() => server.close());

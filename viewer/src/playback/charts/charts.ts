@@ -38,7 +38,9 @@ class Charts implements Panel {
   private readonly chips = h('div', { class: 'chips', role: 'group', 'aria-label': 'Charts' });
   private readonly stack = h('div', { class: 'chart-stack' });
   private readonly names = h('ul', { class: 'vehicle-key', 'aria-label': 'Vehicles' });
-  private readonly whole = h('button', { type: 'button', class: 'chip', title: 'Show the whole run (double click)', hidden: true }, 'Whole run');
+  private readonly whole = h('button', {
+    type: 'button', class: 'chip', title: 'Show the whole run (double click)', hidden: true,
+  }, 'Whole run');
   private readonly span = new Span(() => this.redraw());
   private readonly timeline: Timeline;
   private readonly palette;

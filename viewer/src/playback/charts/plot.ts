@@ -145,7 +145,8 @@ export class Plot {
     ctx.fillStyle = colour_now('var(--limit)');
     for (const { label, value } of this.curves.rules) {
       const text = `${label} ${short(value)} ${this.kind.unit}`;
-      const y = self.valToPos(value, 'y', true) - 3 * ratio;
+      const line = self.valToPos(value, 'y', true);
+      const y = line < bbox.top + 12 * ratio ? line + 11 * ratio : line - 3 * ratio;
       ctx.strokeText(text, x, y);
       ctx.fillText(text, x, y);
       x -= ctx.measureText(text).width + 8 * ratio;

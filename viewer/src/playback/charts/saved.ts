@@ -37,7 +37,8 @@ export function curves_svg(kind: ChartKind, curves: Curves, store: Store, span: 
     ]),
     s('text', { class: 'axis-label', x: (margin.left + width - margin.right) / 2, y: height - 8, 'text-anchor': 'middle' }, 'time [s]'),
     s('text', { class: 'axis-label', 'text-anchor': 'middle', transform: `translate(14 ${(margin.top + bottom) / 2}) rotate(-90)` }, curves.axis),
-    ...curves.rules.map(({ value }) => s('line', { class: 'rule', x1: margin.left, x2: width - margin.right, y1: y(value), y2: y(value) })),
+    ...curves.rules.map(({ value }) =>
+      s('line', { class: 'rule', x1: margin.left, x2: width - margin.right, y1: y(value), y2: y(value) })),
     ...curves.series.map((series, k) => curve(series, palette, Array.from(columns[k]!, (value, i) => {
       const time = times[i]!;
       return time < span[0] || time > span[1] ? null : [x(time), y(value)] as const;
@@ -45,7 +46,8 @@ export function curves_svg(kind: ChartKind, curves: Curves, store: Store, span: 
   );
   return standalone_svg(drawing, `${kind.title}, ${curves.note}`, [
     ...curves.series.filter(({ look }) => look !== 'faint').map((series) => ({
-      label: series.label, glyph: 'line' as const, colour: palette.colour(String(series.vehicle)), dash: dash_of(series, palette), toggles: false,
+      label: series.label, glyph: 'line' as const, toggles: false,
+      colour: palette.colour(String(series.vehicle)), dash: dash_of(series, palette),
     })),
     ...curves.rules.map(({ label, value }) => ({ label: `${label} ${short(value)} ${kind.unit}`, glyph: 'rule' as const, toggles: false })),
   ]);

@@ -99,10 +99,14 @@ export class Strip {
     const vehicle = this.vehicles[Math.floor(y / this.row_height)];
     if (vehicle === undefined || this.film.count === 0) return null;
     const i = this.film.index_at(time);
-    const word = (words: readonly string[], column: string): string => (words[this.film.value(column, i, vehicle)] ?? '?').replace('_', ' ');
+    const word = (words: readonly string[], column: string): string =>
+      (words[this.film.value(column, i, vehicle)] ?? '?').replace('_', ' ');
     return {
       title: `${this.scene.vehicles[vehicle]!.name}, t = ${this.film.time(i).toFixed(2)} s`,
-      rows: [{ label: 'near', value: word(alerts, 'alert') }, { label: 'mode', value: word(modes, 'mode') }, { label: 'phase', value: word(phases, 'phase') }],
+      rows: [
+        { label: 'near', value: word(alerts, 'alert') }, { label: 'mode', value: word(modes, 'mode') },
+        { label: 'phase', value: word(phases, 'phase') },
+      ],
     };
   }
 }

@@ -10,13 +10,15 @@ type Section = Explanation['sections'][number];
 type Table = NonNullable<Section['table']>;
 
 /** `range_m` is read as "range [m]", as the libraries name quantities with their unit. */
-const units: Record<string, string> = { m: 'm', s: 's', mps: 'm/s', mps2: 'm/s²', rad: 'rad', deg: '°', radps: 'rad/s', n: 'N', w: 'W', hz: 'Hz', ratio: '–', count: '–' };
+const units: Record<string, string> = {
+  m: 'm', s: 's', mps: 'm/s', mps2: 'm/s²', rad: 'rad', deg: '°', radps: 'rad/s', n: 'N', w: 'W', hz: 'Hz', ratio: '', count: '',
+};
 
 export function heading_of(column: string): string {
   const parts = column.split('_');
   const unit = parts.length > 1 ? units[parts.at(-1)!] : undefined;
   const words = (unit === undefined ? parts : parts.slice(0, -1)).join(' ');
-  return unit === undefined || unit === '–' ? words : `${words} [${unit}]`;
+  return unit === undefined || unit === '' ? words : `${words} [${unit}]`;
 }
 
 /** Decimals with which a column of numbers lines up and keeps about four digits. */
@@ -47,11 +49,12 @@ function section({ title, lines, table: numbers }: Section): HTMLElement {
 /** What `fairway explain` found; `seek` goes to the moment of the decision. */
 export function make_explanation(explanation: Explanation, scene: Scene, seek: (time: number) => void): HTMLElement {
   const { vehicle, time_s, headline, sections } = explanation;
+  const name = scene.vehicles[vehicle]?.name ?? `vehicle ${vehicle}`;
   const swatch = h('i', { class: 'swatch', 'aria-hidden': 'true' });
   swatch.style.background = `var(--c${vehicle % colour_count})`;
   const go = h('button', { type: 'button', class: 'chip', title: 'Show this moment in the picture' }, `Show t = ${fixed(time_s, 2)} s`);
   go.addEventListener('click', () => seek(time_s));
   return h('article', { class: 'explanation' },
-    h('header', {}, h('span', { class: 'who' }, swatch, `${scene.vehicles[vehicle]?.name ?? `vehicle ${vehicle}`}, decided at t = ${fixed(time_s, 2)} s`), go),
+    h('header', {}, h('span', { class: 'who' }, swatch, `${name}, decided at t = ${fixed(time_s, 2)} s`), go),
     h('h2', {}, headline), ...sections.map(section));
 }

@@ -2,13 +2,14 @@
 // The legend of a decision, and what of it the reader wants to see.
 import { h } from '../../common/dom';
 import type { Stroke } from '../model';
-import { glyph, type Meanings } from './meanings';
+import { glyph, type Look, type Meanings } from './meanings';
 
 const most_alike = 8;
 
 type Named = Pick<Stroke, 'kind' | 'meaning'>;
 export interface Entry extends Named {
   label: string;
+  look: Look;
   count: number;
 }
 
@@ -27,7 +28,10 @@ function grouped(strokes: readonly Stroke[], meanings: Meanings): Entry[] {
     const group = meanings.group(meaning);
     const is_crowd = alike.get(key_of(kind, group))!.size > most_alike;
     const shown = is_crowd ? group : meaning;
-    const entry = entries.get(key_of(kind, shown)) ?? { kind, meaning: shown, label: is_crowd ? `${group} …` : meanings.words(meaning), count: 0 };
+    const look = meanings.look(kind, meaning);
+    const entry = entries.get(key_of(kind, shown)) ?? (is_crowd
+      ? { kind, meaning: shown, label: `${group} …`, look: { ...look, colour: 'var(--ink-2)' }, count: 0 }
+      : { kind, meaning: shown, label: meanings.words(meaning), look, count: 0 });
     ++entry.count;
     entries.set(key_of(kind, shown), entry);
   }
@@ -71,10 +75,10 @@ export class Wanted {
 }
 
 /** A click on a meaning hides and shows it. */
-export function meaning_key(entries: readonly Entry[], meanings: Meanings, wanted: Wanted, changed: () => void): HTMLElement {
+export function meaning_key(entries: readonly Entry[], wanted: Wanted, changed: () => void): HTMLElement {
   return h('ul', { class: 'meaning-key', 'aria-label': 'What is drawn' }, ...entries.map((entry) => {
     const button = h('button', { type: 'button', 'aria-pressed': String(wanted.shows(entry, entries)), title: 'Show or hide' },
-      glyph(meanings.look(entry.kind, entry.meaning)), told(entry));
+      glyph(entry.look), told(entry));
     button.addEventListener('click', () => {
       wanted.toggle(entry, entries);
       changed();

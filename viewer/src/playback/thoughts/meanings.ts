@@ -74,13 +74,15 @@ export function glyph_marks({ mark, colour, dash }: Look): SVGElement[] {
       s('line', { class: 'arrow', colour, x1: 1, x2: 11, y1: 6, y2: 6, 'stroke-dasharray': dash ? '3 2' : undefined }),
       s('path', { class: 'head', colour, d: 'M17 6L10 2.4V9.6Z' })];
     case 'ring': return [s('circle', { class: 'ring', colour, cx: 9, cy: 6, r: 4 })];
-    case 'dot': return [s('circle', { class: 'particle', colour, cx: 5, cy: 7, r: 2 }), s('circle', { class: 'particle', colour, cx: 12, cy: 5, r: 2 })];
+    case 'dot': return [
+      s('circle', { class: 'particle', colour, cx: 5, cy: 7, r: 2 }),
+      s('circle', { class: 'particle', colour, cx: 12, cy: 5, r: 2 })];
     case 'diamond': return [s('path', { class: 'ring', colour, d: 'M9 1L14 6L9 11L4 6Z' })];
     case 'edge': return [
       s('rect', { class: 'forbidden', colour, x: 1, y: 6, width: 16, height: 6 }),
       s('line', { class: 'edge', colour, x1: 1, x2: 17, y1: 6, y2: 6 })];
     case 'area': return [s('rect', { class: 'region', colour, x: 2, y: 1.5, width: 14, height: 9, rx: 1 })];
-    case 'image': return [0, 1, 2, 3].map((k) => s('rect', { class: 'pixel', x: 3 + 6 * (k % 2), y: 6 * Math.floor(k / 2), width: 6, height: 6,
-      opacity: [0.75, 0.35, 0.2, 0.55][k]! }));
+    case 'image': return [0.75, 0.35, 0.2, 0.55].map((opacity, k) =>
+      s('rect', { class: 'pixel', x: 3 + 6 * (k % 2), y: 6 * Math.floor(k / 2), width: 6, height: 6, opacity }));
   }
 }

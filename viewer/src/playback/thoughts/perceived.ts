@@ -9,6 +9,7 @@ import { who_is } from './who';
 
 const most_flights = 8;
 const degrees = 180 / Math.PI;
+const track_columns = [['track', ''], ['range', 'm'], ['bearing', ''], ['closing', 'm/s'], ['age', 's'], ['σ', 'm']] as const;
 
 type Track = TracksRecord['tracks'][number];
 
@@ -66,13 +67,16 @@ export class Perceived {
 
   private track_table({ time_s, vehicle, tracks }: TracksRecord): HTMLElement {
     const i = this.film.index_at(time_s);
-    const own = { position: vector(this.film, 'position_m', i, vehicle), velocity: vector(this.film, 'velocity_mps', i, vehicle), yaw: yaw_of(this.film, i, vehicle) };
+    const own = {
+      position: vector(this.film, 'position_m', i, vehicle), velocity: vector(this.film, 'velocity_mps', i, vehicle),
+      yaw: yaw_of(this.film, i, vehicle),
+    };
     const rows = tracks.map((track) => ({ track, sight: sight_of(track, own) })).sort((a, b) => a.sight.range_m - b.sight.range_m);
     const title = h('h3', {}, 'Perceived ', h('small', {}, `at t = ${fixed(time_s, 2)} s, nearest first`));
     if (rows.length === 0) return h('section', {}, title, h('p', {}, 'Nobody.'));
     return h('section', {}, title, h('div', { class: 'perceived-table', tabindex: 0, role: 'group' }, h('table', {},
-      h('thead', {}, h('tr', {}, ...([['track', ''], ['range', 'm'], ['bearing', ''], ['closing', 'm/s'], ['age', 's'], ['σ', 'm']] as const)
-        .map(([label, unit]) => h('th', { scope: 'col' }, label, unit === '' ? null : h('small', {}, ` ${unit}`))))),
+      h('thead', {}, h('tr', {}, ...track_columns.map(([label, unit]) =>
+        h('th', { scope: 'col' }, label, unit === '' ? null : h('small', {}, ` ${unit}`))))),
       h('tbody', {}, ...rows.map(({ track, sight }) => h('tr', {},
         h('th', { scope: 'row' }, ...this.who(track)), h('td', {}, fixed(sight.range_m, 1)), h('td', {}, bearing_words(sight.bearing_rad)),
         h('td', {}, fixed(sight.closing_mps, 2)), h('td', {}, fixed(track.age_s, 1)), h('td', {}, fixed(track.sigma_m, 2))))))));

@@ -3,7 +3,7 @@
 import { s, text_width } from '../../common/dom';
 import { standalone_svg } from '../../report/saved_svg';
 import { told, type Entry } from './key';
-import { glyph_marks, type Meanings } from './meanings';
+import { glyph_marks } from './meanings';
 import { image_width, pixels_of, type ImageStroke } from './raster';
 
 const gap = 22;
@@ -16,7 +16,7 @@ export interface SavedPlane {
 
 /** `image` lies under the first plane, which reaches so far [m/s]. */
 export function planes_svg(title: string, planes: readonly SavedPlane[], entries: readonly Entry[],
-                           meanings: Meanings, image: ImageStroke | null, reach: number): string {
+                           image: ImageStroke | null, reach: number): string {
   const sizes = planes.map(({ svg }) => svg.viewBox.baseVal.width);
   const width = sizes.reduce((sum, size) => sum + size, (planes.length - 1) * gap);
   const tallest = Math.max(...sizes);
@@ -26,7 +26,7 @@ export function planes_svg(title: string, planes: readonly SavedPlane[], entries
   for (const entry of entries) {
     const advance = 24 + text_width(told(entry), 12) + 24;
     if (x > 0 && x + advance > width) [x, y] = [0, y + row];
-    legend.append(s('g', { transform: `translate(${x} ${y})` }, ...glyph_marks(meanings.look(entry.kind, entry.meaning)),
+    legend.append(s('g', { transform: `translate(${x} ${y})` }, ...glyph_marks(entry.look),
       s('text', { class: 'saved-label', x: 24, y: 10 }, told(entry))));
     x += advance;
   }

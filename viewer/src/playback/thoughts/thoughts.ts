@@ -59,7 +59,8 @@ class Thoughts implements Panel {
     this.wanted = new Wanted(this.meanings);
     this.vehicle = scene.vehicles.length === 1 ? 0 : null;
     const save = action_button('SVG', 'Save the planes of velocities as SVG', 'saved', () => this.save());
-    this.drawn.append(h('div', { class: 'thoughts-head' }, this.when, h('span', { class: 'panel-actions' }, save)), this.planes, this.key, this.elsewhere);
+    this.drawn.append(h('div', { class: 'thoughts-head' }, this.when, h('span', { class: 'panel-actions' }, save)),
+      this.planes, this.key, this.elsewhere);
     this.element.append(this.title, this.hint, this.drawn, this.perceived.element);
     this.planes.addEventListener('pointerleave', hide_tip);
     new ResizeObserver(() => {
@@ -120,8 +121,8 @@ class Thoughts implements Panel {
 
   private advice(): (Node | string)[] {
     if (!this.film.sketches.any) {
-      return ['What the vehicles thought was not kept in this film. ', h('code', {}, 'fairway run --sketch'), ' keeps it while a run is recorded, ',
-        h('code', {}, 'fairway view --sketch'), ' asks the decisions of a recording again.'];
+      return ['What the vehicles thought was not kept in this film. ', h('code', {}, 'fairway run --sketch'),
+        ' keeps it while a run is recorded, ', h('code', {}, 'fairway view --sketch'), ' asks the decisions of a recording again.'];
     }
     if (this.vehicle === null) return ['Choose a vehicle to see which velocities it weighed.'];
     return ['It has drawn nothing up to this moment: it has not decided yet, or nobody was near.'];
@@ -134,7 +135,8 @@ class Thoughts implements Panel {
     const strokes: Stroke[] = [{ kind: 'velocity', meaning: own_velocity, points: [velocity] }, ...record.strokes,
       { kind: 'velocity', meaning: commanded, points: [command] }];
     const velocities = strokes.flatMap((stroke) => (stroke.kind === 'velocity' ? stroke.points : []));
-    const chosen = strokes.flatMap((stroke) => (stroke.kind === 'velocity' && stroke.meaning === 'chosen' ? stroke.points : [])).at(-1) ?? command;
+    const chosen = strokes.flatMap((stroke) => (stroke.kind === 'velocity' && stroke.meaning === 'chosen' ? stroke.points : []))
+      .at(-1) ?? command;
     const speeds = velocities.map((v) => Math.hypot(...v));
     const images = strokes.filter((stroke) => stroke.kind === 'image').map(({ reach }) => reach);
     // A method of the plane draws nothing upwards, whatever the vehicle itself does.
@@ -164,8 +166,9 @@ class Thoughts implements Panel {
       host.addEventListener('pointermove', (event) => point_at(drawn, host, event));
       return h('figure', {}, host, h('figcaption', {}, caption));
     }));
-    this.key.replaceChildren(meaning_key(plane, this.meanings, this.wanted, () => this.restyle()));
-    this.elsewhere.textContent = picture.length === 0 ? '' : `In the picture: ${picture.map(told).join(', ')}.`;
+    this.key.replaceChildren(meaning_key(plane, this.wanted, () => this.restyle()));
+    this.elsewhere.textContent = record.strokes.length === 0 ? 'It drew nothing: there was nothing to avoid.'
+      : picture.length === 0 ? '' : `In the picture: ${picture.map(told).join(', ')}.`;
   }
 
   private parts({ horizontal, vertical, reach, down }: Decision, shown: readonly Stroke[], size: number, small: number):
@@ -175,7 +178,8 @@ class Thoughts implements Panel {
     const level = Math.abs(down) < 5e-4 ? '' : `, all at ${fixed(Math.abs(down), 2)} m/s ${down > 0 ? 'down' : 'up'}`;
     const parts = [{
       drawn: draw_plane(shown, { slice: horizontal, reach, size, up: 'north', right: 'east', regions: true, meanings: this.meanings }),
-      caption: vertical === null ? `Horizontal velocities${forbidden}.` : `Horizontal cut through the chosen velocity${level}${forbidden}.`,
+      caption: vertical === null ? `Horizontal velocities${forbidden}.`
+        : `Horizontal cut through the chosen velocity${level}${forbidden}.`,
       image,
     }];
     if (vertical === null) return parts;
@@ -195,7 +199,7 @@ class Thoughts implements Panel {
     const name = this.scene.vehicles[decision.record.vehicle]!.name;
     const title = `${name}, decided at t = ${fixed(decision.record.time_s, 2)} s`;
     save_text(`${slug(`${name} ${decision.record.time_s}`)}.svg`, 'image/svg+xml',
-      planes_svg(title, parts.map(({ drawn, caption }) => ({ svg: drawn.svg, caption })), entries, this.meanings, parts[0]!.image ?? null, decision.reach));
+      planes_svg(title, parts.map(({ drawn, caption }) => ({ svg: drawn.svg, caption })), entries, parts[0]!.image ?? null, decision.reach));
     return true;
   }
 }
