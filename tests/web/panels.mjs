@@ -43,6 +43,16 @@ test('thinning keeps the least and the greatest value of every stretch', async (
   assert.ok(times[stretch] <= 432.1 && times[stretch + 1] >= 432.1, 'a peak stays in its stretch');
 });
 
+test('what is not known is a gap, and hides nothing that is known', async () => {
+  const { Store } = await load('charts/store.ts');
+  const values = Array.from({ length: 1000 }, (_, i) => (i < 455 ? Number.NaN : i));
+  const store = new Store(film_of(values.map((_, i) => i)), { series: [{}], read: (i, row) => { row[0] = values[i]; } });
+  store.update();
+  const { columns: [thin] } = store.thinned(0, 1000, 100);
+  assert.equal(thin.findIndex((value) => !Number.isNaN(value)), 90);
+  assert.deepEqual([...thin.slice(90, 94)], [455, 459, 460, 469]);
+});
+
 test('what is zoomed into is not thinned, and reaches one frame beyond either side', async () => {
   const { Store } = await load('charts/store.ts');
   const times = Array.from({ length: 10_000 }, (_, i) => i / 10);

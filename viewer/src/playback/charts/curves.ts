@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What each chart shows: its curves, and how they are read off the frames of a film.
 import type { Film } from '../film';
-import type { Scene } from '../model';
+import { phases, type Scene } from '../model';
 
 export type Look = 'full' | 'faint' | 'dashed' | 'dotted';
 export interface Series {
@@ -53,6 +53,13 @@ function distance2(places: Float64Array, a: number, b: number): number {
   return north * north + east * east + down * down;
 }
 
+const under_way = phases.indexOf('under_way');
+
+/** Vehicles may start from one place: nobody is too near before it is under way. */
+function has_set_out(film: Film, i: number, vehicle: number): boolean {
+  return film.value('phase', i, vehicle) >= under_way;
+}
+
 function separation(scene: Scene, film: Film, shown: Shown): Curves {
   const count = scene.vehicles.length;
   const places = new Float64Array(3 * count);
@@ -68,19 +75,19 @@ function separation(scene: Scene, film: Film, shown: Shown): Curves {
     const others = scene.vehicles.map((_, k) => k).filter((k) => k !== own);
     return {
       ...common,
-      note: `from ${scene.vehicles[own]!.name} to each neighbour`,
+      note: `from ${scene.vehicles[own]!.name} to each neighbour, once under way`,
       series: others.map((vehicle) => ({ label: scene.vehicles[vehicle]!.name, vehicle, look: 'full' })),
       read(i, values) {
         locate(i);
         others.forEach((other, k) => {
-          values[k] = Math.sqrt(distance2(places, own, other));
+          values[k] = has_set_out(film, i, own) ? Math.sqrt(distance2(places, own, other)) : Number.NaN;
         });
       },
     };
   }
   return {
     ...common,
-    note: 'of each vehicle from its nearest neighbour',
+    note: 'of each vehicle from its nearest neighbour, once under way',
     series: count < 2 ? [] : one_each(scene, shown),
     read(i, values) {
       locate(i);
@@ -88,7 +95,7 @@ function separation(scene: Scene, film: Film, shown: Shown): Curves {
         const own = shown.vehicles[k]!;
         let least = Infinity;
         for (let other = 0; other < count; ++other) if (other !== own) least = Math.min(least, distance2(places, own, other));
-        values[k] = Math.sqrt(least);
+        values[k] = has_set_out(film, i, own) ? Math.sqrt(least) : Number.NaN;
       });
     },
   };

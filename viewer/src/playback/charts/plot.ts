@@ -81,7 +81,7 @@ export class Plot {
   private data(): uPlot.AlignedData {
     const [from, to] = this.timeline.span.shown;
     const { times, columns } = this.store.thinned(from, to, plot_extent(this.width).width);
-    return [times, ...columns];
+    return [times, ...columns.map(with_gaps)];
   }
 
   private options(width: number, height: number, tells_time: boolean): uPlot.Options {
@@ -181,6 +181,11 @@ export class Plot {
         save_text(`${name}.svg`, 'image/svg+xml', curves_svg(this.kind, this.curves, this.store, this.timeline.span.shown, this.palette));
       }));
   }
+}
+
+/** uPlot leaves a gap at null, which a typed array cannot hold. */
+function with_gaps(values: Float64Array): Float64Array | (number | null)[] {
+  return values.some(Number.isNaN) ? Array.from(values, (value) => (Number.isNaN(value) ? null : value)) : values;
 }
 
 function splits(low: number, high: number, step: number): number[] {

@@ -88,7 +88,7 @@ export class Store {
   }
 }
 
-/** Of each bucket the least and the greatest value, in the order in which they occur. */
+/** Of each bucket the least and the greatest value there is, in the order in which they occur. */
 function extremes(values: Float64Array, buckets: number, edge: (bucket: number) => number): Float64Array {
   const thin = new Float64Array(2 * buckets);
   for (let b = 0; b < buckets; ++b) {
@@ -97,8 +97,8 @@ function extremes(values: Float64Array, buckets: number, edge: (bucket: number) 
     let most = least;
     for (let i = least + 1; i < end; ++i) {
       const value = values[i]!;
-      if (value < values[least]!) least = i;
-      if (value > values[most]!) most = i;
+      if (value < values[least]! || Number.isNaN(values[least]!)) least = i;
+      if (value > values[most]! || Number.isNaN(values[most]!)) most = i;
     }
     thin[2 * b] = values[Math.min(least, most)]!;
     thin[2 * b + 1] = values[Math.max(least, most)]!;

@@ -119,9 +119,12 @@ function arrow(colour: string, dash: string, from: Point, to: Point): SVGElement
   const [ux, uy] = [dx / length, dy / length];
   const [bx, by] = [to[0] - head_length * ux, to[1] - head_length * uy];
   const half = 0.42 * head_length;
+  const head = closed([to, [bx - half * uy, by + half * ux], [bx + half * uy, by - half * ux]]);
+  // Edged, to stand out from any image.
   return [
+    s('path', { class: 'halo', d: path_data([from, [bx, by]]) + head }),
     s('line', { class: 'arrow', colour, x1: from[0], y1: from[1], x2: bx, y2: by, 'stroke-dasharray': dash || undefined }),
-    s('path', { class: 'head', colour, d: closed([to, [bx - half * uy, by + half * ux], [bx + half * uy, by - half * ux]]) }),
+    s('path', { class: 'head', colour, d: head }),
   ];
 }
 

@@ -167,7 +167,7 @@ class Thoughts implements Panel {
       return h('figure', {}, host, h('figcaption', {}, caption));
     }));
     this.key.replaceChildren(meaning_key(plane, this.wanted, () => this.restyle()));
-    this.elsewhere.textContent = record.strokes.length === 0 ? 'It drew nothing: there was nothing to avoid.'
+    this.elsewhere.textContent = record.strokes.length === 0 ? 'It drew nothing in this decision.'
       : picture.length === 0 ? '' : `In the picture: ${picture.map(told).join(', ')}.`;
   }
 
@@ -178,7 +178,7 @@ class Thoughts implements Panel {
     const level = Math.abs(down) < 5e-4 ? '' : `, all at ${fixed(Math.abs(down), 2)} m/s ${down > 0 ? 'down' : 'up'}`;
     const parts = [{
       drawn: draw_plane(shown, { slice: horizontal, reach, size, up: 'north', right: 'east', regions: true, meanings: this.meanings }),
-      caption: vertical === null ? `Horizontal velocities${forbidden}.`
+      caption: vertical === null ? `Horizontal velocities${image === null ? '' : ` over their ${image.meaning}`}${forbidden}.`
         : `Horizontal cut through the chosen velocity${level}${forbidden}.`,
       image,
     }];
