@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // The only place that knows both frames: the run's north-east-down and three.js' x = east, y = up, z = south.
 import { Quaternion, Vector3 } from 'three';
+import type { Vec3 } from '../model';
 
 /** A point or direction [n, e, d] in the axes of the picture. */
 export function place(n: number, e: number, d: number, out = new Vector3()): Vector3 {
   return out.set(e, -d, -n);
 }
 
-export function place_of(v: readonly [number, number, number], out = new Vector3()): Vector3 {
+export function place_of(v: Vec3, out = new Vector3()): Vector3 {
   return place(v[0], v[1], v[2], out);
 }
 

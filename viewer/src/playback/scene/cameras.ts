@@ -57,8 +57,8 @@ export class Cameras {
   private radius = 1;
   private width = 1;
   private aspect = 1;
-  /** What follows was last kept to, to move on by the difference. */
-  private kept: { at: Vector3; heading: number } | null = null;
+  /** Of the vehicle that `follow` keeps to, at the last picture. */
+  private kept_heading: number | null = null;
   private orbit_place: { position: Vector3; target: Vector3 } | null = null;
 
   constructor(canvas: HTMLElement, changed: () => void) {
@@ -103,7 +103,7 @@ export class Cameras {
     if (kind === this.kind) return;
     if (this.kind === 'orbit') this.orbit_place = { position: this.perspective.position.clone(), target: this.around.target.clone() };
     this.kind = kind;
-    this.kept = null;
+    this.kept_heading = null;
     if (kind === 'orbit' && this.orbit_place) {
       this.perspective.position.copy(this.orbit_place.position);
       this.around.target.copy(this.orbit_place.target);
@@ -146,7 +146,7 @@ export class Cameras {
       this.perspective.position.copy(this.orbit_place.position);
       this.around.target.copy(target);
     }
-    this.kept = null;
+    this.kept_heading = null;
     const half = box.getSize(corner).multiplyScalar(0.5);
     this.look_flat('top', middle, upward, Math.max(1.12 * half.z, half.x / this.aspect / room));
     this.look_flat('side', middle, shift.copy(north).negate(), Math.max(1.4 * half.y, half.x / this.aspect / room));
@@ -170,21 +170,21 @@ export class Cameras {
   /** In `follow`, moves on with the vehicle and turns with its heading; what the reader has turned or zoomed stays. */
   keep_to(at: Vector3, heading: number, length: number): void {
     if (this.kind !== 'follow') return;
-    if (this.kept === null) {
+    if (this.kept_heading === null) {
       const back = Math.max(6 * length, 4);
       this.around.target.copy(at);
       this.perspective.position.copy(at).add(corner.set(-Math.sin(heading), 0.42, Math.cos(heading)).multiplyScalar(back));
     } else {
-      shift.subVectors(this.perspective.position, this.around.target).applyAxisAngle(upward, this.kept.heading - heading);
+      shift.subVectors(this.perspective.position, this.around.target).applyAxisAngle(upward, this.kept_heading - heading);
       this.around.target.copy(at);
       this.perspective.position.copy(at).add(shift);
     }
-    this.kept = { at: at.clone(), heading };
+    this.kept_heading = heading;
   }
 
   /** Another vehicle is followed from now on. */
   release(): void {
-    this.kept = null;
+    this.kept_heading = null;
   }
 
   /** Before each picture: lets what the reader has pushed run out, and puts the planes about the scene. */

@@ -8,7 +8,6 @@ export interface Colours {
   series: Color[];
   deep: Color;
   ink: Color;
-  ink_2: Color;
   ink_3: Color;
   line: Color;
   /** Of the column `alert`. */
@@ -35,7 +34,7 @@ export function read_colours(host: HTMLElement): Colours {
   const deep = of('--deep');
   return {
     series: Array.from({ length: colour_count }, (_, k) => of(`--c${k}`)),
-    deep, ink: of('--ink'), ink_2: of('--ink-2'), ink_3: of('--ink-3'), line: of('--line-2'),
+    deep, ink: of('--ink'), ink_3: of('--ink-3'), line: of('--line-2'),
     alerts: [of('--good'), of('--caution'), of('--bad')],
     bad: of('--bad'), water: of('--water'), accent: of('--accent'), of,
     dark: deep.getHSL({ h: 0, s: 0, l: 0 }).l < 0.5,

@@ -19,13 +19,13 @@ export function transport(spec: VehicleSpec): Hull {
   // Hulls may not run into each other, however close they are carried.
   const apart = Math.min(...parts.flatMap((p, i) => parts.slice(0, i).map((q) => Math.hypot(p.x_m - q.x_m, p.y_m - q.y_m))), 2 * reach);
   const length = Math.min(1.44, 0.62 * apart);
-  const payload = 0.55 * reach;
-  builder.box('pale', [2 * payload, 2 * payload, 0.3 * payload], [0, 0, 0]);
-  builder.box('accent', [2.04 * payload, 0.4 * payload, 0.34 * payload], [0, 0, 0]);
+  const payload = 0.32 * reach;
+  builder.box('grey', [2 * payload, 2 * payload, 0.5 * payload], [0, 0, 0]);
+  builder.box('accent', [2.04 * payload, 0.4 * payload, 0.54 * payload], [0, 0, 0]);
   // An arrow of darker paint tells its bow.
-  builder.rod('black', [0.4 * payload, 0, 0.19 * payload], [1.1 * payload, 0, 0.19 * payload], 0.3 * payload, 0.01, 3);
+  builder.rod('black', [0.5 * payload, 0, 0.2 * payload], [1.7 * payload, 0, 0.2 * payload], 0.4 * payload, 0.01, 4);
   for (const part of parts) {
-    builder.rod('grey', [0, 0, 0], [part.x_m, part.y_m, -part.z_m], 0.05 * length);
+    builder.rod('black', [0, 0, 0], [part.x_m, part.y_m, -part.z_m], 0.045 * length);
     builder.in_part([part.x_m, part.y_m, -part.z_m], part.yaw_rad);
     add_rov(builder, length, 0.64 * length).in_part([0, 0, 0], 0);
   }

@@ -98,8 +98,4 @@ export class Lines {
   uniform(name: 'now' | 'fade_s' | 'ahead', value: number): void {
     this.object.material.uniforms[name]!.value = value;
   }
-  dispose(): void {
-    this.instances.geometry.dispose();
-    this.object.material.dispose();
-  }
 }

@@ -27,7 +27,7 @@ export class Alerts implements Part {
       const at = now.poses.positions[v]!;
       const alert = this.film.value('alert', now.moment.index, v);
       const colour = now.colours.alerts[alert] ?? now.colours.alerts[0];
-      const shown = now.chosen.size === 0 || now.chosen.has(v) ? 1 : 0.4;
+      const shown = now.chosen.size === 0 || now.chosen.has(v) ? 1 : 0.55;
       this.outer.add(at, crit_dist_m / 2, colour, shown);
       this.inner.add(at, safety_distance_m / 2, colour, shown);
     }

@@ -76,10 +76,17 @@ export class Currents implements Part {
         at.set(min.x + ((i % per_side) + 0.5) * (max.x - min.x) / per_side, y, min.z + (Math.floor(i / per_side) + 0.5) * (max.z - min.z) / per_side);
         tip.copy(at).addScaledVector(flow, this.metres_per_mps);
         this.arrows.add(at, tip, now.colours.water, 0.6);
-        if (i === 0) this.written.push({ text: `current ${speed.toFixed(2)} m/s at ${-this.height(k)} m`, at: tip.clone(), kind: 'scale', colour: '--water', rank: 25 });
       }
+      const text = `current ${speed.toFixed(2)} m/s at ${-this.height(k)} m`;
+      this.written.push({ text, at: this.corner(y), kind: 'scale', colour: '--water', rank: 25 });
     }
     this.arrows.commit();
+  }
+
+  /** Of the lattice's first arrow. */
+  private corner(y: number): Vector3 {
+    const { min, max } = this.extent!.frame;
+    return new Vector3(min.x + (0.5 / per_side) * (max.x - min.x), y, min.z + (0.5 / per_side) * (max.z - min.z));
   }
 
   labels(): Label[] {

@@ -38,7 +38,8 @@ export class Names implements Part {
     return [...shown].flatMap((v) => {
       const spec = this.scene.vehicles[v];
       if (spec === undefined) return [];
-      return [{ text: spec.name, at: below(now.poses.positions[v]!, camera, 0.3 * spec.length_m), kind: 'name' as const, colour: series_name(v), rank: this.rank(v, places.get(v)!, now) }];
+      const at = below(now.poses.positions[v]!, camera, 0.3 * spec.length_m);
+      return [{ text: spec.name, at, kind: 'name' as const, colour: series_name(v), rank: this.rank(v, places.get(v)!, now) }];
     });
   }
 

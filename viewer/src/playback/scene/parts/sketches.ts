@@ -2,7 +2,7 @@
 // What vehicles drew when they decided. Velocities are drawn about the vehicle, where they lead in a stated time.
 import { Group, Vector3 } from 'three';
 import type { Film } from '../../film';
-import type { SketchRecord, Stroke } from '../../model';
+import type { SketchRecord, Stroke, Vec3 } from '../../model';
 import { place, place_of } from '../axes';
 import { Arrows } from '../ink/arrows';
 import { Dots } from '../ink/dots';
@@ -143,7 +143,7 @@ export class Sketches implements Part {
     if (first && meaning !== 'velocity') this.written.push({ text: meaning, at: tip, kind: 'meaning', colour: name, rank: 40, beside_px: 7 });
   }
 
-  private plane(at: Vector3, [point, direction]: readonly [readonly [number, number, number], readonly [number, number, number]], colour: Now['colours']['ink']): void {
+  private plane(at: Vector3, [point, direction]: readonly [Vec3, Vec3], colour: Now['colours']['ink']): void {
     const centre = this.led(at, place_of(point, a));
     const normal = place_of(direction, new Vector3()).normalize();
     const [u, v] = across(normal);
@@ -154,7 +154,7 @@ export class Sketches implements Part {
     this.lines.add(centre, b.copy(centre).addScaledVector(normal, 0.45 * this.plane_radius), colour);
   }
 
-  private region(at: Vector3, outline: readonly (readonly [number, number, number])[], colour: Now['colours']['ink']): void {
+  private region(at: Vector3, outline: readonly Vec3[], colour: Now['colours']['ink']): void {
     const points = outline.map((v) => this.led(at, place_of(v, a)));
     if (points.length === 0) return;
     this.faces.polygon(points, colour, 0.22);
