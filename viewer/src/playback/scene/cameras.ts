@@ -5,6 +5,8 @@ import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import type { CameraKind } from './stage_view';
 
 const field_deg = 38;
+/** In which a camera let go of loses most of its speed. */
+const damping_ms = 80;
 /** From the west of south, some way above: where one looks from at first; from higher up in an upright window. */
 function first_look(aspect: number): Vector3 {
   return (aspect < 0.8 ? new Vector3(-0.2, 1.2, 0.85) : new Vector3(-0.55, 0.52, 0.85)).normalize();
@@ -56,6 +58,7 @@ export class Cameras {
   private readonly box = new Box3(new Vector3(-1, -1, -1), new Vector3(1, 1, 1));
   private radius = 1;
   private width = 1;
+  private updated_ms = 0;
   private aspect = 1;
   /** Of the vehicle that `follow` keeps to, at the last picture. */
   private kept_heading: number | null = null;
@@ -64,7 +67,6 @@ export class Cameras {
   constructor(canvas: HTMLElement, changed: () => void) {
     this.around = new OrbitControls(this.perspective, canvas);
     this.around.enableDamping = true;
-    this.around.dampingFactor = 0.2;
     this.across = { top: this.flat_controls('top', canvas), side: this.flat_controls('side', canvas) };
     for (const controls of [this.around, this.across.top, this.across.side]) {
       controls.zoomToCursor = true;
@@ -189,6 +191,10 @@ export class Cameras {
 
   /** Before each picture: lets what the reader has pushed run out, and puts the planes about the scene. */
   update(): void {
+    // By the clock, so that where pictures are slow the camera does not drift on for as many of them.
+    const now_ms = performance.now();
+    this.around.dampingFactor = Math.max(0.02, 1 - Math.exp((this.updated_ms - now_ms) / damping_ms));
+    this.updated_ms = now_ms;
     this.controls.update();
     const away = this.perspective.position.distanceTo(this.box.getCenter(centre));
     this.perspective.near = Math.max(0.1, 0.002 * this.perspective.position.distanceTo(this.around.target));
