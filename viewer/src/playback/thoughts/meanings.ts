@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // How each meaning looks, and how it is told.
+import { colour_count } from '../../common/colour';
 import { s } from '../../common/dom';
 import type { Stroke, VehicleSpec } from '../model';
 import { about } from './who';
@@ -15,22 +16,26 @@ export const own_velocity = 'own velocity';
 export const commanded = 'commanded';
 
 const looks: Record<string, Look> = {
-  [own_velocity]: { mark: 'arrow', colour: 'var(--ink)', dash: '' },
+  [own_velocity]: { mark: 'arrow', colour: 'var(--ink-3)', dash: '' },
   [commanded]: { mark: 'diamond', colour: 'var(--ink)', dash: '' },
-  chosen: { mark: 'arrow', colour: 'var(--c2)', dash: '' },
-  'after the safety filter': { mark: 'arrow', colour: 'var(--c2)', dash: '' },
-  preferred: { mark: 'arrow', colour: 'var(--c0)', dash: '5 3' },
-  desired: { mark: 'arrow', colour: 'var(--c0)', dash: '5 3' },
-  'before the safety filter': { mark: 'arrow', colour: 'var(--c0)', dash: '5 3' },
-  particle: { mark: 'dot', colour: 'var(--c6)', dash: '' },
+  chosen: { mark: 'arrow', colour: 'var(--ink)', dash: '' },
+  'after the safety filter': { mark: 'arrow', colour: 'var(--ink)', dash: '' },
+  force: { mark: 'arrow', colour: 'var(--ink)', dash: '' },
+  preferred: { mark: 'arrow', colour: 'var(--c2)', dash: '5 3' },
+  desired: { mark: 'arrow', colour: 'var(--c2)', dash: '5 3' },
+  'before the safety filter': { mark: 'arrow', colour: 'var(--c2)', dash: '5 3' },
+  attraction: { mark: 'ring', colour: 'var(--c2)', dash: '' },
+  repulsion: { mark: 'ring', colour: 'var(--bad)', dash: '' },
+  particle: { mark: 'dot', colour: 'var(--c3)', dash: '' },
 };
-const further = ['var(--c3)', 'var(--c6)', 'var(--c1)', 'var(--c7)', 'var(--c5)', 'var(--c4)'];
 
-/** The same colour for the same words, in every run. */
-function colour_of(meaning: string): string {
+/** As in the picture; else the same colour for the same words, in every run. */
+function colour_of(kind: Stroke['kind'], meaning: string): string {
+  if (kind === 'region') return 'var(--bad)';
+  if (kind === 'half_space') return 'var(--c0)';
   let sum = 0;
   for (const letter of meaning) sum = (sum * 31 + letter.charCodeAt(0)) >>> 0;
-  return further[sum % further.length]!;
+  return `var(--c${sum % colour_count})`;
 }
 
 const marks: Record<Stroke['kind'], Mark> = {
@@ -45,7 +50,7 @@ export class Meanings {
     const known = looks[meaning];
     if (known !== undefined) return known;
     const subject = about(meaning, this.vehicles);
-    const colour = subject === null ? colour_of(meaning) : (subject.who.colour ?? 'var(--ink-2)');
+    const colour = subject === null ? colour_of(kind, meaning) : (subject.who.colour ?? 'var(--ink-2)');
     return { mark: marks[kind], colour, dash: '' };
   }
 

@@ -41,6 +41,7 @@ export function draw_plane(strokes: readonly Stroke[], options: PlaneOptions): P
   const spots: Spot[] = [];
   const areas: SVGElement[] = [];
   const edges: SVGElement[] = [];
+  const halos: SVGElement[] = [];
   const marks: SVGElement[] = [];
   for (const stroke of strokes) {
     const look = meanings.look(stroke.kind, stroke.meaning);
@@ -54,13 +55,13 @@ export function draw_plane(strokes: readonly Stroke[], options: PlaneOptions): P
       const velocity = stroke.points[0];
       const [x, y] = place(projected(slice, velocity));
       spots.push({ x, y, meaning: meanings.words(stroke.meaning), velocity });
-      marks.push(...velocity_marks(look, [size / 2, size / 2], [x, y]));
+      for (const mark of velocity_marks(look, [size / 2, size / 2], [x, y])) (mark.classList.contains('halo') ? halos : marks).push(mark);
     }
   }
   const quarter = emptiest(spots, size / 2);
   const svg = s('svg', { class: 'chart plane', viewBox: `0 0 ${size} ${size}`, width: size, height: size, role: 'img' },
     s('defs', {}, s('clipPath', { id: clip }, s('rect', { width: size, height: size, rx: 4 }))),
-    s('g', { 'clip-path': `url(#${clip})` }, ...areas, ...edges, ...rings(options, quarter), ...marks),
+    s('g', { 'clip-path': `url(#${clip})` }, ...areas, ...edges, ...rings(options, quarter), ...halos, ...marks),
     s('rect', { class: 'frame', x: 0.5, y: 0.5, width: size - 1, height: size - 1, rx: 4 }),
     ...names(options, quarter));
   svg.style.fontSize = '11px';

@@ -64,7 +64,7 @@ class Thoughts implements Panel {
     this.element.append(this.title, this.hint, this.drawn, this.perceived.element);
     this.planes.addEventListener('pointerleave', hide_tip);
     new ResizeObserver(() => {
-      if (this.element.clientWidth !== this.width) this.restyle();
+      if (this.title.clientWidth !== this.width) this.restyle();
     }).observe(this.element);
   }
 
@@ -96,7 +96,7 @@ class Thoughts implements Panel {
   }
 
   restyle(): void {
-    this.width = this.element.clientWidth;
+    this.width = this.title.clientWidth;
     if (this.width > 0) this.draw(this.vehicle === null ? null : this.film.sketches.at(this.vehicle, this.time));
   }
 
