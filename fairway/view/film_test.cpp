@@ -60,7 +60,7 @@ Columns all_columns(const Film& film, const Scenario& scenario, bool compress = 
 }
 
 TEST(Film, GivesBackWhatTheFramesSaidPositionsAndTimesToTheBit) {
-  const Scenario scenario = shipped("swap_8");
+  const Scenario scenario = shipped("cube20_4_apf");
   Film film{scenario};
   Witness witness;
   run_scenario_into(scenario, {&film, &witness});
@@ -155,7 +155,7 @@ TEST(Film, KeepsTheLastFrameWhateverItsStrideAndOnce) {
 }
 
 TEST(Film, ShowsAWindowWithWhatHappensInIt) {
-  const Scenario scenario = shipped("swap_8");
+  const Scenario scenario = shipped("swap_8", {{"duration_s", "70"}});
   Film whole{scenario}, window{scenario, {.from_s = 20.0, .to_s = 60.0}};
   run_scenario_into(scenario, {&whole, &window});
   const std::vector<double> times = all_columns(window, scenario)["time_s"];
@@ -205,18 +205,19 @@ class Referee final : public FrameSink {
 
 TEST(Film, HasAnEventAtTheVeryFrameInWhichTheMetricCountsIt) {
   std::set<std::string> kinds;
-  for (const char* name : {"swap_8", "cube20_4_apf", "priority_wait", "transport_pair"}) {
-    for (const char* algorithm : {"direct", ""}) {
-      const Overrides overrides =
-          *algorithm != 0 ? Overrides{{"vehicles[*].avoider", algorithm}} : Overrides{};
-      const Scenario scenario = shipped(name, overrides);
-      Film film{scenario};
-      Referee referee{scenario, film};
-      run_scenario_into(scenario, {&film, &referee});
-      for (const auto& [key, count] : referee.seen) kinds.insert(key.first);
-    }
+  const Overrides nobody_avoids{{"vehicles[*].avoider", "direct"}},
+      no_patience{{"exam.time_coefficient_ratio", "1.01"}};
+  const std::vector<std::pair<const char*, Overrides>> runs{
+      {"swap_8", nobody_avoids}, {"cube20_4_apf", {}},      {"priority_wait", {}},
+      {"transport_pair", {}},    {"crossing", no_patience}, {"head_on", no_patience}};
+  for (const auto& [name, overrides] : runs) {
+    const Scenario scenario = shipped(name, overrides);
+    Film film{scenario};
+    Referee referee{scenario, film};
+    run_scenario_into(scenario, {&film, &referee});
+    for (const auto& [key, count] : referee.seen) kinds.insert(key.first);
   }
-  for (const char* kind : {"detected", "collision", "avoided", "collided", "arrived"})
+  for (const char* kind : {"detected", "collision", "avoided", "collided", "arrived", "stuck"})
     EXPECT_EQ(kinds.count(kind), 1u) << kind;
 }
 
