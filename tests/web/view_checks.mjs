@@ -210,10 +210,12 @@ async function cameras_and_layers_change_the_picture(view, expect) {
     last = picture;
   }
   await view.camera('orbit');
+  let before = await view.settled();
   for (const layer of ['spheres', 'trails', 'grid']) {
-    const before = await view.settled();
     await view.page.click(`[data-layer="${layer}"]`);
-    expect((await view.settled()).differs_from(before) > 20, `${layer} make no difference`);
+    const after = await view.settled();
+    expect(after.differs_from(before) > 20, `the layer ${layer} makes no difference`);
+    before = after;
   }
 }
 
@@ -291,3 +293,5 @@ export const checks = [
 ];
 /** In the other theme: what depends on it. */
 export const theme_checks = [vehicles_are_where_they_should_be, spheres_surround_vehicles, the_theme_changes_the_picture];
+/** In a window that was narrow from the start. */
+export const phone_checks = [it_fits_a_phone];

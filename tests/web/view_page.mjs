@@ -67,7 +67,6 @@ export class ViewPage {
 
   /** What is drawn now, without the buttons that lie over it. */
   async shot() {
-    this.shots = (this.shots ?? 0) + 1;
     await this.page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
     const clip = await this.page.locator('.picture').boundingBox();
     return new Picture(await this.page.screenshot({ clip, scale: 'css', style: '.cameras { visibility: hidden }' }));

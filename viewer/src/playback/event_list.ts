@@ -16,8 +16,10 @@ export function make_event_list(scene: Scene, film: Film, go_to: (event: RunEven
   let chosen: ReadonlySet<number> = new Set();
   let shown: { event: RunEvent; button: HTMLButtonElement }[] = [];
   let current = -1;
+  let known = 0;
 
   const fill = (): void => {
+    known = film.events.length;
     const concerns = (event: RunEvent): boolean =>
       chosen.size === 0 || chosen.has(event.vehicle) || (event.other !== null && chosen.has(event.other));
     const all = film.events.filter(concerns);
@@ -46,7 +48,10 @@ export function make_event_list(scene: Scene, film: Film, go_to: (event: RunEven
       chosen = vehicles;
       fill();
     },
-    grown: fill,
+    // Buttons that were replaced twenty times a second could not be clicked.
+    grown() {
+      if (film.events.length !== known) fill();
+    },
     restyle: () => undefined,
   };
 }

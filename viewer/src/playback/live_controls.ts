@@ -9,7 +9,8 @@ import { seconds } from './printed';
 function status_text({ state, trouble }: LiveRun): string {
   if (trouble !== '') return trouble;
   if (state === null) return 'Waiting for the run';
-  const how = state.done ? 'The run is over' : state.paused ? 'The run is paused' : `Running at ${short(state.speed)}×`;
+  const pace = state.speed > 0 ? `at ${short(state.speed)}×` : 'as fast as it can';
+  const how = state.done ? 'The run is over' : state.paused ? 'The run is paused' : `Running ${pace}`;
   return `${how}, at ${seconds(state.time_s)} s`;
 }
 

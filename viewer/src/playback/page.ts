@@ -141,8 +141,10 @@ export function show_page(playback: Document, film: Film, live: LiveRun | null, 
     show();
   });
 
+  let { chosen } = choice;
   choice.on_change(() => {
-    for (const panel of panels) panel.choose(choice.chosen);
+    if (chosen !== choice.chosen) for (const panel of panels) panel.choose(choice.chosen);
+    chosen = choice.chosen;
     show();
   });
   on_theme(() => {

@@ -15,7 +15,7 @@ const most_in_full = 12;
 interface Card {
   element: HTMLElement;
   show(index: number): void;
-  choose(chosen: ReadonlySet<number>): void;
+  choose(): void;
 }
 
 function value_row(label: string, unit: string): { row: HTMLElement; value: HTMLElement } {
@@ -68,8 +68,8 @@ function make_card(vehicle: number, scene: Scene, film: Film, choice: Choice, br
       const distance = goal_distance(film, index, vehicle);
       set_text(goal.value, finite(distance) ? fixed(distance, 3) : '–');
     },
-    choose(chosen) {
-      shown = chosen.has(vehicle);
+    choose() {
+      shown = choice.chosen.has(vehicle);
       element.classList.toggle('chosen', shown);
       main.setAttribute('aria-pressed', String(shown));
       follow.classList.toggle('on', choice.camera === 'follow' && choice.followed === vehicle);
@@ -89,15 +89,17 @@ export function make_vehicle_list(scene: Scene, film: Film, choice: Choice): Pan
     set_text(time, seconds(film.time(index)));
     for (const card of cards) card.show(index);
   };
+  // The camera matters too: it follows one of them.
+  choice.on_change(() => {
+    for (const card of cards) card.choose();
+    if (index >= 0) show(index);
+  });
   return {
     element,
     show(moment: Moment) {
       if (moment.index !== index) show(moment.index);
     },
-    choose(chosen) {
-      for (const card of cards) card.choose(chosen);
-      if (index >= 0) show(index);
-    },
+    choose: () => undefined,
     grown: () => { index = -1; },
     restyle: () => undefined,
   };
