@@ -88,12 +88,12 @@ double steps_per_second(const std::string& model, const std::string& algorithm, 
   return 1.0 / seconds;
 }
 
-int bench(double budget_s, bool json) {
+int bench(double budget_s, bool as_json) {
   nlohmann::json document;
   const auto decide = [&](const std::string& algorithm, const char* kind, Scene scene) {
     const double ns = decision_ns(algorithm, scene, 7, budget_s);
     document["decision_ns"][algorithm][kind] = ns;
-    if (!json)
+    if (!as_json)
       std::cout << fmt::format("{:<24} {:<10} {:>10.0f} ns per decision among 7\n", algorithm, kind, ns);
   };
   for (const char* algorithm : {"orca3d", "apf", "orca3d+stop_and_wait"}) {
@@ -103,11 +103,11 @@ int bench(double budget_s, bool json) {
   for (const char* model : {"sparus2", "kinematic"}) {
     const double rate = steps_per_second(model, "orca3d", budget_s);
     document["vehicle_steps_per_second"][model] = rate;
-    if (!json)
+    if (!as_json)
       std::cout << fmt::format("{:<24} {:<10} {:>10.0f} vehicle-steps per second and core, 8 under orca3d\n",
                                model, "", rate);
   }
-  if (json) std::cout << document.dump(2) << "\n";
+  if (as_json) std::cout << document.dump(2) << "\n";
   return ok;
 }
 

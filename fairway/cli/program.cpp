@@ -43,6 +43,7 @@ void add_verbs(CLI::App& app, Program& program) {
   add_replay(app, program);
   add_view(app, program);
   add_diff(app, program);
+  add_explain(app, program);
   add_decide(app, program);
   add_trial(app, program);
   add_bench(app, program);

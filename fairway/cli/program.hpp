@@ -38,6 +38,7 @@ void add_report(CLI::App& app, Program& program);
 void add_replay(CLI::App& app, Program& program);
 void add_view(CLI::App& app, Program& program);
 void add_diff(CLI::App& app, Program& program);
+void add_explain(CLI::App& app, Program& program);
 void add_decide(CLI::App& app, Program& program);
 void add_trial(CLI::App& app, Program& program);
 void add_bench(CLI::App& app, Program& program);

@@ -24,7 +24,7 @@ std::vector<std::string> scenario_files(const std::string& directory) {
   return files;
 }
 
-int test(const std::string& directory, bool json, const std::atomic<bool>* stop) {
+int test(const std::string& directory, bool as_json, const std::atomic<bool>* stop) {
   nlohmann::json document = nlohmann::json::array();
   int passed = 0, failed = 0;
   for (const std::string& file : scenario_files(directory)) {
@@ -34,7 +34,7 @@ int test(const std::string& directory, bool json, const std::atomic<bool>* stop)
     if (!outcome.complete) return interrupted;
     for (const Judgement& judgement : judge(scenario, outcome.measures)) {
       ++(judgement.kept ? passed : failed);
-      if (!json)
+      if (!as_json)
         std::cout << fmt::format("{} {:<36} {}\n", judgement.kept ? "kept  " : "FAILED", file,
                                  text_of(judgement));
       document.push_back({{"file", file},
@@ -43,7 +43,7 @@ int test(const std::string& directory, bool json, const std::atomic<bool>* stop)
                           {"kept", judgement.kept}});
     }
   }
-  if (json) {
+  if (as_json) {
     std::cout << document.dump(2) << "\n";
   } else {
     std::cout << fmt::format("{} kept, {} failed\n", passed, failed);

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
+#include "fairway/view/explain/decision_facts.hpp"
+#include "fairway/view/explain/explanation.hpp"
+#include "fairway/view/explain/headline.hpp"
+#include "fairway/view/explain/stroke_facts.hpp"
+
+namespace fairway {
+namespace {
+
+using nlohmann::json;
+
+/// To the precision that a reader of the page has a use for.
+double readable(double value) { return std::round(value * 1e4) / 1e4; }
+
+json exact(double value) { return std::isfinite(value) ? json(value) : json(); }
+json exact(const Vec3& v) { return {exact(v.x()), exact(v.y()), exact(v.z())}; }
+json exact(const std::optional<double>& value) { return value ? exact(*value) : json(); }
+json exact(const Mat3& m) { return {exact(Vec3(m.row(0))), exact(Vec3(m.row(1))), exact(Vec3(m.row(2)))}; }
+
+template <class E>
+std::string word_for(E value) {
+  return EnumNames<E>::names[static_cast<std::size_t>(value)];
+}
+
+template <class Round>
+json sections_json(const Explanation& explanation, Round&& round) {
+  json sections = json::array();
+  for (const ExplanationSection& section : explanation.sections) {
+    json table;
+    if (!section.table.columns.empty()) {
+      json rows = json::array();
+      for (const auto& row : section.table.rows) {
+        json cells = json::array();
+        for (const ExplanationTable::Cell& cell : row) {
+          const auto* number = std::get_if<double>(&cell);
+          cells.push_back(number != nullptr ? round(*number) : json(std::get<std::string>(cell)));
+        }
+        rows.push_back(std::move(cells));
+      }
+      table = {{"columns", section.table.columns}, {"rows", std::move(rows)}};
+    }
+    sections.push_back({{"title", section.title}, {"lines", section.lines}, {"table", std::move(table)}});
+  }
+  return sections;
+}
+
+json command_json(const Command& command) {
+  json wrench;
+  if (command.wrench) {
+    wrench = {{"force_n", exact(Vec3(command.wrench->head<3>()))},
+              {"moment_nm", exact(Vec3(command.wrench->tail<3>()))}};
+  }
+  return {{"velocity_mps", exact(command.velocity)},
+          {"mode", word_for(command.mode)},
+          {"astern", command.astern},
+          {"heading_rad", exact(command.heading)},
+          {"turn_rate_radps", exact(command.turn_rate)},
+          {"wrench", std::move(wrench)},
+          {"note", command.note}};
+}
+
+json approach_json(const ClosestApproach& approach) {
+  return {{"time_s", exact(approach.time)}, {"distance_m", exact(approach.distance)}};
+}
+
+json neighbour_json(const Scenario& scenario, const NeighbourFacts& n) {
+  return {{"id", number(n.track.id)},
+          {"name", track_name(scenario, n.track.id)},
+          {"position_m", exact(n.track.position)},
+          {"velocity_mps", exact(n.track.velocity)},
+          {"yaw_rad", exact(n.track.yaw)},
+          {"radius_m", exact(n.track.radius)},
+          {"age_s", exact(n.track.age)},
+          {"priority", n.track.priority},
+          {"destination_m", n.track.destination ? exact(*n.track.destination) : json()},
+          {"reacts", n.track.reacts},
+          {"position_covariance_m2", exact(n.track.position_covariance)},
+          {"velocity_covariance_m2ps2", exact(n.track.velocity_covariance)},
+          {"range_m", exact(n.range)},
+          {"bearing_rad", exact(n.bearing)},
+          {"deeper_m", exact(n.below)},
+          {"closing_mps", exact(n.closing)},
+          {"radii_m", exact(n.radii)},
+          {"closest_approach", approach_json(n.at_present)},
+          {"closest_approach_preferred", approach_json(n.preferred)},
+          {"closest_approach_commanded", approach_json(n.commanded)},
+          {"right_of_way", word_for(n.precedence)}};
+}
+
+json obstacle_json(const ObstacleFacts& o) {
+  constexpr std::array kinds{"sphere", "segment", "polygon"};
+  return {{"kind", kinds[static_cast<std::size_t>(o.kind)]},
+          {"nearest_m", exact(o.nearest)},
+          {"distance_m", exact(o.distance)},
+          {"bearing_rad", exact(o.bearing)}};
+}
+
+json own_json(const Ownship& own) {
+  return {{"position_m", exact(own.position)}, {"velocity_mps", exact(own.velocity)},
+          {"yaw_rad", exact(own.yaw)},         {"yaw_rate_radps", exact(own.yaw_rate)},
+          {"radius_m", exact(own.radius)},     {"priority", own.priority}};
+}
+
+json limits_json(const Limits& limits) {
+  return {{"max_speed_mps", exact(limits.max_speed)},
+          {"max_climb_rate_mps", exact(limits.max_climb_rate)},
+          {"max_acceleration_mps2", exact(limits.max_acceleration)},
+          {"max_turn_rate_radps", exact(limits.max_turn_rate)},
+          {"min_depth_m", exact(limits.min_depth)},
+          {"max_depth_m", exact(limits.max_depth)}};
+}
+
+json stroke_json(const Stroke& stroke, const Vec3& preferred, const Vec3& commanded) {
+  json points = json::array();
+  for (const Vec3& point : stroke.points) points.push_back(exact(point));
+  json out{{"kind", word_for(stroke.kind)}, {"meaning", stroke.meaning}, {"points", std::move(points)}};
+  if (stroke.kind == Stroke::Kind::half_space) {
+    out["preferred_margin_mps"] = exact(margin_of(stroke, preferred));
+    out["commanded_margin_mps"] = exact(margin_of(stroke, commanded));
+  } else if (stroke.kind == Stroke::Kind::region) {
+    out["contains_preferred"] = contains(stroke, preferred);
+    out["contains_commanded"] = contains(stroke, commanded);
+  } else if (stroke.kind == Stroke::Kind::sphere) {
+    out["radius_m"] = exact(stroke.size);
+  } else if (stroke.kind == Stroke::Kind::image) {
+    out.update({{"side", stroke.side},
+                {"reach_mps", exact(stroke.size)},
+                {"yaw_rad", exact(stroke.yaw)},
+                {"rgb", stroke.rgb}});
+  }
+  return out;
+}
+
+json decision_json(const Scenario& scenario, const KeptDecision& decision) {
+  const Situation& s = decision.situation();
+  const Command& command = decision.command();
+  const DecisionFacts facts = facts_of(s, command);
+  json neighbours = json::array();
+  for (const NeighbourFacts& n : facts.neighbours) neighbours.push_back(neighbour_json(scenario, n));
+  json obstacles = json::array();
+  for (const ObstacleFacts& o : facts.obstacles) obstacles.push_back(obstacle_json(o));
+  json strokes = json::array();
+  for (const Stroke& stroke : decision.strokes) {
+    strokes.push_back(stroke_json(stroke, facts.preferred, command.velocity));
+  }
+  return {{"tick", count(decision.tick)},
+          {"time_s", exact(s.time)},
+          {"period_s", exact(s.period)},
+          {"own", own_json(s.own)},
+          {"goal",
+           {{"position_m", exact(s.goal.position)},
+            {"cruise_speed_mps", exact(s.goal.cruise_speed)},
+            {"distance_m", exact(facts.goal_distance)},
+            {"bearing_rad", exact(facts.goal_bearing)}}},
+          {"limits", limits_json(s.limits)},
+          {"preferred_mps", exact(facts.preferred)},
+          {"command", command_json(command)},
+          {"deviation",
+           {{"size_mps", exact(facts.deviation.size)},
+            {"faster_mps", exact(facts.deviation.speed)},
+            {"upwards_mps", exact(facts.deviation.climb)},
+            {"starboard_rad", exact(facts.deviation.turn)}}},
+          {"binding", facts.binding},
+          {"neighbours", std::move(neighbours)},
+          {"obstacles", std::move(obstacles)},
+          {"strokes", std::move(strokes)}};
+}
+
+}  // namespace
+
+json page_json(const Explanation& explanation) {
+  return {{"vehicle", explanation.vehicle},
+          {"time_s", explanation.time},
+          {"headline", explanation.headline},
+          {"sections", sections_json(explanation, [](double value) { return json(readable(value)); })}};
+}
+
+json exact_json(const Scenario& scenario, const FoundDecision& found, const Explanation& explanation) {
+  const VehicleSpec& vehicle = scenario.vehicles[found.instant.vehicle];
+  json difference;
+  if (found.difference) {
+    difference = {{"quantity", found.difference->quantity},
+                  {"recorded", found.difference->a},
+                  {"found", found.difference->b}};
+  }
+  return {{"scenario", scenario.name},
+          {"seed", scenario.seed},
+          {"vehicle", {{"index", found.instant.vehicle}, {"id", vehicle.id}, {"name", vehicle.name}}},
+          {"avoider", vehicle.avoider.name},
+          {"tick", count(found.tick)},
+          {"time_s", exact(found.time)},
+          {"phase", word_for(found.phase)},
+          {"recorded_command_to_the_bit", !found.difference},
+          {"difference", std::move(difference)},
+          {"headline", explanation.headline},
+          {"sections", sections_json(explanation, [](double value) { return exact(value); })},
+          {"decision", found.decision ? decision_json(scenario, *found.decision) : json()}};
+}
+
+}  // namespace fairway

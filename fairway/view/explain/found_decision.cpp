@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/view/explain/found_decision.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fairway/core/text.hpp"
+#include "fairway/record/hash_checker.hpp"
+#include "fairway/sim/simulation.hpp"
+
+namespace fairway {
+namespace {
+
+/// Whether anything but commands differs.
+bool differ_in_state(const Frame& recorded, const Frame& now) {
+  if (recorded.vehicles.size() != now.vehicles.size()) return true;
+  for (std::size_t i = 0; i < now.vehicles.size(); ++i) {
+    VehicleFrame same_command = recorded.vehicles[i];
+    same_command.command = now.vehicles[i].command;
+    if (first_difference(same_command, now.vehicles[i])) return true;
+  }
+  return false;
+}
+
+std::optional<std::pair<double, double>> avoiding_span(const Recording& recording, std::size_t vehicle) {
+  std::optional<std::pair<double, double>> span;
+  for (std::size_t i = 0; i < recording.size(); ++i) {
+    const Frame frame = recording.frame(i);
+    if (is_avoiding(frame.vehicles[vehicle].phase)) span = {span ? span->first : frame.time, frame.time};
+  }
+  return span;
+}
+
+/// Holds frames to the recording, keeps the decision in force at one of them, and passes on what surrounds
+/// it.
+class Witness final : public FrameSink, public DecisionObserver {
+ public:
+  Witness(const Recording& recording, const Instant& instant, const DecisionWindow& window)
+      : recording_{recording},
+        instant_{instant},
+        asked_{recording.frame(instant.frame)},
+        window_{window},
+        checker_{recording} {}
+
+  void see(std::size_t index, const Situation& situation, const Command& command) override {
+    if (index != instant_.vehicle) return;
+    kept_.emplace(situation, command);
+    fresh_ = true;
+  }
+
+  void write(const Frame& frame) override {
+    check(frame);
+    const VehicleFrame& vehicle = frame.vehicles[instant_.vehicle];
+    if (std::exchange(fresh_, false)) {
+      kept_->tick = frame.tick;
+      decided_ = frame.tick;
+      kept_->strokes.assign(vehicle.strokes.begin(), vehicle.strokes.end());
+    }
+    if (frame.tick <= asked_.tick) command_ = vehicle.command;
+    if (window_.sink != nullptr && surrounds(frame.time)) window_.sink->write(frame);
+  }
+
+  /// Throws unless what was seen is the recorded run.
+  void hold_to_recording() const {
+    if (!checker_.first_mismatch() || only_own_command_differs()) return;
+    throw InputError("this is another run, so its decisions are others: " + checker_.describe() +
+                     " (ask with the build, and on the kind of machine, that recorded it)");
+  }
+
+  FoundDecision found() {
+    const VehicleFrame& recorded = asked_.vehicles[instant_.vehicle];
+    FoundDecision found{.instant = instant_,
+                        .tick = asked_.tick,
+                        .time = asked_.time,
+                        .phase = recorded.phase,
+                        .leg = {},
+                        .decision = {},
+                        .asked = avoiding_span(recording_, instant_.vehicle),
+                        .difference = first_difference({.command = recorded.command}, {.command = command_}),
+                        .matched = checker_.matched()};
+    if (is_avoiding(recorded.phase)) found.decision = std::move(kept_);
+    return found;
+  }
+
+ private:
+  bool surrounds(double time) const {
+    const double since = time - asked_.time;
+    return -since <= window_.before_s && since <= window_.after_s;
+  }
+
+  void check(const Frame& frame) {
+    const bool same_so_far = !checker_.first_mismatch();
+    checker_.write(frame);
+    while (next_ + 1 < recording_.size() && recording_.frame(next_).tick < frame.tick) ++next_;
+    if (!same_so_far || !checker_.first_mismatch()) return;
+    only_commands_ = !differ_in_state(recording_.frame(next_), frame);
+  }
+
+  /// The run is the recorded one until the decision asked about, which comes out differently.
+  bool only_own_command_differs() const {
+    const Command& recorded = asked_.vehicles[instant_.vehicle].command;
+    return only_commands_ && decided_ && checker_.first_mismatch()->tick >= *decided_ &&
+           first_difference({.command = recorded}, {.command = command_});
+  }
+
+  const Recording& recording_;
+  Instant instant_;
+  Frame asked_;
+  DecisionWindow window_;
+  HashChecker checker_;
+  std::size_t next_{};  // frame of the recording
+  std::optional<KeptDecision> kept_;
+  std::optional<Tick> decided_;  // when that was
+  Command command_;              // in force, at most until the frame asked about
+  bool fresh_{false};
+  bool only_commands_{false};
+};
+
+std::int64_t ticks_of(double time, double period) {
+  return static_cast<std::int64_t>(std::ceil(time / period));
+}
+
+}  // namespace
+
+KeptDecision::KeptDecision(const Situation& situation, const Command& command)
+    : situation_{situation},
+      command_{command},
+      model_{situation.model == nullptr ? nullptr : std::make_unique<const OnboardModel>(*situation.model)},
+      tracks_{situation.tracks.begin(), situation.tracks.end()},
+      obstacles_{situation.obstacles.begin(), situation.obstacles.end()} {
+  for (Obstacle& obstacle : obstacles_) {
+    vertices_.emplace_back(obstacle.vertices.begin(), obstacle.vertices.end());
+    obstacle.vertices = vertices_.back();
+  }
+  situation_.model = model_.get();
+  situation_.tracks = tracks_;
+  situation_.obstacles = obstacles_;
+}
+
+std::optional<FoundDecision> find_decision(const Recording& recording, const Scenario& scenario,
+                                           const Instant& instant, const DecisionWindow& window,
+                                           const std::atomic<bool>* stop) {
+  const Frame asked = recording.frame(instant.frame);
+  const std::int64_t target = count(asked.tick);
+  const bool has_window = window.sink != nullptr;
+  const std::int64_t before = has_window ? ticks_of(window.before_s, scenario.step_s) : 0;
+  const std::int64_t after = has_window ? ticks_of(window.after_s, scenario.step_s) : 0;
+  // the decision in force may be as old as this
+  const std::int64_t watched = target - std::max<std::int64_t>(before, scenario.steps_per_decision - 1);
+
+  Simulation simulation{scenario, builtin_catalogs()};
+  Witness witness{recording, instant, window};
+  const std::array<FrameSink*, 1> sinks{&witness};
+  std::optional<FoundDecision> found;
+  while (!simulation.is_done() && count(simulation.tick()) <= target + after) {
+    if (stop != nullptr && stop->load(std::memory_order_relaxed)) return {};
+    const Tick now = simulation.tick();
+    if (count(now) >= watched) simulation.show_thoughts(true);
+    simulation.observe(count(now) >= watched && count(now) <= target ? &witness : nullptr);
+    simulation.step(sinks);
+    witness.hold_to_recording();
+    if (count(now) != target) continue;
+    found = witness.found();
+    const Leg* leg = simulation.agents()[instant.vehicle].mission.leg();
+    if (leg != nullptr) found->leg = *leg;
+  }
+  if (!found) throw InputError("this is another run: it ends before tick " + std::to_string(target));
+  return found;
+}
+
+}  // namespace fairway

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/view/explain/headline.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "fairway/core/angles.hpp"
+#include "fairway/core/text.hpp"
+
+namespace fairway {
+namespace {
+
+/// Where ids of tracks begin that are no vehicle's: of trackers, and of what drifts.
+constexpr std::uint32_t first_tracked = 0x4000'0000U;
+constexpr std::uint32_t first_drifting = 0x8000'0000U;
+
+/// Less is not worth a word [m/s, rad].
+constexpr double least_speed = 0.005;
+constexpr double least_turn = radians(0.5);
+
+/// "1 of its 2 neighbours", "its only neighbour".
+std::string some_of(std::size_t count, std::size_t all, std::string_view one, std::string_view many) {
+  if (all == 1) return fmt::format("the only {}", one);
+  if (count == all) return fmt::format("all {} {}", all, many);
+  return fmt::format("{} of {} {}", count, all, many);
+}
+
+std::optional<std::string> forbidden_words(std::span<const StrokeFacts> strokes, Stroke::Kind kind) {
+  std::size_t all = 0;
+  std::size_t forbidding = 0;
+  for (const StrokeFacts& facts : strokes) {
+    if (facts.kind != kind) continue;
+    all += facts.count;
+    forbidding += facts.forbids_preferred;
+  }
+  if (forbidding == 0) return {};
+  if (kind == Stroke::Kind::half_space) {
+    return fmt::format(
+        "the velocity it prefers is outside {}",
+        some_of(forbidding, all, "half-space of allowed velocities", "half-spaces of allowed velocities"));
+  }
+  return fmt::format(
+      "the velocity it prefers is inside {}",
+      some_of(forbidding, all, "region of forbidden velocities", "regions of forbidden velocities"));
+}
+
+/// Whoever would come nearer than both radii if the preferred velocity were followed.
+std::optional<std::string> conflict_words(const Scenario& scenario, const DecisionFacts& facts) {
+  const NeighbourFacts* first = nullptr;
+  for (const NeighbourFacts& n : facts.neighbours) {
+    const bool touches = n.preferred.distance < n.radii;
+    if (touches && (first == nullptr || n.preferred.time < first->preferred.time)) first = &n;
+  }
+  if (first == nullptr) return {};
+  return fmt::format(
+      "the velocity it prefers would lead to {:.1f} m from {} in {:.1f} s, less than the {:.1f} m of both "
+      "radii",
+      first->preferred.distance, track_name(scenario, first->track.id), first->preferred.time, first->radii);
+}
+
+std::string nearest_words(const Scenario& scenario, const DecisionFacts& facts, Mode mode) {
+  const auto may_pass_first = [](const NeighbourFacts& n) { return n.precedence == Precedence::theirs; };
+  auto nearest = facts.neighbours.begin();
+  const auto first_served = std::ranges::find_if(facts.neighbours, may_pass_first);
+  const bool waits_for = mode == Mode::hold && first_served != facts.neighbours.end();
+  if (waits_for) nearest = first_served;
+  if (nearest != facts.neighbours.end()) {
+    return fmt::format("the nearest of {} neighbour{}{} is {}, {:.1f} m away, {}", facts.neighbours.size(),
+                       facts.neighbours.size() == 1 ? "" : "s", waits_for ? " that has the right of way" : "",
+                       track_name(scenario, nearest->track.id), nearest->range,
+                       bearing_words(nearest->bearing));
+  }
+  if (!facts.obstacles.empty()) {
+    return fmt::format("no neighbour is known, and the nearest obstacle is {:.1f} m away, {}",
+                       facts.obstacles.front().distance, bearing_words(facts.obstacles.front().bearing));
+  }
+  return "no neighbour and no obstacle is known";
+}
+
+std::string reason_words(const Scenario& scenario, const FoundDecision& found, const DecisionFacts& facts,
+                         std::span<const StrokeFacts> strokes) {
+  const Command& command = found.decision->command();
+  if (!is_usable(found.decision->situation())) return "what it was shown makes no sense (NaN, or no period)";
+  if (!command.note.empty()) return std::string(command.note);
+  if (const auto words = forbidden_words(strokes, Stroke::Kind::half_space)) return *words;
+  if (const auto words = forbidden_words(strokes, Stroke::Kind::region)) return *words;
+  if (const auto words = conflict_words(scenario, facts)) return *words;
+  return nearest_words(scenario, facts, command.mode);
+}
+
+std::string place_words(const Vec3& p) {
+  return fmt::format("({:.1f}, {:.1f}, {:.1f}) m", p.x(), p.y(), p.z());
+}
+
+}  // namespace
+
+std::string track_name(const Scenario& scenario, TrackId id) {
+  const auto vehicle = std::ranges::find(scenario.vehicles, number(id), &VehicleSpec::id);
+  if (vehicle != scenario.vehicles.end()) return vehicle->name;
+  if (number(id) >= first_drifting) return fmt::format("drifting obstacle {}", number(id) - first_drifting);
+  if (number(id) >= first_tracked) return fmt::format("track {}", number(id) - first_tracked);
+  return fmt::format("track {}", number(id));
+}
+
+std::string bearing_words(double bearing) {
+  const double size = std::abs(degrees(bearing));
+  if (size < 0.5) return "dead ahead";
+  if (size > 179.5) return "dead astern";
+  return fmt::format("{:.0f} deg to {}", size, bearing > 0.0 ? "starboard" : "port");
+}
+
+std::string deviation_words(const Deviation& deviation, const Vec3& commanded) {
+  if (deviation.size == 0.0) return "keeps to the velocity it prefers";
+  const double speed = commanded.norm();
+  if (speed < least_speed && deviation.speed < -least_speed) return "stops";
+  std::vector<std::string> parts;
+  if (deviation.turn && std::abs(*deviation.turn) >= least_turn) {
+    parts.push_back(fmt::format("turns {:.0f} deg to {}", std::abs(degrees(*deviation.turn)),
+                                *deviation.turn > 0.0 ? "starboard" : "port"));
+  }
+  if (std::abs(deviation.speed) >= least_speed) {
+    parts.push_back(fmt::format("{} by {:.2f} m/s to {:.2f} m/s",
+                                deviation.speed < 0.0 ? "slows down" : "speeds up", std::abs(deviation.speed),
+                                speed));
+  }
+  if (std::abs(deviation.climb) >= least_speed) {
+    parts.push_back(fmt::format("{} by {:.2f} m/s", deviation.climb > 0.0 ? "climbs" : "dives",
+                                std::abs(deviation.climb)));
+  }
+  if (parts.empty()) {
+    return fmt::format("hardly leaves the velocity it prefers, by {:.1g} m/s", deviation.size);
+  }
+  return fmt::format("{}", fmt::join(parts, " and "));
+}
+
+std::string headline_of(const Scenario& scenario, const FoundDecision& found, const DecisionFacts& facts,
+                        std::span<const StrokeFacts> strokes) {
+  const Command& command = found.decision->command();
+  std::string what = deviation_words(facts.deviation, command.velocity);
+  if (command.mode == Mode::hold) what = "waits on purpose";
+  if (command.mode == Mode::infeasible) what = "finds no safe velocity and " + what;
+  return fmt::format("{} {}: {}.", scenario.vehicles[found.instant.vehicle].name, what,
+                     reason_words(scenario, found, facts, strokes));
+}
+
+std::string headline_of_unasked(const Scenario& scenario, const FoundDecision& found) {
+  const VehicleSpec& vehicle = scenario.vehicles[found.instant.vehicle];
+  const auto sentence = [&](std::string_view who) {
+    return fmt::format("{} asks no avoider: {}.", vehicle.name, who);
+  };
+  if (found.time < vehicle.start_delay_s) {
+    return sentence(fmt::format("its mission begins at {} s, and until then it holds its position",
+                                number_text(vehicle.start_delay_s)));
+  }
+  if (!found.leg) return sentence("its mission is done, and it holds its position");
+  switch (found.leg->kind) {
+    case LegKind::go_to:
+      return sentence("guidance steers it straight to " + place_words(found.leg->position));
+    case LegKind::section:
+      return sentence("guidance steers it along the line from " + place_words(found.leg->from) + " to " +
+                      place_words(found.leg->position));
+    case LegKind::rendezvous:
+      return sentence("it holds its position at a rendezvous until everyone has come to theirs");
+    case LegKind::keep_position:
+    case LegKind::transit:
+      break;
+  }
+  return sentence("its mission has it hold its position");
+}
+
+}  // namespace fairway
