@@ -59,6 +59,14 @@ std::vector<const Stroke*> half_spaces_of(std::span<const StrokeFacts> drawn, co
   return all;
 }
 
+/// Whether what the method chose last is not what is carried out.
+bool was_changed(std::span<const StrokeFacts> drawn, const Vec3& commanded) {
+  return std::ranges::any_of(drawn, [&](const StrokeFacts& facts) {
+    return facts.kind == Stroke::Kind::velocity && facts.meaning == "chosen" &&
+           (facts.strokes.back()->points[0] - commanded).norm() > on_plane_mps;
+  });
+}
+
 ExplanationSection half_spaces_section(const std::vector<const Stroke*>& half_spaces, const Vec3& preferred,
                                        const Vec3& commanded) {
   ExplanationSection section{
@@ -89,6 +97,10 @@ std::vector<ExplanationSection> drawn_sections(std::span<const StrokeFacts> draw
   if (drawn.empty()) {
     section.lines.emplace_back("Nothing: it had nothing to weigh, or the method draws nothing.");
     return {section};
+  }
+  if (was_changed(drawn, commanded)) {
+    section.lines.emplace_back(
+        "The command is not the velocity chosen: limits, or what is around the method, changed it.");
   }
   section.table.columns = {"drawn", "meaning", "count", "what"};
   for (const StrokeFacts& facts : drawn) {

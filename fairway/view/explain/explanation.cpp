@@ -14,33 +14,44 @@
 namespace fairway {
 namespace {
 
+/// Obstacles shown one by one: a wall may be made of hundreds.
+constexpr std::size_t most_obstacles = 24;
+
 std::string vector_words(const Vec3& v, std::string_view unit) {
-  return fmt::format("[{:.3f}, {:.3f}, {:.3f}] {}", v.x(), v.y(), v.z(), unit);
+  // no minus before what is zero to the digits shown
+  const auto shown = [](double x) { return std::abs(x) < 5e-4 ? 0.0 : x; };
+  return fmt::format("[{:.3f}, {:.3f}, {:.3f}] {}", shown(v.x()), shown(v.y()), shown(v.z()), unit);
 }
 
-/// "0.482 m/s towards 34 deg, down 0.02 m/s".
+/// From north over east [deg, 0 to 360).
+double compass(double angle) {
+  const double turned = degrees(angle);
+  return turned < 0.0 ? turned + 360.0 : turned;
+}
+
+/// "0.482 m/s, course 34.0 deg, level ([0.400, 0.270, 0.000] NED)".
 std::string velocity_words(const Vec3& v) {
-  const double course = degrees(std::atan2(v.y(), v.x()));
-  return fmt::format(
-      "{:.3f} m/s, course {:.1f} deg, {} ({})", v.norm(), course < 0.0 ? course + 360.0 : course,
-      std::abs(v.z()) < 5e-4 ? "level"
-                             : fmt::format("{} at {:.3f} m/s", v.z() > 0.0 ? "down" : "up", std::abs(v.z())),
-      vector_words(v, "NED"));
+  return fmt::format("{:.3f} m/s, course {:.1f} deg, {} ({})", v.norm(), compass(std::atan2(v.y(), v.x())),
+                     std::abs(v.z()) < 5e-4
+                         ? "level"
+                         : fmt::format("{} at {:.3f} m/s", v.z() > 0.0 ? "down" : "up", std::abs(v.z())),
+                     vector_words(v, "NED"));
 }
 
 std::string approach_words(const ClosestApproach& approach) {
+  if (approach.time == 0.0) return fmt::format("{:.2f} m and drawing apart", approach.distance);
   return fmt::format("{:.2f} m in {:.1f} s", approach.distance, approach.time);
 }
 
 ExplanationSection found_section(const FoundDecision& found) {
   ExplanationSection section{"How it was found", {}, {}};
   section.lines.push_back(
-      fmt::format("Simulated again until tick {} ({} s): {} recorded frames met, the same to the bit.",
-                  count(found.tick), number_text(found.time), found.matched));
+      fmt::format("Simulated again until tick {} ({}): {} recorded frames met, the same to the bit.",
+                  count(found.tick), time_words(found.time), found.matched));
   if (found.decision && found.decision->tick != found.tick) {
-    section.lines.push_back(fmt::format("The decision in force then was made before, at tick {} ({} s).",
+    section.lines.push_back(fmt::format("The decision in force then was made before, at tick {} ({}).",
                                         count(found.decision->tick),
-                                        number_text(found.decision->situation().time)));
+                                        time_words(found.decision->situation().time)));
   }
   if (!found.difference) {
     section.lines.emplace_back("The command found is the recorded command, to the bit.");
@@ -59,10 +70,10 @@ ExplanationSection command_section(const KeptDecision& decision, const DecisionF
   lines.push_back(fmt::format("Mode: {}.", EnumNames<Mode>::names[static_cast<std::size_t>(command.mode)]));
   lines.push_back("Commanded: " + velocity_words(command.velocity) + ".");
   lines.push_back("Preferred: " + velocity_words(facts.preferred) + ".");
-  lines.push_back(fmt::format("Against the preferred velocity it {} (difference {:.4f} m/s).",
+  lines.push_back(fmt::format("So it {}: a difference of {:.4f} m/s.",
                               deviation_words(facts.deviation, command.velocity), facts.deviation.size));
   if (command.heading)
-    lines.push_back(fmt::format("Heading commanded: {:.1f} deg.", degrees(*command.heading)));
+    lines.push_back(fmt::format("Heading commanded: {:.1f} deg.", compass(wrap_angle(*command.heading))));
   if (command.turn_rate)
     lines.push_back(fmt::format("Turn rate commanded: {:.3f} rad/s.", *command.turn_rate));
   if (command.astern) lines.emplace_back("It may go stern first rather than turn round.");
@@ -81,13 +92,13 @@ ExplanationSection command_section(const KeptDecision& decision, const DecisionF
 ExplanationSection own_section(const Situation& s, const DecisionFacts& facts) {
   ExplanationSection section{"Own state, as believed on board", {}, {}};
   auto& lines = section.lines;
-  lines.push_back(
-      fmt::format("At {}, heading {:.1f} deg.", vector_words(s.own.position, "m NED"), degrees(s.own.yaw)));
+  lines.push_back(fmt::format("At {}, heading {:.1f} deg.", vector_words(s.own.position, "m NED"),
+                              compass(wrap_angle(s.own.yaw))));
   lines.push_back("Moving over ground: " + velocity_words(s.own.velocity) + ".");
   lines.push_back(fmt::format("Goal: {}, {:.2f} m away, {}, at {:.2f} m/s.",
                               vector_words(s.goal.position, "m NED"), facts.goal_distance,
                               bearing_words(facts.goal_bearing), s.goal.cruise_speed));
-  lines.push_back(fmt::format("Decides every {} s; radius {} m; priority {}.", number_text(s.period),
+  lines.push_back(fmt::format("Decides every {}; radius {} m; priority {}.", time_words(s.period),
                               number_text(s.own.radius), s.own.priority));
   return section;
 }
@@ -135,11 +146,13 @@ ExplanationSection neighbours_section(const Scenario& scenario, const DecisionFa
 
 ExplanationSection obstacles_section(const DecisionFacts& facts) {
   ExplanationSection section{"Obstacles", {}, {}};
-  section.lines.push_back(
-      fmt::format("{} known, by the nearest point of their surface.", facts.obstacles.size()));
+  section.lines.push_back(fmt::format(
+      "{} known, by the nearest point of their surface{}.", facts.obstacles.size(),
+      facts.obstacles.size() > most_obstacles ? fmt::format("; the {} nearest", most_obstacles) : ""));
   section.table.columns = {"obstacle", "distance_m", "bearing_deg", "n_m", "e_m", "d_m"};
   constexpr std::array kinds{"sphere", "segment", "polygon"};
-  for (const ObstacleFacts& o : facts.obstacles) {
+  for (const ObstacleFacts& o :
+       std::span{facts.obstacles}.first(std::min(most_obstacles, facts.obstacles.size()))) {
     section.table.rows.push_back({kinds[static_cast<std::size_t>(o.kind)], o.distance, degrees(o.bearing),
                                   o.nearest.x(), o.nearest.y(), o.nearest.z()});
   }
@@ -156,7 +169,7 @@ ExplanationSection method_section(const Choice& avoider, const Catalog& avoiders
   ExplanationSection section{"Method: " + avoider.name, {}, {}};
   for (const Catalog::Entry* layer : layers_of(avoider.name, avoiders)) {
     const AlgorithmInfo& info = layer->info;
-    section.lines.push_back(fmt::format("{}: {}. {}{}", info.name, info.title, info.source,
+    section.lines.push_back(fmt::format("{}: {}. Source: {}.{}", info.name, info.title, info.source,
                                         info.planar ? " It thinks in the horizontal plane." : ""));
   }
   section.table.columns = {"parameter", "value", "unit", "meaning"};
@@ -172,8 +185,8 @@ ExplanationSection unasked_section(const FoundDecision& found) {
   section.lines.push_back(fmt::format("Phase: {}. Avoiders are asked on transits only.",
                                       EnumNames<Phase>::names[static_cast<std::size_t>(found.phase)]));
   section.lines.push_back(found.asked
-                              ? fmt::format("In this recording its avoider is asked from {} s to {} s.",
-                                            number_text(found.asked->first), number_text(found.asked->second))
+                              ? fmt::format("In this recording its avoider is asked from {} to {}.",
+                                            time_words(found.asked->first), time_words(found.asked->second))
                               : "In this recording its avoider is never asked.");
   return section;
 }

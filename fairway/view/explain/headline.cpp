@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "fairway/core/angles.hpp"
-#include "fairway/core/text.hpp"
 
 namespace fairway {
 namespace {
@@ -19,7 +18,10 @@ constexpr std::uint32_t first_drifting = 0x8000'0000U;
 constexpr double least_speed = 0.005;
 constexpr double least_turn = radians(0.5);
 
-/// "1 of its 2 neighbours", "its only neighbour".
+/// Less is the rounding of sums [m/s].
+constexpr double least_difference = 1e-9;
+
+/// "1 of 2 regions", "the only region", "all 3 regions".
 std::string some_of(std::size_t count, std::size_t all, std::string_view one, std::string_view many) {
   if (all == 1) return fmt::format("the only {}", one);
   if (count == all) return fmt::format("all {} {}", all, many);
@@ -45,7 +47,32 @@ std::optional<std::string> forbidden_words(std::span<const StrokeFacts> strokes,
       some_of(forbidding, all, "region of forbidden velocities", "regions of forbidden velocities"));
 }
 
-/// Whoever would come nearer than both radii if the preferred velocity were followed.
+/// What pushes, of a method that adds up forces.
+std::optional<std::string> repulsion_words(const Situation& s, std::span<const StrokeFacts> strokes) {
+  const auto drawn = [&](std::string_view meaning) {
+    const auto facts = std::ranges::find_if(strokes, [&](const StrokeFacts& f) {
+      return f.kind == Stroke::Kind::velocity && f.meaning == meaning;
+    });
+    return facts == strokes.end() ? Vec3{Vec3::Zero()} : facts->strokes.back()->points[0];
+  };
+  const Vec3 repulsion = drawn("repulsion");
+  if (repulsion.norm() < least_speed) return {};
+  return fmt::format("a repulsion of {:.2f} m/s, {}, is added to an attraction of {:.2f} m/s",
+                     repulsion.norm(), bearing_words(bearing_from_bow(repulsion, s.own.yaw)),
+                     drawn("attraction").norm());
+}
+
+/// The plan that it carries out, of a method that draws one.
+std::optional<std::string> plan_words(std::span<const StrokeFacts> strokes) {
+  for (const StrokeFacts& facts : strokes) {
+    const bool is_plan = facts.meaning == "trajectory" || facts.meaning == "band";
+    if (!is_plan || facts.kind != Stroke::Kind::path) continue;
+    return fmt::format("its {} is {:.1f} m long", facts.meaning, facts.length);
+  }
+  return {};
+}
+
+/// Whoever would come nearer than both radii first, if the preferred velocity were followed.
 std::optional<std::string> conflict_words(const Scenario& scenario, const DecisionFacts& facts) {
   const NeighbourFacts* first = nullptr;
   for (const NeighbourFacts& n : facts.neighbours) {
@@ -53,21 +80,22 @@ std::optional<std::string> conflict_words(const Scenario& scenario, const Decisi
     if (touches && (first == nullptr || n.preferred.time < first->preferred.time)) first = &n;
   }
   if (first == nullptr) return {};
-  return fmt::format(
-      "the velocity it prefers would lead to {:.1f} m from {} in {:.1f} s, less than the {:.1f} m of both "
-      "radii",
-      first->preferred.distance, track_name(scenario, first->track.id), first->preferred.time, first->radii);
+  return fmt::format("the preferred velocity leads to {:.1f} m from {} in {:.1f} s, both radii are {:.1f} m",
+                     first->preferred.distance, track_name(scenario, first->track.id), first->preferred.time,
+                     first->radii);
 }
 
 std::string nearest_words(const Scenario& scenario, const DecisionFacts& facts, Mode mode) {
   const auto may_pass_first = [](const NeighbourFacts& n) { return n.precedence == Precedence::theirs; };
   auto nearest = facts.neighbours.begin();
   const auto first_served = std::ranges::find_if(facts.neighbours, may_pass_first);
-  const bool waits_for = mode == Mode::hold && first_served != facts.neighbours.end();
-  if (waits_for) nearest = first_served;
+  const bool waits = mode == Mode::hold && first_served != facts.neighbours.end();
+  if (waits) nearest = first_served;
   if (nearest != facts.neighbours.end()) {
-    return fmt::format("the nearest of {} neighbour{}{} is {}, {:.1f} m away, {}", facts.neighbours.size(),
-                       facts.neighbours.size() == 1 ? "" : "s", waits_for ? " that has the right of way" : "",
+    return fmt::format("{} is {}, {:.1f} m away, {}",
+                       waits ? std::string("the nearest that has the right of way")
+                             : fmt::format("the nearest of {} neighbour{}", facts.neighbours.size(),
+                                           facts.neighbours.size() == 1 ? "" : "s"),
                        track_name(scenario, nearest->track.id), nearest->range,
                        bearing_words(nearest->bearing));
   }
@@ -78,15 +106,21 @@ std::string nearest_words(const Scenario& scenario, const DecisionFacts& facts, 
   return "no neighbour and no obstacle is known";
 }
 
+/// Behind a colon what the decision was made of, behind a semicolon what else is true.
 std::string reason_words(const Scenario& scenario, const FoundDecision& found, const DecisionFacts& facts,
                          std::span<const StrokeFacts> strokes) {
   const Command& command = found.decision->command();
-  if (!is_usable(found.decision->situation())) return "what it was shown makes no sense (NaN, or no period)";
-  if (!command.note.empty()) return std::string(command.note);
-  if (const auto words = forbidden_words(strokes, Stroke::Kind::half_space)) return *words;
-  if (const auto words = forbidden_words(strokes, Stroke::Kind::region)) return *words;
-  if (const auto words = conflict_words(scenario, facts)) return *words;
-  return nearest_words(scenario, facts, command.mode);
+  const Situation& situation = found.decision->situation();
+  if (!is_usable(situation)) return ": what it was shown makes no sense (NaN, or no period)";
+  if (!command.note.empty()) return ": " + std::string(command.note);
+  // what was drawn is of the velocity that it would have had
+  if (command.mode == Mode::hold) return "; " + nearest_words(scenario, facts, command.mode);
+  if (const auto words = forbidden_words(strokes, Stroke::Kind::half_space)) return ": " + *words;
+  if (const auto words = forbidden_words(strokes, Stroke::Kind::region)) return ": " + *words;
+  if (const auto words = repulsion_words(situation, strokes)) return ": " + *words;
+  if (const auto words = plan_words(strokes)) return "; " + *words;
+  if (const auto words = conflict_words(scenario, facts)) return "; " + *words;
+  return "; " + nearest_words(scenario, facts, command.mode);
 }
 
 std::string place_words(const Vec3& p) {
@@ -103,6 +137,8 @@ std::string track_name(const Scenario& scenario, TrackId id) {
   return fmt::format("track {}", number(id));
 }
 
+std::string time_words(double time) { return fmt::format("{:.10g} s", time); }
+
 std::string bearing_words(double bearing) {
   const double size = std::abs(degrees(bearing));
   if (size < 0.5) return "dead ahead";
@@ -111,7 +147,7 @@ std::string bearing_words(double bearing) {
 }
 
 std::string deviation_words(const Deviation& deviation, const Vec3& commanded) {
-  if (deviation.size == 0.0) return "keeps to the velocity it prefers";
+  if (deviation.size < least_difference) return "keeps to the velocity it prefers";
   const double speed = commanded.norm();
   if (speed < least_speed && deviation.speed < -least_speed) return "stops";
   std::vector<std::string> parts;
@@ -140,7 +176,7 @@ std::string headline_of(const Scenario& scenario, const FoundDecision& found, co
   std::string what = deviation_words(facts.deviation, command.velocity);
   if (command.mode == Mode::hold) what = "waits on purpose";
   if (command.mode == Mode::infeasible) what = "finds no safe velocity and " + what;
-  return fmt::format("{} {}: {}.", scenario.vehicles[found.instant.vehicle].name, what,
+  return fmt::format("{} {}{}.", scenario.vehicles[found.instant.vehicle].name, what,
                      reason_words(scenario, found, facts, strokes));
 }
 
@@ -150,8 +186,8 @@ std::string headline_of_unasked(const Scenario& scenario, const FoundDecision& f
     return fmt::format("{} asks no avoider: {}.", vehicle.name, who);
   };
   if (found.time < vehicle.start_delay_s) {
-    return sentence(fmt::format("its mission begins at {} s, and until then it holds its position",
-                                number_text(vehicle.start_delay_s)));
+    return sentence(fmt::format("its mission begins at {}, and until then it holds its position",
+                                time_words(vehicle.start_delay_s)));
   }
   if (!found.leg) return sentence("its mission is done, and it holds its position");
   switch (found.leg->kind) {

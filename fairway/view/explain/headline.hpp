@@ -14,6 +14,9 @@ namespace fairway {
 /// What a track is called: the vehicle's name, or what it is tracked as.
 std::string track_name(const Scenario& scenario, TrackId id);
 
+/// "55.55 s": without the last digits of `tick * period`.
+std::string time_words(double time);
+
 /// "34 deg to starboard", "dead ahead", "dead astern".
 std::string bearing_words(double bearing);
 

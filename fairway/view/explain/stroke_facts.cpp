@@ -67,11 +67,4 @@ std::vector<StrokeFacts> facts_of(std::span<const Stroke> strokes, const Vec3& p
   return all;
 }
 
-const Stroke* velocity_drawn(std::span<const Stroke> strokes, std::string_view meaning) noexcept {
-  for (auto stroke = strokes.rbegin(); stroke != strokes.rend(); ++stroke) {
-    if (stroke->kind == Stroke::Kind::velocity && stroke->meaning == meaning) return &*stroke;
-  }
-  return nullptr;
-}
-
 }  // namespace fairway

@@ -37,7 +37,4 @@ struct StrokeFacts {
 std::vector<StrokeFacts> facts_of(std::span<const Stroke> strokes, const Vec3& preferred,
                                   const Vec3& commanded);
 
-/// The velocity last drawn under this meaning, or null.
-const Stroke* velocity_drawn(std::span<const Stroke> strokes, std::string_view meaning) noexcept;
-
 }  // namespace fairway

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "fairway/core/testing/temporary_folder.hpp"
+#include "fairway/experiment/version.hpp"
+#include "fairway/record/recording.hpp"
+#include "fairway/record/recording_writer.hpp"
+#include "fairway/scenario/load.hpp"
+#include "fairway/sim/simulation.hpp"
+
+namespace fairway::testing {
+
+/// A file of scenarios/, with overrides.
+inline Scenario scenario_of(const std::string& name, const Overrides& overrides = {}) {
+  return load_scenario(std::string(FAIRWAY_SOURCE_DIR) + "/scenarios/" + name + ".yaml", overrides);
+}
+
+/// Changes the vehicles of a frame before they are recorded.
+using Forgery = std::function<void(const Frame&, std::vector<VehicleFrame>&)>;
+
+/// Passes frames on, forged.
+class Forger final : public FrameSink {
+ public:
+  Forger(FrameSink& sink, Forgery forgery) : sink_{sink}, forgery_{std::move(forgery)} {}
+  void write(const Frame& frame) override {
+    vehicles_.assign(frame.vehicles.begin(), frame.vehicles.end());
+    if (forgery_) forgery_(frame, vehicles_);
+    Frame forged = frame;
+    forged.vehicles = vehicles_;
+    sink_.write(forged);
+  }
+
+ private:
+  FrameSink& sink_;
+  Forgery forgery_;
+  std::vector<VehicleFrame> vehicles_;
+};
+
+/// The recording of a scenario, of every `stride`-th frame.
+inline Recording recorded(const Scenario& scenario, std::int64_t stride = 1, const Forgery& forgery = {}) {
+  RecordingInfo info{.version = std::string(fairway_version),
+                     .scenario_name = scenario.name,
+                     .scenario_yaml = to_yaml(scenario),
+                     .seed = scenario.seed,
+                     .period = scenario.step_s,
+                     .vehicles = {}};
+  for (const VehicleSpec& v : scenario.vehicles) {
+    info.vehicles.push_back({VehicleId{v.id}, v.name, v.model.name});
+  }
+  const TemporaryFolder folder;
+  RecordingWriter writer{folder.file("run.mcap"), info, stride};
+  Forger forger{writer, forgery};
+  const std::array<FrameSink*, 1> sinks{&forger};
+  Simulation{scenario, builtin_catalogs()}.run(sinks);
+  writer.close();
+  return Recording::read(folder.file("run.mcap"));
+}
+
+}  // namespace fairway::testing
