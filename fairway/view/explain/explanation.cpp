@@ -23,10 +23,10 @@ std::string vector_words(const Vec3& v, std::string_view unit) {
   return fmt::format("[{:.3f}, {:.3f}, {:.3f}] {}", shown(v.x()), shown(v.y()), shown(v.z()), unit);
 }
 
-/// From north over east [deg, 0 to 360).
+/// From north over east [deg], as many digits as are shown and less than 360.
 double compass(double angle) {
-  const double turned = degrees(angle);
-  return turned < 0.0 ? turned + 360.0 : turned;
+  const double tenths = std::round(10.0 * degrees(angle));
+  return (tenths < 0.0 ? tenths + 3600.0 : tenths) / 10.0;
 }
 
 /// "0.482 m/s, course 34.0 deg, level ([0.400, 0.270, 0.000] NED)".

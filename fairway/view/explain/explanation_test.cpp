@@ -50,7 +50,7 @@ class HeadOn : public ::testing::Test {
       {.id = TrackId{1}, .position = {20, 0, 0}, .velocity = {-0.5, 0, 0}, .priority = 1}};
 };
 
-const ExplanationSection& section_of(const Explanation& explanation, const std::string& title) {
+ExplanationSection section_of(const Explanation& explanation, const std::string& title) {
   const auto found = std::ranges::find(explanation.sections, title, &ExplanationSection::title);
   if (found == explanation.sections.end()) throw std::out_of_range(title);
   return *found;
@@ -64,7 +64,7 @@ TEST_F(HeadOn, IsToldByTheHalfSpaceInTheWay) {
       told.headline,
       "auv turns 37 deg to starboard: the velocity it prefers is outside the only half-space of allowed "
       "velocities.");
-  const auto& table = section_of(told, "Half-spaces of allowed velocities").table;
+  const ExplanationTable table = section_of(told, "Half-spaces of allowed velocities").table;
   ASSERT_EQ(table.rows.size(), 1u);
   EXPECT_EQ(std::get<std::string>(table.rows[0][0]), "half-space of other");
   EXPECT_NEAR(std::get<double>(table.rows[0][1]), -0.1, 1e-12);
@@ -94,7 +94,7 @@ TEST_F(HeadOn, SaysForWhomItMayWait) {
 TEST_F(HeadOn, HasATableOfNeighbours) {
   const Explanation told = explained({.velocity = {0.5, 0, 0}});
   EXPECT_THAT(told.headline, StartsWith("auv keeps to the velocity it prefers; "));
-  const auto& table = section_of(told, "Neighbours").table;
+  const ExplanationTable table = section_of(told, "Neighbours").table;
   ASSERT_EQ(table.rows.size(), 1u);
   const auto value = [&](const std::string& column) {
     const auto at = std::ranges::find(table.columns, column) - table.columns.begin();
@@ -108,7 +108,7 @@ TEST_F(HeadOn, HasATableOfNeighbours) {
 }
 
 TEST_F(HeadOn, NamesTheMethodAndItsParametersInForce) {
-  const auto& method = section_of(explained({}), "Method: orca3d");
+  const ExplanationSection method = section_of(explained({}), "Method: orca3d");
   EXPECT_THAT(method.lines, Contains(AllOf(HasSubstr("orca3d: "), HasSubstr("Source: "))));
   bool seen = false;
   for (const auto& row : method.table.rows) {
@@ -172,6 +172,16 @@ TEST(Explanation, CallsTracksByWhatTheyAre) {
   EXPECT_EQ(track_name(scenario, TrackId{4}), "auv");
   EXPECT_EQ(track_name(scenario, TrackId{0x4000'0002U}), "track 2");
   EXPECT_EQ(track_name(scenario, TrackId{0x8000'0003U}), "drifting obstacle 3");
+}
+
+TEST(Explanation, SaysAllOfADeviation) {
+  EXPECT_EQ(
+      deviation_words({.size = 0.4, .speed = -0.1, .climb = 0.2, .turn = radians(-12.0)}, {0.3, 0.1, -0.2}),
+      "turns 12 deg to port, slows down by 0.10 m/s to 0.37 m/s and climbs by 0.20 m/s");
+  EXPECT_EQ(deviation_words({.size = 0.5, .speed = -0.5}, Vec3::Zero()), "stops");
+  EXPECT_EQ(deviation_words({.size = 2e-3, .speed = -2e-3}, {0.4, 0, 0}),
+            "hardly leaves the velocity it prefers, by 0.002 m/s");
+  EXPECT_EQ(deviation_words({.size = 1e-16}, {0.4, 0, 0}), "keeps to the velocity it prefers");
 }
 
 TEST(Explanation, SaysBearingsAsAHelmsmanWould) {

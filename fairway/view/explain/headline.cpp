@@ -167,7 +167,9 @@ std::string deviation_words(const Deviation& deviation, const Vec3& commanded) {
   if (parts.empty()) {
     return fmt::format("hardly leaves the velocity it prefers, by {:.1g} m/s", deviation.size);
   }
-  return fmt::format("{}", fmt::join(parts, " and "));
+  std::string all = parts.front();
+  for (std::size_t i = 1; i < parts.size(); ++i) all += (i + 1 == parts.size() ? " and " : ", ") + parts[i];
+  return all;
 }
 
 std::string headline_of(const Scenario& scenario, const FoundDecision& found, const DecisionFacts& facts,

@@ -46,8 +46,8 @@ std::size_t frame_at(const Recording& recording, double time) {
   const double end = static_cast<double>(recording.run_frame_count()) * period;
   const double slack = typed_tolerance * period;
   if (!(recording.size() > 0 && time >= -slack && time <= end + slack)) {
-    throw InputError(fmt::format("--time {}: outside the run, which is from 0 to {} s", number_text(time),
-                                 number_text(end)));
+    throw InputError(
+        fmt::format("--time {}: outside the run, which is from 0 to {:.10g} s", number_text(time), end));
   }
   const auto frames = std::views::iota(std::size_t{0}, recording.size());
   const auto after = std::ranges::partition_point(
