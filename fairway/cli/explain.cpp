@@ -79,7 +79,8 @@ int explain(const ExplainFlags& flags, const Program& program) {
   const Instant instant{vehicle_called(recording.info(), flags.vehicle), frame_at(recording, flags.time)};
   const Scenario scenario = parse_scenario(recording.info().scenario_yaml, flags.recording + " (scenario)");
   const Catalogs catalogs = builtin_catalogs();
-  Film film{scenario};
+  const double time = recording.frame(instant.frame).time;
+  Film film{scenario, {.from_s = time - window_s, .to_s = time + window_s}};
   DecisionWindow window;
   if (!flags.page.empty()) window = {window_s, window_s, &film};
 
@@ -94,6 +95,7 @@ int explain(const ExplainFlags& flags, const Program& program) {
     return interrupted;
   }
 
+  film.finish();
   const Explanation explanation = fairway::explain(scenario, *found, catalogs.avoiders);
   if (!flags.page.empty()) {
     write_explanation(flags.page, scenario, recording, film, explanation, program.typed);

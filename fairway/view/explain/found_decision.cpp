@@ -35,11 +35,11 @@ std::optional<std::pair<double, double>> avoiding_span(const Recording& recordin
 /// it.
 class Witness final : public FrameSink, public DecisionObserver {
  public:
-  Witness(const Recording& recording, const Instant& instant, const DecisionWindow& window)
+  Witness(const Recording& recording, const Instant& instant, FrameSink* sink)
       : recording_{recording},
         instant_{instant},
         asked_{recording.frame(instant.frame)},
-        window_{window},
+        sink_{sink},
         checker_{recording} {}
 
   void see(std::size_t index, const Situation& situation, const Command& command) override {
@@ -57,7 +57,7 @@ class Witness final : public FrameSink, public DecisionObserver {
       kept_->strokes.assign(vehicle.strokes.begin(), vehicle.strokes.end());
     }
     if (frame.tick <= asked_.tick) command_ = vehicle.command;
-    if (window_.sink != nullptr && surrounds(frame.time)) window_.sink->write(frame);
+    if (sink_ != nullptr) sink_->write(frame);
   }
 
   /// Throws unless what was seen is the recorded run.
@@ -83,11 +83,6 @@ class Witness final : public FrameSink, public DecisionObserver {
   }
 
  private:
-  bool surrounds(double time) const {
-    const double since = time - asked_.time;
-    return -since <= window_.before_s && since <= window_.after_s;
-  }
-
   void check(const Frame& frame) {
     const bool same_so_far = !checker_.first_mismatch();
     checker_.write(frame);
@@ -106,7 +101,7 @@ class Witness final : public FrameSink, public DecisionObserver {
   const Recording& recording_;
   Instant instant_;
   Frame asked_;
-  DecisionWindow window_;
+  FrameSink* sink_;
   HashChecker checker_;
   std::size_t next_{};  // frame of the recording
   std::optional<KeptDecision> kept_;
@@ -149,7 +144,7 @@ std::optional<FoundDecision> find_decision(const Recording& recording, const Sce
   const std::int64_t watched = target - std::max<std::int64_t>(before, scenario.steps_per_decision - 1);
 
   Simulation simulation{scenario, builtin_catalogs()};
-  Witness witness{recording, instant, window};
+  Witness witness{recording, instant, window.sink};
   const std::array<FrameSink*, 1> sinks{&witness};
   std::optional<FoundDecision> found;
   while (!simulation.is_done() && count(simulation.tick()) <= target + after) {

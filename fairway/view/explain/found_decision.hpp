@@ -55,9 +55,10 @@ struct FoundDecision {
   std::size_t matched{};  ///< recorded frames met on the way, all the same to the bit
 };
 
-/// Frames of the run, with thoughts shown, for whoever wants to see what surrounds the decision.
+/// For whoever wants to see what surrounds the decision: all frames of the run until some time after it, with
+/// thoughts shown from some time before it.
 struct DecisionWindow {
-  double before_s{};  ///< the instant
+  double before_s{};
   double after_s{};
   FrameSink* sink{nullptr};  ///< null: nobody
 };
