@@ -29,7 +29,9 @@ int verify(const Recording& recording, const std::string& name, bool as_json) {
   const Scenario scenario = parse_scenario(recording.info().scenario_yaml, name + " (scenario)");
   HashChecker checker{recording};
   const std::array<FrameSink*, 1> sinks{&checker};
-  Simulation{scenario, builtin_catalogs()}.run(sinks);
+  Simulation simulation{scenario, builtin_catalogs()};
+  simulation.show_thoughts(recording.info().sketches);
+  simulation.run(sinks);
   if (as_json) {
     std::cout << nlohmann::json{{"recording", name},
                                 {"same", checker.same()},
@@ -62,10 +64,10 @@ void summarise(const Recording& recording, const std::string& name, bool as_json
   const Scenario scenario = parse_scenario(info.scenario_yaml, name + " (scenario)");
   RunMetrics metrics = metrics_for(scenario);
   recording.play(metrics);
-  nlohmann::json document{{"recording", name},          {"scenario", info.scenario_name},
-                          {"seed", info.seed},          {"version", info.version},
-                          {"frames", recording.size()}, {"vehicles", info.vehicles.size()},
-                          {"period_s", info.period},    {"perception", info.perception}};
+  nlohmann::json document{
+      {"recording", name},       {"scenario", info.scenario_name}, {"seed", info.seed},
+      {"version", info.version}, {"frames", recording.size()},     {"vehicles", info.vehicles.size()},
+      {"period_s", info.period}, {"perception", info.perception},  {"sketches", info.sketches}};
   for (const Measure& m : metrics.measures()) {
     if (m.vehicle == Measure::fleet && std::isfinite(m.value)) document[m.quantity] = m.value;
   }

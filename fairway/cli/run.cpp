@@ -133,6 +133,9 @@ void add_run(CLI::App& app, Program& program) {
   verb->add_flag("--perception", options->recording.perception,
                  "record what each vehicle perceived too: tracks and echoes")
       ->needs(out);
+  verb->add_flag("--sketch", options->recording.sketches,
+                 "record what each method draws of its thinking, and the messages under way")
+      ->needs(out);
   verb->add_flag("--json", options->json, "print JSON");
   verb->callback([=, &program] { program.chosen = [=, &program] { return run(*options, program.stop); }; });
 }

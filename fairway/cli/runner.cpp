@@ -18,14 +18,15 @@
 namespace fairway::cli {
 namespace {
 
-RecordingInfo info_of(const Scenario& scenario, bool perception) {
+RecordingInfo info_of(const Scenario& scenario, const RecordingChoice& choice) {
   RecordingInfo info{.version = std::string(fairway_version),
                      .scenario_name = scenario.name,
                      .scenario_yaml = to_yaml(scenario),
                      .seed = scenario.seed,
                      .period = scenario.step_s,
                      .vehicles = {},
-                     .perception = perception};
+                     .perception = choice.perception,
+                     .sketches = choice.sketches};
   for (const VehicleSpec& vehicle : scenario.vehicles) {
     info.vehicles.push_back({VehicleId{vehicle.id}, vehicle.name, vehicle.model.name});
   }
@@ -44,11 +45,12 @@ RunOutcome run_scenario(const Scenario& scenario, const RecordingChoice& recordi
                         const std::atomic<bool>* stop) {
   Simulation simulation{scenario, builtin_catalogs()};
   simulation.time_decisions();
+  simulation.show_thoughts(recording.sketches);
   RunMetrics metrics = metrics_for(scenario);
   std::vector<FrameSink*> sinks{&metrics};
   std::unique_ptr<RecordingWriter> writer;
   if (!recording.file.empty()) {
-    writer = std::make_unique<RecordingWriter>(recording.file, info_of(scenario, recording.perception));
+    writer = std::make_unique<RecordingWriter>(recording.file, info_of(scenario, recording));
     sinks.push_back(writer.get());
   }
 

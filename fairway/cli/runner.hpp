@@ -26,6 +26,7 @@ struct RunOutcome {
 struct RecordingChoice {
   std::string file;        ///< nowhere if empty
   bool perception{false};  ///< tracks and echoes too
+  bool sketches{false};    ///< what methods draw and the messages under way too
 };
 
 /// Runs a scenario, and records it. A run that is stopped leaves no recording.

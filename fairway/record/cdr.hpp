@@ -84,6 +84,15 @@ class CdrReader {
   /// A sequence of bytes; valid as long as the message.
   ByteView bytes() { return reader_.take(number<std::uint32_t>()); }
 
+  /// Text; valid as long as the message.
+  std::string_view text() {
+    const ByteView with_zero = bytes();
+    if (with_zero.empty() || with_zero.back() != std::byte{0}) {
+      throw Malformed{"damaged recording: a text does not end"};
+    }
+    return {reinterpret_cast<const char*>(with_zero.data()), with_zero.size() - 1};
+  }
+
   void skip_text() { reader_.take(number<std::uint32_t>()); }
 
   void array(std::span<double> values) {

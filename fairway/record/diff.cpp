@@ -5,10 +5,19 @@
 
 #include "fairway/core/text.hpp"
 #include "fairway/record/perception_quantities.hpp"
+#include "fairway/record/sketch_quantities.hpp"
 
 namespace fairway {
 
 namespace {
+
+const char* recorded_or_not(bool is_recorded) { return is_recorded ? "recorded" : "not recorded"; }
+
+/// What both recordings have besides the frames themselves.
+struct InBoth {
+  bool perception;
+  bool sketches;
+};
 
 std::vector<std::string> compare_setup(const Recording& a, const Recording& b) {
   std::vector<std::string> lines;
@@ -22,8 +31,8 @@ std::vector<std::string> compare_setup(const Recording& a, const Recording& b) {
   compare("seed", std::to_string(x.seed), std::to_string(y.seed));
   compare("period_s", number_text(x.period), number_text(y.period));
   compare("stride", std::to_string(a.stride()), std::to_string(b.stride()));
-  compare("perception", x.perception ? "recorded" : "not recorded",
-          y.perception ? "recorded" : "not recorded");
+  compare("perception", recorded_or_not(x.perception), recorded_or_not(y.perception));
+  compare("sketches", recorded_or_not(x.sketches), recorded_or_not(y.sketches));
   compare("vehicle_count", std::to_string(x.vehicles.size()), std::to_string(y.vehicles.size()));
   for (std::size_t i = 0; i < std::min(x.vehicles.size(), y.vehicles.size()); ++i) {
     const std::string vehicle = "vehicles[" + std::to_string(i) + "].";
@@ -34,7 +43,7 @@ std::vector<std::string> compare_setup(const Recording& a, const Recording& b) {
   return lines;
 }
 
-void compare_frames(const Frame& a, const Frame& b, const RecordingInfo& info, bool perception,
+void compare_frames(const Frame& a, const Frame& b, const RecordingInfo& info, InBoth in_both,
                     Difference& difference) {
   for (std::size_t i = 0; i < std::min(a.vehicles.size(), b.vehicles.size()); ++i) {
     const VehicleFrame& x = a.vehicles[i];
@@ -45,11 +54,16 @@ void compare_frames(const Frame& a, const Frame& b, const RecordingInfo& info, b
     }
     if (difference.first) continue;
     auto q = first_difference(x, y);
-    if (!q && perception) q = first_perception_difference(x, y);
+    if (!q && in_both.perception) q = first_perception_difference(x, y);
+    if (!q && in_both.sketches) q = first_sketch_difference(x.strokes, y.strokes);
     if (q) {
       difference.first = {a.tick,          a.time,         info.vehicles[i].name, std::move(q->quantity),
                           std::move(q->a), std::move(q->b)};
     }
+  }
+  if (difference.first || !in_both.sketches) return;
+  if (auto q = first_flight_difference(a.flights, b.flights)) {
+    difference.first = {a.tick, a.time, "", std::move(q->quantity), std::move(q->a), std::move(q->b)};
   }
 }
 
@@ -65,10 +79,11 @@ Difference diff(const Recording& a, const Recording& b) {
   difference.vehicles_a = a.info().vehicles.size();
   difference.vehicles_b = b.info().vehicles.size();
 
-  const bool perception = a.info().perception && b.info().perception;
+  const InBoth in_both{a.info().perception && b.info().perception, a.info().sketches && b.info().sketches};
   const auto same = [&](std::size_t i, std::size_t j) {
     return a.hashes()[i] == b.hashes()[j] &&
-           (!perception || a.perception_hashes()[i] == b.perception_hashes()[j]);
+           (!in_both.perception || a.perception_hashes()[i] == b.perception_hashes()[j]) &&
+           (!in_both.sketches || same_sketches(a.frame(i), b.frame(j)));
   };
 
   // merge by tick
@@ -83,7 +98,7 @@ Difference diff(const Recording& a, const Recording& b) {
       ++difference.only_in_b;
       ++j;
     } else {
-      if (!same(i, j)) compare_frames(x, y, a.info(), perception, difference);
+      if (!same(i, j)) compare_frames(x, y, a.info(), in_both, difference);
       ++difference.compared;
       ++i;
       ++j;
@@ -98,8 +113,9 @@ std::string Difference::describe() const {
   std::string text;
   for (const std::string& line : setup) text += line + '\n';
   if (first) {
-    text += "first difference at " + at(first->tick, first->time) + ": " + first->vehicle + " " +
-            first->quantity + ": " + first->a + " against " + first->b + '\n';
+    text += "first difference at " + at(first->tick, first->time) + ": " + first->vehicle +
+            (first->vehicle.empty() ? "" : " ") + first->quantity + ": " + first->a + " against " + first->b +
+            '\n';
   }
   if (farthest) {
     text += "farthest apart at " + at(farthest->tick, farthest->time) + ": " + farthest->vehicle + " by " +

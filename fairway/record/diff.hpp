@@ -16,8 +16,8 @@ struct Difference {
   struct First {
     Tick tick{};
     double time{};         ///< [s]
-    std::string vehicle;   ///< name
-    std::string quantity;  ///< "x_m", "mode", "actuator_2", "tracks[0].x_m"
+    std::string vehicle;   ///< name; none of messages under way
+    std::string quantity;  ///< "x_m", "mode", "actuator_2", "tracks[0].x_m", "sketch[3].size"
     std::string a;         ///< its value in the first recording, to full precision
     std::string b;
   };
@@ -44,7 +44,8 @@ struct Difference {
   std::string describe() const;
 };
 
-/// O(frames × vehicles). Vehicles are matched by index. What was perceived is compared if both recorded it.
+/// O(frames × vehicles). Vehicles are matched by index. What was perceived or drawn is compared
+/// if both recorded it.
 Difference diff(const Recording& a, const Recording& b);
 
 }  // namespace fairway

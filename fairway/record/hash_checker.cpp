@@ -7,10 +7,15 @@
 #include "fairway/record/frame_hash.hpp"
 #include "fairway/record/perception_quantities.hpp"
 #include "fairway/record/quantities.hpp"
+#include "fairway/record/sketch_quantities.hpp"
 
 namespace fairway {
 
 namespace {
+
+std::string text_of(const QuantityDifference& q) {
+  return q.quantity + ": " + q.a + " was recorded, now " + q.b;
+}
 
 std::string explain(const Recording& recording, const Frame& recorded, const Frame& now) {
   if (recorded.vehicles.size() != now.vehicles.size()) {
@@ -22,10 +27,13 @@ std::string explain(const Recording& recording, const Frame& recorded, const Fra
     if (!q && recording.info().perception) {
       q = first_perception_difference(recorded.vehicles[i], now.vehicles[i]);
     }
-    if (q) {
-      return recording.info().vehicles[i].name + " " + q->quantity + ": " + q->a + " was recorded, now " +
-             q->b;
+    if (!q && recording.info().sketches) {
+      q = first_sketch_difference(recorded.vehicles[i].strokes, now.vehicles[i].strokes);
     }
+    if (q) return recording.info().vehicles[i].name + " " + text_of(*q);
+  }
+  if (recording.info().sketches) {
+    if (const auto q = first_flight_difference(recorded.flights, now.flights)) return text_of(*q);
   }
   return "the bits of a NaN";
 }
@@ -47,7 +55,8 @@ void HashChecker::write(const Frame& frame) {
   if (recorded.tick != frame.tick) return;
   const std::size_t i = next_++;
   const std::uint64_t expected = recording_.hashes()[i];
-  if (expected == hash && (!perception || recording_.perception_hashes()[i] == perceived)) {
+  if (expected == hash && (!perception || recording_.perception_hashes()[i] == perceived) &&
+      (!recording_.info().sketches || same_sketches(recorded, frame))) {
     ++matched_;
   } else if (!mismatch_) {
     mismatch_ = {frame.tick, frame.time, expected, hash, explain(recording_, recorded, frame)};
@@ -62,8 +71,10 @@ bool HashChecker::same() const {
 std::string HashChecker::describe() const {
   const std::string frames = std::to_string(recording_.size());
   if (same()) {
+    const RecordingInfo& info = recording_.info();
     return "the same to the bit: " + frames + " of " + frames + " recorded frames" +
-           (recording_.info().perception ? ", and what was perceived" : "");
+           (info.perception ? ", and what was perceived" : "") +
+           (info.sketches ? ", and what was drawn" : "");
   }
   if (mismatch_) {
     return "differs from tick " + std::to_string(count(mismatch_->tick)) + " (" +

@@ -12,7 +12,7 @@
 namespace fairway {
 
 /// Compares a run, as it happens, with the recording of an earlier one, and remembers where they part;
-/// perception too if it is recorded.
+/// perception and sketches too if they are recorded; the run then has to show its thoughts.
 /// Keep the recording alive as long as this.
 class HashChecker : public FrameSink {
  public:
@@ -20,7 +20,7 @@ class HashChecker : public FrameSink {
     Tick tick{};
     double time{};             ///< [s]
     std::uint64_t expected{};  ///< frame_hash() in the recording
-    std::uint64_t actual{};    ///< the same if it is perception that differs
+    std::uint64_t actual{};    ///< the same if it is perception or a sketch that differs
     std::string what;          ///< "otter_1 x_m: 1 was recorded, now 1.0000000000000002"
   };
 

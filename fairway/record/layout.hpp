@@ -11,10 +11,12 @@ inline constexpr int format = 3;  ///< grows when another fairway could not read
 inline constexpr std::string_view frame_topic = "/fairway/frame";
 inline constexpr std::string_view transforms_topic = "/tf";
 inline constexpr std::string_view perception_topic = "/fairway/perception";
-inline constexpr std::string_view odometry_topic = "odometry";   ///< behind "/<vehicle>/"
-inline constexpr std::string_view status_topic = "status";       ///< likewise
+inline constexpr std::string_view flights_topic = "/fairway/flights";  ///< where sketches are recorded
+inline constexpr std::string_view odometry_topic = "odometry";         ///< behind "/<vehicle>/"
+inline constexpr std::string_view status_topic = "status";             ///< likewise
 inline constexpr std::string_view tracks_topic = "tracks";       ///< likewise, where perception is recorded
 inline constexpr std::string_view echoes_topic = "echoes";       ///< likewise
+inline constexpr std::string_view sketch_topic = "sketch";       ///< likewise, where sketches are recorded
 inline constexpr std::string_view body_frame = "base_link_fsd";  ///< behind "<vehicle>/"
 
 inline constexpr std::string_view run_metadata = "fairway";      ///< before the frames

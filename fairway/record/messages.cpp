@@ -8,6 +8,7 @@
 #include "fairway/core/error.hpp"
 #include "fairway/core/text.hpp"
 #include "fairway/record/cdr.hpp"
+#include "fairway/record/message_parts.hpp"
 
 namespace fairway {
 
@@ -17,29 +18,6 @@ constexpr std::size_t covariance_size = 36;
 
 /// Of a point in an echoes' message: float32 x, y, z, 4 bytes unused, float64 range, bearing.
 constexpr std::uint32_t point_step = 32, range_offset = 16, bearing_offset = 24;
-
-std::span<const double> values(const Vec3& v) { return {v.data(), 3}; }
-std::span<double> values(Vec3& v) { return {v.data(), 3}; }
-
-// Eigen keeps x, y, z, w, which is the order of geometry_msgs/Quaternion
-std::span<const double> values(const Eigen::Quaterniond& q) { return {q.coeffs().data(), 4}; }
-std::span<double> values(Eigen::Quaterniond& q) { return {q.coeffs().data(), 4}; }
-
-void put_header(CdrWriter& cdr, Stamp stamp, std::string_view frame = world_frame) {
-  constexpr std::uint64_t second = 1'000'000'000;
-  cdr.number(static_cast<std::int32_t>(stamp.nanoseconds / second));
-  cdr.number(static_cast<std::uint32_t>(stamp.nanoseconds % second));
-  cdr.text(frame);
-}
-
-void skip_header(CdrReader& cdr) {
-  cdr.number<std::int32_t>();
-  cdr.number<std::uint32_t>();
-  cdr.skip_text();
-}
-
-std::span<const double> values(const Wrench& w) { return {w.data(), 6}; }
-std::span<double> values(Wrench& w) { return {w.data(), 6}; }
 
 // row by row, as ROS has it
 void put_covariance(CdrWriter& cdr, const Mat3& covariance) {
@@ -95,15 +73,6 @@ Track get_track(CdrReader& cdr) {
   get_covariance(cdr, track.position_covariance);
   get_covariance(cdr, track.velocity_covariance);
   return track;
-}
-
-template <class E>
-E enumerator(std::uint8_t value, const char* what) {
-  if (value >= EnumNames<E>::names.size()) {
-    throw Malformed{std::string("damaged recording: a ") + what + " is " + std::to_string(value) +
-                    "; expected 0 to " + std::to_string(EnumNames<E>::names.size() - 1)};
-  }
-  return static_cast<E>(value);
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "fairway/record/mcap_reader.hpp"
 #include "fairway/record/messages.hpp"
 #include "fairway/record/schemas.hpp"
+#include "fairway/record/sketch_messages.hpp"
 
 namespace fairway {
 
@@ -38,6 +39,11 @@ T number_entry(const McapReader::Map& map, const std::string& key) {
   if (error != std::errc{} || end != text.data() + text.size())
     damaged(key + " is '" + text + "'; expected a number");
   return value;
+}
+
+bool says_true(const McapReader::Map& map, const std::string& key) {
+  const auto found = map.find(key);
+  return found != map.end() && found->second == "true";
 }
 
 // A recording of ours, in this format.
@@ -70,17 +76,22 @@ class Recording::Assembly {
                  {Role::odometry, index});
     find_channel(topic + "/" + std::string(layout::status_topic), vehicle_status_schema(),
                  {Role::status, index});
-    if (!recording_.info_.perception) return;
-    find_channel(topic + "/" + std::string(layout::tracks_topic), tracks_schema(), {Role::tracks, index});
-    find_channel(topic + "/" + std::string(layout::echoes_topic), echoes_schema(), {Role::echoes, index});
+    if (recording_.info_.perception) {
+      find_channel(topic + "/" + std::string(layout::tracks_topic), tracks_schema(), {Role::tracks, index});
+      find_channel(topic + "/" + std::string(layout::echoes_topic), echoes_schema(), {Role::echoes, index});
+    }
+    if (recording_.info_.sketches)
+      find_channel(topic + "/" + std::string(layout::sketch_topic), sketch_schema(), {Role::sketch, index});
   }
 
   void read_frames() {
     find_channel(std::string(layout::frame_topic), frame_schema(), {Role::frame, 0});
     if (recording_.info_.perception) {
       find_channel(std::string(layout::perception_topic), perception_schema(), {Role::perception, 0});
-      perceived_.resize(recording_.info_.vehicles.size());
     }
+    if (recording_.info_.sketches)
+      find_channel(std::string(layout::flights_topic), flights_schema(), {Role::flights, 0});
+    shown_.resize(recording_.info_.vehicles.size());
     mcap_.for_each_message([this](const McapReader::Message& message) { see(message); });
     finish_frame();
 
@@ -92,25 +103,18 @@ class Recording::Assembly {
     for (std::size_t i = 0; i < history_.size(); ++i) {
       recording_.vehicles_[i].tracks = history_[i].tracks.of(recording_.tracks_);
       recording_.vehicles_[i].echoes = history_[i].echoes.of(recording_.echoes_);
+      recording_.vehicles_[i].strokes = history_[i].strokes.of(recording_.strokes_);
     }
     verify();
   }
 
  private:
-  enum class Role { frame, odometry, status, perception, tracks, echoes };
-  /// A part of one of the recording's buffers.
-  struct Part {
-    std::size_t begin{};
-    std::size_t end{};
-
-    template <class T>
-    std::span<const T> of(const std::vector<T>& buffer) const {
-      return std::span{buffer}.subspan(begin, end - begin);
-    }
-  };
-  struct Perceived {
+  enum class Role { frame, odometry, status, perception, tracks, echoes, flights, sketch };
+  /// What a vehicle perceived and drew, as last written.
+  struct Shown {
     Part tracks;
     Part echoes;
+    Part strokes;
   };
   struct Target {
     Role role{};
@@ -140,8 +144,8 @@ class Recording::Assembly {
       begin_frame(decode_frame(message.data));
       return;
     }
-    if (role == Role::perception || role == Role::tracks || role == Role::echoes) {
-      see_perception(role, vehicle, message.data);
+    if (role != Role::odometry && role != Role::status) {
+      see_shown(role, vehicle, message.data);
       return;
     }
 
@@ -162,27 +166,44 @@ class Recording::Assembly {
   }
 
   // behind the vehicles: the mark, and what is not as in the frame before
-  void see_perception(Role role, std::size_t vehicle, ByteView message) {
-    if (recording_.marks_.empty()) damaged("a vehicle's perception before the first frame");
-    if (role == Role::perception) {
-      const PerceptionMark mark = decode_perception(message);
-      if (mark.tick != recording_.marks_.back().tick) incomplete("all that was perceived");
-      recording_.perception_hashes_.push_back(mark.hash);
-    } else if (role == Role::tracks) {
-      const std::size_t begin = recording_.tracks_.size();
-      decode_tracks(message, recording_.tracks_);
-      perceived_[vehicle].tracks = {begin, recording_.tracks_.size()};
-    } else {
-      const std::size_t begin = recording_.echoes_.size();
-      decode_echoes(message, recording_.echoes_);
-      perceived_[vehicle].echoes = {begin, recording_.echoes_.size()};
+  void see_shown(Role role, std::size_t vehicle, ByteView message) {
+    if (recording_.marks_.empty()) damaged("what a vehicle perceives or draws before the first frame");
+    switch (role) {
+      case Role::tracks:
+        shown_[vehicle].tracks = appended(message, recording_.tracks_, decode_tracks);
+        break;
+      case Role::echoes:
+        shown_[vehicle].echoes = appended(message, recording_.echoes_, decode_echoes);
+        break;
+      case Role::sketch:
+        shown_[vehicle].strokes = appended(message, recording_.strokes_, decode_sketch);
+        ++sketch_count_;
+        break;
+      case Role::flights:
+        under_way_ = appended(message, recording_.flights_, decode_flights);
+        ++flights_count_;
+        break;
+      default:
+        see_perception(decode_perception(message));
     }
+  }
+
+  void see_perception(const PerceptionMark& mark) {
+    if (mark.tick != recording_.marks_.back().tick) incomplete("all that was perceived");
+    recording_.perception_hashes_.push_back(mark.hash);
+  }
+
+  template <class T>
+  static Part appended(ByteView message, std::vector<T>& buffer, void (*decode)(ByteView, std::vector<T>&)) {
+    const std::size_t begin = buffer.size();
+    decode(message, buffer);
+    return {begin, buffer.size()};
   }
 
   void begin_frame(const FrameMark& mark) {
     auto& marks = recording_.marks_;
     if (!marks.empty() && mark.tick <= marks.back().tick) damaged("ticks do not ascend");
-    marks.push_back({mark.tick, mark.time, mark.period});
+    marks.push_back({mark.tick, mark.time, mark.period, {}});
     recording_.hashes_.push_back(mark.hash);
     recording_.vehicles_.resize(recording_.vehicles_.size() + recording_.info_.vehicles.size());
     next_odometry_ = next_status_ = 0;
@@ -192,10 +213,13 @@ class Recording::Assembly {
     if (recording_.marks_.empty()) return;
     const std::size_t vehicles = recording_.info_.vehicles.size();
     if (next_odometry_ != vehicles || next_status_ != vehicles) incomplete();
-    if (!recording_.info_.perception) return;
-    if (recording_.perception_hashes_.size() != recording_.marks_.size())
+    const RecordingInfo& info = recording_.info_;
+    if (info.perception && recording_.perception_hashes_.size() != recording_.marks_.size())
       incomplete("all that was perceived");
-    history_.insert(history_.end(), perceived_.begin(), perceived_.end());
+    // all of it is in the first frame
+    if (info.sketches && (sketch_count_ < vehicles || flights_count_ == 0)) incomplete("all that was drawn");
+    recording_.marks_.back().flights = under_way_;
+    if (info.perception || info.sketches) history_.insert(history_.end(), shown_.begin(), shown_.end());
   }
 
   void verify() const {
@@ -216,9 +240,12 @@ class Recording::Assembly {
   Recording& recording_;
   const McapReader& mcap_;
   std::map<std::uint16_t, Target> targets_;
-  std::vector<std::size_t> counts_;   // of actuators, by vehicle and frame
-  std::vector<Perceived> perceived_;  // by vehicle, at present
-  std::vector<Perceived> history_;    // likewise, frame after frame
+  std::vector<std::size_t> counts_;  // of actuators, by vehicle and frame
+  std::vector<Shown> shown_;         // by vehicle, at present
+  std::vector<Shown> history_;       // likewise, frame after frame
+  Part under_way_;                   // messages, at present
+  std::size_t sketch_count_{};       // read so far
+  std::size_t flights_count_{};      // likewise
   std::size_t next_odometry_{};
   std::size_t next_status_{};
 };
@@ -234,7 +261,8 @@ Recording Recording::parse(ByteView bytes, const std::string& file) {
     info.seed = number_entry<std::uint64_t>(run, "seed");
     info.period = number_entry<double>(run, "period_s");
     recording.stride_ = number_entry<std::int64_t>(run, "stride");
-    info.perception = run.contains("perception") && entry(run, "perception") == "true";
+    info.perception = says_true(run, "perception");
+    info.sketches = says_true(run, "sketches");
     const auto scenario = mcap.attachments().find(std::string(layout::scenario_attachment));
     if (scenario == mcap.attachments().end()) damaged("the scenario is missing");
     info.scenario_yaml = scenario->second;
@@ -282,7 +310,8 @@ Frame Recording::frame(std::size_t i) const {
   return {.tick = mark.tick,
           .time = mark.time,
           .period = mark.period,
-          .vehicles = std::span{vehicles_}.subspan(i * n, n)};
+          .vehicles = std::span{vehicles_}.subspan(i * n, n),
+          .flights = mark.flights.of(flights_)};
 }
 
 void Recording::play(FrameSink& sink) const {

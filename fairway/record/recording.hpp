@@ -45,15 +45,28 @@ class Recording {
   /// As run_hash(), of perception_hash().
   std::uint64_t run_perception_hash() const { return run_perception_hash_; }
 
+  // Where info().sketches says so, strokes and messages under way are in the frames; else they are empty.
+
   /// Gives every frame to `sink`, in order.
   void play(FrameSink& sink) const;
 
  private:
   class Assembly;
+  /// Of one of the buffers: from `begin` to before `end`.
+  struct Part {
+    std::size_t begin{};
+    std::size_t end{};
+
+    template <class T>
+    std::span<const T> of(const std::vector<T>& buffer) const {
+      return std::span{buffer}.subspan(begin, end - begin);
+    }
+  };
   struct Mark {
     Tick tick{};
     double time{};
     double period{};
+    Part flights;
   };
 
   Recording() = default;
@@ -70,6 +83,8 @@ class Recording {
   std::vector<double> actuators_;       // of all of them; their spans point here
   std::vector<Track> tracks_;           // likewise, once for all frames in which a vehicle's stay the same
   std::vector<Echo> echoes_;
+  std::vector<Stroke> strokes_;
+  std::vector<MessageFlight> flights_;
 };
 
 }  // namespace fairway

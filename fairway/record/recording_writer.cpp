@@ -16,6 +16,7 @@
 #include "fairway/record/mcap_writer.hpp"
 #include "fairway/record/messages.hpp"
 #include "fairway/record/schemas.hpp"
+#include "fairway/record/sketch_messages.hpp"
 
 namespace fairway {
 
@@ -23,8 +24,12 @@ namespace {
 
 std::string part_of(const std::string& path) { return path + ".part"; }
 
+std::string topic_of(const std::string& vehicle, std::string_view topic) {
+  return "/" + vehicle + "/" + std::string(topic);
+}
+
 std::string vehicles_json(const std::vector<RecordingInfo::Vehicle>& vehicles,
-                          const std::vector<std::string>& topics) {
+                          std::span<const std::string> topics) {
   auto list = nlohmann::json::array();
   for (std::size_t i = 0; i < vehicles.size(); ++i) {
     const auto& v = vehicles[i];
@@ -60,52 +65,70 @@ RecordingWriter::RecordingWriter(std::string path, RecordingInfo info, std::int6
   if (stride_ < 1) throw InputError{{}, "stride", "is " + std::to_string(stride_) + "; expected 1 or more"};
   try {
     mcap_ = std::make_unique<McapWriter>(part_of(path_), "ros2", "fairway " + info_.version);
-    const std::uint16_t frame = add_schema(*mcap_, frame_schema());
-    const std::uint16_t odometry = add_schema(*mcap_, odometry_schema());
-    const std::uint16_t status = add_schema(*mcap_, vehicle_status_schema());
-    const std::uint16_t transforms = add_schema(*mcap_, transforms_schema());
-
     const std::vector<std::string> topics = topic_names(info_.vehicles);
-    const auto add_channel = [this](std::uint16_t schema, std::string_view topic) {
-      // the profile "ros2" requires the key; empty means the usual quality of service
-      return mcap_->add_channel(schema, topic, "cdr", {{"offered_qos_profiles", ""}});
-    };
-    frame_channel_ = add_channel(frame, layout::frame_topic);
-    transforms_channel_ = add_channel(transforms, layout::transforms_topic);
-    for (const std::string& topic : topics) {
-      const std::string prefix = "/" + topic + "/";
-      channels_.push_back({add_channel(odometry, prefix + std::string(layout::odometry_topic)),
-                           add_channel(status, prefix + std::string(layout::status_topic))});
-      child_frames_.push_back(topic + "/" + std::string(layout::body_frame));
-    }
-
-    McapWriter::Map run{{"format", std::to_string(layout::format)},
-                        {"version", info_.version},
-                        {"scenario", info_.scenario_name},
-                        {"seed", std::to_string(info_.seed)},
-                        {"period_s", number_text(info_.period)},
-                        {"stride", std::to_string(stride_)},
-                        {"vehicle_count", std::to_string(info_.vehicles.size())},
-                        {"vehicles", vehicles_json(info_.vehicles, topics)}};
-    if (info_.perception) {
-      const std::uint16_t perception = add_schema(*mcap_, perception_schema());
-      const std::uint16_t tracks = add_schema(*mcap_, tracks_schema());
-      const std::uint16_t echoes = add_schema(*mcap_, echoes_schema());
-      perception_channel_ = add_channel(perception, layout::perception_topic);
-      for (std::size_t i = 0; i < topics.size(); ++i) {
-        const std::string prefix = "/" + topics[i] + "/";
-        channels_[i].tracks = add_channel(tracks, prefix + std::string(layout::tracks_topic));
-        channels_[i].echoes = add_channel(echoes, prefix + std::string(layout::echoes_topic));
-      }
-      perceived_.resize(topics.size());
-      run.emplace_back("perception", "true");
-    }
-    mcap_->add_metadata(layout::run_metadata, run);
-    mcap_->attach(layout::scenario_attachment, "application/yaml", info_.scenario_yaml);
+    shown_.resize(topics.size());
+    add_vehicles(topics);
+    if (info_.perception) add_perception(topics);
+    if (info_.sketches) add_sketches(topics);
+    describe_run(topics);
   } catch (...) {
     if (mcap_) std::remove(part_of(path_).c_str());
     throw;
   }
+}
+
+std::uint16_t RecordingWriter::add_channel(std::uint16_t schema, std::string_view topic) {
+  // the profile "ros2" requires the key; empty means the usual quality of service
+  return mcap_->add_channel(schema, topic, "cdr", {{"offered_qos_profiles", ""}});
+}
+
+void RecordingWriter::add_vehicles(std::span<const std::string> topics) {
+  const std::uint16_t frame = add_schema(*mcap_, frame_schema());
+  const std::uint16_t odometry = add_schema(*mcap_, odometry_schema());
+  const std::uint16_t status = add_schema(*mcap_, vehicle_status_schema());
+  const std::uint16_t transforms = add_schema(*mcap_, transforms_schema());
+  frame_channel_ = add_channel(frame, layout::frame_topic);
+  transforms_channel_ = add_channel(transforms, layout::transforms_topic);
+  for (const std::string& topic : topics) {
+    channels_.push_back({.odometry = add_channel(odometry, topic_of(topic, layout::odometry_topic)),
+                         .status = add_channel(status, topic_of(topic, layout::status_topic))});
+    child_frames_.push_back(topic + "/" + std::string(layout::body_frame));
+  }
+}
+
+void RecordingWriter::add_perception(std::span<const std::string> topics) {
+  const std::uint16_t perception = add_schema(*mcap_, perception_schema());
+  const std::uint16_t tracks = add_schema(*mcap_, tracks_schema());
+  const std::uint16_t echoes = add_schema(*mcap_, echoes_schema());
+  perception_channel_ = add_channel(perception, layout::perception_topic);
+  for (std::size_t i = 0; i < topics.size(); ++i) {
+    channels_[i].tracks = add_channel(tracks, topic_of(topics[i], layout::tracks_topic));
+    channels_[i].echoes = add_channel(echoes, topic_of(topics[i], layout::echoes_topic));
+  }
+}
+
+void RecordingWriter::add_sketches(std::span<const std::string> topics) {
+  const std::uint16_t sketch = add_schema(*mcap_, sketch_schema());
+  const std::uint16_t flights = add_schema(*mcap_, flights_schema());
+  flights_channel_ = add_channel(flights, layout::flights_topic);
+  for (std::size_t i = 0; i < topics.size(); ++i) {
+    channels_[i].sketch = add_channel(sketch, topic_of(topics[i], layout::sketch_topic));
+  }
+}
+
+void RecordingWriter::describe_run(std::span<const std::string> topics) {
+  McapWriter::Map run{{"format", std::to_string(layout::format)},
+                      {"version", info_.version},
+                      {"scenario", info_.scenario_name},
+                      {"seed", std::to_string(info_.seed)},
+                      {"period_s", number_text(info_.period)},
+                      {"stride", std::to_string(stride_)},
+                      {"vehicle_count", std::to_string(info_.vehicles.size())},
+                      {"vehicles", vehicles_json(info_.vehicles, topics)}};
+  if (info_.perception) run.emplace_back("perception", "true");
+  if (info_.sketches) run.emplace_back("sketches", "true");
+  mcap_->add_metadata(layout::run_metadata, run);
+  mcap_->attach(layout::scenario_attachment, "application/yaml", info_.scenario_yaml);
 }
 
 RecordingWriter::~RecordingWriter() {
@@ -130,7 +153,14 @@ void RecordingWriter::write(const Frame& frame) {
   last_tick_ = count(frame.tick);
   if (frames_seen_++ % static_cast<std::uint64_t>(stride_) != 0) return;
 
-  // the frame, its vehicles, and their transforms for viewers
+  write_state(frame, hash);
+  if (info_.perception) write_perception(frame, perceived);
+  if (info_.sketches) write_sketches(frame);
+  ++frames_kept_;
+}
+
+// the frame, its vehicles, and their transforms for viewers
+void RecordingWriter::write_state(const Frame& frame, std::uint64_t hash) {
   const Stamp stamp = stamp_of(frame.time);
   const double period = frame.period * static_cast<double>(stride_);
   encode_frame(message_, stamp, {.tick = frame.tick, .time = frame.time, .period = period, .hash = hash});
@@ -144,8 +174,6 @@ void RecordingWriter::write(const Frame& frame) {
   }
   encode_transforms(message_, stamp, child_frames_, frame.vehicles);
   mcap_->write(transforms_channel_, stamp.nanoseconds, message_);
-  if (info_.perception) write_perception(frame, perceived);
-  ++frames_kept_;
 }
 
 void RecordingWriter::write_perception(const Frame& frame, std::uint64_t hash) {
@@ -154,9 +182,19 @@ void RecordingWriter::write_perception(const Frame& frame, std::uint64_t hash) {
   mcap_->write(perception_channel_, stamp.nanoseconds, message_);
   for (std::size_t i = 0; i < frame.vehicles.size(); ++i) {
     encode_tracks(message_, stamp, frame.vehicles[i].tracks);
-    write_if_changed(channels_[i].tracks, stamp.nanoseconds, perceived_[i].tracks);
+    write_if_changed(channels_[i].tracks, stamp.nanoseconds, shown_[i].tracks);
     encode_echoes(message_, stamp, child_frames_[i], frame.vehicles[i].echoes);
-    write_if_changed(channels_[i].echoes, stamp.nanoseconds, perceived_[i].echoes);
+    write_if_changed(channels_[i].echoes, stamp.nanoseconds, shown_[i].echoes);
+  }
+}
+
+void RecordingWriter::write_sketches(const Frame& frame) {
+  const Stamp stamp = stamp_of(frame.time);
+  encode_flights(message_, stamp, frame.flights);
+  write_if_changed(flights_channel_, stamp.nanoseconds, flights_);
+  for (std::size_t i = 0; i < frame.vehicles.size(); ++i) {
+    encode_sketch(message_, stamp, frame.vehicles[i].strokes);
+    write_if_changed(channels_[i].sketch, stamp.nanoseconds, shown_[i].sketch);
   }
 }
 

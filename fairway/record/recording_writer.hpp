@@ -3,7 +3,9 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "fairway/record/bytes.hpp"
@@ -30,6 +32,7 @@ struct RecordingInfo {
   double period{};                ///< between the frames of the run [s]
   std::vector<Vehicle> vehicles;  ///< by index, as in the frames
   bool perception{false};         ///< tracks and echoes are in the frames too
+  bool sketches{false};           ///< what methods drew and the messages under way are in the frames too
 };
 
 /// Records a run as an MCAP file with ROS 2 messages, stamped with simulation time; README.md has the
@@ -44,8 +47,9 @@ class RecordingWriter : public FrameSink {
   RecordingWriter(const RecordingWriter&) = delete;
   RecordingWriter& operator=(const RecordingWriter&) = delete;
 
-  /// O(vehicles and what they perceive); allocates only while its buffers grow. Throws InputError if the disk
-  /// is full, if the frame has not the vehicles of the info, or if its time is outside what a stamp holds.
+  /// O(vehicles, what they perceive and draw); allocates only while its buffers grow. Throws InputError if
+  /// the disk is full, if the frame has not the vehicles of the info, or if its time is outside what a stamp
+  /// holds.
   void write(const Frame& frame) override;
 
   /// Completes the file. Throws InputError if that fails; does nothing the second time.
@@ -57,14 +61,23 @@ class RecordingWriter : public FrameSink {
     std::uint16_t status{};
     std::uint16_t tracks{};
     std::uint16_t echoes{};
+    std::uint16_t sketch{};
   };
-  /// Last messages of a vehicle.
-  struct Perceived {
+  /// Last messages of a vehicle that are not written again until they change.
+  struct Shown {
     Bytes tracks;
     Bytes echoes;
+    Bytes sketch;
   };
 
+  std::uint16_t add_channel(std::uint16_t schema, std::string_view topic);
+  void add_vehicles(std::span<const std::string> topics);
+  void add_perception(std::span<const std::string> topics);
+  void add_sketches(std::span<const std::string> topics);
+  void describe_run(std::span<const std::string> topics);
+  void write_state(const Frame& frame, std::uint64_t hash);
   void write_perception(const Frame& frame, std::uint64_t hash);
+  void write_sketches(const Frame& frame);
   void write_if_changed(std::uint16_t channel, std::uint64_t time, Bytes& last);
 
   std::string path_;
@@ -74,9 +87,11 @@ class RecordingWriter : public FrameSink {
   std::uint16_t frame_channel_{};
   std::uint16_t transforms_channel_{};
   std::uint16_t perception_channel_{};
+  std::uint16_t flights_channel_{};
   std::vector<Channels> channels_;         // by vehicle
   std::vector<std::string> child_frames_;  // by vehicle
-  std::vector<Perceived> perceived_;       // by vehicle
+  std::vector<Shown> shown_;               // by vehicle
+  Bytes flights_;                          // last message of those under way
   Bytes message_;
   std::uint64_t frames_seen_{};
   std::uint64_t frames_kept_{};

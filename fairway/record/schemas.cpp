@@ -6,6 +6,7 @@
 #include <initializer_list>
 
 #include "fairway/avoidance/command.hpp"
+#include "fairway/avoidance/drawing.hpp"
 #include "fairway/core/leg.hpp"
 
 namespace fairway {
@@ -86,6 +87,32 @@ constexpr Definition track{"fairway_msgs/Track",
                            "# row by row\n"
                            "float64[9] position_covariance_m2\n"
                            "float64[9] velocity_covariance_m2ps2\n"};
+
+constexpr Definition flight{"fairway_msgs/MessageFlight",
+                            "# indices of vehicles\n"
+                            "uint32 from_index\n"
+                            "uint32 to_index\n"
+                            "# when its transmission began, when it begins to be heard, when all of it is\n"
+                            "float64 sent_s\n"
+                            "float64 begins_s\n"
+                            "float64 arrives_s\n"
+                            "# the receiver transmits meanwhile and will not hear it\n"
+                            "bool drowned\n"};
+/// Of a fairway_msgs/Stroke, behind the constants of its kinds.
+constexpr std::string_view stroke_fields =
+    "uint8 kind\n"
+    "string meaning\n"
+    "# positions [m] of PATH, TREE (pairs, an edge each) and SPHERE (its centre); velocities [m/s] of\n"
+    "# VELOCITY, REGION (an outline) and HALF_SPACE (a point, then the normal towards what is allowed)\n"
+    "geometry_msgs/Point[] points\n"
+    "# radius of a SPHERE [m]; of an IMAGE the velocity of the outermost pixels' middles [m/s]\n"
+    "float64 size\n"
+    "# of the top of an IMAGE\n"
+    "float64 yaw_rad\n"
+    "# of an IMAGE, pixels: from the fastest ahead, in each row from the fastest to port\n"
+    "int32 side_count\n"
+    "# of an IMAGE: red, green and blue of each pixel\n"
+    "uint8[] rgb\n";
 
 // "uint8 MODE_CRUISE=0" for each enumerator
 template <class E>
@@ -195,6 +222,27 @@ MessageSchema echoes_schema() {
                                               "uint8[] data\n"
                                               "bool is_dense\n",
                                               {header, time, point_field})};
+}
+
+MessageSchema sketch_schema() {
+  const std::string stroke = constants<Stroke::Kind>("KIND_").append(stroke_fields);
+  return {
+      "fairway_msgs/msg/Sketch",
+      with("# What a vehicle drew of its thinking when it last decided, in the order in which it drew. Axes\n"
+           "# are north, east, down. Written when it changes; until then it stays as it is.\n"
+           "std_msgs/Header header\n"
+           "fairway_msgs/Stroke[] strokes\n",
+           {header, time, {"fairway_msgs/Stroke", stroke}, point})};
+}
+
+MessageSchema flights_schema() {
+  return {
+      "fairway_msgs/msg/MessageFlights",
+      with("# The messages on their way between vehicles. Written when it changes; until then it stays as\n"
+           "# it is.\n"
+           "std_msgs/Header header\n"
+           "fairway_msgs/MessageFlight[] flights\n",
+           {header, time, flight})};
 }
 
 MessageSchema perception_schema() {

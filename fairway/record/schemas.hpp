@@ -27,4 +27,8 @@ MessageSchema tracks_schema();
 MessageSchema echoes_schema();
 MessageSchema perception_schema();
 
+// Where sketches are recorded: what a vehicle drew of its thinking, and the messages under way.
+MessageSchema sketch_schema();
+MessageSchema flights_schema();
+
 }  // namespace fairway
