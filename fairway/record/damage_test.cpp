@@ -14,6 +14,7 @@
 #include "fairway/record/mcap_writer.hpp"
 #include "fairway/record/messages.hpp"
 #include "fairway/record/schemas.hpp"
+#include "fairway/record/sketch_messages.hpp"
 #include "fairway/record/testing/sample_run.hpp"
 
 // Nothing but InputError may come of a file, whatever is in it.
@@ -30,6 +31,7 @@ Bytes sample() {
   const TemporaryFolder folder;
   SampleRun run{2, 3};
   run.perceive();
+  run.sketch();
   run.record(folder.file("run.mcap"));
   return bytes_in(folder.file("run.mcap"));
 }
@@ -122,6 +124,8 @@ struct Forgery {
   bool scenario = true;
   bool perception = false;  // its topics are there
   std::string perception_told = "false";
+  bool sketches = false;  // likewise
+  std::string sketches_told = "false";
   std::function<void(McapWriter&)> messages = [](McapWriter&) {};
 
   std::string refusal_of() const {
@@ -143,6 +147,12 @@ struct Forgery {
       mcap.add_channel(tracks, "/a/tracks", "cdr");
       mcap.add_channel(echoes, "/a/echoes", "cdr");
     }
+    if (sketches) {
+      const auto sketch = mcap.add_schema(sketch_schema().name, "ros2msg", sketch_schema().text);
+      const auto flights = mcap.add_schema(flights_schema().name, "ros2msg", flights_schema().text);
+      mcap.add_channel(sketch, "/a/sketch", "cdr");
+      mcap.add_channel(flights, "/fairway/flights", "cdr");
+    }
     mcap.add_metadata("fairway", {{"format", format},
                                   {"version", "9.9"},
                                   {"scenario", "s"},
@@ -150,6 +160,7 @@ struct Forgery {
                                   {"period_s", "0.1"},
                                   {"stride", "1"},
                                   {"perception", perception_told},
+                                  {"sketches", sketches_told},
                                   {"vehicles", vehicles}});
     if (scenario) mcap.attach("scenario.yaml", "application/yaml", "name: s\n");
     messages(mcap);
@@ -188,6 +199,19 @@ void write_perception(McapWriter& mcap, std::int64_t tick, std::uint64_t hash) {
 void write_tracks(McapWriter& mcap) {
   Bytes message;
   encode_tracks(message, Stamp{0}, {});
+  mcap.write(4, 0, message);
+}
+
+// where perception is not recorded
+void write_sketch(McapWriter& mcap, std::span<const Stroke> strokes = {}) {
+  Bytes message;
+  encode_sketch(message, Stamp{0}, strokes);
+  mcap.write(3, 0, message);
+}
+
+void write_flights(McapWriter& mcap) {
+  Bytes message;
+  encode_flights(message, Stamp{0}, {});
   mcap.write(4, 0, message);
 }
 
@@ -255,9 +279,29 @@ TEST(ForgedRecording, IsRefusedForPerceptionThatIsNotWhole) {
   EXPECT_THAT(with([&](McapWriter& m) { write_whole_frame(m), write_perception(m, 5, right); }),
               HasSubstr("tick 4 has not all that was perceived"));
   EXPECT_THAT(with([](McapWriter& m) { write_tracks(m), write_whole_frame(m); }),
-              HasSubstr("perception before the first frame"));
+              HasSubstr("what a vehicle perceives or draws before the first frame"));
   EXPECT_THAT((Forgery{.perception_told = "true"}.refusal_of()), HasSubstr("topic /a/tracks is missing"));
   EXPECT_EQ((Forgery{.perception = true}.refusal_of()), "");
+}
+
+TEST(ForgedRecording, IsRefusedForSketchesThatAreNotWhole) {
+  const auto with = [](std::function<void(McapWriter&)> messages) {
+    return Forgery{
+        .frame_count = "1", .sketches = true, .sketches_told = "true", .messages = std::move(messages)}
+        .refusal_of();
+  };
+  const std::vector<Stroke> unknown{{.kind = static_cast<Stroke::Kind>(7)}};
+  EXPECT_THAT(with([](McapWriter& m) { write_whole_frame(m), write_sketch(m); }),
+              HasSubstr("tick 4 has not all that was drawn"));
+  EXPECT_THAT(with([](McapWriter& m) { write_whole_frame(m), write_flights(m); }),
+              HasSubstr("tick 4 has not all that was drawn"));
+  EXPECT_THAT(with([](McapWriter& m) { write_sketch(m), write_whole_frame(m); }),
+              HasSubstr("what a vehicle perceives or draws before the first frame"));
+  EXPECT_THAT(with([&](McapWriter& m) { write_whole_frame(m), write_sketch(m, unknown); }),
+              HasSubstr("a kind of stroke is 7; expected 0 to 6"));
+  EXPECT_EQ(with([](McapWriter& m) { write_whole_frame(m), write_sketch(m), write_flights(m); }), "");
+  EXPECT_THAT((Forgery{.sketches_told = "true"}.refusal_of()), HasSubstr("topic /a/sketch is missing"));
+  EXPECT_EQ((Forgery{.sketches = true}.refusal_of()), "");
 }
 
 TEST(ForgedRecording, WithRandomMessagesIsRefused) {

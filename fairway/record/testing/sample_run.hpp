@@ -92,6 +92,41 @@ class SampleRun {
     }
   }
 
+  /// From now on vehicles draw: one stroke of each kind, vehicle i without the first i, anew in every second
+  /// frame; and as many messages are under way as the half of the frame's index, at most four.
+  void sketch() {
+    info.sketches = true;
+    Rng rng{44};
+    const auto draw = [&rng] { return Vec3{rng.normal(), rng.normal(), rng.normal()}; };
+    const std::size_t n = info.vehicles.size();
+    strokes.resize(vehicles.size());
+    flights.resize(size());
+    for (std::size_t k = 0; k < vehicles.size(); ++k) {
+      if (k / n % 2 == 1) {
+        strokes[k] = strokes[k - n];
+      } else {
+        for (std::size_t kind = k % n; kind < EnumNames<Stroke::Kind>::names.size(); ++kind) {
+          Stroke& stroke = strokes[k].emplace_back();
+          stroke.kind = static_cast<Stroke::Kind>(kind);
+          stroke.meaning = "\"" + std::string(rng.index(4), 'x') + "\" of frame " + std::to_string(k / n);
+          for (std::uint64_t i = rng.index(5); i > 0; --i) stroke.points.push_back(draw());
+          stroke.size = rng.normal();
+          stroke.yaw = rng.normal();
+          stroke.side = static_cast<std::int32_t>(rng.index(9)) - 4;
+          for (std::uint64_t i = rng.index(5); i > 0; --i)
+            stroke.rgb.push_back(static_cast<std::uint32_t>(rng.index(0x100'0000)));
+        }
+      }
+      vehicles[k].strokes = strokes[k];
+    }
+    for (std::size_t f = 0; f < flights.size(); ++f) {
+      for (std::size_t i = 0; i < std::min<std::size_t>(f / 2, 4); ++i) {
+        const auto from = static_cast<std::uint32_t>(f);
+        flights[f].push_back({from, from + 1, rng.normal(), rng.normal(), rng.normal(), rng.index(2) == 1});
+      }
+    }
+  }
+
   SampleRun(const SampleRun&) = delete;
   SampleRun& operator=(const SampleRun&) = delete;
 
@@ -107,7 +142,8 @@ class SampleRun {
     return {.tick = tick,
             .time = seconds(tick, info.period),
             .period = info.period,
-            .vehicles = std::span{vehicles}.subspan(i * n, n)};
+            .vehicles = std::span{vehicles}.subspan(i * n, n),
+            .flights = flights.empty() ? std::span<const MessageFlight>{} : flights[i]};
   }
 
   void record(const std::string& path, std::int64_t stride = 1) const {
@@ -126,6 +162,8 @@ class SampleRun {
   std::vector<std::vector<double>> actuators;  // likewise
   std::vector<std::vector<Track>> tracks;
   std::vector<std::vector<Echo>> echoes;
+  std::vector<std::vector<Stroke>> strokes;
+  std::vector<std::vector<MessageFlight>> flights;  // by frame
 };
 
 inline Bytes bytes_in(const std::string& file) {
