@@ -4,11 +4,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <string>
 #include <vector>
 
 #include "fairway/avoidance/catalog.hpp"
+#include "fairway/avoidance/drawing.hpp"
 #include "fairway/avoidance/testing/encounters.hpp"
 #include "fairway/core/testing/allocations.hpp"
 
@@ -111,6 +113,51 @@ TEST_P(Laws, InSteadyStateDecidingDoesNotAllocate) {
     (void)avoider.decide(s);
     EXPECT_EQ(allocation_count(), before);
   });
+}
+
+/// One period later, if the command was carried out at once and the others kept their course.
+void pass(Encounter& e, const Command& command) {
+  Situation& s = e.situation;
+  s.time += s.period;
+  s.own.velocity = command.velocity;
+  s.own.position += s.period * command.velocity;
+  for (Track& track : e.tracks) track.position += s.period * track.velocity;
+  e.sorted();
+}
+
+TEST_P(Laws, LookingDoesNotChangeACommandForEver) {
+  for (std::uint64_t i = 0; i < 40; ++i) {
+    SCOPED_TRACE(i);
+    const Rng rng = Rng{41}.stream("scene", i);
+    const int count = static_cast<int>(i / 2);
+    Encounter e = suited(i % 2 == 0 ? encounters::crowd(count, rng) : encounters::congested(count, rng));
+    Avoider alone = avoider(), looked_at = avoider();
+    Drawing drawing;
+    for (int step = 0; step < 10; ++step) {
+      drawing.clear();
+      const Command command = alone.decide(e);
+      ASSERT_EQ(looked_at.decide(e, &drawing), command) << step;
+      pass(e, command);
+    }
+    e.tracks.clear();
+    ASSERT_EQ(looked_at.decide(e), alone.decide(e));  // what it remembers is the same
+  }
+}
+
+TEST_P(Laws, InACongestedSceneItDrawsSomethingThatMakesSense) {
+  for (std::uint64_t i = 0; i < 40; ++i) {
+    const Encounter e = suited(encounters::congested(6, Rng{42}.stream("congested", i)));
+    Drawing drawing;
+    (void)avoider().decide(e, &drawing);
+    EXPECT_FALSE(drawing.strokes().empty()) << i;
+    for (const Stroke& stroke : drawing.strokes()) {
+      SCOPED_TRACE(stroke.meaning);
+      EXPECT_FALSE(stroke.meaning.empty());
+      EXPECT_TRUE(std::ranges::all_of(stroke.points, [](const Vec3& p) { return is_finite(p); }));
+      EXPECT_EQ(stroke.rgb.size(), static_cast<std::size_t>(stroke.side * stroke.side));
+      EXPECT_EQ(stroke.points.empty(), stroke.kind == Stroke::Kind::image);
+    }
+  }
 }
 
 TEST_P(Laws, TheOriginOfTheFrameDoesNotMatter) {

@@ -20,7 +20,7 @@ struct VelocityImage {
 };
 
 /// What an algorithm draws of its own thinking, for the viewer and `fairway explain`; null in a
-/// campaign. `meaning` is a short label such as "half-space of robot 3".
+/// campaign. `meaning` is a short label such as "allowed by vehicle 3" (label.hpp).
 class Sketch {
  public:
   virtual ~Sketch() = default;
@@ -30,11 +30,11 @@ class Sketch {
   /// Velocities v with (v - point) . normal >= 0 are allowed [m/s, NED].
   virtual void half_space(const Vec3& point, const Vec3& normal, std::string_view meaning) = 0;
   /// Velocities inside the closed outline are forbidden [m/s, NED].
-  virtual void region(std::span<const Vec3> /*outline*/, std::string_view /*meaning*/) {}
+  virtual void region(std::span<const Vec3> outline, std::string_view meaning) = 0;
   /// A line through positions [m, NED].
   virtual void path(std::span<const Vec3> points, std::string_view meaning) = 0;
   /// Edges between positions, each two of them, as of a search tree [m, NED].
-  virtual void tree(std::span<const Vec3> /*edges*/, std::string_view /*meaning*/) {}
+  virtual void tree(std::span<const Vec3> edges, std::string_view meaning) = 0;
   /// A ball of positions [m, NED].
   virtual void sphere(const Vec3& centre, double radius, std::string_view meaning) = 0;
   /// Something about every velocity of a horizontal square. The pixels are valid during the call only.

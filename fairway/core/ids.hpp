@@ -9,6 +9,11 @@ namespace fairway {
 enum class VehicleId : std::uint32_t {};
 enum class TrackId : std::uint32_t {};
 
+// Who a track is: what a vehicle told of itself has that vehicle's number, and so has what is known of it
+// exactly; what a sensor found, and obstacles that drift, are counted from these.
+inline constexpr std::uint32_t first_tracker_id = 0x4000'0000U;
+inline constexpr std::uint32_t first_drifter_id = 0x8000'0000U;
+
 constexpr std::uint32_t number(VehicleId id) { return static_cast<std::uint32_t>(id); }
 constexpr std::uint32_t number(TrackId id) { return static_cast<std::uint32_t>(id); }
 

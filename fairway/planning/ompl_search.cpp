@@ -2,6 +2,7 @@
 #include "fairway/planning/ompl_search.hpp"
 
 #include <ompl/base/MotionValidator.h>
+#include <ompl/base/PlannerData.h>
 #include <ompl/base/SpaceInformation.h>
 #include <ompl/base/objectives/PathLengthOptimizationObjective.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
@@ -14,6 +15,7 @@
 
 #include <mutex>
 #include <shared_mutex>
+#include <utility>
 
 namespace fairway {
 namespace {
@@ -68,12 +70,51 @@ class SeededNeighbours : public ompl::NearestNeighborsGNATNoThreadSafety<T> {
   };
 };
 
-class SeededRrtStar : public og::RRTstar {
+/// RRT*, or what derives from it, whose tree can be read where it lies: OMPL would copy it into a graph.
+template <class Base>
+class WithTree : public Base {
  public:
-  SeededRrtStar(const ob::SpaceInformationPtr& space, std::uint32_t seed) : og::RRTstar(space) {
+  using Base::Base;
+
+  std::vector<Vec2> tree() const {
+    std::vector<typename Base::Motion*> motions;
+    this->nn_->list(motions);
+    if (motions.size() > max_tree_edges + 1) return {};
+    std::vector<Vec2> edges;
+    edges.reserve(2 * motions.size());
+    for (const typename Base::Motion* motion : motions) {
+      if (motion->parent == nullptr) continue;
+      edges.push_back(point_of(motion->parent->state));
+      edges.push_back(point_of(motion->state));
+    }
+    return edges;
+  }
+};
+
+class SeededRrtStar : public WithTree<og::RRTstar> {
+ public:
+  SeededRrtStar(const ob::SpaceInformationPtr& space, std::uint32_t seed) : WithTree(space) {
     rng_.setLocalSeed(seed);
   }
 };
+
+using InformedRrtStar = WithTree<og::InformedRRTstar>;
+
+/// What BIT* has of a tree is known to it alone.
+std::vector<Vec2> tree_of(const og::BITstar& planner) {
+  ob::PlannerData data(planner.getSpaceInformation());
+  planner.getPlannerData(data);
+  std::vector<Vec2> edges;
+  for (unsigned to = 0; data.numEdges() <= max_tree_edges && to < data.numVertices(); ++to) {
+    std::vector<unsigned> sources;
+    data.getIncomingEdges(to, sources);
+    for (const unsigned from : sources) {
+      edges.push_back(point_of(data.getVertex(from).getState()));
+      edges.push_back(point_of(data.getVertex(to).getState()));
+    }
+  }
+  return edges;
+}
 
 /// What is searched: the box around all there is, widened by a tenth of its diagonal.
 ob::RealVectorBounds bounds_of(const PlanarMap& map, const PathRequest& request) {
@@ -115,39 +156,58 @@ ob::ProblemDefinitionPtr problem_of(const ob::SpaceInformationPtr& space, const 
   return problem;
 }
 
-ob::PlannerPtr rrt_star(const ob::SpaceInformationPtr& space, const ob::ProblemDefinitionPtr& problem,
-                        const PathRequest& request) {
-  const auto planner = std::make_shared<SeededRrtStar>(space, request.seed);
+std::shared_ptr<SeededRrtStar> rrt_star(const ob::SpaceInformationPtr& space,
+                                        const ob::ProblemDefinitionPtr& problem, const PathRequest& request) {
+  auto planner = std::make_shared<SeededRrtStar>(space, request.seed);
   planner->setProblemDefinition(problem);
   planner->setRange(request.range_m);
   planner->setNearestNeighbors<SeededNeighbours>();
   return planner;
 }
 
-ob::PlannerPtr informed_rrt_star(const ob::SpaceInformationPtr& space, const PathRequest& request) {
-  const auto planner = std::make_shared<og::InformedRRTstar>(space);
+std::shared_ptr<InformedRrtStar> informed_rrt_star(const ob::SpaceInformationPtr& space,
+                                                   const PathRequest& request) {
+  auto planner = std::make_shared<InformedRrtStar>(space);
   planner->setRange(request.range_m);
   return planner;
 }
 
-std::vector<Vec2> solve(const PlanarMap& map, const PathRequest& request) {
+std::vector<Vec2> solution_of(const ob::ProblemDefinition& problem) {
+  std::vector<Vec2> path;
+  if (!problem.hasExactSolution()) return path;
+  for (const ob::State* state : problem.getSolutionPath()->as<og::PathGeometric>()->getStates())
+    path.push_back(point_of(state));
+  return path;
+}
+
+SearchResult solve(const PlanarMap& map, const PathRequest& request) {
   const ob::SpaceInformationPtr space = space_of(map, request);
   const ob::ProblemDefinitionPtr problem = problem_of(space, request);
-  const ob::PlannerPtr planner = request.search == PathSearch::rrt_star ? rrt_star(space, problem, request)
-                                 : request.search == PathSearch::informed_rrt_star
-                                     ? informed_rrt_star(space, request)
-                                     : ob::PlannerPtr{std::make_shared<og::BITstar>(space)};
-  planner->setProblemDefinition(problem);
-  planner->setup();
-  ob::IterationTerminationCondition enough(static_cast<unsigned>(request.iterations_count));
-  planner->solve(enough);
-  if (!problem->hasExactSolution()) return {};
+  const auto solved_by = [&](ob::Planner& planner) {
+    planner.setProblemDefinition(problem);
+    planner.setup();
+    ob::IterationTerminationCondition enough(static_cast<unsigned>(request.iterations_count));
+    planner.solve(enough);
+    return solution_of(*problem);
+  };
 
-  std::vector<Vec2> path;
-  for (const ob::State* state : problem->getSolutionPath()->as<og::PathGeometric>()->getStates()) {
-    path.push_back(point_of(state));
+  switch (request.search) {
+    case PathSearch::rrt_star: {
+      const auto planner = rrt_star(space, problem, request);
+      std::vector<Vec2> path = solved_by(*planner);
+      return {std::move(path), planner->tree()};
+    }
+    case PathSearch::informed_rrt_star: {
+      const auto planner = informed_rrt_star(space, request);
+      std::vector<Vec2> path = solved_by(*planner);
+      return {std::move(path), planner->tree()};
+    }
+    case PathSearch::bit_star:
+      break;
   }
-  return path;
+  og::BITstar planner(space);
+  std::vector<Vec2> path = solved_by(planner);
+  return {std::move(path), tree_of(planner)};
 }
 
 void silence_once() {
@@ -157,7 +217,7 @@ void silence_once() {
 
 }  // namespace
 
-std::vector<Vec2> search_path(const PlanarMap& map, const PathRequest& request) {
+SearchResult search_path(const PlanarMap& map, const PathRequest& request) {
   silence_once();
   static std::shared_mutex generator;  // OMPL's, from which all its generators of a process take their seeds
   if (request.search == PathSearch::rrt_star) {

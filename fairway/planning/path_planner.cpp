@@ -35,9 +35,11 @@ PathResult plan_path(const PlanarMap& map, const PathRequest& request) {
   if (request.start == request.goal) return found({request.start});
   if (map.is_free(request.start, request.goal)) return found({request.start, request.goal});
 
-  const std::vector<Vec2> sampled = search_path(map, request);
-  if (sampled.empty()) return {.status = PathStatus::no_path};
-  return found(taut_path(sampled, map));
+  SearchResult search = search_path(map, request);
+  PathResult result =
+      search.path.empty() ? PathResult{.status = PathStatus::no_path} : found(taut_path(search.path, map));
+  result.tree = std::move(search.tree);
+  return result;
 }
 
 }  // namespace fairway

@@ -41,7 +41,12 @@ struct PathResult {
   PathStatus status{};
   std::vector<Vec2> waypoints;  ///< from start to goal, straight between; empty unless found [m, NE]
   double length_m{};
+  std::vector<Vec2> tree;  ///< edges of the search tree, two points each; empty without a search, or if there
+                           ///< are more than max_tree_edges [m, NE]
 };
+
+/// A tree with more edges is not kept.
+inline constexpr std::size_t max_tree_edges = 5000;
 
 /// A short path over `map` from start to goal: sampled by the search, then pulled taut, so that what is left
 /// of chance is the side on which obstacles are passed. Where the straight line is free it is the path. It

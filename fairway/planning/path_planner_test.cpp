@@ -36,6 +36,29 @@ double optimum() {
                                       four_obstacles::grown_radius_m);
 }
 
+TEST(PlanPath, KeepsTheTreeOfItsSearchWhereItIsNotTooLarge) {
+  const PlanarMap map{four_obstacles::obstacles(), four_obstacles::inflation_m};
+  for (const PathSearch search :
+       {PathSearch::rrt_star, PathSearch::informed_rrt_star, PathSearch::bit_star}) {
+    const std::vector<Vec2> tree = plan_path(map, request(1, search)).tree;
+    EXPECT_GT(tree.size(), 100U);
+    EXPECT_LE(tree.size(), 2 * max_tree_edges);
+    ASSERT_EQ(tree.size() % 2, 0U);
+    int at_start = 0;
+    for (std::size_t i = 0; i < tree.size(); i += 2) {
+      EXPECT_TRUE(map.is_free(tree[i], tree[i + 1]));
+      at_start += tree[i] == four_obstacles::start ? 1 : 0;
+    }
+    EXPECT_GT(at_start, 0) << "edges from the root";
+  }
+  PathRequest huge = request(1);
+  huge.iterations_count = 8000;
+  EXPECT_TRUE(plan_path(map, huge).tree.empty());
+  PathRequest straight = request(1);
+  straight.goal = straight.start + Vec2{0.1, 0.0};
+  EXPECT_TRUE(plan_path(map, straight).tree.empty());
+}
+
 TEST(TangentGraph, RoundOneDiscIsTwoTangentsAndAnArc) {
   // from (-d, 0) to (d, 0) round a disc of radius r at the origin: tangents sqrt(d^2 - r^2), and between them
   // an arc over pi - 2 acos(r / d)

@@ -9,7 +9,7 @@ namespace fairway {
 namespace {
 
 /// Apart from the ids of vehicles, which count from 0.
-TrackId id_of(const Drifter& drifter) { return TrackId{0x8000'0000U + drifter.number}; }
+TrackId id_of(const Drifter& drifter) { return TrackId{first_drifter_id + drifter.number}; }
 
 /// Whoever gives way to nobody goes first.
 constexpr std::int32_t first_of_all = std::numeric_limits<std::int32_t>::min();

@@ -205,6 +205,67 @@ function comparePerception(messages, frames, vehicles, trackRows, echoRows) {
   return seen;
 }
 
+/** How many points a stroke of each kind has. */
+const pointsOfKind = {
+  VELOCITY: (n) => n === 1,
+  HALF_SPACE: (n) => n === 2,
+  REGION: (n) => n > 2,
+  PATH: (n) => n > 1,
+  TREE: (n) => n % 2 === 0,
+  SPHERE: (n) => n === 1,
+  IMAGE: (n) => n === 0,
+};
+
+/** A stroke makes sense by itself. */
+function checkStroke(stroke, kinds, what) {
+  const kind = kinds.get(stroke.kind);
+  assert.ok(kind, `${what}: a kind of the schema, not ${stroke.kind}`);
+  assert.notEqual(stroke.meaning, "", what);
+  assert.ok(pointsOfKind[kind](stroke.points.length), `${what}: ${stroke.points.length} points of a ${kind}`);
+  for (const { x, y, z } of stroke.points) assert.ok([x, y, z].every(Number.isFinite), what);
+  assert.equal(stroke.rgb.length, 3 * stroke.side_count ** 2, what);
+}
+
+/**
+ * What was drawn against the commands: where a method drew what it chose, that was commanded, to the bit. A message
+ * holds until the next. Returns how many strokes, choices and messages it has seen.
+ */
+function compareSketches(messages, frames, vehicles, rows, constants) {
+  const kinds = new Map([...constants].filter(([name]) => name.startsWith("KIND_")).map(([name, n]) => [n, name.slice(5)]));
+  assert.deepEqual([...kinds.values()].sort(), Object.keys(pointsOfKind).sort());
+  const seen = { strokes: 0, choices: 0, flights: 0, messages: 0 };
+  const last = new Map(); // topic to message
+  const next = messages.filter(({ topic }) => topic === "/fairway/flights" || topic.endsWith("/sketch"));
+  for (const [time, frame] of frames) {
+    while (next.length > 0 && next[0].time === time) {
+      const { topic, value } = next.shift();
+      assert.equal(BigInt(value.header.stamp.sec) * 1000000000n + BigInt(value.header.stamp.nanosec), time);
+      last.set(topic, value);
+      ++seen.messages;
+    }
+    for (const flight of last.get("/fairway/flights").flights) {
+      assert.ok(flight.from_index < vehicles.length && flight.to_index < vehicles.length);
+      assert.ok(flight.sent_s <= flight.begins_s && flight.begins_s <= flight.arrives_s);
+      ++seen.flights;
+    }
+    for (const { name, topic } of vehicles) {
+      const what = `sketch of ${name} at tick ${frame.tick}`;
+      const row = rows.get(`${frame.tick} ${name}`);
+      for (const stroke of last.get(`${topic}/sketch`).strokes) {
+        checkStroke(stroke, kinds, what);
+        ++seen.strokes;
+        if (stroke.meaning !== "chosen") continue;
+        const [{ x, y, z }] = stroke.points;
+        const command = [row.command_n_mps, row.command_e_mps, row.command_d_mps].map(number);
+        assert.deepStrictEqual([x, y, z], command, `${what}: chosen and commanded`);
+        ++seen.choices;
+      }
+    }
+  }
+  assert.equal(next.length, 0, "every message belongs to a frame");
+  return seen;
+}
+
 /**
  * Compares a recording with its CSV export, and with those of tracks and echoes where perception is in it;
  * returns what it has seen. Throws an AssertionError.
@@ -237,6 +298,9 @@ async function compareWith(reader, csv, tracksCsv, echoesCsv) {
   // schemas, and a deserialiser for each channel from the text in the file
   const deserialisers = new Map();
   const constants = new Map();
+  const keepConstants = ({ definitions }) => {
+    for (const field of definitions) if (field.isConstant) constants.set(field.name, field.value);
+  };
   for (const [id, channel] of reader.channelsById) {
     const schema = reader.schemasById.get(channel.schemaId);
     assert.equal(schema.encoding, "ros2msg");
@@ -245,7 +309,7 @@ async function compareWith(reader, csv, tracksCsv, echoesCsv) {
     if (standardTypes.has(schema.name)) checkDefinition(schema);
     else assert.match(schema.name, /^fairway_msgs\/msg\//);
     const definitions = parse(new TextDecoder().decode(schema.data), { ros2: true });
-    for (const field of definitions[0].definitions) if (field.isConstant) constants.set(field.name, field.value);
+    definitions.filter(({ name }) => !name?.startsWith("sensor_msgs")).forEach(keepConstants);
     deserialisers.set(id, new MessageReader(definitions));
   }
 
@@ -319,6 +383,8 @@ async function compareWith(reader, csv, tracksCsv, echoesCsv) {
     } else if (topic === "/fairway/perception") {
       checkHeader(value.header, time);
       assert.equal(typeof value.hash, "bigint");
+    } else if (topic === "/fairway/flights" || topic.endsWith("/sketch")) {
+      checkHeader(value.header, time);
     } else if (!/\/(tracks|echoes)$/.test(topic)) {
       const [, vehicleTopic, kind] = topic.match(/^(.*)\/(odometry|status)$/);
       const row = rowOf(byTopic.get(vehicleTopic));
@@ -347,7 +413,8 @@ async function compareWith(reader, csv, tracksCsv, echoesCsv) {
   const perceived = perceives
     ? comparePerception(messages, frames, vehicles, byPerceiver(tracksCsv), byPerceiver(echoesCsv))
     : undefined;
-  return { frames: frames.size, vehicles: vehicles.length, rows: csv.length, perceived };
+  const drawn = run.get("sketches") === "true" ? compareSketches(messages, frames, vehicles, rows, constants) : undefined;
+  return { frames: frames.size, vehicles: vehicles.length, rows: csv.length, perceived, drawn };
 }
 
 if (import.meta.url === pathToFileURL(process.argv[1]).href) {

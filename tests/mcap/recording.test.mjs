@@ -61,7 +61,21 @@ test("and what was perceived, where it is recorded", async () => {
   assert.ok(perceived.messages < 2 * frames * vehicles, "written only where it changes");
 });
 
-for (const flags of [[], ["--perception"]]) {
+test("and what was drawn, with what was perceived or without", async () => {
+  const recording = record("drawn.mcap", "--sketch");
+  const { frames, vehicles, drawn, perceived } = await compare(recording, ...exported(recording, "csv"));
+  assert.equal(perceived, undefined);
+  assert.ok(drawn.strokes > frames, "strokes in most frames");
+  assert.ok(drawn.choices > frames / 2, "choices in many frames");
+  assert.ok(drawn.messages < 2 * frames * vehicles, "written only where it changes");
+
+  const both = record("both.mcap", "--sketch", "--perception");
+  const again = await compare(both, ...exported(both, "csv", "tracks", "echoes"));
+  assert.deepEqual(again.drawn, drawn);
+  assert.ok(again.perceived.tracks > 0);
+});
+
+for (const flags of [[], ["--perception"], ["--sketch"]]) {
   test(`the same run gives the same bytes ${flags.join(" ")}`, () => {
     assert.ok(readFileSync(record("first.mcap", ...flags)).equals(readFileSync(record("second.mcap", ...flags))));
   });

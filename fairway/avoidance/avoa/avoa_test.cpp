@@ -3,9 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <limits>
 #include <string>
 
+#include "fairway/avoidance/drawing.hpp"
 #include "fairway/avoidance/testing/encounters.hpp"
 
 namespace fairway {
@@ -213,63 +216,47 @@ TEST(Avoa, ReadsItsOptionsByName) {
   EXPECT_EQ(params.time_to_contact, TimeToContact::exact);
 }
 
-/// What it draws.
-struct AvoaDrawing : Sketch {
-  void velocity(const Vec3& v, std::string_view meaning) override { velocities.emplace_back(meaning, v); }
-  void half_space(const Vec3&, const Vec3&, std::string_view) override {}
-  void path(std::span<const Vec3>, std::string_view) override {}
-  void sphere(const Vec3&, double, std::string_view) override {}
-  void image(const VelocityImage& image, std::string_view meaning) override {
-    names.emplace_back(meaning);
-    pictures.emplace_back(image.rgb.begin(), image.rgb.end());
-    last = image;
-  }
-
-  std::uint32_t pixel(std::size_t picture, int row, int column) const {
-    return pictures[picture][static_cast<std::size_t>(row * last.side + column)];
-  }
-
-  std::vector<std::pair<std::string, Vec3>> velocities;
-  std::vector<std::string> names;
-  std::vector<std::vector<std::uint32_t>> pictures;
-  VelocityImage last;
-};
-
 TEST(Avoa, DrawsItsThreePicturesInThePapersColours) {
   Encounter e = zarco();
   e.situation.own.yaw = 0.1;
   e.obstacles = {buoy(7.0, 0.3)};
-  AvoaDrawing drawing;
+  Drawing drawing;
   const Command command = decide(e, {.thruster_speed_mps = 100.0}, &drawing);
 
-  EXPECT_EQ(drawing.names, (std::vector<std::string>{"protective zones", "cost of danger", "metric"}));
-  EXPECT_EQ(drawing.last.side, 101);
-  EXPECT_EQ(drawing.last.reach, 1.5);
-  EXPECT_EQ(drawing.last.yaw, 0.1);
+  const std::span<const Stroke> pictures = drawing.strokes().first(3);
+  const std::array meanings{"protective zones", "cost of danger", "metric"};
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    EXPECT_EQ(pictures[i].kind, Stroke::Kind::image);
+    EXPECT_EQ(pictures[i].meaning, meanings[i]);
+    EXPECT_EQ(pictures[i].side, 101);
+    EXPECT_EQ(pictures[i].size, 1.5);
+    EXPECT_EQ(pictures[i].yaw, 0.1);
+  }
+  const auto pixel = [&](std::size_t picture, int row, int column) {
+    return pictures[picture].rgb.at(static_cast<std::size_t>(row * 101 + column));
+  };
 
   // astern is cyan; 0.75 m/s to starboard half saturated, at 90 degrees of hue; ahead is forbidden, and the
   // corner
-  EXPECT_EQ(drawing.pixel(0, 100, 50), 0x00FFFFU);
-  EXPECT_EQ(drawing.pixel(0, 50, 75), 0xBFFF80U);
-  EXPECT_EQ(drawing.pixel(0, 5, 50), 0U);
-  EXPECT_EQ(drawing.pixel(0, 0, 0), 0U);
+  EXPECT_EQ(pixel(0, 100, 50), 0x00FFFFU);
+  EXPECT_EQ(pixel(0, 50, 75), 0xBFFF80U);
+  EXPECT_EQ(pixel(0, 5, 50), 0U);
+  EXPECT_EQ(pixel(0, 0, 0), 0U);
   // no danger astern, full danger in the zone
-  EXPECT_EQ(drawing.pixel(1, 100, 50), 0xFFFFFFU);
-  EXPECT_EQ(drawing.pixel(1, 5, 50), 0U);
-  EXPECT_EQ(std::ranges::count(drawing.pictures[2], 0xFFFFFFU), 1);
+  EXPECT_EQ(pixel(1, 100, 50), 0xFFFFFFU);
+  EXPECT_EQ(pixel(1, 5, 50), 0U);
+  EXPECT_EQ(std::ranges::count(pictures[2].rgb, 0xFFFFFFU), 1);
 
-  const auto count = [&](const std::string& meaning) {
-    return std::ranges::count(drawing.velocities, meaning, [](const auto& drawn) { return drawn.first; });
-  };
-  EXPECT_EQ(count("particle"), 30);
-  EXPECT_EQ(count("desired"), 1);
-  EXPECT_EQ(drawing.velocities.back(), (std::pair{std::string("chosen"), command.velocity}));
+  EXPECT_EQ(std::ranges::count(drawing.strokes(), std::string("particle"), &Stroke::meaning), 30);
+  EXPECT_EQ(std::ranges::count(drawing.strokes(), std::string("desired"), &Stroke::meaning), 1);
+  EXPECT_EQ(drawing.strokes().back().meaning, "chosen");
+  EXPECT_EQ(drawing.strokes().back().points, std::vector<Vec3>{command.velocity});
 }
 
 TEST(Avoa, LookingDoesNotChangeTheAnswer) {
   Encounter e = zarco();
   e.obstacles = {buoy(7.0, 0.3)};
-  AvoaDrawing drawing;
+  Drawing drawing;
   EXPECT_EQ(decide(e), decide(e, {}, &drawing));
 }
 

@@ -3,8 +3,10 @@
 
 namespace fairway {
 
-Command Direct::decide(const Situation& s, Memory&, Context&) const noexcept {
-  return {.velocity = s.preferred_velocity(), .mode = Mode::cruise};
+Command Direct::decide(const Situation& s, Memory&, Context& context) const noexcept {
+  const Vec3 preferred = s.preferred_velocity();
+  if (context.sketch) context.sketch->velocity(preferred, "preferred");
+  return {.velocity = preferred, .mode = Mode::cruise};
 }
 
 }  // namespace fairway

@@ -2,7 +2,6 @@
 #include "fairway/avoidance/hard_switching/hard_switching.hpp"
 
 #include <Eigen/Geometry>
-#include <array>
 
 #include "fairway/core/angles.hpp"
 
@@ -36,8 +35,8 @@ Command HardSwitching::decide(const Situation& s, Memory& memory, Context& conte
   const double elapsed = s.time - memory.last_time.value_or(s.time);
   memory.last_time = s.time;
 
+  if (context.sketch) draw(sensors, s.own, detected, "detected", *context.sketch);
   if (!detected) return {.velocity = s.preferred_velocity(), .wrench = go_to_goal(s, memory, elapsed)};
-  if (context.sketch) context.sketch->path(std::array{s.own.position, detected->centre}, "detected");
   return {.mode = Mode::avoid, .wrench = turn_away(s, memory, elapsed)};
 }
 

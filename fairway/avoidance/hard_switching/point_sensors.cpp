@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/avoidance/hard_switching/point_sensors.hpp"
 
+#include <array>
 #include <cmath>
 
 #include "fairway/core/angles.hpp"
@@ -36,6 +37,13 @@ std::optional<Detection> nearest_detected(const Situation& s, const PointSensors
     see({track.position, track.velocity, from_all(distance)});
   }
   return nearest;
+}
+
+void draw(const PointSensors& sensors, const Ownship& own, const std::optional<Detection>& detected,
+          std::string_view meaning, Sketch& sketch) {
+  for (int i = 0; i < sensors.count; ++i)
+    sketch.sphere(sensor_at(own, sensors, i), sensors.range, "range of a sensor");
+  if (detected) sketch.path(std::array{own.position, detected->centre}, meaning);
 }
 
 }  // namespace fairway

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "fairway/avoidance/situation.hpp"
+#include "fairway/avoidance/sketch.hpp"
 
 namespace fairway {
 
@@ -24,5 +25,9 @@ struct Detection {
 /// The detection with the least distance: of obstacles as listed, then of tracks, the first of equals. A
 /// track is a sphere. O(sensors x (tracks + obstacle vertices)).
 std::optional<Detection> nearest_detected(const Situation& s, const PointSensors& sensors) noexcept;
+
+/// The range of every sensor, and the way to what is detected as `meaning`.
+void draw(const PointSensors& sensors, const Ownship& own, const std::optional<Detection>& detected,
+          std::string_view meaning, Sketch& sketch);
 
 }  // namespace fairway

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "fairway/avoidance/label.hpp"
 #include "fairway/avoidance/orca2d/cone.hpp"
 #include "fairway/avoidance/orca2d/shore.hpp"
 #include "fairway/avoidance/parting.hpp"
@@ -13,18 +14,37 @@ namespace {
 
 constexpr int max_neighbours = 500;
 
+Vec3 horizontal(const Vec2& v) { return {v.x(), v.y(), 0.0}; }
+
 /// The half-planes of one decision, on the stack; those of what does not move come first.
 class AllowedVelocities {
  public:
   void add(const HalfPlane& h) { half_planes_[count_++] = h; }
+  void add(const HalfPlane& h, TrackId whose) {
+    ids_[track_count_++] = whose;
+    add(h);
+  }
   std::span<const HalfPlane> view() const { return {half_planes_.data(), count_}; }
+
+  void draw(Sketch& sketch) const {
+    const std::size_t hard_count = count_ - track_count_;
+    for (std::size_t i = 0; i < count_; ++i) {
+      const HalfPlane& h = half_planes_[i];
+      const Vec3 point = horizontal(h.offset * h.normal);
+      if (i < hard_count) {
+        sketch.half_space(point, horizontal(h.normal), "allowed by an obstacle");
+      } else {
+        sketch.half_space(point, horizontal(h.normal), Label{"allowed by", ids_[i - hard_count]});
+      }
+    }
+  }
 
  private:
   std::array<HalfPlane, orca2d::max_landmarks + max_neighbours> half_planes_;
+  std::array<TrackId, max_neighbours> ids_;  // of the tracks
   std::size_t count_ = 0;
+  std::size_t track_count_ = 0;
 };
-
-Vec3 horizontal(const Vec2& v) { return {v.x(), v.y(), 0.0}; }
 
 /// What does not move leaves all of the change to us, and is not to be hit whatever the neighbours ask.
 void add_shore(const Situation& s, const Orca2d::Params& params, AllowedVelocities& allowed) {
@@ -73,18 +93,8 @@ void add_tracks(const Situation& s, const Orca2d::Params& params, AllowedVelocit
     const orca2d::Encounter encounter{p, v_opt - track.velocity.head<2>(), radius + track.radius,
                                       parting_direction(s.own.id, track.id).head<2>()};
     const orca2d::Change change = orca2d::least_change(encounter, tau, period);
-    allowed.add(half_plane(change, v_opt, track.reacts ? share : 1.0));
+    allowed.add(half_plane(change, v_opt, track.reacts ? share : 1.0), track.id);
   }
-}
-
-void show(std::span<const HalfPlane> allowed, std::size_t hard_count, const Vec2& preferred,
-          const Vec2& chosen, Sketch& sketch) {
-  for (std::size_t i = 0; i < allowed.size(); ++i) {
-    sketch.half_space(horizontal(allowed[i].offset * allowed[i].normal), horizontal(allowed[i].normal),
-                      i < hard_count ? "allowed by an obstacle" : "allowed by a neighbour");
-  }
-  sketch.velocity(horizontal(preferred), "preferred");
-  sketch.velocity(horizontal(chosen), "chosen");
 }
 
 }  // namespace
@@ -100,7 +110,11 @@ Command Orca2d::decide(const Situation& s, Memory&, Context& context) const noex
 
   const PlaneChoice choice = nearest_in_plane({allowed.view(), hard_count, s.limits.max_speed}, preferred);
 
-  if (context.sketch) show(allowed.view(), hard_count, preferred, choice.point, *context.sketch);
+  if (context.sketch) {
+    allowed.draw(*context.sketch);
+    context.sketch->velocity(horizontal(preferred), "preferred");
+    context.sketch->velocity(horizontal(choice.point), "chosen");
+  }
   return {.velocity = horizontal(choice.point),
           .mode = choice.is_feasible() ? Mode::avoid : Mode::infeasible,
           .astern = true};

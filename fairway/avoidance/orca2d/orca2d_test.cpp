@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "fairway/avoidance/drawing.hpp"
 #include "fairway/avoidance/orca2d/testing/flat_scenes.hpp"
 #include "fairway/avoidance/orca2d/testing/plane_reference.hpp"
 #include "fairway/avoidance/orca3d/orca3d.hpp"
@@ -141,19 +142,18 @@ TEST(Orca2d, ARepeatedVertexChangesNothing) {
 }
 
 /// The half-planes that a decision shows.
-struct Shown : Sketch {
+struct Shown {
   std::vector<plane_reference::Line> lines;
   std::size_t hard_count = 0;
 
-  void half_space(const Vec3& point, const Vec3& normal, std::string_view meaning) override {
-    const plane_reference::Vector n = normal.head<2>().cast<long double>();
-    lines.push_back({n, n.dot(point.head<2>().cast<long double>())});
-    hard_count += meaning == "allowed by an obstacle" ? 1 : 0;
+  explicit Shown(const Drawing& drawing) {
+    for (const Stroke& stroke : drawing.strokes()) {
+      if (stroke.kind != Stroke::Kind::half_space) continue;
+      const plane_reference::Vector n = stroke.points[1].head<2>().cast<long double>();
+      lines.push_back({n, n.dot(stroke.points[0].head<2>().cast<long double>())});
+      hard_count += stroke.meaning == "allowed by an obstacle" ? 1 : 0;
+    }
   }
-  void velocity(const Vec3&, std::string_view) override {}
-  void path(std::span<const Vec3>, std::string_view) override {}
-  void sphere(const Vec3&, double, std::string_view) override {}
-  void image(const VelocityImage&, std::string_view) override {}
 };
 
 TEST(Orca2d, TakesTheBestVelocityOfItsHalfPlanes) {
@@ -162,8 +162,9 @@ TEST(Orca2d, TakesTheBestVelocityOfItsHalfPlanes) {
   for (std::uint64_t i = 0; i < 3000; ++i) {
     const flat_scenes::Waters waters = flat_scenes::waters(i, static_cast<int>(i % 7));
     const Situation s = waters.encounter;
-    Shown shown;
-    const Command command = decide(s, {}, &shown);
+    Drawing drawing;
+    const Command command = decide(s, {}, &drawing);
+    const Shown shown{drawing};
     const plane_reference::Answer expected =
         plane_reference::Program{shown.lines, shown.hard_count,
                                  s.preferred_velocity().head<2>().cast<long double>(), s.limits.max_speed}

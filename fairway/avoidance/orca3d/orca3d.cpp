@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "fairway/avoidance/label.hpp"
 #include "fairway/avoidance/orca3d/half_space.hpp"
 #include "fairway/avoidance/parting.hpp"
 
@@ -13,16 +14,34 @@ namespace {
 /// Stands in for a speed limit that is not set [m/s]: the velocity program needs a bounded space.
 constexpr double fastest = 1000.0;
 
-/// The half-spaces of one decision, on the stack.
+/// The half-spaces of one decision, on the stack; those of tracks come first.
 class HalfSpaces {
  public:
   bool is_full() const { return count_ == half_spaces_.size(); }
   void add(const HalfSpace& h) { half_spaces_[count_++] = h; }
+  void add(const HalfSpace& h, TrackId whose) {
+    ids_[track_count_++] = whose;
+    add(h);
+  }
   std::span<const HalfSpace> view() const { return {half_spaces_.data(), count_}; }
+
+  void draw(Sketch& sketch) const {
+    for (std::size_t i = 0; i < count_; ++i) {
+      const HalfSpace& h = half_spaces_[i];
+      const Vec3 point = h.offset * h.normal;
+      if (i < track_count_) {
+        sketch.half_space(point, h.normal, Label{"allowed by", ids_[i]});
+      } else {
+        sketch.half_space(point, h.normal, "allowed by an obstacle");
+      }
+    }
+  }
 
  private:
   std::array<HalfSpace, max_half_spaces> half_spaces_;
+  std::array<TrackId, max_half_spaces> ids_;  // of the tracks
   std::size_t count_ = 0;
+  std::size_t track_count_ = 0;
 };
 
 /// An obstacle as a neighbour that does not move: a sphere as it is, anything else as the point of its
@@ -58,7 +77,8 @@ Command Orca3d::decide(const Situation& s, Memory&, Context& context) const noex
     const orca::Encounter encounter{p, v_opt - track.velocity, s.own.radius + track.radius,
                                     parting_direction(s.own.id, track.id)};
     const orca::Change change = orca::least_change(encounter, params.time_horizon_s, s.period);
-    half_spaces.add(orca::half_space(change, v_opt, track.reacts ? params.responsibility_ratio : 1.0));
+    half_spaces.add(orca::half_space(change, v_opt, track.reacts ? params.responsibility_ratio : 1.0),
+                    track.id);
   }
 
   // and so does what does not move
@@ -77,9 +97,7 @@ Command Orca3d::decide(const Situation& s, Memory&, Context& context) const noex
   const VelocityChoice choice = nearest_velocity(half_spaces.view(), preferred, max_speed);
 
   if (context.sketch) {
-    for (const HalfSpace& h : half_spaces.view()) {
-      context.sketch->half_space(h.offset * h.normal, h.normal, "allowed by a neighbour");
-    }
+    half_spaces.draw(*context.sketch);
     context.sketch->velocity(preferred, "preferred");
     context.sketch->velocity(choice.velocity, "chosen");
   }

@@ -103,6 +103,16 @@ class Barriers {
                        [](const Barrier& b) { return b.is_late; });
   }
 
+  /// As the velocities that the accelerations they allow lead to within the response time.
+  void draw(double response, Sketch& sketch) const {
+    for (std::size_t i = 0; i < count_; ++i) {
+      const HalfPlane& h = barriers_[i].acceleration;
+      const double least = response * h.offset + h.normal.dot(own_.velocity.head<2>());
+      const Vec3 normal{h.normal.x(), h.normal.y(), 0.0};
+      sketch.half_space(least * normal, normal, "allowed by a barrier");
+    }
+  }
+
   /// The filtered acceleration from the request's origin, or nothing if the nominal one, as far as it is
   /// possible, keeps every barrier.
   std::optional<PlaneChoice> filter(const Params& params, const Request& request) const {
@@ -160,6 +170,7 @@ Command SafetyFilter::filtered(const Situation& s, const Command& asked, Sketch*
   const bool by_forces = asked.wrench && has_masses(s.model);
   const Barriers barriers{params, s, by_forces ? 0.0 : params.response_s};
   if (barriers.empty()) return asked;
+  if (sketch != nullptr) barriers.draw(params.response_s, *sketch);
 
   const Request request = by_forces ? request_of_forces(params, s.own, *s.model, *asked.wrench)
                                     : request_of_velocities(params, s, asked.velocity);

@@ -34,9 +34,9 @@ struct StopAndWait {
   /// The inner avoider is asked on every call, waiting or not, so that its memory never falls behind.
   Command decide(const Situation& s, Avoider& inner, Memory& memory, Context& context) const noexcept;
 
-  /// True if nobody within `crit_dist_m` has the right of way: a smaller priority number, or the same
-  /// number and a smaller id.
-  bool may_move(const Situation& s) const noexcept;
+  /// Whoever is nearest of those within `crit_dist_m` that have the right of way: a smaller priority number,
+  /// or the same number and a smaller id. Null if nobody has.
+  const Track* waits_for(const Situation& s) const noexcept;
 };
 
 static_assert(AvoidanceWrapper<StopAndWait>);

@@ -42,7 +42,7 @@ Command decide(const Situation& s, const Params& params, Responsibility responsi
   const Vec3 chosen{choice.velocity.x(), choice.velocity.y(), 0.0};
 
   if (sketch) {
-    neighbourhood.draw(s.own.position, sketch_reach(s), *sketch);
+    neighbourhood.draw(sketch_reach(s), *sketch);
     sketch->velocity(preferred, "preferred");
     sketch->velocity(chosen, "chosen");
   }

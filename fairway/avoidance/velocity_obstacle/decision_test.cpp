@@ -4,31 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <string>
-#include <utility>
 #include <vector>
 
+#include "fairway/avoidance/drawing.hpp"
 #include "fairway/avoidance/testing/encounters.hpp"
 
 namespace fairway::velocity_obstacle {
 namespace {
 
 using encounters::Encounter;
-
-/// Keeps what it is shown.
-class Notes final : public Sketch {
- public:
-  void velocity(const Vec3& v, std::string_view meaning) override { velocities.emplace_back(meaning, v); }
-  void half_space(const Vec3&, const Vec3&, std::string_view) override {}
-  void path(std::span<const Vec3> points, std::string_view) override {
-    paths.emplace_back(points.begin(), points.end());
-  }
-  void sphere(const Vec3&, double, std::string_view) override {}
-  void image(const VelocityImage&, std::string_view) override {}
-
-  std::vector<std::pair<std::string, Vec3>> velocities;
-  std::vector<std::vector<Vec3>> paths;
-};
 
 constexpr std::array everyone{Responsibility::all, Responsibility::shared, Responsibility::by_side};
 
@@ -220,17 +204,26 @@ TEST(VelocityObstacleDecision, WhoStandsAndMayOnlyGoAheadTurnsToItsCourse) {
   EXPECT_FALSE(vo(e).astern);
 }
 
-TEST(VelocityObstacleDecision, SketchesTheOutlineOfEachObstacleAndItsChoice) {
+TEST(VelocityObstacleDecision, DrawsTheRegionOfEachObstacleAndItsChoice) {
   // R / d = 3 / 5, T = 5: the legs leave the cut 0.8 from the apex, which is the other's velocity
   Encounter e = encounters::open_water();
   e.tracks = {encounters::track(1, {5.0, 0.0, 50.0}, {0.0, -1.0, 0.0}, 2.0)};
-  Notes notes;
-  const Command command = decide(e, {}, Responsibility::all, &notes);
-  ASSERT_EQ(notes.paths.size(), 1U);
-  EXPECT_LT((notes.paths[0][1] - Vec3(0.64, -1.48, 50.0)).norm(), 1e-12);
-  EXPECT_LT((notes.paths[0][2] - Vec3(0.64, -0.52, 50.0)).norm(), 1e-12);
-  ASSERT_EQ(notes.velocities.size(), 2U);
-  EXPECT_EQ(notes.velocities[1], std::pair(std::string("chosen"), command.velocity));
+  e.obstacles = {{.kind = Obstacle::Kind::sphere, .position = {0.0, 9.0, 50.0}, .radius = 1.0}};
+  Drawing drawing;
+  const Command command = decide(e, {}, Responsibility::all, &drawing);
+  const auto strokes = drawing.strokes();
+  ASSERT_EQ(strokes.size(), 4U);
+  EXPECT_EQ(strokes[0].kind, Stroke::Kind::region);
+  EXPECT_EQ(strokes[0].meaning, "velocity obstacle of vehicle 1");
+  const std::vector<Vec3>& cone = strokes[0].points;
+  EXPECT_LT((cone.at(1) - Vec3(0.64, -1.48, 0.0)).norm(), 1e-12);
+  EXPECT_LT((cone.at(cone.size() - 2) - Vec3(0.64, -0.52, 0.0)).norm(), 1e-12);
+  // nearest to the apex, the cut is 1 - 3 / 5 from it
+  EXPECT_LT((cone.at(cone.size() / 2) - Vec3(0.4, -1.0, 0.0)).norm(), 1e-12);
+  EXPECT_EQ(strokes[1].meaning, "velocity obstacle of an obstacle");
+  EXPECT_EQ(strokes[2].meaning, "preferred");
+  EXPECT_EQ(strokes[3].meaning, "chosen");
+  EXPECT_EQ(strokes[3].points, std::vector<Vec3>{command.velocity});
 }
 
 TEST(VelocityObstacleDecision, WhoTouchesAndMayOnlyGoAheadTurnsAway) {

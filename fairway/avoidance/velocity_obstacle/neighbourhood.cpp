@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "fairway/avoidance/label.hpp"
 #include "fairway/avoidance/parting.hpp"
 
 namespace fairway::velocity_obstacle {
@@ -57,6 +58,7 @@ void Neighbourhood::add_tracks(const Situation& s, const Params& params,
   for (const Track& track : s.tracks) {
     if (count_ == static_cast<std::size_t>(params.max_neighbours_count)) break;
     if (from_own(track.position, s).squaredNorm() > range * range) continue;
+    ids_[track_count_++] = track.id;
     obstacles_[count_++] = obstacle_of(track, s, outlook, responsibility);
   }
 }
@@ -100,13 +102,18 @@ void Neighbourhood::add_solid(const Solid& solid, const Params& params) noexcept
       VelocityObstacle(solid, {params.obstacle_time_horizon_s, params.planning_interval_s});
 }
 
-void Neighbourhood::draw(const Vec3& own_position, double reach, Sketch& sketch) const {
-  for (const VelocityObstacle& obstacle : obstacles()) {
-    std::array<Vec3, 4> places;
-    std::ranges::transform(obstacle.outline(reach), places.begin(), [&](const Vec2& v) {
-      return Vec3{own_position + Vec3{v.x(), v.y(), 0.0}};
-    });
-    sketch.path(places, "edge of a velocity obstacle, where it leads in 1 s");
+void Neighbourhood::draw(double reach, Sketch& sketch) const {
+  for (std::size_t i = 0; i < count_; ++i) {
+    const Outline outline = obstacles_[i].outline(reach);
+    std::array<Vec3, Outline::max_points> points;
+    const auto level = [](const Vec2& v) { return Vec3{v.x(), v.y(), 0.0}; };
+    std::ranges::transform(outline.view(), points.begin(), level);
+    const std::span<const Vec3> region{points.data(), outline.view().size()};
+    if (i < track_count_) {
+      sketch.region(region, Label{"velocity obstacle of", ids_[i]});
+    } else {
+      sketch.region(region, "velocity obstacle of an obstacle");
+    }
   }
 }
 

@@ -20,8 +20,8 @@ class Neighbourhood {
 
   std::span<const VelocityObstacle> obstacles() const { return {obstacles_.data(), count_}; }
 
-  /// Outlines as the places to which these velocities lead in one second, `reach` from each apex [m/s].
-  void draw(const Vec3& own_position, double reach, Sketch& sketch) const;
+  /// Outlines, each `reach` beyond its cut [m/s].
+  void draw(double reach, Sketch& sketch) const;
 
  private:
   void add_tracks(const Situation& s, const Params& params, Responsibility responsibility) noexcept;
@@ -31,7 +31,9 @@ class Neighbourhood {
   void add_solid(const Solid& solid, const Params& params) noexcept;
 
   std::array<VelocityObstacle, max_obstacles> obstacles_;
+  std::array<TrackId, max_obstacles> ids_;  // of the tracks
   std::size_t count_ = 0;
+  std::size_t track_count_ = 0;
 };
 
 }  // namespace fairway::velocity_obstacle

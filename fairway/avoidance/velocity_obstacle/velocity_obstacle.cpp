@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "fairway/core/angles.hpp"
+
 namespace fairway::velocity_obstacle {
 namespace {
 
@@ -143,17 +145,37 @@ std::size_t VelocityObstacle::boundaries(std::span<Boundary, max_boundaries> out
   return 5;
 }
 
-std::array<Vec2, 4> VelocityObstacle::outline(double reach) const noexcept {
+Outline VelocityObstacle::outline(double reach) const noexcept {
+  Outline outline;
   if (overlaps_) {
     const Vec2 middle = apex_ + rate_ * away_;
     const Vec2 along = reach * starboard_of(away_);
-    return {middle - along, middle, middle, middle + along};
+    const Vec2 inwards = -2.0 * reach * away_;
+    for (const Vec2& corner : {Vec2{middle - along + inwards}, Vec2{middle - along}, Vec2{middle + along},
+                               Vec2{middle + along + inwards}}) {
+      outline.add(corner);
+    }
+    return outline;
   }
+
   // a leg begins where the cut touches it
   const double port = std::max(near_end().dot(port_), far_end().dot(port_));
   const double starboard = std::max(near_end().dot(starboard_), far_end().dot(starboard_));
-  return {apex_ + (port + reach) * port_, apex_ + port * port_, apex_ + starboard * starboard_,
-          apex_ + (starboard + reach) * starboard_};
+  outline.add(apex_ + (port + reach) * port_);
+
+  // the points of the cut by its normals, turned from the one leg's by way of the apex to the other's
+  const Vec2 first = -starboard_of(port_);
+  const double between = std::atan2(cross(port_, starboard_), port_.dot(starboard_));
+  const double radius = radius_ * inverse_horizon_;
+  for (std::size_t i = 0; i < Outline::cut_points; ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(Outline::cut_points - 1);
+    const double angle = -share * (pi - between);
+    const Vec2 normal = turned(first, std::cos(angle), std::sin(angle));
+    const Vec2 end = near_end().dot(normal) > far_end().dot(normal) ? near_end() : far_end();
+    outline.add(apex_ + end + radius * normal);
+  }
+  outline.add(apex_ + (starboard + reach) * starboard_);
+  return outline;
 }
 
 }  // namespace fairway::velocity_obstacle

@@ -26,6 +26,20 @@ struct Outlook {
   double interval;  ///< who overlaps is to be apart after this long [s], > 0
 };
 
+/// A closed line, on the stack.
+class Outline {
+ public:
+  void add(const Vec2& point) { points_[count_++] = point; }
+  std::span<const Vec2> view() const { return {points_.data(), count_}; }
+
+  static constexpr std::size_t cut_points = 17;  ///< along the cut
+  static constexpr std::size_t max_points = cut_points + 2;
+
+ private:
+  std::array<Vec2, max_points> points_;
+  std::size_t count_ = 0;
+};
+
 /// The velocities of own ship that lead into a solid within the horizon: a cone cut off by the solid as it
 /// looks after that time. Open and convex. Where own ship is within the solid: all velocities that do not
 /// lead out of it within one interval.
@@ -59,9 +73,10 @@ class VelocityObstacle {
   static constexpr std::size_t max_boundaries = 5;
   std::size_t boundaries(std::span<Boundary, max_boundaries> out) const noexcept;
 
-  /// For pictures: from `reach` along the port leg by the cut, or the apex, to `reach` along the starboard
-  /// leg; where it overlaps, `reach` to either side of the point nearest to the apex. [m/s]
-  std::array<Vec2, 4> outline(double reach) const noexcept;
+  /// For pictures, closed: down the port leg from `reach` beyond where the cut touches it, round the cut to
+  /// starboard, and as far up the starboard leg. Where it overlaps, a rectangle, `reach` to either side of
+  /// the point of its boundary nearest to the apex and twice that deep. [m/s]
+  Outline outline(double reach) const noexcept;
 
   const Vec2& apex() const { return apex_; }
   const Vec2& port_leg() const { return port_; }

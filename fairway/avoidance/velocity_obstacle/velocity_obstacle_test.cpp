@@ -53,6 +53,40 @@ TEST(VelocityObstacle, IsWhatMeetsTheSolidWithinTheHorizon) {
   EXPECT_GT(outside, 3000);
 }
 
+/// The three kinds in turn, of discs and walls at random; every fifth overlaps own ship.
+VelocityObstacle any_obstacle(std::uint64_t i, Rng& rng) {
+  Solid solid = i % 2 == 0 ? any_disc(rng) : any_wall(rng);
+  if (i % 5 == 0) solid.radius = solid.from.norm() + rng.uniform(0.1, 1.0);
+  const Outlook outlook{rng.uniform(0.5, 20.0), 1.0};
+  const Vec2 own = rng.uniform(0.0, 2.0) * any_direction(rng);
+  if (i % 3 == 0) return VelocityObstacle::reciprocal(solid, own, outlook);
+  return i % 3 == 1 ? VelocityObstacle::hybrid(solid, own, outlook) : VelocityObstacle(solid, outlook);
+}
+
+TEST(VelocityObstacle, TheOutlineRunsAlongItsBoundary) {
+  int cones = 0, overlapping = 0;
+  for (std::uint64_t i = 0; i < 3000; ++i) {
+    Rng rng = Rng{5}.stream("outline", i);
+    const VelocityObstacle vo = any_obstacle(i, rng);
+    const Outline outline = vo.outline(3.0);
+    const std::span<const Vec2> points = outline.view();
+    Vec2 middle = Vec2::Zero();
+    for (const Vec2& p : points) middle += p / static_cast<double>(points.size());
+    EXPECT_GT(vo.depth(middle), 0.0) << i;
+    if (points.size() == Outline::max_points) {
+      ++cones;
+      for (const Vec2& p : points) EXPECT_NEAR(vo.depth(p), 0.0, 1e-6) << i;
+    } else {
+      ++overlapping;
+      ASSERT_EQ(points.size(), 4U);
+      for (const std::size_t k : {0U, 3U}) EXPECT_NEAR(vo.depth(points[k]), 6.0, 1e-9) << i;
+      for (const std::size_t k : {1U, 2U}) EXPECT_NEAR(vo.depth(points[k]), 0.0, 1e-9) << i;
+    }
+  }
+  EXPECT_GT(cones, 1000);
+  EXPECT_GT(overlapping, 100);
+}
+
 TEST(VelocityObstacle, WithoutAHorizonItIsThePrintedAngles) {
   int inside = 0;
   for (std::uint64_t i = 0; i < 20000; ++i) {

@@ -24,11 +24,24 @@ constexpr double edge = 1e-9;
 class HalfPlanes {
  public:
   HalfPlanes(const WallFollowing::Params& params, const Situation& s, const Vec3& preferred) {
-    std::array<Hazard, max_hazards> found;
-    const std::size_t count = hazards_near(s, params.sensor_range_m, found);
-    for (std::size_t i = 0; i < count; ++i) add(params, s, found[i], preferred);
+    const std::size_t count = hazards_near(s, params.sensor_range_m, hazards_);
+    for (std::size_t i = 0; i < count; ++i) add(params, s, hazards_[i], preferred);
   }
   std::span<const HalfPlane> view() const { return {all_.data(), count_}; }
+
+  /// The half-planes, and the way to the surface whose half-plane leaves `chosen` the least room.
+  void draw(const Vec3& own, const Vec3& chosen, bool following, Sketch& sketch) const {
+    for (const HalfPlane& h : view()) {
+      const Vec3 normal{h.normal.x(), h.normal.y(), 0.0};
+      sketch.half_space(h.offset * normal, normal, "allowed by a surface");
+    }
+    if (!following || count_ == 0) return;
+    const auto room = [&](const HalfPlane& h) { return -h.violation(chosen.head<2>()); };
+    const auto wall = static_cast<std::size_t>(std::ranges::min_element(view(), {}, room) - view().begin());
+    const Hazard& hazard = hazards_[wall];
+    const Vec3 surface = hazard.centre + hazard.radius * unit(Vec3{own - hazard.centre});
+    sketch.path(std::array{own, surface}, "followed");
+  }
 
  private:
   /// The closing speed is at most in proportion to what is left beyond the standoff; within it, the other
@@ -46,6 +59,7 @@ class HalfPlanes {
     all_[count_++] = {from.head<2>() / level, opening * from.norm() / level + opening_by_others};
   }
 
+  std::array<Hazard, max_hazards> hazards_;
   std::array<HalfPlane, max_hazards> all_;
   std::size_t count_ = 0;
 };
@@ -154,15 +168,6 @@ Vec2 way_round(Round& round, std::span<const HalfPlane> half_planes, const Situa
   return speed * way->direction;
 }
 
-void draw(Sketch& sketch, std::span<const HalfPlane> half_planes, const Vec3& preferred, const Vec3& chosen) {
-  for (const HalfPlane& h : half_planes) {
-    const Vec3 normal{h.normal.x(), h.normal.y(), 0.0};
-    sketch.half_space(h.offset * normal, normal, "allowed by a surface");
-  }
-  sketch.velocity(preferred, "preferred");
-  sketch.velocity(chosen, "chosen");
-}
-
 }  // namespace
 
 std::optional<Way> way_along(std::span<const HalfPlane> allowed, const Vec2& along, double turn,
@@ -191,7 +196,12 @@ Command decide_corrected(const WallFollowing::Params& params, const Situation& s
   const PlaneChoice choice =
       nearest_in_plane({.half_planes = half_planes.view(), .max_length = s.limits.max_speed}, wish);
   const Vec3 velocity{choice.point.x(), choice.point.y(), preferred.z()};
-  if (context.sketch) draw(*context.sketch, half_planes.view(), preferred, velocity);
+  if (context.sketch) {
+    half_planes.draw(s.own.position, velocity, round.following, *context.sketch);
+    context.sketch->velocity(preferred, "preferred");
+    if (round.following) context.sketch->velocity({wish.x(), wish.y(), 0.0}, "along the wall");
+    context.sketch->velocity(velocity, "chosen");
+  }
   return {.velocity = velocity,
           .mode = choice.is_feasible() ? Mode::avoid : Mode::infeasible,
           .note = choice.is_feasible() ? "" : "within the standoff, and too slow to leave it"};

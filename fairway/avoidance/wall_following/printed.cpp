@@ -102,12 +102,12 @@ Command decide_printed(const WallFollowing::Params& params, const Situation& s, 
     loop.integral.setZero();
   }
 
+  if (context.sketch) draw(sensors, s.own, detected, following ? "followed" : "detected", *context.sketch);
   if (!following) return {.velocity = s.preferred_velocity(), .wrench = tracked(params, s, goal, loop)};
-  if (context.sketch) context.sketch->path(std::array{s.own.position, detected->centre}, "followed");
   const Wish wish = along(params, s, *detected, goal.velocity);
-  return {.velocity = leading_to(s, wish.velocity),
-          .mode = Mode::avoid,
-          .wrench = tracked(params, s, wish, loop)};
+  const Vec3 velocity = leading_to(s, wish.velocity);
+  if (context.sketch) context.sketch->velocity(velocity, "along the wall");
+  return {.velocity = velocity, .mode = Mode::avoid, .wrench = tracked(params, s, wish, loop)};
 }
 
 }  // namespace fairway::wall

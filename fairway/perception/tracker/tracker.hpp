@@ -57,9 +57,6 @@ struct TrackerParams {
 /// Throws InputError where one parameter contradicts another.
 void check(const TrackerParams& params);
 
-/// Ids of tracks begin here: apart from vehicles, which count from 0, and from what drifts.
-inline constexpr std::uint32_t first_tracker_id = 0x4000'0000U;
-
 /// Follows many targets from contacts that are noisy, missed, and false: a Kalman filter each, gates, the
 /// best assignment of all, birth by M contacts in N pings, death by misses or uncertainty. A value: a copy
 /// goes on as the original does. Allocates when made, then never.

@@ -2,6 +2,7 @@
 #include "fairway/planning/blend/blend.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <exception>
 #include <limits>
@@ -114,8 +115,9 @@ double expected_time(const Params& params, const Situation& s, const Memory& mem
   return round / memory.plan->task.limits.max_speed_mps + duration - rejoin;
 }
 
-void adopt(std::shared_ptr<const Plan> plan, Memory& memory) {
+void adopt(std::shared_ptr<const Plan> plan, const Situation& s, Memory& memory) {
   memory.plan = std::move(plan);
+  memory.depth = s.own.position.z();
   memory.stage = Stage::following;
   memory.progress_s = 0.0;
   memory.wall = {};
@@ -133,11 +135,18 @@ void learn(const Params& params, const Situation& s, Memory& memory, Context& co
   if (other->status != PlanStatus::ready) return;
   const double expected = expected_time(params, s, memory);
   if (other->trajectory.duration() * (1.0 + params.replan_gain_ratio) < expected)
-    adopt(std::move(other), memory);
+    adopt(std::move(other), s, memory);
+}
+
+/// A straight way from where it is, at its depth.
+void draw_way(const Situation& s, const Vec2& to, std::string_view meaning, Context& context) {
+  if (context.sketch == nullptr) return;
+  context.sketch->path(std::array{s.own.position, Vec3{to.x(), to.y(), s.own.position.z()}}, meaning);
 }
 
 Command go_round(const Params& params, const Situation& s, const Vec2& target, Memory& memory,
                  Context& context) {
+  draw_way(s, target, "going round to here", context);
   WallFollowing wall;
   wall.params.form = WallFollowingForm::corrected;
   wall.params.standoff_m = params.standoff_m;
@@ -226,6 +235,7 @@ Command choose(const Params& params, const Situation& s, double elapsed, Memory&
     if (const std::optional<Vec3> velocity = dodge(params, s, memory)) {
       memory.stage = Stage::going_round;
       memory.wall = {};
+      if (context.sketch != nullptr) context.sketch->velocity(*velocity, "way between the movers");
       return {.velocity = *velocity, .mode = Mode::avoid};
     }
   }
@@ -239,12 +249,16 @@ Command choose(const Params& params, const Situation& s, double elapsed, Memory&
 Command Blend::decide(const Situation& s, Memory& memory, Context& context) const noexcept {
   try {
     const bool other_goal = memory.plan && memory.plan->task.goal != seen_from_above(s.goal.position);
-    if (!memory.plan || other_goal) adopt(planned(params, s, memory.finds, context), memory);
+    if (!memory.plan || other_goal) adopt(planned(params, s, memory.finds, context), s, memory);
     learn(params, s, memory, context);
     const double elapsed = memory.last_time ? s.time - *memory.last_time : 0.0;
     memory.last_time = s.time;
 
     Command wanted = choose(params, s, elapsed, memory, context);
+    if (context.sketch != nullptr) {
+      const bool follows = memory.stage == Stage::following;
+      draw(*memory.plan, memory.depth, follows, *context.sketch);
+    }
     if (!params.filter) return wanted;
     SafetyFilter filter;
     filter.params.margin_m = params.margin_m;

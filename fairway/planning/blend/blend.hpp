@@ -70,6 +70,7 @@ struct Blend {
     std::shared_ptr<const PlanarMap> met;  ///< what was met, grown by own radius and margin
     Finds finds;
     Stage stage{Stage::following};
+    double depth{};                   ///< where the plan was made [m], for who looks
     double progress_s{};              ///< along the trajectory
     std::optional<double> last_time;  ///< of the call before [s]
     WallFollowing::Memory wall;

@@ -117,6 +117,7 @@ Plan make_plan(const PlanParams& params, PlanTask task, std::uint32_t seed) {
 
   PathResult path = path_for(params, plan.task, seed);
   plan.status = status_of(path.status);
+  plan.tree = std::move(path.tree);
   if (plan.status != PlanStatus::ready) return plan;
   plan.path = std::move(path.waypoints);
 
@@ -132,6 +133,23 @@ Plan make_plan(const PlanParams& params, PlanTask task, std::uint32_t seed) {
   }
   plan.trajectory = std::move(fitted.trajectory);
   return plan;
+}
+
+void draw(const Plan& plan, double depth, bool with_tree, Sketch& sketch) {
+  const auto at_depth = [depth](std::span<const Vec2> points) {
+    std::vector<Vec3> in_space;
+    for (const Vec2& p : points) in_space.emplace_back(p.x(), p.y(), depth);
+    return in_space;
+  };
+  if (with_tree && !plan.tree.empty()) sketch.tree(at_depth(plan.tree), "search tree");
+  if (plan.status != PlanStatus::ready) return;
+  sketch.path(at_depth(plan.path), "path");
+
+  constexpr int pieces = 256;
+  std::vector<Vec2> curve;
+  for (int i = 0; i <= pieces; ++i)
+    curve.push_back(plan.trajectory.sample(plan.trajectory.duration() * i / pieces).position);
+  sketch.path(at_depth(curve), "trajectory");
 }
 
 }  // namespace fairway

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fairway/avoidance/situation.hpp"
+#include "fairway/avoidance/sketch.hpp"
 #include "fairway/core/params.hpp"
 #include "fairway/planning/minimum_snap/fit_trajectory.hpp"
 #include "fairway/planning/path_planner.hpp"
@@ -90,7 +91,12 @@ struct Plan {
   std::vector<Vec2> path;  ///< [m, NE]
   Trajectory trajectory;   ///< from task.start at time 0
   FitStatus fit{};         ///< how the trajectory came to be; `violates`: see make_plan()
+  std::vector<Vec2> tree;  ///< of the search, as in PathResult
 };
+
+/// The search tree, the path and the trajectory, as far as there are any, at a depth [m]. `with_tree` is
+/// false where the rest is drawn anew at every decision.
+void draw(const Plan& plan, double depth, bool with_tree, Sketch& sketch);
 
 /// Path, smooth trajectory, check, repair. Where the smooth trajectory cannot be repaired the vehicle comes
 /// to rest at every waypoint instead, which keeps it on the straight lines of the path. With segment times

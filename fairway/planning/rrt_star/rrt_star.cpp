@@ -31,32 +31,17 @@ Plan plan_for(const PlanParams& params, const Situation& s, std::uint32_t seed) 
   }
 }
 
-void draw(Sketch& sketch, const Plan& plan, double depth) {
-  const auto at_depth = [depth](const Vec2& p) { return Vec3{p.x(), p.y(), depth}; };
-  std::vector<Vec3> points;
-  for (const Vec2& waypoint : plan.path) points.push_back(at_depth(waypoint));
-  sketch.path(points, "path");
-
-  constexpr int pieces = 256;
-  points.clear();
-  for (int i = 0; i <= pieces; ++i) {
-    const double time = plan.trajectory.duration() * i / pieces;
-    points.push_back(at_depth(plan.trajectory.sample(time).position));
-  }
-  sketch.path(points, "trajectory");
-}
-
 }  // namespace
 
 Command RrtStar::decide(const Situation& s, Memory& memory, Context& context) const noexcept {
   try {
     if (needs_plan(memory, params, s)) {
       const auto seed = static_cast<std::uint32_t>(context.rng.next() >> 32U);
-      memory = {std::make_shared<const Plan>(plan_for(params, s, seed)), s.time, {}};
+      memory = {std::make_shared<const Plan>(plan_for(params, s, seed)), s.time, s.own.position.z(), {}};
     }
     const Plan& plan = *memory.plan;
+    if (context.sketch != nullptr) draw(plan, memory.depth, true, *context.sketch);
     if (plan.status != PlanStatus::ready) return {.mode = Mode::infeasible, .note = note_of(plan.status)};
-    if (context.sketch != nullptr) draw(*context.sketch, plan, s.own.position.z());
 
     Command command =
         TrajectoryTracker{params}.follow(plan.trajectory, s.time - memory.begin_s, s, memory.tracking);

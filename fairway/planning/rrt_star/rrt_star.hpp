@@ -36,6 +36,7 @@ struct RrtStar {
   struct Memory {
     std::shared_ptr<const Plan> plan;
     double begin_s{};  ///< time of the situation at which the trajectory begins
+    double depth{};    ///< of its start [m], for who looks
     TrajectoryTracker::Memory tracking;
   };
 

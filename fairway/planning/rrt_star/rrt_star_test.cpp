@@ -3,10 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <thread>
 
 #include "fairway/avoidance/catalog.hpp"
+#include "fairway/avoidance/drawing.hpp"
 #include "fairway/avoidance/testing/encounters.hpp"
 #include "fairway/planning/builtin.hpp"
 #include "fairway/planning/testing/four_obstacles.hpp"
@@ -42,19 +44,6 @@ void move(Encounter& e, const Command& command) {
   s.own.velocity = command.velocity;
   s.time += s.period;
 }
-
-/// What an algorithm draws.
-struct Drawing : Sketch {
-  void velocity(const Vec3&, std::string_view) override {}
-  void half_space(const Vec3&, const Vec3&, std::string_view) override {}
-  void path(std::span<const Vec3> points, std::string_view meaning) override {
-    paths.emplace_back(meaning, std::vector<Vec3>{points.begin(), points.end()});
-  }
-  void sphere(const Vec3&, double, std::string_view) override {}
-  void image(const VelocityImage&, std::string_view) override {}
-
-  std::vector<std::pair<std::string, std::vector<Vec3>>> paths;
-};
 
 TEST(RrtStar, TakesAVelocityDrivenVehicleToTheGoalClearOfObstacles) {
   Encounter e = four_obstacle_encounter();
@@ -228,17 +217,30 @@ TEST(RrtStar, AFailureIsRememberedUntilTheSituationChanges) {
   EXPECT_NE(algorithm.decide(e, memory, context).mode, Mode::infeasible);
 }
 
-TEST(RrtStar, DrawsThePathAndTheTrajectoryAtItsDepth) {
+TEST(RrtStar, DrawsTheTreeThePathAndTheTrajectoryAtItsDepth) {
   Encounter e = four_obstacle_encounter();
   Drawing drawing;
   (void)avoider().decide(e, &drawing);
-  ASSERT_EQ(drawing.paths.size(), 2U);
-  EXPECT_EQ(drawing.paths[0].first, "path");
-  EXPECT_EQ(drawing.paths[1].first, "trajectory");
-  for (const auto& [meaning, points] : drawing.paths) {
-    EXPECT_LT((points.front() - Vec3(0, 0, 7)).norm(), 1e-12) << meaning;
-    EXPECT_LT((points.back() - Vec3(22, 35, 7)).norm(), 1e-9) << meaning;
+  const auto strokes = drawing.strokes();
+  ASSERT_EQ(strokes.size(), 3U);
+  EXPECT_EQ(strokes[0].kind, Stroke::Kind::tree);
+  EXPECT_EQ(strokes[0].meaning, "search tree");
+  EXPECT_EQ(strokes[1].meaning, "path");
+  EXPECT_EQ(strokes[2].meaning, "trajectory");
+  for (const Stroke& stroke : strokes.last(2)) {
+    EXPECT_LT((stroke.points.front() - Vec3(0, 0, 7)).norm(), 1e-12) << stroke.meaning;
+    EXPECT_LT((stroke.points.back() - Vec3(22, 35, 7)).norm(), 1e-9) << stroke.meaning;
   }
+}
+
+TEST(RrtStar, DrawsTheSameUntilThereIsAnotherPlan) {
+  Encounter e = four_obstacle_encounter();
+  Avoider helm = avoider();
+  Drawing first, later;
+  move(e, helm.decide(e, &first));
+  for (int i = 0; i < 50; ++i) move(e, helm.decide(e));
+  (void)helm.decide(e, &later);
+  EXPECT_TRUE(std::ranges::equal(first.strokes(), later.strokes()));
 }
 
 TEST(RrtStar, ReadsWaypointsFromFlatParameters) {
@@ -248,7 +250,7 @@ TEST(RrtStar, ReadsWaypointsFromFlatParameters) {
   Encounter e = four_obstacle_encounter();
   Drawing drawing;
   (void)avoider(params).decide(e, &drawing);
-  EXPECT_EQ(drawing.paths.at(0).second, (std::vector<Vec3>{{0, 0, 7}, {0, 10, 7}, {-10, 10, 7}}));
+  EXPECT_EQ(drawing.strokes()[0].points, (std::vector<Vec3>{{0, 0, 7}, {0, 10, 7}, {-10, 10, 7}}));
 }
 
 TEST(RrtStar, WhoMayNotMoveDoesNot) {

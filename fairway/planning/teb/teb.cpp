@@ -5,6 +5,7 @@
 #include <cmath>
 #include <exception>
 
+#include "fairway/avoidance/label.hpp"
 #include "fairway/core/angles.hpp"
 #include "fairway/planning/planar_map.hpp"
 #include "fairway/planning/teb/homotopy.hpp"
@@ -177,13 +178,17 @@ Command first_command(const Task& task, const Band& band) {
   return command;
 }
 
-void draw(const Situation& s, const std::vector<Band>& bands, const Command& command, Sketch& sketch) {
-  for (const Band& band : bands) {
+void draw(const Situation& s, std::span<const Band> bands, Sketch& sketch) {
+  for (std::size_t i = 0; i < bands.size(); ++i) {
     std::vector<Vec3> points;
-    for (const teb::Knot& knot : band.knots) points.emplace_back(knot[0], knot[1], s.own.position.z());
-    sketch.path(points, &band == &bands.front() ? "band" : "band of another class");
+    for (const teb::Knot& knot : bands[i].knots) points.emplace_back(knot[0], knot[1], s.own.position.z());
+    if (i == 0) {
+      sketch.path(points, "band");
+    } else {
+      sketch.path(points, Label{"band of another class", static_cast<std::uint32_t>(i)});
+    }
   }
-  sketch.velocity(command.velocity, "chosen");
+  sketch.velocity(s.preferred_velocity(), "preferred");
 }
 
 }  // namespace
@@ -198,10 +203,11 @@ Command Teb::decide(const Situation& s, Memory& memory, Context& context) const 
     }
     const Task task = task_of(params, s, *memory.line);
     plan(task, memory.bands, context.rng);
+    if (context.sketch != nullptr) draw(s, memory.bands, *context.sketch);
     const Band& band = memory.bands.front();
     if (is_feasible(task, band)) {
-      Command command = first_command(task, band);
-      if (context.sketch != nullptr) draw(s, memory.bands, command, *context.sketch);
+      const Command command = first_command(task, band);
+      if (context.sketch != nullptr) context.sketch->velocity(command.velocity, "chosen");
       return command;
     }
   } catch (const std::exception&) {  // out of memory

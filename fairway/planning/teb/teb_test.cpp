@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
-#include <map>
 
 #include "fairway/avoidance/avoider.hpp"
+#include "fairway/avoidance/drawing.hpp"
 #include "fairway/core/angles.hpp"
 #include "fairway/planning/teb/testing/courses.hpp"
 
@@ -194,25 +194,18 @@ TEST(Teb, GoalsBehindOrAtTheStartAreAnswered) {
 }
 
 TEST(Teb, KeepsBandsOfSeveralClassesAndDrawsThem) {
-  struct Drawing final : Sketch {
-    void velocity(const Vec3&, std::string_view meaning) override { ++count[meaning]; }
-    void half_space(const Vec3&, const Vec3&, std::string_view) override {}
-    void path(std::span<const Vec3> points, std::string_view meaning) override {
-      if (points.size() > 2) ++count[meaning];
-    }
-    void sphere(const Vec3&, double, std::string_view) override {}
-    void image(const VelocityImage&, std::string_view) override {}
-
-    std::map<std::string_view, int> count;
-  };
   Voyage v = voyage({{disc(1.6, 0.05, 0.05)}, {}});
   Drawing drawing;
   Context context{v.rng, &drawing};
   (void)v.teb.decide(v.situation(), v.memory, context);
   EXPECT_EQ(v.memory.bands.size(), 2U);
-  EXPECT_EQ(drawing.count["band"], 1);
-  EXPECT_EQ(drawing.count["band of another class"], 1);
-  EXPECT_EQ(drawing.count["chosen"], 1);
+  const auto strokes = drawing.strokes();
+  ASSERT_EQ(strokes.size(), 4U);
+  EXPECT_EQ(strokes[0].meaning, "band");
+  EXPECT_EQ(strokes[1].meaning, "band of another class 1");
+  for (const std::size_t i : {0U, 1U}) EXPECT_EQ(strokes[i].points.size(), v.memory.bands[i].size());
+  EXPECT_EQ(strokes[2].meaning, "preferred");
+  EXPECT_EQ(strokes[3].meaning, "chosen");
 
   v.teb.params.enable_homotopy_class_planning = false;
   v.memory = {};

@@ -3,10 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
+#include <array>
 #include <string>
 
 #include "fairway/avoidance/catalog.hpp"
+#include "fairway/avoidance/drawing.hpp"
 #include "fairway/studies/page_blocks.hpp"
 #include "fairway/studies/surface/course.hpp"
 
@@ -34,49 +35,46 @@ Track vessel(std::uint32_t id, double n, double e, double v_n, double v_e) {
           .reacts = false};
 }
 
-/// Keeps what AVOA draws, as blocks of the report.
-class Album final : public Sketch {
- public:
-  void velocity(const Vec3& v, std::string_view meaning) override {
-    if (meaning == "desired" || meaning == "chosen")
-      marks_.push_back({{"label", meaning}, {"x", v.y()}, {"y", v.x()}});
-  }
-  void half_space(const Vec3&, const Vec3&, std::string_view) override {}
-  void path(std::span<const Vec3>, std::string_view) override {}
-  void sphere(const Vec3&, double, std::string_view) override {}
-  void image(const VelocityImage& image, std::string_view meaning) override {
-    std::string rgb;
-    for (const std::uint32_t pixel : image.rgb) rgb += fmt::format("{:06x}", pixel);
-    const double edge = image.reach * image.side / (image.side - 1);  // outside of the outermost pixels
-    const std::array reach{-edge, edge};
-    pictures_.emplace_back(meaning, json{{"kind", "raster"},
-                                         {"x_label", "to starboard [m/s]"},
-                                         {"y_label", "ahead [m/s]"},
-                                         {"x", reach},
-                                         {"y", reach},
-                                         {"width", image.side},
-                                         {"height", image.side},
-                                         {"rgb", std::move(rgb)}});
-  }
+json raster_of(const Stroke& image) {
+  std::string rgb;
+  for (const std::uint32_t pixel : image.rgb) rgb += fmt::format("{:06x}", pixel);
+  const double edge = image.size * image.side / (image.side - 1);  // outside of the outermost pixels
+  const std::array reach{-edge, edge};
+  return {{"kind", "raster"},
+          {"x_label", "to starboard [m/s]"},
+          {"y_label", "ahead [m/s]"},
+          {"x", reach},
+          {"y", reach},
+          {"width", image.side},
+          {"height", image.side},
+          {"rgb", std::move(rgb)}};
+}
 
-  json picture(std::string_view meaning, const std::string& title) const {
-    for (const auto& [name, picture] : pictures_) {
-      if (name != meaning) continue;
-      json block = picture;
-      block["title"] = title;
-      block["marks"] = marks_;
-      return block;
-    }
-    return page::note("warning", fmt::format("AVOA drew no {}", meaning));
+/// Where the desired and the chosen velocity are in a picture.
+json marks_in(const Drawing& drawing) {
+  json marks = json::array();
+  for (const Stroke& stroke : drawing.strokes()) {
+    if (stroke.meaning != "desired" && stroke.meaning != "chosen") continue;
+    const Vec3& v = stroke.points.front();
+    marks.push_back({{"label", stroke.meaning}, {"x", v.y()}, {"y", v.x()}});
   }
+  return marks;
+}
 
- private:
-  std::vector<std::pair<std::string, json>> pictures_;
-  json marks_ = json::array();
-};
+/// What AVOA drew, as a block of the report.
+json picture(const Drawing& drawing, std::string_view meaning, const std::string& title) {
+  for (const Stroke& stroke : drawing.strokes()) {
+    if (stroke.kind != Stroke::Kind::image || stroke.meaning != meaning) continue;
+    json block = raster_of(stroke);
+    block["title"] = title;
+    block["marks"] = marks_in(drawing);
+    return block;
+  }
+  return page::note("warning", fmt::format("AVOA drew no {}", meaning));
+}
 
-Album drawn(const Scene& scene, const ParamValues& params) {
-  Album album;
+Drawing drawn(const Scene& scene, const ParamValues& params) {
+  Drawing drawing;
   const Situation situation{.time = 0.0,
                             .period = 0.2,
                             .own = {.velocity = {scene.wanted, 0.0, 0.0}, .radius = vessel_radius},
@@ -84,8 +82,8 @@ Album drawn(const Scene& scene, const ParamValues& params) {
                             .limits = {.max_speed = 1.5, .max_turn_rate = 0.3751},
                             .tracks = scene.tracks,
                             .obstacles = scene.obstacles};
-  (void)builtin_avoiders().make("avoa", params, Rng{1}).decide(situation, &album);
-  return album;
+  (void)builtin_avoiders().make("avoa", params, Rng{1}).decide(situation, &drawing);
+  return drawing;
 }
 
 }  // namespace
@@ -98,10 +96,10 @@ std::vector<json> zone_figures() {
                        .tracks = {vessel(1, 6.0, -3.0, 0.0, 0.55), vessel(2, 6.0, 3.5, -0.3, -0.4)}};
 
   const auto zones = [](const Scene& scene, const ParamValues& params, const std::string& title) {
-    return drawn(scene, params).picture("protective zones", title);
+    return picture(drawn(scene, params), "protective zones", title);
   };
   const auto danger = [](const Scene& scene, const ParamValues& params, const std::string& title) {
-    return drawn(scene, params).picture("cost of danger", title);
+    return picture(drawn(scene, params), "cost of danger", title);
   };
   return {page::grid(2, {zones(one, no_kinematics, "Figure 3a: one static obstacle"),
                          danger(one, no_kinematics, "Figure 3a: cost of danger"),
@@ -110,7 +108,7 @@ std::vector<json> zone_figures() {
           page::grid(2, {zones(one, {}, "Figure 4a: with the thrusters' limits"),
                          zones(two, {}, "Figure 4b: with the thrusters' limits")}),
           page::grid(2, {zones(crossing, {}, "Figure 5: two moving obstacles"),
-                         drawn(crossing, {}).picture("metric", "Figure 6: the metric, lighter is better")})};
+                         picture(drawn(crossing, {}), "metric", "Figure 6: the metric, lighter is better")})};
 }
 
 }  // namespace fairway::surface
