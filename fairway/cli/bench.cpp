@@ -118,12 +118,12 @@ void add_bench(CLI::App& app, Program& program) {
       app.add_subcommand("bench", "Time of a decision, and vehicle-steps per second, on this machine");
   verb->footer("Example: fairway bench --seconds 2");
   auto budget = std::make_shared<double>(0.5);
-  auto json = std::make_shared<bool>(false);
+  auto as_json = std::make_shared<bool>(false);
   verb->add_option("--seconds", *budget, "per figure; each is the median of its repetitions")
       ->capture_default_str()
       ->check(CLI::Range(0.01, 60.0));
-  verb->add_flag("--json", *json, "print JSON");
-  verb->callback([=, &program] { program.chosen = [=] { return bench(*budget, *json); }; });
+  verb->add_flag("--json", *as_json, "print JSON");
+  verb->callback([=, &program] { program.chosen = [=] { return bench(*budget, *as_json); }; });
 }
 
 }  // namespace fairway::cli

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
+#include "fairway/cli/live.hpp"
 #include "fairway/cli/program.hpp"
 #include "fairway/cli/runner.hpp"
 
@@ -21,6 +22,7 @@ struct RunOptions {
   std::vector<std::string> settings;
   std::optional<std::uint64_t> seed;
   RecordingChoice recording;
+  LiveChoice live;
   bool json{false};
 };
 
@@ -100,11 +102,14 @@ void print(const Scenario& scenario, const RunOutcome& outcome, const std::vecto
   }
 }
 
-int run(const RunOptions& options, const std::atomic<bool>* stop) {
+int run(const RunOptions& options, const Program& program) {
   Scenario scenario = load_scenario(options.file, overrides_of(options.settings), options.seed);
   if (!options.algorithm.empty()) set_algorithm(scenario, options.algorithm);
   check_expectations(scenario);
-  const RunOutcome outcome = run_scenario(scenario, options.recording, stop);
+  const RunOutcome outcome = options.live.asked
+                                 ? run_live(scenario, options.recording, options.live, program.typed,
+                                            options.json ? std::cerr : std::cout, program.stop)
+                                 : run_scenario(scenario, options.recording, program.stop);
   if (!outcome.complete) {
     std::cerr << "fairway: interrupted\n";
     return interrupted;
@@ -117,6 +122,17 @@ int run(const RunOptions& options, const std::atomic<bool>* stop) {
   }
   const bool all_kept = std::ranges::all_of(judgements, &Judgement::kept);
   return all_kept ? ok : expectation_failed;
+}
+
+void add_live(CLI::App& verb, LiveChoice& choice) {
+  CLI::Option* live = verb.add_flag("--live", choice.asked,
+                                    "show it in a browser on this machine as it is made, until Ctrl-C");
+  verb.add_option("--port", choice.port, "of that page; 0: any that is free")
+      ->check(CLI::Range(0, 65535))
+      ->needs(live);
+  verb.add_option("--speed", choice.speed, "of the clock, 1 by default; 0: as fast as it can")->needs(live);
+  verb.add_flag("--paused", choice.paused, "begin paused")->needs(live);
+  verb.add_flag("--until-done", choice.until_done, "end with the run")->needs(live);
 }
 
 }  // namespace
@@ -136,8 +152,9 @@ void add_run(CLI::App& app, Program& program) {
   verb->add_flag("--sketch", options->recording.sketches,
                  "record what each method draws of its thinking, and the messages under way")
       ->needs(out);
+  add_live(*verb, options->live);
   verb->add_flag("--json", options->json, "print JSON");
-  verb->callback([=, &program] { program.chosen = [=, &program] { return run(*options, program.stop); }; });
+  verb->callback([=, &program] { program.chosen = [=, &program] { return run(*options, program); }; });
 }
 
 }  // namespace fairway::cli

@@ -33,6 +33,13 @@ RecordingInfo info_of(const Scenario& scenario, const RecordingChoice& choice) {
   return info;
 }
 
+/// Waits for its turn where somebody sets the pace. False if the run is to stop.
+bool may_go_on(double time, LiveRun* live, const std::atomic<bool>* stop) {
+  static const std::atomic<bool> never{false};
+  if (stop == nullptr) stop = &never;
+  return live != nullptr ? live->await_turn(time, *stop) : !stop->load(std::memory_order_relaxed);
+}
+
 /// How far `value` is outside the bounds; negative inside, by the way to the nearer one.
 double excess(const Expectation& expected, double value) {
   if (std::isnan(value)) return std::numeric_limits<double>::infinity();
@@ -42,7 +49,7 @@ double excess(const Expectation& expected, double value) {
 }  // namespace
 
 RunOutcome run_scenario(const Scenario& scenario, const RecordingChoice& recording,
-                        const std::atomic<bool>* stop) {
+                        const std::atomic<bool>* stop, LiveRun* live) {
   Simulation simulation{scenario, builtin_catalogs()};
   simulation.time_decisions();
   simulation.show_thoughts(recording.sketches);
@@ -53,12 +60,16 @@ RunOutcome run_scenario(const Scenario& scenario, const RecordingChoice& recordi
     writer = std::make_unique<RecordingWriter>(recording.file, info_of(scenario, recording));
     sinks.push_back(writer.get());
   }
+  if (live != nullptr) {
+    simulation.show_thoughts(true);
+    sinks.push_back(live);
+  }
 
   const auto begin = std::chrono::steady_clock::now();
   RunOutcome outcome;
   while (outcome.complete && !simulation.is_done()) {
-    simulation.step(sinks);
-    outcome.complete = stop == nullptr || !stop->load(std::memory_order_relaxed);
+    outcome.complete = may_go_on(simulation.time(), live, stop);
+    if (outcome.complete) simulation.step(sinks);
   }
   if (writer && outcome.complete) writer->close();
   outcome.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

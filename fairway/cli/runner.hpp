@@ -9,6 +9,7 @@
 #include "fairway/metrics/run_metrics.hpp"
 #include "fairway/scenario/scenario.hpp"
 #include "fairway/sim/simulation.hpp"
+#include "fairway/view/live/live_run.hpp"
 
 namespace fairway::cli {
 
@@ -29,9 +30,10 @@ struct RecordingChoice {
   bool sketches{false};    ///< what methods draw and the messages under way too
 };
 
-/// Runs a scenario, and records it. A run that is stopped leaves no recording.
+/// Runs a scenario, and records it. A run that is stopped leaves no recording. With `live`, at its pace and
+/// shown to it, thoughts and all, and with the same results.
 RunOutcome run_scenario(const Scenario& scenario, const RecordingChoice& recording,
-                        const std::atomic<bool>* stop);
+                        const std::atomic<bool>* stop, LiveRun* live = nullptr);
 
 /// An expectation and what came of it.
 struct Judgement {

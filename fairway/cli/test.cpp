@@ -57,11 +57,11 @@ void add_test(CLI::App& app, Program& program) {
   CLI::App* verb = app.add_subcommand("test", "Run every scenario of a folder and hold it to its `expect:`");
   verb->footer("Example: fairway test scenarios");
   auto directory = std::make_shared<std::string>("scenarios");
-  auto json = std::make_shared<bool>(false);
+  auto as_json = std::make_shared<bool>(false);
   verb->add_option("directory", *directory, "folder")->capture_default_str();
-  verb->add_flag("--json", *json, "print JSON");
+  verb->add_flag("--json", *as_json, "print JSON");
   verb->callback(
-      [=, &program] { program.chosen = [=, &program] { return test(*directory, *json, program.stop); }; });
+      [=, &program] { program.chosen = [=, &program] { return test(*directory, *as_json, program.stop); }; });
 }
 
 }  // namespace fairway::cli

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/cli/live.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <iostream>
+#include <thread>
+
+#include "fairway/core/error.hpp"
+#include "fairway/experiment/version.hpp"
+#include "fairway/view/live/live_server.hpp"
+
+namespace fairway::cli {
+namespace {
+
+void wait_for(const std::atomic<bool>& stop) {
+  while (!stop.load(std::memory_order_relaxed)) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+}
+
+}  // namespace
+
+RunOutcome run_live(const Scenario& scenario, const RecordingChoice& recording, const LiveChoice& choice,
+                    const std::string& typed, std::ostream& out, const std::atomic<bool>* stop) {
+  if (!std::isfinite(choice.speed) || choice.speed < 0.0) {
+    throw InputError(fmt::format("--speed {}: expected a number from 0", choice.speed));
+  }
+  LiveRun run{scenario, {.speed = choice.speed, .paused = choice.paused}};
+  LiveServer server{choice.port};
+  const LiveAnswers answers{live_page(scenario, {.version = std::string(fairway_version),
+                                                 .command = typed,
+                                                 .period = scenario.step_s,
+                                                 .explanation = {}}),
+                            server.port(), run};
+  server.serve([&answers](const LiveRequest& request) { return answers.answer(request); });
+  out << fmt::format("live: http://127.0.0.1:{}/", server.port()) << std::endl;
+
+  RunOutcome outcome = run_scenario(scenario, recording, stop, &run);
+  run.finish();
+  if (outcome.complete && !choice.until_done) {
+    std::cerr << "live: the run is over and stays to be seen; Ctrl-C ends it\n";
+    wait_for(*stop);
+  }
+  return outcome;
+}
+
+}  // namespace fairway::cli
