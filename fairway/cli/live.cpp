@@ -26,17 +26,21 @@ RunOutcome run_live(const Scenario& scenario, const RecordingChoice& recording, 
   if (!std::isfinite(choice.speed) || choice.speed < 0.0) {
     throw InputError(fmt::format("--speed {}: expected a number from 0", choice.speed));
   }
+  const Simulation accepted{scenario, builtin_catalogs()};  // or it says here what is wrong with the scenario
   LiveRun run{scenario, {.speed = choice.speed, .paused = choice.paused}};
   LiveServer server{choice.port};
-  const LiveAnswers answers{live_page(scenario, {.version = std::string(fairway_version),
-                                                 .command = typed,
-                                                 .period = scenario.step_s,
-                                                 .explanation = {}}),
-                            server.port(), run};
-  server.serve([&answers](const LiveRequest& request) { return answers.answer(request); });
-  out << fmt::format("live: http://127.0.0.1:{}/", server.port()) << std::endl;
+  const PlaybackInfo info{.version = std::string(fairway_version),
+                          .command = typed,
+                          .period = scenario.step_s,
+                          .explanation = {}};
+  const auto open = [&] {
+    server.serve([answers = LiveAnswers{live_page(scenario, info), server.port(), run}](
+                     const LiveRequest& request) { return answers.answer(request); });
+    out << fmt::format("live: http://127.0.0.1:{}/", server.port()) << std::endl;
+  };
 
-  RunOutcome outcome = run_scenario(scenario, recording, stop, &run);
+  const Watch watch{run, open};
+  RunOutcome outcome = run_scenario(scenario, recording, stop, &watch);
   run.finish();
   if (outcome.complete && !choice.until_done) {
     std::cerr << "live: the run is over and stays to be seen; Ctrl-C ends it\n";

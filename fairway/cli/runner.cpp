@@ -34,10 +34,10 @@ RecordingInfo info_of(const Scenario& scenario, const RecordingChoice& choice) {
 }
 
 /// Waits for its turn where somebody sets the pace. False if the run is to stop.
-bool may_go_on(double time, LiveRun* live, const std::atomic<bool>* stop) {
+bool may_go_on(double time, const Watch* watch, const std::atomic<bool>* stop) {
   static const std::atomic<bool> never{false};
-  if (stop == nullptr) stop = &never;
-  return live != nullptr ? live->await_turn(time, *stop) : !stop->load(std::memory_order_relaxed);
+  const std::atomic<bool>& stopped = stop == nullptr ? never : *stop;
+  return watch == nullptr ? !stopped.load(std::memory_order_relaxed) : watch->run.await_turn(time, stopped);
 }
 
 /// How far `value` is outside the bounds; negative inside, by the way to the nearer one.
@@ -49,7 +49,7 @@ double excess(const Expectation& expected, double value) {
 }  // namespace
 
 RunOutcome run_scenario(const Scenario& scenario, const RecordingChoice& recording,
-                        const std::atomic<bool>* stop, LiveRun* live) {
+                        const std::atomic<bool>* stop, const Watch* watch) {
   Simulation simulation{scenario, builtin_catalogs()};
   simulation.time_decisions();
   simulation.show_thoughts(recording.sketches);
@@ -60,15 +60,16 @@ RunOutcome run_scenario(const Scenario& scenario, const RecordingChoice& recordi
     writer = std::make_unique<RecordingWriter>(recording.file, info_of(scenario, recording));
     sinks.push_back(writer.get());
   }
-  if (live != nullptr) {
+  if (watch != nullptr) {
     simulation.show_thoughts(true);
-    sinks.push_back(live);
+    sinks.push_back(&watch->run);
+    watch->ready();
   }
 
   const auto begin = std::chrono::steady_clock::now();
   RunOutcome outcome;
   while (outcome.complete && !simulation.is_done()) {
-    outcome.complete = may_go_on(simulation.time(), live, stop);
+    outcome.complete = may_go_on(simulation.time(), watch, stop);
     if (outcome.complete) simulation.step(sinks);
   }
   if (writer && outcome.complete) writer->close();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -30,10 +31,16 @@ struct RecordingChoice {
   bool sketches{false};    ///< what methods draw and the messages under way too
 };
 
-/// Runs a scenario, and records it. A run that is stopped leaves no recording. With `live`, at its pace and
-/// shown to it, thoughts and all, and with the same results.
+/// Whoever watches a run: sees its frames, thoughts and all, and sets its pace. The results are the same.
+struct Watch {
+  LiveRun& run;
+  std::function<void()>
+      ready;  ///< called before the first step, when nothing of the input can be wrong any more
+};
+
+/// Runs a scenario, and records it. A run that is stopped leaves no recording.
 RunOutcome run_scenario(const Scenario& scenario, const RecordingChoice& recording,
-                        const std::atomic<bool>* stop, LiveRun* live = nullptr);
+                        const std::atomic<bool>* stop, const Watch* watch = nullptr);
 
 /// An expectation and what came of it.
 struct Judgement {

@@ -187,10 +187,10 @@ test('with --json the address goes to stderr, and with --until-done the run ends
   assert.equal(JSON.parse(run.out).scenario, 'head_on');
 });
 
-test('a port that is taken and flags that mean nothing are one clear line and exit code 2', async () => {
+test('a port that is taken, flags that mean nothing and whatever a run refuses are one clear line and exit code 2', async () => {
   const run = await live('--paused');
   for (const words of [['--live', '--port', String(run.port)], ['--live', '--port', '70000'], ['--live', '--speed', '-1'],
-    ['--live', '--speed', 'nan'], ['--port', '8080'], ['--paused']]) {
+    ['--live', '--speed', 'nan'], ['--live', '--algorithm', 'orca4d'], ['--live', '--out', '/nowhere/run.mcap'], ['--port', '8080'], ['--paused']]) {
     const { status, stdout, stderr } = spawnSync(command, ['run', scenario, ...words], { encoding: 'utf8' });
     assert.equal(status, 2, words.join(' '));
     assert.equal(stdout, '');

@@ -169,22 +169,24 @@ struct LiveServer::Loop {
   net::io_context context{1};
   tcp::acceptor acceptor{context};
   net::steady_timer pause{context};
+  std::uint16_t port{};
   std::jthread thread;
 
-  void open(std::uint16_t port) {
-    const tcp::endpoint place{net::ip::address_v4::loopback(), port};
+  void open(std::uint16_t wished) {
+    const tcp::endpoint place{net::ip::address_v4::loopback(), wished};
     acceptor.open(place.protocol());
     acceptor.set_option(tcp::acceptor::reuse_address(true));
     acceptor.bind(place);
     acceptor.listen();
+    port = acceptor.local_endpoint().port();
   }
 
   void accept() {
     acceptor.async_accept([this](const error_code& error, tcp::socket socket) {
       if (error) return accept_later();
+      accept();
       make_room(hall);
       std::make_shared<LiveConnection>(std::move(socket), hall)->read();
-      accept();
     });
   }
 
@@ -218,7 +220,7 @@ LiveServer::LiveServer(std::uint16_t port, LiveServerLimits limits) : loop_{std:
 
 LiveServer::~LiveServer() { loop_->context.stop(); }
 
-std::uint16_t LiveServer::port() const { return loop_->acceptor.local_endpoint().port(); }
+std::uint16_t LiveServer::port() const { return loop_->port; }
 
 void LiveServer::serve(std::function<LiveAnswer(const LiveRequest&)> answer) {
   loop_->hall.answer = std::move(answer);

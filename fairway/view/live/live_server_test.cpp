@@ -125,8 +125,8 @@ TEST(LiveServer, OneConnectionTooManyDropsTheOneThatHasBeenIdleForLongest) {
 }
 
 TEST(LiveServer, WhoNeverReadsKeepsNobodyWaiting) {
-  LiveServer server{0, {.connections = 3}};
   const std::string much(1U << 25U, 'x');
+  LiveServer server{0, {.connections = 3}};
   server.serve([&](const LiveRequest& asked) {
     return asked.target == "/much" ? LiveAnswer{.status = 200, .body = much} : echo(asked);
   });
