@@ -142,7 +142,14 @@ TEST_F(LiveAnswersTest, ABadQueryIsAnsweredWithOneLineThatSaysWhatWasExpected) {
 TEST_F(LiveAnswersTest, ThePageOfARunStillToBeMadeMayAskItsServerAndNobodyElse) {
   const std::string page =
       live_page(frames.scenario, {.version = "1", .command = "run", .period = 0.1, .explanation = {}});
-  EXPECT_THAT(page, HasSubstr("content=\"default-src 'none'; connect-src 'self'; script-src"));
+  const std::size_t policy = page.find("Content-Security-Policy\" content=\"");
+  ASSERT_NE(policy, std::string::npos);
+  const std::string rules = page.substr(policy, page.find("\">", policy) - policy);
+  EXPECT_THAT(rules, HasSubstr("default-src 'none'"));
+  const std::size_t asking = rules.find("connect-src 'self'");
+  ASSERT_NE(asking, std::string::npos);
+  EXPECT_EQ(rules.find("connect-src", asking + 1),
+            std::string::npos);  // the first one counts, and browsers complain
   EXPECT_THAT(page, Not(HasSubstr("__FAIRWAY_DATA__")));
 }
 

@@ -58,6 +58,7 @@ void LiveRun::write(const Frame& frame) {
 
 void LiveRun::finish() {
   const std::scoped_lock lock{mutex_};
+  film_.finish();
   done_ = true;
 }
 
