@@ -10,6 +10,7 @@ import { join } from 'node:path';
 import { Browser, command_line, root } from './browser.mjs';
 import { look_at_rasters, raster_report } from './raster_checks.mjs';
 import { checks } from './report_checks.mjs';
+import { look_at_known_runs, run_checks, runs_report } from './runs_checks.mjs';
 
 const { path: given, screenshots } = command_line();
 const browser = new Browser('fairway/report/template.html', ['--disable-gpu']);
@@ -30,7 +31,7 @@ async function look_at_report(path) {
         if (screenshots !== null) {
           await page.screenshot({ path: join(screenshots, `report-${width}-${scheme}.png`), fullPage: true });
         }
-        for (const check of checks) await check(page, expect, { width, scheme, context });
+        for (const check of [...checks, ...run_checks]) await check(page, expect, { width, scheme, context });
       });
     }
   }
@@ -45,6 +46,15 @@ const broken = {
   'a box without quartiles': [
     '{"title":"x","sections":[{"title":"A","blocks":[{"kind":"boxes","title":"t","categories":["1"],"series":' +
     '[{"label":"m","boxes":[{"median":1}]}]}]}]}', 'series[0].boxes[0].min'],
+  'a run that is not there': [
+    '{"title":"x","runs":[{"command":"a","seeds":[1,2]}],"sections":[{"title":"A","blocks":[{"kind":"lines","title":"t","series":[],' +
+    '"runs":[[0,2]]}]}]}', 'blocks[0].runs[0][1]: expected a whole number from 0 to 1, found the number 2'],
+  'values for other runs': [
+    '{"title":"x","runs":[{"command":"a","seeds":[1,2]}],"sections":[{"title":"A","blocks":[{"kind":"table","columns":[{"key":"a"}],' +
+    '"rows":[{"a":1,"$runs":[0,1],"$values":[1,2,3]}]}]}]}', 'rows[0].$values: 3 entries for 2 runs'],
+  'a playback elsewhere': [
+    '{"title":"x","runs":[{"command":"a","seeds":[1],"playbacks":{"0":"javascript:alert(1)//.html"}}],"sections":[]}',
+    'runs[0].playbacks.0: expected the path of a page below this one'],
   'markup in texts': [
     JSON.stringify({
       title: '</script><img src=x onerror=alert(1)>', subtitle: '<!-- <script>',
@@ -87,6 +97,7 @@ if (given !== null) {
 } else {
   await look_at_report(browser.write('report.html', readFileSync(join(root, 'viewer/sample/report.json'), 'utf8')));
   await look_at_known_rasters();
+  await open(browser.write('runs.html', runs_report), 'known runs', { width: 1280, scheme: 'light' }, look_at_known_runs);
   await look_at_broken();
 }
 browser.finish();

@@ -33,8 +33,29 @@ function box(values) {
 const sample = (count, centre, spread, tail = 0.04) => Array.from({ length: count }, () =>
   Math.max(0, centre + spread * normal() + (uniform() < tail ? spread * (2 + 4 * uniform()) : 0)));
 
+// The runs that marks and rows lead to: one entry for those that differ in their seeds alone.
+const runs = [];
+let run_count = 0;
+function planned(label, count, playbacks) {
+  const name = label.toLowerCase().replaceAll(' + ', '+').replaceAll(' ', '/');
+  runs.push({
+    label, command: `fairway study cubes --only ${name}/`, seeds: Array.from({ length: count }, (_, i) => i + 1),
+    ...(playbacks === undefined ? {} : { playbacks }),
+  });
+  run_count += count;
+  return [run_count - count, run_count - 1];
+}
+
 const methods = ['APF', 'ORCA', 'APF + SAW', 'ORCA + SAW'];
 const limit = { label: 'time limit', value: 592 };
+
+const tuned_runs = new Map();
+/** 45 runs for each value of a parameter, the same in every panel. */
+function tuned(name, value) {
+  const label = `tuning apf ${name.toLowerCase()}=${value}`;
+  if (!tuned_runs.has(label)) tuned_runs.set(label, planned(label, 45));
+  return tuned_runs.get(label);
+}
 
 function tuning_panels() {
   const parameters = [
@@ -50,7 +71,12 @@ function tuning_panels() {
   ];
   return parameters.flatMap(({ name, unit, values, factor }) => quantities.map(({ title, y, base, spread, y_max, lines }) => ({
     kind: 'boxes', title: `${title} by ${name}`, y_label: y, y_max, categories: values, category_label: name + unit, lines,
-    series: [{ label: 'APF', boxes: values.map((_, i) => box(sample(45, base * factor[i], spread * factor[i]))) }],
+    series: [{
+      label: 'APF', boxes: values.map((value, i) => {
+        const shown = sample(45, base * factor[i], spread * factor[i]);
+        return { ...box(shown), runs: [tuned(name, value)], values: shown.map((each) => round(each)) };
+      }),
+    }],
     marks: name === 'CRIT_DIST' && title === 'Navigation time'
       ? [{ series: 'APF', category: '6', value: 121.4, label: 'published' }, { series: 'APF', category: '20', value: 401.2, label: 'published' }] : [],
   })));
@@ -85,7 +111,9 @@ function comparison_rows() {
     const size = Math.abs(deviation ?? 0);
     const verdict = deviation === null ? 'no_reference'
       : size < 0.025 ? 'reproduced' : size < 0.07 ? 'within_spread' : size < 0.2 ? 'partly' : 'not_reproduced';
+    const behind = planned(`${name} ${method}`, 20, name === 'cube20_8' && method === 'ORCA' ? { 6: 'runs/cube20_8-orca-7.html' } : undefined);
     return {
+      $runs: [behind], $values: sample(20, measured, 6 * half).map((each) => round(each, 1)),
       case: name, method, published: reference, measured: round(measured, 1), low: round(measured - half, 1),
       high: round(measured + half, 1), runs: 20, deviation, verdict,
       note: verdict === 'not_reproduced' ? 'the order in which vehicles wait is not published' : '',
@@ -94,6 +122,8 @@ function comparison_rows() {
 }
 
 const rows = comparison_rows();
+const eight = rows.find((row) => row.case === 'cube20_8' && row.method === 'ORCA');
+const seventh = eight.$runs[0][0] + 6;
 const report = {
   title: 'Four avoidance methods in a cube, as published and as measured',
   subtitle: 'Sample data: the numbers on this page are invented. They show what a report of a study looks like: ' +
@@ -135,7 +165,7 @@ const report = {
             points: cases.map((name) => {
               const row = rows.find((entry) => entry.case === name && entry.method === label);
               return name === 'cube60_4' && label === 'ORCA + SAW' ? null
-                : { value: row.measured, low: row.low, high: row.high, published: row.published };
+                : { value: row.measured, low: row.low, high: row.high, published: row.published, runs: row.$runs, values: row.$values };
             }),
           })),
         },
@@ -177,7 +207,7 @@ const report = {
       id: 'runs', title: 'Single runs',
       paragraphs: ['The run with the smallest gap of each kind. Drag the view to turn it, or use the arrow keys; the slider moves through time.'],
       blocks: [
-        { kind: 'trajectories', title: 'Eight vehicles with ORCA through the small cube, seed 7', ...avoidance_runs() },
+        { kind: 'trajectories', title: 'Eight vehicles with ORCA through the small cube, seed 7', runs: [seventh], ...avoidance_runs() },
         { kind: 'lines', title: 'Smallest gap between any two vehicles', x_label: 'time [s]', y_label: 'gap [m]', series: gap_curves(methods), lines: [{ label: 'collision', value: 2 }] },
         { kind: 'note', tone: 'warning', text: 'Two runs of APF ended in contact: vehicles 2 and 5 met head-on while both turned on the spot.' },
         {
@@ -196,5 +226,6 @@ const report = {
   ],
 };
 
+report.runs = runs;
 const target = fileURLToPath(new URL('./report.json', import.meta.url));
 writeFileSync(target, JSON.stringify(report) + '\n');

@@ -24,7 +24,8 @@ export async function copy_text(text: string): Promise<boolean> {
   } catch {
     const area = h('textarea', { class: 'offscreen', 'aria-hidden': 'true' });
     area.value = text;
-    document.body.append(area);
+    // Nothing outside an open dialog can be selected.
+    (document.querySelector('dialog[open]') ?? document.body).append(area);
     area.select();
     const copied = document.execCommand('copy');
     area.remove();

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The document from JSON text. What cannot be read is said where it would have stood: a block that is
 // wrong becomes a message in its place, and the others are shown.
+import { decode_made, decode_runs } from './decode_runs';
 import type {
-  Block, BoxesBlock, Cell, Column, Document, GridBlock, IntervalsBlock, LinesBlock, NoteBlock, Point, Range, RasterBlock,
-  Rule, Section, TableBlock, TrajectoriesBlock,
+  Block, BoxesBlock, Cell, Column, Document, GridBlock, IntervalsBlock, LinesBlock, Made, NoteBlock, Point, Range, RasterBlock,
+  Row, Rule, Run, Section, TableBlock, TrajectoriesBlock,
 } from './model';
 import { DataError, Reader } from '../common/reader';
 
@@ -30,20 +31,31 @@ function column(at: Reader): Column {
   };
 }
 
-function table(at: Reader): TableBlock {
+/** The runs behind what is read at `at`. */
+const made_at = (at: Reader, runs: readonly Run[]): Made | null => decode_made(at.at('runs'), at.at('values'), runs);
+
+function table(at: Reader, runs: readonly Run[]): TableBlock {
   const columns = at.at('columns').list(column);
   const keys = columns.map((entry) => entry.key);
+  const made = new Map<Row, Made>();
+  const rows = at.at('rows').list((entry) => {
+    const row: Row = Object.fromEntries(keys.map((key) => [key, cell(entry.at(key))]));
+    const behind = decode_made(entry.at('$runs'), entry.at('$values'), runs);
+    if (behind !== null) made.set(row, behind);
+    return row;
+  });
   return {
     kind: 'table',
     title: at.at('title').text(''),
     note: at.at('note').text(''),
     columns,
-    rows: at.at('rows').list((row) => Object.fromEntries(keys.map((key) => [key, cell(row.at(key))]))),
+    rows,
     filter: at.at('filter').list((entry) => entry.one_of(keys), true),
+    made,
   };
 }
 
-function boxes(at: Reader): BoxesBlock {
+function boxes(at: Reader, runs: readonly Run[]): BoxesBlock {
   const categories = at.at('categories').list((entry) => String(cell(entry)));
   return {
     kind: 'boxes',
@@ -64,6 +76,7 @@ function boxes(at: Reader): BoxesBlock {
           mean: box.at('mean').number_or_null(),
           outliers: box.at('outliers').list((value) => value.number(), true),
           count: box.at('count').number_or_null(),
+          made: made_at(box, runs),
         }),
     })),
     lines: at.at('lines').list(rule, true),
@@ -76,7 +89,7 @@ function boxes(at: Reader): BoxesBlock {
   };
 }
 
-function intervals(at: Reader): IntervalsBlock {
+function intervals(at: Reader, runs: readonly Run[]): IntervalsBlock {
   const categories = at.at('categories').list((entry) => String(cell(entry)));
   return {
     kind: 'intervals',
@@ -95,6 +108,7 @@ function intervals(at: Reader): IntervalsBlock {
           low: point.at('low').number_or_null() ?? value,
           high: point.at('high').number_or_null() ?? value,
           published: point.at('published').number_or_null(),
+          made: made_at(point, runs),
         };
       }),
     })),
@@ -102,7 +116,7 @@ function intervals(at: Reader): IntervalsBlock {
   };
 }
 
-function lines(at: Reader): LinesBlock {
+function lines(at: Reader, runs: readonly Run[]): LinesBlock {
   return {
     kind: 'lines',
     title: at.at('title').text(''),
@@ -113,6 +127,7 @@ function lines(at: Reader): LinesBlock {
       return { label: entry.at('label').text(), x, y: entry.at('y').list_for(x.length, 'values of x', numbers_or_null) };
     }),
     lines: at.at('lines').list(rule, true),
+    made: made_at(at, runs),
   };
 }
 
@@ -154,7 +169,7 @@ function point(at: Reader): Point {
   return [n!, e!, d!];
 }
 
-function trajectories(at: Reader): TrajectoriesBlock {
+function trajectories(at: Reader, runs: readonly Run[]): TrajectoriesBlock {
   return {
     kind: 'trajectories',
     title: at.at('title').text(''),
@@ -163,7 +178,8 @@ function trajectories(at: Reader): TrajectoriesBlock {
       const same = (key: string): number[] =>
         entry.at(key).list_for(n.length, 'values of n', (value) => value.number());
       const d = entry.at('d').absent ? n.map(() => 0) : same('d');
-      return { label: entry.at('label').text(), n, e: same('e'), d, t: entry.at('t').absent ? [] : same('t') };
+      const t = entry.at('t').absent ? [] : same('t');
+      return { label: entry.at('label').text(), n, e: same('e'), d, t, made: made_at(entry, runs) };
     }),
     goals: at.at('goals').list(point, true),
     spheres: at.at('spheres').list((entry) => ({
@@ -171,16 +187,17 @@ function trajectories(at: Reader): TrajectoriesBlock {
       radius: entry.at('radius').number(),
       label: entry.at('label').text(''),
     }), true),
+    made: made_at(at, runs),
   };
 }
 
-function grid(at: Reader): GridBlock {
+function grid(at: Reader, runs: readonly Run[]): GridBlock {
   const columns = at.at('columns').absent ? 2 : at.at('columns').number();
   return {
     kind: 'grid',
     title: at.at('title').text(''),
     columns: Math.max(1, Math.min(6, Math.round(columns))),
-    blocks: at.at('blocks').list(block),
+    blocks: at.at('blocks').list((entry) => block(entry, runs)),
   };
 }
 
@@ -195,21 +212,21 @@ function note(at: Reader): NoteBlock {
 const readers = { table, boxes, intervals, lines, raster, trajectories, grid, note };
 const kinds = Object.keys(readers) as (keyof typeof readers)[];
 
-function block(at: Reader): Block {
+function block(at: Reader, runs: readonly Run[]): Block {
   try {
-    return readers[at.at('kind').one_of(kinds)](at);
+    return readers[at.at('kind').one_of(kinds)](at, runs);
   } catch (error) {
     if (!(error instanceof DataError)) throw error;
     return { kind: 'problem', text: `This part of the data cannot be shown. ${error.message}` };
   }
 }
 
-function section(at: Reader): Section {
+function section(at: Reader, runs: readonly Run[]): Section {
   return {
     id: at.at('id').text(''),
     title: at.at('title').text(),
     paragraphs: at.at('paragraphs').list((entry) => entry.text(), true),
-    blocks: at.at('blocks').list(block, true),
+    blocks: at.at('blocks').list((entry) => block(entry, runs), true),
   };
 }
 
@@ -222,6 +239,7 @@ export function decode(json: string): Document {
     throw new DataError(`the data are not JSON: ${error instanceof Error ? error.message : String(error)}`);
   }
   const at = new Reader(value, '');
+  const runs = decode_runs(at.at('runs'));
   return {
     title: at.at('title').text(),
     subtitle: at.at('subtitle').text(''),
@@ -231,6 +249,6 @@ export function decode(json: string): Document {
       label: fact.at('label').text(),
       value: String(cell(fact.at('value')) ?? '–'),
     }), true),
-    sections: at.at('sections').list(section),
+    sections: at.at('sections').list((entry) => section(entry, runs)),
   };
 }

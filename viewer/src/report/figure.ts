@@ -6,6 +6,7 @@ import { hide_tip, show_tip } from '../common/tooltip';
 import type { Chart, Drawing, LegendEntry, Target } from './charts/chart';
 import { to_csv } from './csv';
 import { legend } from './legend';
+import { count_of, show_runs } from './runs_panel';
 import { standalone_svg } from './saved_svg';
 import { table_body } from './table';
 
@@ -24,6 +25,8 @@ class Plot {
   private readonly cursor = s('g', { class: 'cursor', 'aria-hidden': 'true' });
   private drawing: Drawing | null = null;
   private selected = -1;
+  private target: Target | null = null;
+  private pressed = { x: 0, y: 0, ready: true };
   private width = 0;
 
   constructor(private readonly chart: Chart, private readonly hidden: Set<string>, private readonly compact: boolean,
@@ -31,7 +34,8 @@ class Plot {
     this.element = h('div', { class: 'plot', tabindex: 0, role: 'group', 'aria-label': `${label}. ${chart.summary}` });
     this.element.addEventListener('pointermove', (event) => this.point_at(event));
     this.element.addEventListener('pointerleave', () => this.leave());
-    this.element.addEventListener('pointerdown', (event) => this.point_at(event));
+    this.element.addEventListener('pointerdown', (event) => this.press(event));
+    this.element.addEventListener('click', (event) => this.choose(event));
     this.element.addEventListener('keydown', (event) => this.step(event));
     this.element.addEventListener('blur', () => this.leave());
     new ResizeObserver(() => {
@@ -66,13 +70,41 @@ class Plot {
 
   private leave(): void {
     this.selected = -1;
+    this.target = null;
+    this.element.classList.remove('leads');
     this.cursor.replaceChildren();
     hide_tip();
   }
 
   private show(target: Target, x: number, y: number): void {
+    this.target = target;
     this.cursor.replaceChildren(...target.cursor());
-    show_tip(target.tip(), x, y);
+    this.element.classList.toggle('leads', target.runs != null);
+    const tip = target.tip();
+    if (target.runs != null) tip.rows.push({ label: 'click or Enter', value: `lists ${count_of(target.runs.made)}` });
+    show_tip(tip, x, y);
+  }
+
+  /** A finger first shows what it points at and then, at the same place, where that leads. */
+  private press(event: PointerEvent): void {
+    const before = this.element.classList.contains('leads') ? this.cursor.innerHTML : '';
+    this.point_at(event);
+    this.pressed = {
+      x: event.clientX, y: event.clientY,
+      ready: event.pointerType !== 'touch' || (before !== '' && before === this.cursor.innerHTML),
+    };
+  }
+
+  private choose(event: MouseEvent): void {
+    const moved = Math.hypot(event.clientX - this.pressed.x, event.clientY - this.pressed.y);
+    if (moved < 6 && this.pressed.ready) this.open();
+  }
+
+  private open(): void {
+    const runs = this.target?.runs;
+    if (runs == null) return;
+    this.leave();
+    show_runs(runs.title, runs.made);
   }
 
   private point_at(event: PointerEvent): void {
@@ -89,6 +121,11 @@ class Plot {
   private step(event: KeyboardEvent): void {
     const targets = this.drawing?.targets ?? [];
     if (event.key === 'Escape') return this.leave();
+    if (event.key === 'Enter') {
+      // Else the same key would press the first button of what opens.
+      event.preventDefault();
+      return this.open();
+    }
     if (targets.length === 0 || (event.key !== 'ArrowRight' && event.key !== 'ArrowLeft')) return;
     event.preventDefault();
     const by = event.key === 'ArrowRight' ? 1 : -1;
@@ -117,6 +154,18 @@ function data_button(chart: Chart, panel: HTMLElement): HTMLButtonElement {
   return button;
 }
 
+/** Where one run or a few made the whole drawing. */
+function runs_button(chart: Chart, title: string): HTMLButtonElement | null {
+  const made = chart.made ?? null;
+  if (made === null) return null;
+  const button = h('button', {
+    type: 'button', class: 'action', 'aria-haspopup': 'dialog', title: 'Show the runs that made this chart',
+    'aria-label': 'Show the runs that made this chart',
+  }, made.runs.length === 1 ? 'Run' : 'Runs');
+  button.addEventListener('click', () => show_runs(title, made));
+  return button;
+}
+
 export function figure(chart: Chart, options: FigureOptions): HTMLElement {
   const { id, number, title, compact, shared } = options;
   const hidden = shared?.hidden ?? new Set<string>();
@@ -141,6 +190,7 @@ export function figure(chart: Chart, options: FigureOptions): HTMLElement {
     const data = chart.data();
     save_text(`${name}.csv`, 'text/csv', to_csv(data, data.rows));
   });
+  const runs = runs_button(chart, title || number);
   const panel = h('div', { class: 'data-panel', id: `${id}-data`, hidden: true });
 
   const controls = chart.controls?.(redraw);
@@ -152,7 +202,7 @@ export function figure(chart: Chart, options: FigureOptions): HTMLElement {
   const caption = h('figcaption', {},
     number === '' ? null : h('a', { class: 'ref', href: `#${id}` }, number), h('span', { class: 'title' }, title));
   return h('figure', { class: `figure chart-${options.kind}${compact ? ' compact' : ''}`, id },
-    h('div', { class: 'head' }, caption, h('div', { class: 'actions' }, data_button(chart, panel), csv, save)),
+    h('div', { class: 'head' }, caption, h('div', { class: 'actions' }, runs, data_button(chart, panel), csv, save)),
     shared === null && chart.legend.length > 0 ? legend(chart.legend, hidden, redraw) : null,
     controls === undefined ? null : controls_box, plot.element, panel);
 }

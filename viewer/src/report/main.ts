@@ -3,6 +3,7 @@ import '../common/tokens.css';
 import '../common/parts.css';
 import './page.css';
 import './chart.css';
+import './runs.css';
 import './print.css';
 import { embedded_text, show_problem } from '../common/problem';
 import { decode } from './decode';

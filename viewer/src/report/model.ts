@@ -10,6 +10,21 @@ export interface Document {
   sections: Section[];
 }
 
+/** One run: what it was called, and the command line that makes it alone. */
+export interface Run {
+  label: string;
+  seed: string;
+  /** Empty where it is not known. */
+  command: string;
+  /** A page beside this one that plays it. */
+  playback: string | null;
+}
+/** The runs behind a mark or a row, in order; `values` is empty or has as many for each of them. */
+export interface Made {
+  runs: readonly Run[];
+  values: readonly (number | null)[];
+}
+
 export interface Section {
   id: string;
   title: string;
@@ -30,13 +45,16 @@ export interface Column {
   type: ColumnType;
   digits: number | null;
 }
+export type Row = Record<string, Cell>;
 export interface TableBlock {
   kind: 'table';
   title: string;
   note: string;
   columns: Column[];
-  rows: Record<string, Cell>[];
+  rows: Row[];
   filter: string[];
+  /** Of the rows that lead to their runs. */
+  made?: ReadonlyMap<Row, Made>;
 }
 
 export interface Box {
@@ -48,6 +66,7 @@ export interface Box {
   mean: number | null;
   outliers: number[];
   count: number | null;
+  made: Made | null;
 }
 export interface Rule {
   label: string;
@@ -76,6 +95,7 @@ export interface IntervalPoint {
   low: number;
   high: number;
   published: number | null;
+  made: Made | null;
 }
 export interface IntervalsBlock {
   kind: 'intervals';
@@ -95,6 +115,7 @@ export interface LinesBlock {
   y_label: string;
   series: { label: string; x: (number | null)[]; y: (number | null)[] }[];
   lines: Rule[];
+  made: Made | null;
 }
 
 export type Range = readonly [low: number, high: number];
@@ -120,6 +141,7 @@ export interface Vehicle {
   e: number[];
   d: number[];
   t: number[];
+  made: Made | null;
 }
 export interface TrajectoriesBlock {
   kind: 'trajectories';
@@ -127,6 +149,7 @@ export interface TrajectoriesBlock {
   vehicles: Vehicle[];
   goals: Point[];
   spheres: { centre: Point; radius: number; label: string }[];
+  made: Made | null;
 }
 
 export interface GridBlock {

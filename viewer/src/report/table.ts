@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tables that sort, filter and leave as CSV.
+// Tables that sort, filter, lead to their runs, and leave as CSV and LaTeX.
 import type { Palette } from '../common/colour';
 import { h, slug } from '../common/dom';
 import { fixed } from '../common/format';
 import { action_button, copy_text, save_text } from '../common/save';
 import { cell_writer, compare_cells, verdict_chip, verdicts } from './cells';
 import { to_csv } from './csv';
-import type { Column, TableBlock } from './model';
+import { to_latex } from './latex';
+import type { Column, Row, TableBlock } from './model';
+import { count_of, show_runs } from './runs_panel';
 
 /** More rows than this are not drawn; CSV has them all. */
 const most_rows = 1000;
-
-type Row = TableBlock['rows'][number];
 
 export interface TableView {
   element: HTMLElement;
@@ -22,6 +22,25 @@ export interface TableView {
 }
 
 const numeric = ({ type }: Column): boolean => type === 'number' || type === 'deviation';
+
+/** A row; where its runs are known a click leads to them, and a button in its first cell does. */
+function leading_row(block: TableBlock, row: Row, cells: HTMLElement[]): HTMLElement {
+  const made = block.made?.get(row);
+  const first = cells[0];
+  if (made === undefined || first === undefined) return h('tr', {}, ...cells);
+  const texts = block.columns.filter(({ type }) => type === 'text').map(({ key }) => String(row[key] ?? ''));
+  const title = texts.filter((text) => text !== '' && text.length <= 30).join(', ');
+  const button = h('button', {
+    type: 'button', class: 'row-runs', 'aria-haspopup': 'dialog', title: `Show ${count_of(made)}`,
+  }, ...first.childNodes);
+  first.replaceChildren(button);
+  const element = h('tr', { class: 'leads' }, ...cells);
+  element.addEventListener('click', () => {
+    // Whoever selects text in a row wants the text.
+    if (getSelection()?.isCollapsed !== false) show_runs(title || block.title, made);
+  });
+  return element;
+}
 
 /** The scrolling table itself. */
 export function table_body(block: TableBlock, label: string, palette: Palette | null = null): TableView {
@@ -42,9 +61,12 @@ export function table_body(block: TableBlock, label: string, palette: Palette | 
   };
   const refresh = (): void => {
     const shown = rows();
-    body.replaceChildren(...shown.slice(0, most_rows).map((row) => h('tr', {}, ...block.columns.map((column, i) =>
-      h(i === 0 ? 'th' : 'td', { class: kinds[i], scope: i === 0 ? 'row' : undefined },
-        writers[i]!(row[column.key] ?? null))))));
+    body.replaceChildren(...shown.slice(0, most_rows).map((row) => {
+      const cells = block.columns.map((column, i) => h(i === 0 ? 'th' : 'td', {
+        class: kinds[i], scope: i === 0 ? 'row' : undefined,
+      }, writers[i]!(row[column.key] ?? null)));
+      return leading_row(block, row, cells);
+    }));
     if (shown.length > most_rows) {
       body.append(h('tr', {}, h('td', { class: 'text', colspan: block.columns.length },
         `… ${fixed(shown.length - most_rows, 0)} more rows; CSV has them all`)));
@@ -127,7 +149,9 @@ export function table(block: TableBlock, id: string, number: string, palette: Pa
   });
   const actions = h('div', { class: 'actions' },
     action_button('Copy', 'Copy the rows shown as CSV', 'copied', () => copy_text(to_csv(block, view.rows()))),
-    action_button('CSV', 'Save the rows shown as CSV', 'saved', () => save_text(`${name}.csv`, 'text/csv', to_csv(block, view.rows()))));
+    action_button('CSV', 'Save the rows shown as CSV', 'saved', () => save_text(`${name}.csv`, 'text/csv', to_csv(block, view.rows()))),
+    action_button('LaTeX', 'Save the rows shown as a LaTeX table', 'saved',
+      () => save_text(`${name}.tex`, 'text/x-tex', to_latex(block, view.rows(), name))));
   const filters = block.filter.map((key) => filter_box(block, key, view));
   return h('figure', { class: 'table', id },
     h('div', { class: 'head' },

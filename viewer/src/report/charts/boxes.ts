@@ -7,7 +7,7 @@ import { bands } from '../../common/scale';
 import type { Tip } from '../../common/tooltip';
 import type { Box, BoxesBlock, Column } from '../model';
 import { canvas, category_layout, draw_bands, draw_categories } from './cartesian';
-import { pick_along_x, type Chart, type Drawing, type LegendEntry, type Palettes, type Target, type View } from './chart';
+import { leads_to, pick_along_x, type Chart, type Drawing, type LegendEntry, type Palettes, type Target, type View } from './chart';
 
 function box_tip(block: BoxesBlock, category: number, series: number, box: Box, colour: string): Tip {
   const { label } = block.series[series]!;
@@ -81,6 +81,7 @@ function draw(block: BoxesBlock, { series: palette }: Palettes, view: View): Dra
       on.marks.append(s('g', { colour, 'stroke-dasharray': dash || undefined }, ...box_marks(box, x, layout.slot, on.y, on.y.domain[1], top)));
       targets.push({
         x, y: Math.max(top, on.y(box.median)), tip: () => box_tip(block, c, i, box, colour),
+        runs: leads_to(box.made, block.title, label, category),
         cursor: () => [s('rect', {
           class: 'slot', x: x - layout.slot / 2, y: top, width: layout.slot, height: bottom - top, rx: 3,
         })],

@@ -2,7 +2,7 @@
 // What a chart is to the figure around it.
 import type { Palette, Shape } from '../../common/colour';
 import type { Tip } from '../../common/tooltip';
-import type { TableBlock } from '../model';
+import type { Made, TableBlock } from '../model';
 
 export interface LegendEntry {
   label: string;
@@ -28,6 +28,8 @@ export interface Target {
   tip(): Tip;
   /** Drawn while it is pointed at. */
   cursor(): SVGElement[];
+  /** The runs behind it, under their own title. */
+  runs?: { title: string; made: Made } | null;
 }
 
 export interface Drawing {
@@ -45,6 +47,8 @@ export interface Chart {
   /** The numbers behind the drawing. */
   data(): TableBlock;
   draw(view: View): Drawing;
+  /** The runs behind the drawing as a whole. */
+  made?: Made | null;
   /** Buttons and sliders of this kind of chart. */
   controls?(redraw: () => void): HTMLElement;
   /** Gestures on the drawing, beyond pointing; once per figure. */
@@ -54,6 +58,11 @@ export interface Chart {
 export interface Palettes {
   series: Palette;
   vehicles: Palette;
+}
+
+/** What a target leads to; nothing where the runs are not known. */
+export function leads_to(made: Made | null, ...title: string[]): { title: string; made: Made } | null {
+  return made === null ? null : { title: title.filter((part) => part !== '').join(', '), made };
 }
 
 /** The target nearest in x among those within reach; for charts whose targets stand side by side. */

@@ -6,7 +6,7 @@ import { short } from '../../common/format';
 import { bands } from '../../common/scale';
 import type { Column, IntervalPoint, IntervalsBlock } from '../model';
 import { canvas, category_layout, draw_bands, draw_categories } from './cartesian';
-import { pick_along_x, type Chart, type Drawing, type Palettes, type Target, type View } from './chart';
+import { leads_to, pick_along_x, type Chart, type Drawing, type Palettes, type Target, type View } from './chart';
 
 function draw(block: IntervalsBlock, { series: palette }: Palettes, view: View): Drawing {
   const shown = block.series.filter(({ label }) => !view.hidden.has(label));
@@ -59,6 +59,7 @@ function draw(block: IntervalsBlock, { series: palette }: Palettes, view: View):
     targets.push({
       x: centre, y,
       tip: () => ({ title: `${label}, ${category}`, rows: tip_rows(point, colour) }),
+      runs: leads_to(point.made, block.title, label, category),
       cursor: () => [s('rect', {
         class: 'slot', x: centre - layout.slot / 2, y: top, width: layout.slot, height: bottom - top, rx: 3,
       })],
@@ -102,7 +103,10 @@ export function intervals_chart(block: IntervalsBlock, palettes: Palettes): Char
         ...['value', 'low', 'high', 'published'].map((key) => column(key, key, 'number')),
       ],
       rows: block.series.flatMap(({ label, points }) => points.flatMap((point, i) =>
-        point === null ? [] : [{ category: block.categories[i]!, series: label, ...point }])),
+        point === null ? [] : [{
+          category: block.categories[i]!, series: label, value: point.value, low: point.low, high: point.high,
+          published: point.published,
+        }])),
     }),
     draw: (view) => draw(block, palettes, view),
   };

@@ -5,7 +5,7 @@ import { finite, short } from '../../common/format';
 import { linear, type Scale } from '../../common/scale';
 import type { LinesBlock } from '../model';
 import { canvas, draw_x_ticks } from './cartesian';
-import { pick_along_x, type Chart, type Drawing, type Palettes, type Target, type View } from './chart';
+import { leads_to, pick_along_x, type Chart, type Drawing, type Palettes, type Target, type View } from './chart';
 
 interface Curve {
   label: string;
@@ -108,6 +108,7 @@ function draw(block: LinesBlock, curves: Curve[], view: View): Drawing {
     });
     return {
       x: x(value), y: (top + bottom) / 2,
+      runs: leads_to(block.made, block.title),
       tip: () => ({
         title: `${block.x_label || 'x'}: ${short(value)}`,
         rows: readings().sort((a, b) => b.point.y - a.point.y)
@@ -147,5 +148,6 @@ export function lines_chart(block: LinesBlock, palettes: Palettes): Chart {
       rows: curves.flatMap(({ label, points }) => points.map(({ x, y }) => ({ series: label, x, y }))),
     }),
     draw: (view) => draw(block, curves, view),
+    made: block.made,
   };
 }

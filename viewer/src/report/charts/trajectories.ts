@@ -2,9 +2,9 @@
 // Where the vehicles went: a view that can be turned, with plan and elevation beside it where there is room.
 import { h, s } from '../../common/dom';
 import { fixed, short } from '../../common/format';
-import type { Point, TrajectoriesBlock } from '../model';
+import type { Made, Point, TrajectoriesBlock } from '../model';
 import { time_controls } from './time_controls';
-import type { Chart, Drawing, Palettes, Target, View } from './chart';
+import { leads_to, type Chart, type Drawing, type Palettes, type Target, type View } from './chart';
 import { outline_ratio, type Bounds, type Camera, type Projection, type Rect } from './projection';
 import { draw_scene, goal_colours, type Scene, type Track } from './scene';
 
@@ -58,6 +58,17 @@ interface Placed {
   rect: Rect;
 }
 
+/** The runs behind one vehicle, or behind all of the figure. */
+function made_of(block: TrajectoriesBlock, label: string): Made | null {
+  return block.vehicles.find((vehicle) => vehicle.label === label)?.made ?? block.made;
+}
+
+/** The runs behind the figure, each once. */
+function all_made(block: TrajectoriesBlock): Made | null {
+  const runs = [...new Set([block.made, ...block.vehicles.map(({ made }) => made)].flatMap((made) => made?.runs ?? []))];
+  return runs.length === 0 ? null : { runs, values: [] };
+}
+
 function pick_point(scene: Scene, placed: Placed[], x: number, y: number): Target | null {
   const inside = placed.find(({ rect }) =>
     x >= rect.x && x <= rect.x + rect.width && y >= rect.y && y <= rect.y + rect.height);
@@ -85,6 +96,7 @@ function pick_point(scene: Scene, placed: Placed[], x: number, y: number): Targe
       ],
     }),
     cursor: () => [s('circle', { colour: track.colour, class: 'dot', cx: at[0], cy: at[1], r: 5 })],
+    runs: leads_to(made_of(scene.block, track.label), scene.block.title, track.label),
   };
 }
 
@@ -197,6 +209,7 @@ export function trajectories_chart(block: TrajectoriesBlock, palettes: Palettes)
         ({ vehicle: label, t: t[i] ?? null, n: n[i]!, e: e[i]!, d: d[i]! }))),
     }),
     draw: (view) => draw(scene, state, flat, view),
+    made: all_made(block),
     controls: (redraw) => {
       const shown = flat ? null : view_buttons(state, redraw);
       const bar = h('div', { class: 'controls' }, shown,
