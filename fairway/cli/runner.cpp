@@ -11,25 +11,16 @@
 #include "fairway/core/names.hpp"
 #include "fairway/core/text.hpp"
 #include "fairway/experiment/measure_run.hpp"
-#include "fairway/experiment/version.hpp"
+#include "fairway/experiment/recording_info.hpp"
 #include "fairway/record/recording_writer.hpp"
-#include "fairway/scenario/load.hpp"
 
 namespace fairway::cli {
 namespace {
 
 RecordingInfo info_of(const Scenario& scenario, const RecordingChoice& choice) {
-  RecordingInfo info{.version = std::string(fairway_version),
-                     .scenario_name = scenario.name,
-                     .scenario_yaml = to_yaml(scenario),
-                     .seed = scenario.seed,
-                     .period = scenario.step_s,
-                     .vehicles = {},
-                     .perception = choice.perception,
-                     .sketches = choice.sketches};
-  for (const VehicleSpec& vehicle : scenario.vehicles) {
-    info.vehicles.push_back({VehicleId{vehicle.id}, vehicle.name, vehicle.model.name});
-  }
+  RecordingInfo info = recording_info(scenario);
+  info.perception = choice.perception;
+  info.sketches = choice.sketches;
   return info;
 }
 

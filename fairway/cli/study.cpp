@@ -8,6 +8,8 @@
 #include <optional>
 
 #include "fairway/cli/program.hpp"
+#include "fairway/cli/study_run.hpp"
+#include "fairway/experiment/executor.hpp"
 #include "fairway/report/page.hpp"
 
 namespace fairway::cli {
@@ -20,6 +22,8 @@ struct StudyFlags {
   std::string out;
   bool json{false};
   std::vector<std::string> overrides;
+  std::string only;
+  std::string record;
 };
 
 /// "path=value" for each, as `--set` takes them.
@@ -50,8 +54,8 @@ void write_file(const std::filesystem::path& path, const std::string& text) {
   if (!file) throw InputError(path.string() + ": cannot be written");
 }
 
-std::filesystem::path prepared(const std::string& out, const std::string& name) {
-  std::filesystem::path directory = std::filesystem::path(out) / name;
+std::filesystem::path prepared(const std::string& out, const std::string& name, const char* part) {
+  std::filesystem::path directory = std::filesystem::path(out) / name / part;
   std::error_code error;
   std::filesystem::create_directories(directory, error);
   if (error) throw InputError(directory.string() + ": cannot be made a folder: " + error.message());
@@ -69,23 +73,66 @@ void write_results(const std::filesystem::path& directory, const Study& study, c
   write_page(page_under(overrides, result.page).dump(), (directory / "report.html").string());
 }
 
+/// Makes the playbacks of the runs that figures show, unless they are there.
+void keep_playback(const std::filesystem::path& directory, const ShownRun& run) {
+  const std::filesystem::path page = directory / playback_path(run.spec);
+  if (std::filesystem::exists(page)) return;
+  try {
+    make_shown(run, {.recording = {}, .playback = page});
+  } catch (const RunAbandoned&) {
+    // the study notices by itself that it is to stop
+  }
+}
+
+/// `study --only`: one run, its measures, and what is to be kept of it.
+int show_only(const Study& study, const StudyFlags& flags, const Program& program) {
+  const std::filesystem::path directory =
+      flags.out.empty() ? "" : prepared(flags.out, std::string(study.name), "runs").parent_path();
+  const auto show = [&](const ShownRun& run) {
+    const KeptRun kept{.recording = flags.record,
+                       .playback = flags.out.empty() ? "" : directory / playback_path(run.spec)};
+    print_shown(run, make_shown(run, kept), flags.json);
+    if (!kept.playback.empty() && !flags.json)
+      std::cout << "playback: " << std::filesystem::absolute(kept.playback).string() << "\n";
+  };
+  try {
+    study.run({.seeds = flags.seeds,
+               .stop = program.stop,
+               .overrides = overrides_of(flags.overrides),
+               .only = flags.only,
+               .show = show});
+  } catch (const RunAbandoned&) {
+    std::cerr << "fairway: interrupted\n";
+    return interrupted;
+  }
+  return ok;
+}
+
 int run_study(const Study& study, const StudyFlags& flags, const Program& program) {
   const std::string name{study.name};
   std::optional<Store> store;
   std::filesystem::path directory;
   if (!flags.out.empty()) {
-    directory = prepared(flags.out, name);
+    directory = prepared(flags.out, name, "runs").parent_path();
     store.emplace(Store::open((directory / "results.sqlite").string()));
   }
   const Overrides overrides = overrides_of(flags.overrides);
   Progress progress{name};
-  const StudyResult result = study.run({.jobs = flags.jobs,
-                                        .seeds = flags.seeds,
-                                        .store = store ? &*store : nullptr,
-                                        .progress = &progress,
-                                        .stop = program.stop,
-                                        .command = program.typed,
-                                        .overrides = overrides});
+  StudyOptions options{.jobs = flags.jobs,
+                       .seeds = flags.seeds,
+                       .store = store ? &*store : nullptr,
+                       .progress = &progress,
+                       .stop = program.stop,
+                       .command = program.typed,
+                       .overrides = overrides};
+  if (store) {
+    options.show = [&](const ShownRun& run) { keep_playback(directory, run); };
+    options.playback = [&](const RunSpec& spec) {
+      const std::string path = playback_path(spec);
+      return std::filesystem::exists(directory / path) ? path : std::string();
+    };
+  }
+  const StudyResult result = study.run(options);
   if (!result.complete) {
     std::cerr << "fairway: interrupted; "
               << (store ? "the same command goes on from here" : "nothing was kept (no --out)") << "\n";
@@ -112,7 +159,9 @@ void add_study(CLI::App& app, Program& program) {
   verb->footer(
       "Example: fairway study cubes --seeds 20 --out results\n"
       "With --out, results are kept there as they come, and the same command continues after an "
-      "interruption.");
+      "interruption.\n"
+      "One run alone, as the report names it: fairway study cubes --only cube20_8/orca3d/corrected/1 --out "
+      "results");
   auto flags = std::make_shared<StudyFlags>();
   verb->add_option("names", flags->names, "as `fairway list studies` shows them")->required();
   verb->add_option("--jobs", flags->jobs, "threads; 0 = as many as the machine has")->capture_default_str();
@@ -122,10 +171,16 @@ void add_study(CLI::App& app, Program& program) {
   verb->add_option("--out", flags->out, "folder for results, rows and the report");
   verb->add_flag("--json", flags->json, "print the rows as JSON");
   verb->add_option("--set", flags->overrides, "path=value, put into every scenario of the study");
+  CLI::Option* only = verb->add_option(
+      "--only", flags->only,
+      "make this run alone and print its measures: a name as reports show it, or its beginning");
+  verb->add_option("--record", flags->record, "record that run to this MCAP file")->needs(only);
   verb->callback([=, &program] {
     program.chosen = [=, &program] {
       std::vector<const Study*> studies;
       for (const std::string& name : flags->names) studies.push_back(&find_study(name));
+      if (!flags->only.empty() && studies.size() > 1) throw InputError("--only is of one study");
+      if (!flags->only.empty()) return show_only(*studies.front(), *flags, program);
       for (const Study* study : studies) {
         if (const int code = run_study(*study, *flags, program); code != ok) return code;
       }

@@ -121,13 +121,7 @@ bool show_again(const Recording& recording, const Scenario& scenario, const std:
 
 /// What the recording itself holds of what vehicles thought is enough for --sketch.
 bool holds_thoughts(const Recording& recording) {
-  if (!recording.info().perception) return false;
-  for (std::size_t i = 0; i < recording.size(); ++i) {
-    for (const VehicleFrame& vehicle : recording.frame(i).vehicles) {
-      if (!vehicle.strokes.empty()) return true;
-    }
-  }
-  return false;
+  return recording.info().perception && recording.info().sketches;
 }
 
 void check_window(const Recording& recording, const ViewOptions& options, const Film& film) {

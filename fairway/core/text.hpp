@@ -11,6 +11,9 @@ namespace fairway {
 /// The shortest decimal that reads back as the same double; "inf", "-inf" and "nan" spelled so.
 std::string number_text(double value);
 
+/// `text` as one word of a POSIX shell: as it is where nothing in it means anything to a shell, else quoted.
+std::string shell_word(std::string_view text);
+
 /// What a word on the command line means: "true"/"false", a number, or else text.
 ParamValue parse_value(std::string_view text);
 

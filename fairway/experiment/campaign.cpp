@@ -11,6 +11,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "fairway/core/text.hpp"
 #include "fairway/experiment/campaign_file.hpp"
 #include "fairway/experiment/digest.hpp"
 #include "fairway/experiment/labels.hpp"
@@ -118,6 +119,13 @@ std::string key_of(const CampaignCell& cell, Scenario scenario) {
   return digest.hex();
 }
 
+/// `fairway run` with all that the cell sets, up to the seed.
+std::string command_for(const Campaign& campaign, const CampaignCell& cell) {
+  std::string command = "fairway run " + shell_word(campaign.scenarios[cell.scenario].file);
+  for (const auto& [path, value] : cell.overrides) command += " --set " + shell_word(path + "=" + value);
+  return command + " --seed ";
+}
+
 /// Resolves the scenarios of one cell and writes down their keys.
 void resolve_cell(Campaign& campaign, std::size_t cell, const CheckScenario& check) {
   for (std::size_t i = cell * campaign.seed_count; i < (cell + 1) * campaign.seed_count; ++i) {
@@ -185,8 +193,10 @@ Campaign parse_campaign(std::string_view yaml, const std::string& file, const Ch
                     .quantities = written.quantities};
   campaign.cells = expanded_cells(written, campaign);
   for (const CampaignCell& cell : campaign.cells) {
+    const std::string command = command_for(campaign, cell);
     for (std::size_t s = 0; s < campaign.seed_count; ++s) {
-      campaign.specs.push_back({.key = {}, .labels = cell.labels, .seed = written.first_seed + s});
+      campaign.specs.push_back(
+          {.key = {}, .labels = cell.labels, .seed = written.first_seed + s, .command = command});
     }
   }
   resolve(campaign, check, jobs);

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "fairway/core/error.hpp"
+#include "fairway/core/text.hpp"
 #include "fairway/experiment/campaign_file.hpp"
 #include "fairway/experiment/digest.hpp"
 #include "fairway/experiment/labels.hpp"
@@ -89,6 +90,12 @@ quantities: [makespan_s]
   EXPECT_EQ(
       labels_text(c.specs.back().labels),
       "case=pair method=strong exam.safety_distance_m=3 duration_s=200 exam.crit_dist_m=10 step_s=0.05");
+
+  const std::string file = shell_word(c.scenarios[0].file);
+  EXPECT_EQ(command_of(c.specs[1]),
+            "fairway run " + file +
+                " --set 'vehicles[*].avoider=apf' --set exam.safety_distance_m=2 --set duration_s=100"
+                " --set exam.crit_dist_m=6 --set step_s=0.1 --seed 6");
 
   std::set<std::string> keys;
   for (std::size_t i = 0; i < c.specs.size(); ++i) {

@@ -23,11 +23,16 @@ void run_into(const Scenario& scenario, const Catalogs& catalogs, std::span<Fram
   }
 }
 
+std::vector<FrameSink*> sinks_of(std::initializer_list<FrameSink*> own, std::span<FrameSink* const> more) {
+  std::vector<FrameSink*> sinks{own};
+  sinks.insert(sinks.end(), more.begin(), more.end());
+  return sinks;
+}
+
 std::vector<Measure> measure_run(const Scenario& scenario, const Catalogs& catalogs,
-                                 const std::atomic<bool>* stop) {
+                                 const std::atomic<bool>* stop, std::span<FrameSink* const> more) {
   RunMetrics metrics = metrics_for(scenario);
-  const std::array<FrameSink*, 1> sinks{&metrics};
-  run_into(scenario, catalogs, sinks, stop);
+  run_into(scenario, catalogs, sinks_of({&metrics}, more), stop);
   return metrics.measures();
 }
 

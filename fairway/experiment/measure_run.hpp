@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <initializer_list>
 #include <span>
 #include <vector>
 
@@ -18,9 +19,13 @@ RunMetrics metrics_for(const Scenario& scenario);
 void run_into(const Scenario& scenario, const Catalogs& catalogs, std::span<FrameSink* const> sinks,
               const std::atomic<bool>* stop);
 
-/// Runs a scenario and measures it. Throws RunAbandoned as soon as `stop` is true, InputError for what the
-/// catalogs do not accept.
+/// `own` and then `more`.
+std::vector<FrameSink*> sinks_of(std::initializer_list<FrameSink*> own, std::span<FrameSink* const> more);
+
+/// Runs a scenario and measures it; `more` sinks see the same frames. Throws RunAbandoned as soon as `stop`
+/// is true, InputError for what the catalogs do not accept.
 std::vector<Measure> measure_run(const Scenario& scenario, const Catalogs& catalogs,
-                                 const std::atomic<bool>* stop = nullptr);
+                                 const std::atomic<bool>* stop = nullptr,
+                                 std::span<FrameSink* const> more = {});
 
 }  // namespace fairway

@@ -18,7 +18,13 @@ struct RunSpec {
   std::string key;  ///< unique: a digest of everything that decides the run's outcome
   Labels labels;
   std::uint64_t seed{};
+  std::string command;  ///< that makes this run alone, up to the seed, which ends it; empty if not known
 };
+
+/// The whole command line that makes a run alone, or empty if it is not known.
+inline std::string command_of(const RunSpec& spec) {
+  return spec.command.empty() ? "" : spec.command + std::to_string(spec.seed);
+}
 
 /// A run that was made.
 struct RunRecord {

@@ -3,6 +3,7 @@
 
 #include <sqlite3.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "fairway/core/error.hpp"
@@ -30,6 +31,13 @@ std::string advice(int code, const std::string& detail) {
     default:
       return detail;
   }
+}
+
+/// SQLite quotes what a damaged file holds, line ends and all.
+std::string on_one_line(std::string text) {
+  std::ranges::replace_if(
+      text, [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
+  return text;
 }
 
 }  // namespace
@@ -62,7 +70,9 @@ std::int64_t Database::integer(const char* sql) {
   return statement.step() ? statement.integer(0) : 0;
 }
 
-void Database::fail() const { refuse(advice(sqlite3_errcode(handle_), sqlite3_errmsg(handle_))); }
+void Database::fail() const {
+  refuse(advice(sqlite3_errcode(handle_), on_one_line(sqlite3_errmsg(handle_))));
+}
 
 void Database::refuse(const std::string& message) const { throw InputError(name_ + ": " + message); }
 

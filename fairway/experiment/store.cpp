@@ -46,6 +46,12 @@ constexpr const char* schema = R"(
 )";
 static_assert(application_id == 1719099769 && schema_version == 1, "as in the schema");
 
+// By labels, since runs that differ in their seeds differ in nothing else of their commands. It came later
+// than the rest: a store without it has no commands, and an older fairway does not look at it.
+constexpr const char* commands_table =
+    "CREATE TABLE IF NOT EXISTS commands(labels INTEGER PRIMARY KEY REFERENCES label_sets(id),"
+    " command TEXT NOT NULL)";
+
 // a reader holds its lock for as long as all() takes, a writer for one commit
 constexpr int patience_ms = 30'000;
 
@@ -114,6 +120,36 @@ class Interned {
   std::map<std::string, std::int64_t> ids_;
 };
 
+/// The commands of cells, each written when it is first met.
+class KeptCommands {
+ public:
+  explicit KeptCommands(Database& database)
+      : put_{database, "INSERT OR REPLACE INTO commands(labels, command) VALUES (?, ?)"} {}
+
+  void put(std::int64_t labels, const std::string& command) {
+    if (command.empty() || known_[labels] == command) return;
+    put_.bind(1, labels).bind(2, command).run();
+    known_[labels] = command;
+  }
+
+  /// After a rollback.
+  void forget() { known_.clear(); }
+
+ private:
+  Statement put_;
+  std::map<std::int64_t, std::string> known_;
+};
+
+/// The commands of cells by the ids of their labels; none in a store that has no such table.
+std::map<std::int64_t, std::string> commands_of(Database& database) {
+  if (database.integer("SELECT count(*) FROM sqlite_master WHERE type = 'table' AND name = 'commands'") == 0)
+    return {};
+  std::map<std::int64_t, std::string> commands;
+  Statement select{database, "SELECT labels, command FROM commands"};
+  while (select.step()) commands[select.integer(0)] = select.text(1);
+  return commands;
+}
+
 }  // namespace
 
 struct Store::Contents {
@@ -136,6 +172,7 @@ struct Store::Contents {
     Interned label_sets, quantities;
   };
   std::optional<Prepared> sql;
+  std::optional<KeptCommands> commands;  ///< of a store that may be written
 
   Contents(const std::string& path, Database::Access access, std::unique_ptr<LockFile> taken,
            bool for_writing)
@@ -170,6 +207,9 @@ void Store::Contents::begin_or_check(bool may_begin) {
     }
   }
   sql.emplace(database);
+  if (!writable) return;
+  database.execute(commands_table);
+  commands.emplace(database);
 }
 
 void Store::Contents::put(const RunRecord& record) {
@@ -187,9 +227,9 @@ void Store::Contents::put(const RunRecord& record) {
   } catch (const nlohmann::json::exception&) {
     throw std::invalid_argument("labels that are not UTF-8");
   }
-  sql->put_run.bind(1, spec.key)
-      .bind(2, sql->label_sets.id(labels))
-      .bind(3, static_cast<std::int64_t>(spec.seed));
+  const std::int64_t label_set = sql->label_sets.id(labels);
+  commands->put(label_set, spec.command);
+  sql->put_run.bind(1, spec.key).bind(2, label_set).bind(3, static_cast<std::int64_t>(spec.seed));
   sql->put_run.bind(4, record.failure).bind(5, record.wall_s).step();
   const std::int64_t run = sql->put_run.integer(0);
   sql->put_run.run();
@@ -246,6 +286,7 @@ void Store::put(std::span<const RunRecord> records) {
   } catch (...) {
     contents_->sql->label_sets.forget();
     contents_->sql->quantities.forget();
+    contents_->commands->forget();
     throw;
   }
 }
@@ -267,6 +308,8 @@ std::vector<RunRecord> Store::all() const {
   Statement select_quantities{database, "SELECT id, name FROM quantities"};
   while (select_quantities.step()) quantities[select_quantities.integer(0)] = select_quantities.text(1);
 
+  const std::map<std::int64_t, std::string> commands = commands_of(database);
+
   // both tables by run, side by side
   std::vector<RunRecord> records;
   records.reserve(size());
@@ -276,11 +319,15 @@ std::vector<RunRecord> Store::all() const {
   while (runs.step()) {
     const std::int64_t id = runs.integer(0);
     const auto seed = static_cast<std::uint64_t>(runs.integer(3));
-    RunRecord& record = records.emplace_back(
-        RunRecord{.spec = {.key = runs.text(1), .labels = label_sets[runs.integer(2)], .seed = seed},
-                  .measures = {},
-                  .wall_s = runs.real(5),
-                  .failure = runs.text(4)});
+    const auto command = commands.find(runs.integer(2));
+    RunRecord& record =
+        records.emplace_back(RunRecord{.spec = {.key = runs.text(1),
+                                                .labels = label_sets[runs.integer(2)],
+                                                .seed = seed,
+                                                .command = command == commands.end() ? "" : command->second},
+                                       .measures = {},
+                                       .wall_s = runs.real(5),
+                                       .failure = runs.text(4)});
     while (more && measures.integer(0) == id) {
       record.measures.push_back({.quantity = quantities[measures.integer(1)],
                                  .vehicle = static_cast<int>(measures.integer(2)),

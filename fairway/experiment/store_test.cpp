@@ -13,6 +13,7 @@
 
 #include "fairway/core/error.hpp"
 #include "fairway/experiment/labels.hpp"
+#include "fairway/experiment/sqlite.hpp"
 #include "fairway/experiment/testing/sample_runs.hpp"
 
 namespace fairway {
@@ -47,6 +48,43 @@ TEST(StoreTest, GivesBackEverythingThatWasPut) {
     EXPECT_EQ(back.wall_s, given.wall_s);
     EXPECT_EQ(back.failure, "");
   }
+}
+
+TEST(StoreTest, KeepsTheCommandOfEachCell) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("results.db");
+  {
+    Store store = Store::open(file);
+    RunRecord one = record("a", {{"method", "apf"}}, 7, {});
+    one.spec.command = "fairway run a.yaml --seed ";
+    put(store, one);
+    put(store, record("b", {{"method", "orca3d"}}, 8, {}));
+  }
+  const auto all = Store::open_existing(file).all();
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_EQ(command_of(all[0].spec), "fairway run a.yaml --seed 7");
+  EXPECT_EQ(command_of(all[1].spec), "");
+}
+
+TEST(StoreTest, WithoutTheTableOfCommandsIsReadAndContinued) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("results.db");
+  {
+    Store store = Store::open(file);
+    put(store, record("old", {{"method", "apf"}}, 1, {}));
+  }
+  Database{file, Database::Access::existing, 0}.execute("DROP TABLE commands");
+  EXPECT_EQ(command_of(Store::open_existing(file).all().at(0).spec), "");
+  {
+    Store store = Store::open(file);
+    RunRecord newer = record("new", {{"method", "orca3d"}}, 2, {});
+    newer.spec.command = "fairway run b.yaml --seed ";
+    put(store, newer);
+  }
+  const auto all = Store::open_existing(file).all();
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_EQ(command_of(all[0].spec), "");
+  EXPECT_EQ(command_of(all[1].spec), "fairway run b.yaml --seed 2");
 }
 
 TEST(StoreTest, NumbersComeBackToTheBit) {

@@ -5,13 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <numeric>
 
 #include "fairway/core/error.hpp"
 #include "fairway/experiment/compare.hpp"
 #include "fairway/experiment/labels.hpp"
 #include "fairway/experiment/version.hpp"
 #include "fairway/studies/page_blocks.hpp"
+#include "fairway/studies/run_list.hpp"
 
 namespace fairway {
 namespace {
@@ -30,23 +31,75 @@ std::vector<std::string> distinct(const std::vector<T>& items, auto name) {
   return names;
 }
 
-/// The values of one quantity in one cell, one per vehicle and run.
-std::vector<double> values_of(std::span<const RunRecord> records, const ComparedCell& cell,
-                              const std::string& by, const std::string& quantity) {
-  std::vector<double> values;
-  for (const RunRecord& record : records) {
-    const std::string* candidate = find_label(record.spec.labels, by);
-    if (candidate == nullptr || *candidate != cell.candidate ||
-        without_label(record.spec.labels, by) != cell.group)
-      continue;
-    for (const Measure& measure : record.measures) {
-      if (measure.quantity == quantity && std::isfinite(measure.value)) values.push_back(measure.value);
+/// The runs of the cells, and where they stand in the document.
+class CellRuns {
+ public:
+  CellRuns(std::span<const RunRecord> records, const std::string& by) : records_{records}, by_{by} {
+    for (const RunRecord& record : records) list_.add(labels_text(record.spec.labels), record.spec, "");
+  }
+
+  /// Places of the runs of a cell.
+  std::vector<std::size_t> of(const Labels& group, const std::string& candidate) const {
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < records_.size(); ++i) {
+      const std::string* found = find_label(records_[i].spec.labels, by_);
+      if (found != nullptr && *found == candidate && without_label(records_[i].spec.labels, by_) == group)
+        places.push_back(i);
     }
+    return places;
+  }
+
+  const RunRecord& operator[](std::size_t place) const { return records_[place]; }
+  json document() const { return list_.document(); }
+
+ private:
+  std::span<const RunRecord> records_;
+  const std::string& by_;
+  page::RunList list_;
+};
+
+/// The values of one quantity in a run, one for each vehicle that has it.
+std::vector<double> values_in(const RunRecord& record, const std::string& quantity) {
+  std::vector<double> values;
+  for (const Measure& measure : record.measures) {
+    if (measure.quantity == quantity) values.push_back(measure.value);
   }
   return values;
 }
 
-json boxes(std::span<const RunRecord> records, const Comparison& comparison, const std::string& quantity) {
+/// A box of all values of a quantity in a cell, which leads to its runs.
+json box_of(const CellRuns& runs, const ComparedCell& cell, const std::string& quantity) {
+  const std::vector<std::size_t> places = runs.of(cell.group, cell.candidate);
+  std::vector<double> finite, shown;
+  for (const std::size_t place : places) {
+    for (const double value : values_in(runs[place], quantity)) {
+      shown.push_back(value);
+      if (std::isfinite(value)) finite.push_back(value);
+    }
+  }
+  const bool even = std::ranges::all_of(places, [&](std::size_t place) {
+    return values_in(runs[place], quantity).size() * places.size() == shown.size();
+  });
+  return page::linked(page::box(std::move(finite)), page::references(places),
+                      even ? page::shown_values(shown) : json());
+}
+
+/// A line of a table, which leads to the runs of its cell; beside each the mean over its vehicles.
+json line_of(json line, const CellRuns& runs, const Labels& group, const std::string& candidate,
+             const std::string& quantity) {
+  const std::vector<std::size_t> places = runs.of(group, candidate);
+  std::vector<double> means;
+  for (const std::size_t place : places) {
+    const std::vector<double> values = values_in(runs[place], quantity);
+    means.push_back(std::reduce(values.begin(), values.end()) / static_cast<double>(values.size()));
+  }
+  line["$runs"] = page::references(places);
+  if (std::ranges::any_of(means, [](double mean) { return std::isfinite(mean); }))
+    line["$values"] = page::shown_values(means);
+  return line;
+}
+
+json boxes(const CellRuns& runs, const Comparison& comparison, const std::string& quantity) {
   const auto groups = distinct(comparison.cells, [](const ComparedCell& c) { return name_of(c.group); });
   const auto candidates = distinct(comparison.cells, [](const ComparedCell& c) { return c.candidate; });
   json series = json::array();
@@ -56,9 +109,7 @@ json boxes(std::span<const RunRecord> records, const Comparison& comparison, con
       const auto cell = std::ranges::find_if(comparison.cells, [&](const ComparedCell& c) {
         return c.candidate == candidate && name_of(c.group) == group;
       });
-      row.push_back(cell == comparison.cells.end()
-                        ? json()
-                        : page::box(values_of(records, *cell, comparison.by, quantity)));
+      row.push_back(cell == comparison.cells.end() ? json() : box_of(runs, *cell, quantity));
     }
     series.push_back({{"label", candidate}, {"boxes", row}});
   }
@@ -69,20 +120,21 @@ json boxes(std::span<const RunRecord> records, const Comparison& comparison, con
           {"series", series}};
 }
 
-json means_table(const Comparison& comparison) {
+json means_table(const Comparison& comparison, const CellRuns& runs) {
   json rows = json::array();
   for (const ComparedMean& mean : comparison.means) {
     const bool paired = mean.difference.count > 0;
-    rows.push_back({{"cell", name_of(mean.group)},
-                    {"candidate", mean.candidate},
-                    {"quantity", mean.quantity},
-                    {"mean", page::number(mean.value.mean)},
-                    {"low", page::number(mean.value.low)},
-                    {"high", page::number(mean.value.high)},
-                    {"runs", mean.value.count},
-                    {"difference", paired ? page::number(mean.difference.mean) : json()},
-                    {"difference_low", paired ? page::number(mean.difference.low) : json()},
-                    {"difference_high", paired ? page::number(mean.difference.high) : json()}});
+    json line{{"cell", name_of(mean.group)},
+              {"candidate", mean.candidate},
+              {"quantity", mean.quantity},
+              {"mean", page::number(mean.value.mean)},
+              {"low", page::number(mean.value.low)},
+              {"high", page::number(mean.value.high)},
+              {"runs", mean.value.count},
+              {"difference", paired ? page::number(mean.difference.mean) : json()},
+              {"difference_low", paired ? page::number(mean.difference.low) : json()},
+              {"difference_high", paired ? page::number(mean.difference.high) : json()}};
+    rows.push_back(line_of(std::move(line), runs, mean.group, mean.candidate, mean.quantity));
   }
   const auto column = [](const char* key, std::string label, const char* type) {
     return json{{"key", key}, {"label", std::move(label)}, {"type", type}};
@@ -99,16 +151,14 @@ json means_table(const Comparison& comparison) {
           {"filter", {"cell", "candidate", "quantity"}}};
 }
 
-json rates_table(const Comparison& comparison) {
+json rates_table(const Comparison& comparison, const CellRuns& runs) {
   json rows = json::array();
   for (const ComparedRate& rate : comparison.rates) {
-    rows.push_back({{"cell", name_of(rate.group)},
-                    {"candidate", rate.candidate},
-                    {"rate", rate.name},
-                    {"value", page::number(rate.value.rate)},
-                    {"low", rate.value.low},
-                    {"high", rate.value.high},
-                    {"runs", rate.value.trials}});
+    json line{{"cell", name_of(rate.group)}, {"candidate", rate.candidate},
+              {"rate", rate.name},           {"value", page::number(rate.value.rate)},
+              {"low", rate.value.low},       {"high", rate.value.high},
+              {"runs", rate.value.trials}};
+    rows.push_back(line_of(std::move(line), runs, rate.group, rate.candidate, ""));
   }
   return {{"kind", "table"},
           {"title", "Rates, with Wilson's 95 % interval"},
@@ -130,18 +180,19 @@ json results_page(std::span<const RunRecord> records, const std::string& name, c
                   const std::string& command) {
   if (records.empty()) throw InputError(name + ": the store holds no runs");
   const Comparison comparison = compare(records, {.by = by});
+  const CellRuns runs{records, comparison.by};
   std::vector<json> charts;
   for (const std::string& quantity :
        distinct(comparison.means, [](const ComparedMean& m) { return m.quantity; })) {
-    charts.push_back(boxes(records, comparison, quantity));
+    charts.push_back(boxes(runs, comparison, quantity));
   }
   const auto section = [](const char* id, const char* title, json blocks) {
     return json{{"id", id}, {"title", title}, {"paragraphs", json::array()}, {"blocks", std::move(blocks)}};
   };
   json sections = json::array();
-  sections.push_back(section("rates", "Rates", json::array({rates_table(comparison)})));
+  sections.push_back(section("rates", "Rates", json::array({rates_table(comparison, runs)})));
   sections.push_back(section("quantities", "Quantities", json::array({page::grid(2, std::move(charts))})));
-  sections.push_back(section("means", "Means", json::array({means_table(comparison)})));
+  sections.push_back(section("means", "Means", json::array({means_table(comparison, runs)})));
   return {{"title", name},
           {"subtitle", "Stored results"},
           {"version", fmt::format("fairway {}", fairway_version)},
@@ -149,6 +200,7 @@ json results_page(std::span<const RunRecord> records, const std::string& name, c
           {"facts",
            {{{"label", "Runs"}, {"value", std::to_string(records.size())}},
             {{"label", "Cells"}, {"value", std::to_string(comparison.cells.size())}}}},
+          {"runs", runs.document()},
           {"sections", sections}};
 }
 

@@ -26,22 +26,29 @@ void Cell::add_run(std::string_view study, std::function<Scenario()> scenario, s
   const std::string digest = Digest::of(to_yaml(scenario()));
   std::string key =
       fmt::format("{}/{}/{}/{}/{}/{}/{}", study, place, method, mode, digest, results_epoch, seed);
-  Labels labels{{"case", place}, {"method", method}, {"mode", mode}};
-  runs.push_back({{std::move(key), std::move(labels), seed}, std::move(scenario)});
+  runs.push_back({{std::move(key), labels(), seed, {}}, std::move(scenario), {}});
 }
 
-bool make_cells(std::span<std::vector<Cell>* const> groups, const MeasureRun& measure,
-                const StudyOptions& options) {
+Labels Cell::labels() const {
+  Labels labels{{"case", place}, {"method", method}, {"mode", mode}};
+  if (!part.empty()) labels.emplace_back("part", part);
+  return labels;
+}
+
+bool make_cells(std::span<const MeasuredCells> groups, const StudyOptions& options) {
   std::vector<StudyRun> runs;
-  for (const std::vector<Cell>* cells : groups) {
-    for (const Cell& cell : *cells) std::ranges::copy(cell.runs, std::back_inserter(runs));
+  for (const MeasuredCells& group : groups) {
+    for (Cell& cell : *group.cells) {
+      for (StudyRun& run : cell.runs) run.measure = group.measure;
+      std::ranges::copy(cell.runs, std::back_inserter(runs));
+    }
   }
-  auto measures = make_runs(runs, measure, options);
+  auto measures = make_runs(runs, options);
   if (!measures) return false;
 
   auto next = measures->begin();
-  for (std::vector<Cell>* cells : groups) {
-    for (Cell& cell : *cells) {
+  for (const MeasuredCells& group : groups) {
+    for (Cell& cell : *group.cells) {
       for (std::size_t i = 0; i < cell.runs.size(); ++i) cell.results.push_back(std::move(*next++));
     }
   }
@@ -94,6 +101,7 @@ StudyRow cell_row(const Cell& cell, std::string_view quantity, double measured, 
   return {.cell = cell.place,
           .method = cell.method,
           .mode = cell.mode,
+          .part = cell.part,
           .quantity = std::string(quantity),
           .measured = measured,
           .low = low,

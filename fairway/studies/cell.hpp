@@ -22,21 +22,30 @@ struct Cell {
   std::string place;   ///< case or kind of field
   std::string method;  ///< as in tables
   std::string mode;    ///< plant, or how it was varied
+  std::string part;    ///< of the study, where two parts have a cell of the same place, method and mode
   std::vector<StudyRun> runs;
   std::vector<std::vector<Measure>> results;
 
   /// A quantity of run `i` of the first vehicle or the fleet; NaN where it was not measured.
   double value(std::size_t i, std::string_view quantity) const;
 
+  /// What its runs share.
+  Labels labels() const;
+
   /// Plans one more run. Its key holds a digest of the scenario, so that a changed scenario makes another
   /// run.
   void add_run(std::string_view study, std::function<Scenario()> scenario, std::uint64_t seed);
 };
 
-/// Makes what the store lacks of all runs of all cells, and hands out the results. False if stopped before.
-/// Throws InputError for a run that failed.
-bool make_cells(std::span<std::vector<Cell>* const> groups, const MeasureRun& measure,
-                const StudyOptions& options);
+/// Cells that are measured alike.
+struct MeasuredCells {
+  std::vector<Cell>* cells{};
+  MeasureRun measure;
+};
+
+/// Makes what the store lacks of all runs of all cells, and hands out the results. False if stopped before,
+/// or if one run was to be shown alone. Throws as make_runs().
+bool make_cells(std::span<const MeasuredCells> groups, const StudyOptions& options);
 
 /// Number of runs in all cells.
 std::size_t run_count(std::span<const std::vector<Cell>* const> groups);

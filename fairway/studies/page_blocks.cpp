@@ -61,21 +61,22 @@ json grid(int columns, std::vector<json> blocks) {
   return {{"kind", "grid"}, {"columns", columns}, {"blocks", std::move(blocks)}};
 }
 
-json comparison_table(std::string title, std::span<const StudyRow> rows) {
+json comparison_table(std::string title, std::span<const StudyRow> rows, const RunIndex& runs) {
   json lines = json::array();
   for (const StudyRow& row : rows) {
     const auto deviation = row.deviation_ratio();
-    lines.push_back({{"case", row.cell},
-                     {"method", row.method},
-                     {"quantity", row.quantity},
-                     {"published", row.published ? json(*row.published) : json()},
-                     {"measured", number(row.measured)},
-                     {"low", number(row.low)},
-                     {"high", number(row.high)},
-                     {"runs", row.runs},
-                     {"deviation", deviation ? json(*deviation) : json()},
-                     {"verdict", name_of(row.verdict)},
-                     {"note", row.note}});
+    json line{{"case", row.cell},
+              {"method", row.method},
+              {"quantity", row.quantity},
+              {"published", row.published ? json(*row.published) : json()},
+              {"measured", number(row.measured)},
+              {"low", number(row.low)},
+              {"high", number(row.high)},
+              {"runs", row.runs},
+              {"deviation", deviation ? json(*deviation) : json()},
+              {"verdict", name_of(row.verdict)},
+              {"note", row.note}};
+    lines.push_back(runs.line(std::move(line), cell_of(row), row.quantity));
   }
   const auto column = [](const char* key, const char* label, const char* type) {
     return json{{"key", key}, {"label", label}, {"type", type}};
@@ -92,11 +93,15 @@ json comparison_table(std::string title, std::span<const StudyRow> rows) {
             column("runs", "Runs", "number"), column("deviation", "Deviation", "deviation"),
             column("verdict", "Verdict", "verdict"), column("note", "Note", "text")}},
           {"rows", std::move(lines)},
-          {"filter", {"case", "method", "quantity"}}};
+          {"filter", {"case", "method", "quantity"}},
+          {"note",
+           "A row leads to its runs; beside each is its own value, a mean over the vehicles where each has "
+           "one."}};
 }
 
 json method_intervals(std::span<const StudyRow> rows, std::span<const Method> methods,
-                      std::string_view quantity, const char* label, const std::vector<std::string>& places) {
+                      std::string_view quantity, const char* label, const std::vector<std::string>& places,
+                      const RunIndex& runs) {
   json series = json::array();
   for (const Method& method : methods) {
     json points = json::array();
@@ -105,7 +110,8 @@ json method_intervals(std::span<const StudyRow> rows, std::span<const Method> me
         return r.cell == place && r.method == method.name && r.quantity == quantity;
       });
       const bool known = row != rows.end() && std::isfinite(row->measured) && std::isfinite(row->low);
-      points.push_back(known ? json{{"value", row->measured}, {"low", row->low}, {"high", row->high}}
+      points.push_back(known ? runs.mark({{"value", row->measured}, {"low", row->low}, {"high", row->high}},
+                                         cell_of(*row), quantity)
                              : json());
     }
     series.push_back({{"label", method.name}, {"points", points}});

@@ -8,6 +8,7 @@
 
 #include "fairway/experiment/statistics.hpp"
 #include "fairway/studies/cell.hpp"
+#include "fairway/studies/run_index.hpp"
 
 /// Blocks of a report document; viewer/README.md describes what the page makes of them.
 namespace fairway::page {
@@ -53,13 +54,13 @@ nlohmann::json note(std::string_view tone, std::string text);
 
 nlohmann::json grid(int columns, std::vector<nlohmann::json> blocks);
 
-/// Published against measured, one line a row.
-nlohmann::json comparison_table(std::string title, std::span<const StudyRow> rows);
+/// Published against measured, one line a row, which leads to the runs of its cell.
+nlohmann::json comparison_table(std::string title, std::span<const StudyRow> rows, const RunIndex& runs);
 
 /// One quantity of every method by place, with its interval, where it is among the rows.
 nlohmann::json method_intervals(std::span<const StudyRow> rows, std::span<const Method> methods,
                                 std::string_view quantity, const char* label,
-                                const std::vector<std::string>& places);
+                                const std::vector<std::string>& places, const RunIndex& runs);
 
 nlohmann::json section(const char* id, const char* title, std::vector<std::string> paragraphs,
                        std::vector<nlohmann::json> blocks);

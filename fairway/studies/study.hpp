@@ -14,6 +14,7 @@
 #include "fairway/core/params.hpp"
 #include "fairway/experiment/progress.hpp"
 #include "fairway/experiment/store.hpp"
+#include "fairway/record/frame.hpp"
 #include "fairway/scenario/load.hpp"
 
 namespace fairway {
@@ -34,6 +35,7 @@ struct StudyRow {
   std::string cell;  ///< the published case: "cube20_8"
   std::string method;
   std::string mode;  ///< "as_coded", "corrected"
+  std::string part;  ///< of the study, as of the cell
   std::string quantity;
   ParamValues params;  ///< where the case is one of a grid
   std::optional<double> published;
@@ -51,6 +53,16 @@ struct StudyRow {
 /// Sets the verdict from the numbers; `is_count` compares totals.
 void judge(StudyRow& row, bool is_count);
 
+/// A run of a study that is made to be looked at.
+struct ShownRun {
+  std::string name;  ///< as `study --only` takes it
+  RunSpec spec;      ///< with its key under the options
+  Scenario scenario;
+  /// Makes it, and gives its measures, the same as stored ones; these sinks see every frame. Throws
+  /// RunAbandoned if stopped.
+  std::function<std::vector<Measure>(std::span<FrameSink* const>)> make;
+};
+
 struct StudyOptions {
   unsigned jobs{0};  ///< threads; 0 = as many as the machine has
   int seeds{20};     ///< variations per cell beyond what was published; 0 = the published part alone
@@ -59,13 +71,17 @@ struct StudyOptions {
   const std::atomic<bool>* stop{nullptr};
   std::string command;  ///< as typed, for the report
   Overrides overrides;  ///< put into every scenario, figures included, as by `run --set`
+  std::string
+      only;  ///< a run's name, its key, or how one of these begins: this run alone is shown, none is made
+  std::function<void(const ShownRun&)> show;  ///< is given the runs that figures show, or `only` that one
+  std::function<std::string(const RunSpec&)> playback;  ///< where the report finds a run's playback, or ""
 };
 
 /// What a study found.
 struct StudyResult {
   std::vector<StudyRow> rows;
   nlohmann::json page;  ///< report document, as viewer/README.md describes it
-  bool complete{true};  ///< false if stopped before all runs were made
+  bool complete{true};  ///< false if stopped before all runs were made, or if one was to be shown alone
 };
 
 /// A published experiment and what goes beyond it.

@@ -1,40 +1,110 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/studies/study_runs.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <unordered_map>
 
+#include "fairway/core/names.hpp"
+#include "fairway/core/text.hpp"
 #include "fairway/experiment/digest.hpp"
 #include "fairway/experiment/executor.hpp"
 
 namespace fairway {
 namespace {
 
-RunSpec keyed(RunSpec spec, const Overrides& overrides) {
-  if (overrides.empty()) return spec;
+std::string key_under(const Overrides& overrides, std::string key) {
+  if (overrides.empty()) return key;
   std::string text;
   for (const auto& [path, value] : overrides) text += path + "=" + value + "\n";
-  spec.key += "/" + Digest::of(text);
-  return spec;
+  return key + "/" + Digest::of(text);
+}
+
+/// `fairway study` for one run alone, up to its seed.
+std::string command_under(const StudyOptions& options, const RunSpec& spec) {
+  std::string command = "fairway study " + shell_word(spec.key.substr(0, spec.key.find('/')));
+  if (options.seeds != StudyOptions{}.seeds) command += fmt::format(" --seeds {}", options.seeds);
+  for (const auto& [path, value] : options.overrides) command += " --set " + shell_word(path + "=" + value);
+  return command + " --only " + shell_word(cell_name(spec.labels));
+}
+
+[[noreturn]] void refuse_several(std::string_view called, const std::vector<std::string>& names) {
+  constexpr std::size_t told = 3;
+  std::string some;
+  for (std::size_t i = 0; i < std::min(told, names.size()); ++i) some += (i > 0 ? ", " : "") + names[i];
+  throw InputError(fmt::format("{} runs begin with \"{}\": {}{}", names.size(), called, some,
+                               names.size() > told ? ", ..." : ""));
 }
 
 }  // namespace
+
+std::string cell_name(const Labels& labels) {
+  constexpr std::array<std::string_view, 4> bare{"case", "method", "mode", "part"};
+  std::string name;
+  for (const auto& [label, value] : labels) {
+    const bool known = std::ranges::find(bare, label) != bare.end();
+    name += (known ? value : label + "=" + value) + "/";
+  }
+  std::ranges::replace(name, ' ', '_');
+  return name;
+}
+
+std::string name_of(const RunSpec& spec) { return cell_name(spec.labels) + std::to_string(spec.seed); }
+
+RunSpec spec_under(const StudyOptions& options, RunSpec spec) {
+  spec.command = command_under(options, spec);
+  spec.key = key_under(options.overrides, std::move(spec.key));
+  return spec;
+}
 
 Scenario under(const Overrides& overrides, Scenario scenario) {
   if (overrides.empty()) return scenario;
   return parse_scenario(to_yaml(scenario), scenario.name, overrides);
 }
 
+const StudyRun& find_run(std::span<const StudyRun> runs, std::string_view called) {
+  std::vector<std::string> names;
+  std::vector<std::string> begun;
+  const StudyRun* found = nullptr;
+  for (const StudyRun& run : runs) {
+    std::string name = name_of(run.spec);
+    if (name == called || run.spec.key == called) return run;
+    if (name.starts_with(called) || run.spec.key.starts_with(called)) {
+      begun.push_back(name);
+      found = &run;
+    }
+    names.push_back(std::move(name));
+  }
+  if (begun.size() > 1) refuse_several(called, begun);
+  if (found != nullptr) return *found;
+  const std::vector<std::string_view> known{names.begin(), names.end()};
+  throw InputError(fmt::format("no run is called \"{}\"{}", called, suggestion(called, known)));
+}
+
+void show_run(const StudyRun& run, const StudyOptions& options) {
+  if (!options.show) return;
+  const Scenario scenario = under(options.overrides, run.scenario());
+  const auto make = [&](std::span<FrameSink* const> sinks) {
+    return run.measure(scenario, options.stop, sinks);
+  };
+  options.show({name_of(run.spec), spec_under(options, run.spec), scenario, make});
+}
+
 std::optional<std::vector<std::vector<Measure>>> make_runs(std::span<const StudyRun> runs,
-                                                           const MeasureRun& measure,
                                                            const StudyOptions& options) {
+  if (!options.only.empty()) {
+    show_run(find_run(runs, options.only), options);
+    return {};
+  }
   Store temporary = Store::in_memory();
   Store& store = options.store != nullptr ? *options.store : temporary;
   std::vector<RunSpec> specs;
-  for (const StudyRun& run : runs) specs.push_back(keyed(run.spec, options.overrides));
+  for (const StudyRun& run : runs) specs.push_back(spec_under(options, run.spec));
   if (!runs.empty()) under(options.overrides, runs.front().scenario());
 
   const auto make = [&](std::size_t i) {
-    return measure(under(options.overrides, runs[i].scenario()), options.stop);
+    return runs[i].measure(under(options.overrides, runs[i].scenario()), options.stop, {});
   };
   const ExecutorReport done = run_missing(
       specs, make, store, {.jobs = options.jobs, .progress = options.progress, .stop = options.stop});

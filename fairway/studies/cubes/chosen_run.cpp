@@ -81,15 +81,24 @@ class Curves final : public FrameSink {
 
 }  // namespace
 
-std::vector<json> chosen_run_blocks(const CubeCase& cube, const Method& method, Code code, std::uint64_t seed,
-                                    const Overrides& overrides) {
+Cell chosen_cell() {
+  const CubeCase& busy = comparison_cases()[1];
+  const Method& orca = methods()[1];
+  return {Part::comparison, &busy, &orca, Code::corrected, comparison_tuning(busy, orca), 1};
+}
+
+std::vector<json> chosen_run_blocks(const Overrides& overrides, const RunIndex& runs) {
+  const Cell cell = chosen_cell();
   const Scenario scenario =
-      under(overrides, cube_scenario(cube, method, code, comparison_tuning(cube, method), seed));
+      under(overrides, cube_scenario(*cell.cube, *cell.method, cell.code, cell.tuning, chosen_seed));
   Curves curves{scenario.vehicles.size()};
   const std::array<FrameSink*, 1> sinks{&curves};
   Simulation{scenario, cube_catalogs()}.run(sinks);
-  const std::string title = fmt::format("{}, {}, {}, seed {}", cube.name, method.name, name_of(code), seed);
-  return {curves.trajectories(title), curves.separations("Separation: " + title)};
+  const std::string title =
+      fmt::format("{}, {}, {}, seed {}", cell.cube->name, cell.method->name, name_of(cell.code), chosen_seed);
+  const json run = runs.run_of(cell.labels(), chosen_seed);
+  return {page::linked(curves.trajectories(title), run, {}),
+          page::linked(curves.separations("Separation: " + title), run, {})};
 }
 
 }  // namespace fairway::cubes

@@ -6,6 +6,7 @@
 #include "fairway/avoidance/direct/direct.hpp"
 #include "fairway/experiment/measure_run.hpp"
 #include "fairway/studies/cubes/as_coded.hpp"
+#include "fairway/studies/cubes/chosen_run.hpp"
 #include "fairway/studies/cubes/cubes_page.hpp"
 #include "fairway/studies/cubes/findings.hpp"
 #include "fairway/studies/study_runs.hpp"
@@ -16,6 +17,13 @@ namespace {
 Scenario scenario_of(const PlannedRun& run) {
   const Cell& cell = *run.cell;
   return cube_scenario(*cell.cube, *cell.method, cell.code, cell.tuning, run.spec.seed);
+}
+
+/// The run that the report shows in detail.
+bool is_chosen(const PlannedRun& run) {
+  const Cell chosen = chosen_cell();
+  return run.cell->part == chosen.part && run.cell->cube == chosen.cube &&
+         run.cell->method == chosen.method && run.cell->code == chosen.code && run.spec.seed == chosen_seed;
 }
 
 }  // namespace
@@ -29,13 +37,17 @@ Catalogs cube_catalogs() {
 std::vector<CellResults> run_cells(const std::vector<Cell>& cells, const StudyOptions& options) {
   const std::vector<PlannedRun> plan = plan_of(cells);
   std::vector<StudyRun> runs;
-  for (const PlannedRun& run : plan) runs.push_back({run.spec, [&run] { return scenario_of(run); }});
   const Catalogs catalogs = cube_catalogs();
-  const auto measure = [&](const Scenario& scenario, const std::atomic<bool>* stop) {
-    return measure_run(scenario, catalogs, stop);
+  const MeasureRun measure = [&](const Scenario& scenario, const std::atomic<bool>* stop,
+                                 std::span<FrameSink* const> more) {
+    return measure_run(scenario, catalogs, stop, more);
   };
-  auto measures = make_runs(runs, measure, options);
+  for (const PlannedRun& run : plan) runs.push_back({run.spec, [&run] { return scenario_of(run); }, measure});
+  auto measures = make_runs(runs, options);
   if (!measures) return {};
+  for (std::size_t i = 0; i < plan.size(); ++i) {
+    if (is_chosen(plan[i])) show_run(runs[i], options);
+  }
 
   std::vector<CellResults> results;
   for (const Cell& cell : cells) results.push_back({&cell, {}});

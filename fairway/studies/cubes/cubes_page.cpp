@@ -34,16 +34,23 @@ json section(std::string id, std::string title, std::vector<std::string> paragra
 
 /// A box per value of one parameter, over all cells of the tuning of a method (Figures 16 and 17).
 json tuning_boxes(const Results& results, bool orca, double Tuning::*parameter, std::string_view name,
-                  const Plotted& what) {
-  std::map<double, std::vector<double>> by_value;
+                  const Plotted& what, const RunIndex& runs) {
+  struct Pooled {
+    std::vector<double> values;
+    json runs = json::array();
+  };
+  std::map<double, Pooled> by_value;
   for (const CellResults& cell : results) {
     if (cell.cell->part != Part::tuning || cell.cell->method->orca != orca) continue;
-    std::ranges::copy(cell.values(what.quantity), std::back_inserter(by_value[cell.cell->tuning.*parameter]));
+    Pooled& pooled = by_value[cell.cell->tuning.*parameter];
+    std::ranges::copy(cell.values(what.quantity), std::back_inserter(pooled.values));
+    for (json& run : runs.runs_of(cell.cell->labels())) pooled.runs.push_back(std::move(run));
   }
   json categories = json::array(), boxes = json::array();
-  for (const auto& [value, values] : by_value) {
+  for (auto& [value, pooled] : by_value) {
     categories.push_back(number_text(value));
-    boxes.push_back(page::box(values));
+    boxes.push_back(
+        page::linked(page::box(pooled.values), std::move(pooled.runs), page::shown_values(pooled.values)));
   }
   json block{
       {"kind", "boxes"},          {"title", fmt::format("{} by {}", what.label, name)},
@@ -53,7 +60,7 @@ json tuning_boxes(const Results& results, bool orca, double Tuning::*parameter, 
   return block;
 }
 
-json tuning_grid(const Results& results, bool orca) {
+json tuning_grid(const Results& results, bool orca, const RunIndex& runs) {
   std::vector<std::pair<double Tuning::*, std::string_view>> parameters{
       {&Tuning::crit_dist_m, "CRIT_DIST [m]"}, {&Tuning::ori_error_rad, "ORI_ERROR [rad]"}};
   if (orca) {
@@ -64,7 +71,8 @@ json tuning_grid(const Results& results, bool orca) {
   }
   std::vector<json> blocks;
   for (const auto& [parameter, name] : parameters) {
-    for (const Plotted& what : plotted) blocks.push_back(tuning_boxes(results, orca, parameter, name, what));
+    for (const Plotted& what : plotted)
+      blocks.push_back(tuning_boxes(results, orca, parameter, name, what, runs));
   }
   return page::grid(4, std::move(blocks));
 }
@@ -78,15 +86,20 @@ const CellResults* find(const Results& results, const CubeCase& cube, const Meth
 }
 
 /// A box per robot and method (Figures 18 to 23).
-json robot_boxes(const Results& results, const CubeCase& cube, const Plotted& what) {
+json robot_boxes(const Results& results, const CubeCase& cube, const Plotted& what, const RunIndex& runs) {
   json categories = json::array(), series = json::array();
   for (std::size_t robot = 0; robot < cube.team; ++robot) categories.push_back(fmt::format("{}", robot));
   for (const Method& method : methods()) {
     const CellResults* cell = find(results, cube, method, Code::as_coded);
     json boxes = json::array();
     for (std::size_t robot = 0; robot < cube.team; ++robot) {
-      boxes.push_back(cell == nullptr ? json()
-                                      : page::box(cell->values(what.quantity, static_cast<int>(robot))));
+      if (cell == nullptr) {
+        boxes.push_back(nullptr);
+        continue;
+      }
+      const std::vector<double> values = cell->values(what.quantity, static_cast<int>(robot));
+      boxes.push_back(
+          page::linked(page::box(values), runs.runs_of(cell->cell->labels()), page::shown_values(values)));
     }
     series.push_back({{"label", method.name}, {"boxes", boxes}});
   }
@@ -94,16 +107,20 @@ json robot_boxes(const Results& results, const CubeCase& cube, const Plotted& wh
           {"category_label", "robot"}, {"categories", categories}, {"series", series}};
 }
 
-json intervals(const Results& results, Code code, const Plotted& what) {
+json intervals(const Results& results, Code code, const Plotted& what, const RunIndex& runs) {
   json categories = json::array(), series = json::array();
   for (const CubeCase& cube : comparison_cases()) categories.push_back(cube.name);
   for (const Method& method : methods()) {
     json points = json::array();
     for (const CubeCase& cube : comparison_cases()) {
       const CellResults* cell = find(results, cube, method, code);
-      points.push_back(cell == nullptr ? json()
-                                       : page::interval(estimate_mean(cell->run_means(what.quantity)),
-                                                        published(cube.name, method.name, what.quantity)));
+      if (cell == nullptr) {
+        points.push_back(nullptr);
+        continue;
+      }
+      points.push_back(runs.mark(page::interval(estimate_mean(cell->run_means(what.quantity)),
+                                                published(cube.name, method.name, what.quantity)),
+                                 cell->cell->labels(), what.quantity));
     }
     series.push_back({{"label", method.name}, {"points", points}});
   }
@@ -121,6 +138,12 @@ std::vector<StudyRow> chosen_rows(std::span<const StudyRow> rows, std::string_vi
   return chosen;
 }
 
+RunIndex index_of(const Results& results, const StudyOptions& options) {
+  RunIndex index{options};
+  for (const CellResults& cell : results) index.add(specs_of(*cell.cell), cell.runs);
+  return index;
+}
+
 json facts(const Results& results, std::span<const StudyRow> rows) {
   std::size_t runs = 0;
   for (const CellResults& cell : results) runs += cell.runs.size();
@@ -136,9 +159,10 @@ json facts(const Results& results, std::span<const StudyRow> rows) {
           {{"label", "Parameter cells"}, {"value", "36 APF, 108 ORCA"}}};
 }
 
-json corrected_section(const Results& results, std::span<const StudyRow> rows, int seeds) {
+json corrected_section(const Results& results, std::span<const StudyRow> rows, int seeds,
+                       const RunIndex& runs) {
   std::vector<json> blocks;
-  for (const Plotted& what : plotted) blocks.push_back(intervals(results, Code::corrected, what));
+  for (const Plotted& what : plotted) blocks.push_back(intervals(results, Code::corrected, what, runs));
   return section(
       "corrected", "The methods as printed, in the right frames",
       {fmt::format(
@@ -151,29 +175,31 @@ json corrected_section(const Results& results, std::span<const StudyRow> rows, i
        "here, so "
        "its retuned case differs from the other in nothing."},
       {page::grid(2, std::move(blocks)),
-       page::comparison_table("Corrected, all cells", chosen_rows(rows, "corrected"))});
+       page::comparison_table("Corrected, all cells", chosen_rows(rows, "corrected"), runs)});
 }
 
 }  // namespace
 
 json page_of(const Results& results, std::span<const StudyRow> rows, const StudyOptions& options) {
+  const RunIndex runs = index_of(results, options);
   json sections = json::array();
-  sections.push_back(section("published", "Published against measured", findings(results, rows),
-                             {page::grid(2, {intervals(results, Code::as_coded, plotted[0]),
-                                             intervals(results, Code::as_coded, plotted[3])}),
-                              page::comparison_table("As coded, all cells", chosen_rows(rows, "as_coded"))}));
-  sections.push_back(section(
-      "causes", "What does not reproduce, and why", causes(rows),
-      {page::comparison_table("Everyone heading north at the origin", chosen_rows(rows, "as_coded_north"))}));
   sections.push_back(
-      section("tuning-apf", "Parameter setting, APF (Figure 16)", {}, {tuning_grid(results, false)}));
+      section("published", "Published against measured", findings(results, rows),
+              {page::grid(2, {intervals(results, Code::as_coded, plotted[0], runs),
+                              intervals(results, Code::as_coded, plotted[3], runs)}),
+               page::comparison_table("As coded, all cells", chosen_rows(rows, "as_coded"), runs)}));
+  sections.push_back(section("causes", "What does not reproduce, and why", causes(rows),
+                             {page::comparison_table("Everyone heading north at the origin",
+                                                     chosen_rows(rows, "as_coded_north"), runs)}));
   sections.push_back(
-      section("tuning-orca", "Parameter setting, ORCA (Figure 17)", {}, {tuning_grid(results, true)}));
+      section("tuning-apf", "Parameter setting, APF (Figure 16)", {}, {tuning_grid(results, false, runs)}));
+  sections.push_back(
+      section("tuning-orca", "Parameter setting, ORCA (Figure 17)", {}, {tuning_grid(results, true, runs)}));
 
   std::vector<json> figures;
   for (const CubeCase& cube : comparison_cases()) {
     std::vector<json> blocks;
-    for (const Plotted& what : plotted) blocks.push_back(robot_boxes(results, cube, what));
+    for (const Plotted& what : plotted) blocks.push_back(robot_boxes(results, cube, what, runs));
     json block = page::grid(2, std::move(blocks));
     block["title"] = fmt::format("{} m cube, {} vehicles{}", 2 * cube.half_edge_m, cube.team,
                                  cube.retuned ? ", retuned" : "");
@@ -181,13 +207,12 @@ json page_of(const Results& results, std::span<const StudyRow> rows, const Study
   }
   sections.push_back(section("robots", "Comparison by robot (Figures 18 to 23)",
                              {"As coded, five runs a box."}, std::move(figures)));
-  if (options.seeds > 0) sections.push_back(corrected_section(results, rows, options.seeds));
+  if (options.seeds > 0) sections.push_back(corrected_section(results, rows, options.seeds, runs));
 
-  const CubeCase& busy = comparison_cases()[1];
   sections.push_back(
       section("run", "A run in detail",
               {"Eight vehicles in the small cube under ORCA as printed, from the first tick under way."},
-              chosen_run_blocks(busy, methods()[1], Code::corrected, 1, options.overrides)));
+              chosen_run_blocks(options.overrides, runs)));
 
   return {
       {"title", "Crossing a cube"},
@@ -195,6 +220,7 @@ json page_of(const Results& results, std::span<const StudyRow> rows, const Study
       {"version", fmt::format("fairway {}", fairway_version)},
       {"command", options.command},
       {"facts", facts(results, rows)},
+      {"runs", runs.document()},
       {"sections", std::move(sections)}};
 }
 

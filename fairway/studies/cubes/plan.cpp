@@ -79,19 +79,25 @@ std::vector<Cell> heading_cells() {
   return cells;
 }
 
+std::vector<RunSpec> specs_of(const Cell& cell) {
+  // the seed stands in the scenario in one place, so one digest serves the cell
+  const std::string scenario =
+      Digest::of(to_yaml(cube_scenario(*cell.cube, *cell.method, cell.code, cell.tuning, 0)));
+  std::vector<RunSpec> specs;
+  for (int run = 1; run <= cell.runs; ++run) {
+    const auto seed = static_cast<std::uint64_t>(run);
+    std::string key = "cubes/" + cell.name() + "/" + std::string(cell.method->name) + "/" +
+                      std::string(name_of(cell.code)) + "/" + scenario + "/" + std::to_string(results_epoch) +
+                      "/" + std::to_string(seed);
+    specs.push_back({std::move(key), cell.labels(), seed, {}});
+  }
+  return specs;
+}
+
 std::vector<PlannedRun> plan_of(const std::vector<Cell>& cells) {
   std::vector<PlannedRun> plan;
   for (const Cell& cell : cells) {
-    // the seed stands in the scenario in one place, so one digest serves the cell
-    const std::string scenario =
-        Digest::of(to_yaml(cube_scenario(*cell.cube, *cell.method, cell.code, cell.tuning, 0)));
-    for (int run = 1; run <= cell.runs; ++run) {
-      const auto seed = static_cast<std::uint64_t>(run);
-      std::string key = "cubes/" + cell.name() + "/" + std::string(cell.method->name) + "/" +
-                        std::string(name_of(cell.code)) + "/" + scenario + "/" +
-                        std::to_string(results_epoch) + "/" + std::to_string(seed);
-      plan.push_back({&cell, {std::move(key), cell.labels(), seed}});
-    }
+    for (RunSpec& spec : specs_of(cell)) plan.push_back({&cell, std::move(spec)});
   }
   return plan;
 }

@@ -49,6 +49,9 @@ struct PlannedRun {
   RunSpec spec;
 };
 
+/// The runs of one cell, seeds 1, 2, …
+std::vector<RunSpec> specs_of(const Cell& cell);
+
 /// Every run of the cells, seeds 1, 2, … in each, so that runs of different cells pair by seed. `cells` must
 /// outlive the plan.
 std::vector<PlannedRun> plan_of(const std::vector<Cell>& cells);

@@ -61,7 +61,7 @@ json way_of_the_other(const Layout& layout, double duration) {
 
 }  // namespace
 
-Passage passage_of(Course course, const Method& method, const Overrides& overrides) {
+Passage passage_of(Course course, const Method& method, const Overrides& overrides, const RunIndex& runs) {
   const Scenario scenario = under(overrides, passage(course, layout_of(course), Vessel::zarco, method, 1));
   Simulation simulation{scenario, builtin_catalogs()};
   simulation.time_decisions();
@@ -71,10 +71,14 @@ Passage passage_of(Course course, const Method& method, const Overrides& overrid
 
   const DecisionTimes& times = simulation.decision_times();
   const std::string label{method.name};
+  const Labels cell{{"case", std::string(name_of(course))},
+                    {"method", label},
+                    {"mode", std::string(name_of(Vessel::zarco))}};
+  const json run = runs.run_of(cell, 1);
   return {
       .label = label,
-      .track = log.track(label),
-      .speeds = log.speeds(label),
+      .track = page::linked(log.track(label), run, {}),
+      .speeds = page::linked(log.speeds(label), run, {}),
       .mean_decision_us = 1e6 * times.total_s / static_cast<double>(std::max<std::int64_t>(times.count, 1)),
       .worst_decision_us = 1e6 * times.worst_s};
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "fairway/studies/run_index.hpp"
 #include "fairway/studies/surface/plan.hpp"
 
 namespace fairway::surface {
@@ -19,7 +20,7 @@ struct Passage {
 };
 
 /// The first published run of a method on a course, under the overrides.
-Passage passage_of(Course course, const Method& method, const Overrides& overrides);
+Passage passage_of(Course course, const Method& method, const Overrides& overrides, const RunIndex& runs);
 
 /// Passages over one course, seen from above, with the way of the other vessel.
 nlohmann::json ways(const std::string& title, Course course, const std::vector<Passage>& passages);

@@ -12,11 +12,18 @@ StudyResult run_surface(const StudyOptions& options) {
                   .variations = options.seeds > 0 ? varied_cells(options.seeds) : std::vector<Cell>{},
                   .seeds = options.seeds};
   const Catalogs catalogs = builtin_catalogs();
-  const auto measure = [&](const Scenario& scenario, const std::atomic<bool>* stop) {
-    return measure_run(scenario, catalogs, stop);
+  const MeasureRun measure = [&](const Scenario& scenario, const std::atomic<bool>* stop,
+                                 std::span<FrameSink* const> more) {
+    return measure_run(scenario, catalogs, stop, more);
   };
-  const std::array groups{&results.published, &results.variations};
-  if (!make_cells(groups, measure, options)) return {.complete = false};
+  const std::array groups{MeasuredCells{&results.published, measure},
+                          MeasuredCells{&results.variations, measure}};
+  if (!make_cells(groups, options)) return {.complete = false};
+  for (const char* method : {"avoa", "avoa_improved"}) {
+    const Cell& cell =
+        find_cell(results.published, name_of(Course::cluttered), method, name_of(Vessel::zarco));
+    show_run(cell.runs.front(), options);
+  }
 
   results.rows = published_rows(results.published);
   results.published_rows = results.rows.size();

@@ -17,7 +17,7 @@ using nlohmann::json;
 
 constexpr std::array figure_methods{"avoa", "avoa_improved", "teb_0.4", "teb_1.5"};
 
-json published_section(const Results& results) {
+json published_section(const Results& results, const RunIndex& runs) {
   const std::span rows = std::span{results.rows}.first(results.published_rows);
   const auto sailed_by = [&](Vessel vessel) {
     std::vector<StudyRow> chosen;
@@ -32,19 +32,20 @@ json published_section(const Results& results) {
            "The paper shows its five courses in figures without a scale, which are not at hand. The courses "
            "here are proposals that fit its text, its times and its speeds; two more U-shaped walls "
            "(u_narrow, u_deep) are not published. So what agrees is reproduced under that assumption."),
-       page::comparison_table("Zarco in the waves of Table I, eight seeds each", sailed_by(Vessel::zarco)),
+       page::comparison_table("Zarco in the waves of Table I, eight seeds each", sailed_by(Vessel::zarco),
+                              runs),
        page::comparison_table("A vessel that does at once what it is told, in calm water",
-                              sailed_by(Vessel::at_once))});
+                              sailed_by(Vessel::at_once), runs)});
 }
 
 /// The chosen methods on every course, each made once.
-std::vector<std::vector<Passage>> passages(const Overrides& overrides) {
+std::vector<std::vector<Passage>> passages(const Overrides& overrides, const RunIndex& runs) {
   std::vector<std::vector<Passage>> all;
   for (const Course course : courses) {
     std::vector<Passage>& of_course = all.emplace_back();
     for (const std::string_view name : figure_methods) {
       const auto method = std::ranges::find(compared_methods(), name, &Method::name);
-      of_course.push_back(passage_of(course, *method, overrides));
+      of_course.push_back(passage_of(course, *method, overrides, runs));
     }
   }
   return all;
@@ -86,10 +87,12 @@ json decision_times_section(const std::vector<std::vector<Passage>>& passages) {
   json lines = json::array();
   for (std::size_t c = 0; c < courses.size(); ++c) {
     for (const Passage& passage : passages[c]) {
-      lines.push_back({{"case", name_of(courses[c])},
-                       {"method", passage.label},
-                       {"mean", passage.mean_decision_us},
-                       {"worst", passage.worst_decision_us}});
+      json line{{"case", name_of(courses[c])},
+                {"method", passage.label},
+                {"mean", passage.mean_decision_us},
+                {"worst", passage.worst_decision_us}};
+      if (passage.track.contains("runs")) line["$runs"] = passage.track["runs"];
+      lines.push_back(std::move(line));
     }
   }
   const auto column = [](const char* key, const char* label, const char* type) {
@@ -108,7 +111,7 @@ json decision_times_section(const std::vector<std::vector<Passage>>& passages) {
         {"filter", {"case", "method"}}}});
 }
 
-json variations_section(const Results& results) {
+json variations_section(const Results& results, const RunIndex& runs) {
   const std::vector<StudyRow> rows{results.rows.begin() + static_cast<std::ptrdiff_t>(results.published_rows),
                                    results.rows.end()};
   std::vector<std::string> places;
@@ -123,14 +126,14 @@ json variations_section(const Results& results) {
       results.seeds)};
   std::ranges::move(ablation(results.variations), std::back_inserter(paragraphs));
   const auto bars = [&](const char* quantity, const char* label) {
-    return page::method_intervals(rows, compared_methods(), quantity, label, places);
+    return page::method_intervals(rows, compared_methods(), quantity, label, places, runs);
   };
   return page::section("variations", "Variations of the courses", std::move(paragraphs),
                        {page::grid(2, {bars("success_ratio", "arrived, nothing touched"),
                                        bars("touched_ratio", "touched something"),
                                        bars("navigation_time_s", "time of arrival [s]"),
                                        bars("heading_change_rad", "turned in all [rad]")}),
-                        page::comparison_table("All courses, all methods", rows)});
+                        page::comparison_table("All courses, all methods", rows, runs)});
 }
 
 json facts(const Results& results) {
@@ -147,9 +150,11 @@ json facts(const Results& results) {
 }  // namespace
 
 json page_of(const Results& results, const StudyOptions& options) {
-  const std::vector<std::vector<Passage>> shown = passages(options.overrides);
-  json sections = json::array({published_section(results), figures_section(shown), zones_section()});
-  if (results.seeds > 0) sections.push_back(variations_section(results));
+  RunIndex runs{options};
+  for (const auto* cells : {&results.published, &results.variations}) runs.add(*cells);
+  const std::vector<std::vector<Passage>> shown = passages(options.overrides, runs);
+  json sections = json::array({published_section(results, runs), figures_section(shown), zones_section()});
+  if (results.seeds > 0) sections.push_back(variations_section(results, runs));
   sections.push_back(decision_times_section(shown));
   return {{"title", "A surface vessel among buoys and vessels"},
           {"subtitle",
@@ -157,6 +162,7 @@ json page_of(const Results& results, const StudyOptions& options) {
           {"version", fmt::format("fairway {}", fairway_version)},
           {"command", options.command},
           {"facts", facts(results)},
+          {"runs", runs.document()},
           {"sections", std::move(sections)}};
 }
 

@@ -8,6 +8,7 @@
 #include "fairway/studies/page_blocks.hpp"
 #include "fairway/studies/study_runs.hpp"
 #include "fairway/studies/transport/field.hpp"
+#include "fairway/studies/transport/plan.hpp"
 #include "fairway/studies/transport/voyage_log.hpp"
 
 namespace fairway::transport {
@@ -81,25 +82,38 @@ json polyline(std::string_view label, std::span<const Vec2> points) {
 
 }  // namespace
 
-std::vector<json> redrawn(const PublishedRun& run, const std::string& title, const Overrides& overrides) {
+std::vector<json> redrawn(const PublishedRun& run, const std::string& title, const Overrides& overrides,
+                          const RunIndex& runs) {
   const Scenario scenario = under(overrides, scenario_of(run, Plant::paper_compat));
   const Curve compat = followed(scenario);
   const Curve physical = followed(under(overrides, scenario_of(run, Plant::physical)));
-  std::vector<json> blocks{page::scene(title, {compat.track("paper_compat"), physical.track("physical")},
+  const auto made = [&](json block, Plant plant) {
+    const Labels cell{{"case", std::string(name_of(run.which))},
+                      {"method", std::string(run.method.name)},
+                      {"mode", std::string(name_of(plant))},
+                      {"part", std::string(published_part)}};
+    return page::linked(std::move(block), runs.run_of(cell, 1), {});
+  };
+  std::vector<json> blocks{page::scene(title,
+                                       {made(compat.track("paper_compat"), Plant::paper_compat),
+                                        made(physical.track("physical"), Plant::physical)},
                                        obstacles_of(run.which), goal_of(run.which)),
-                           compat.forces()};
+                           made(compat.forces(), Plant::paper_compat)};
   if (const auto reference = printed_reference(scenario.vehicles.front()))
-    blocks.push_back(compat.responses(*reference));
+    blocks.push_back(made(compat.responses(*reference), Plant::paper_compat));
   return blocks;
 }
 
-json ways(const std::string& title, std::span<const Method> methods,
-          const std::vector<ObstacleSpec>& obstacles, const Vec3& goal, const Overrides& overrides) {
+json ways(Case which, std::span<const Method> methods, const Overrides& overrides, const RunIndex& runs) {
   json vehicles = json::array();
-  for (const Method& method : methods)
-    vehicles.push_back(
-        followed(under(overrides, voyage("way", method, obstacles, goal, 600.0, 1))).track(method.name));
-  return page::scene(title, std::move(vehicles), obstacles, goal);
+  for (const Method& method : methods) {
+    const Labels cell{{"case", std::string(name_of(which))},
+                      {"method", std::string(method.name)},
+                      {"mode", std::string(name_of(Plant::physical))}};
+    json track = followed(under(overrides, case_voyage(which, method))).track(method.name);
+    vehicles.push_back(page::linked(std::move(track), runs.run_of(cell, 1), {}));
+  }
+  return page::scene(std::string(name_of(which)), std::move(vehicles), obstacles_of(which), goal_of(which));
 }
 
 json planned_paths() {

@@ -76,6 +76,7 @@ StudyRow published_row(const Cell& cell, Case which, std::string_view quantity) 
   StudyRow row{.cell = cell.place,
                .method = cell.method,
                .mode = cell.mode,
+               .part = cell.part,
                .quantity = std::string(quantity),
                .published = published(which, cell.method, quantity),
                .measured = cell.value(0, quantity),

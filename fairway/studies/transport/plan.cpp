@@ -4,8 +4,6 @@
 namespace fairway::transport {
 namespace {
 
-constexpr double field_duration = 900.0;  // [s]
-
 Cell cell_of(std::string_view place, const Method& method, Plant plant) {
   return {
       .place = std::string(place), .method = std::string(method.name), .mode = std::string(name_of(plant))};
@@ -18,6 +16,7 @@ std::vector<Cell> published_cells() {
   for (const PublishedRun& run : published_runs()) {
     for (const Plant plant : plants) {
       Cell cell = cell_of(name_of(run.which), run.method, plant);
+      cell.part = published_part;
       cell.add_run(
           "transport", [&run, plant] { return scenario_of(run, plant); }, 1);
       cells.push_back(std::move(cell));
@@ -53,9 +52,7 @@ std::vector<Cell> case_cells() {
   for (const Case which : {Case::one_obstacle, Case::four_obstacles, Case::unknown_obstacle}) {
     for (const Method& method : compared_methods()) {
       Cell cell = cell_of(name_of(which), method, Plant::physical);
-      const auto scenario = [which, &method] {
-        return voyage(name_of(which), method, obstacles_of(which), goal_of(which), field_duration, 1);
-      };
+      const auto scenario = [which, &method] { return case_voyage(which, method); };
       cell.add_run("transport", scenario, 1);
       cells.push_back(std::move(cell));
     }
@@ -72,7 +69,7 @@ std::vector<Cell> field_cells(int seeds) {
         const auto seed = static_cast<std::uint64_t>(i);
         const auto scenario = [kind, &method, seed] {
           Field field = random_field(kind, seed);
-          return voyage(name_of(kind), method, std::move(field.obstacles), field.goal, field_duration, seed);
+          return voyage(name_of(kind), method, std::move(field.obstacles), field.goal, voyage_duration, seed);
         };
         cell.add_run("transport", scenario, seed);
       }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "fairway/studies/cell.hpp"
@@ -9,6 +10,9 @@
 #include "fairway/studies/transport/transport_case.hpp"
 
 namespace fairway::transport {
+
+/// Tells the published runs from those on the same cases under the common rules.
+inline constexpr std::string_view published_part = "published";
 
 /// The four published runs on both plants.
 std::vector<Cell> published_cells();

@@ -13,11 +13,18 @@ StudyResult run_transport(const StudyOptions& options) {
                   .fields = options.seeds > 0 ? field_cells(options.seeds) : std::vector<Cell>{},
                   .seeds = options.seeds};
   const Catalogs catalogs = builtin_catalogs();
-  const auto measure = [&](const Scenario& scenario, const std::atomic<bool>* stop) {
-    return measure_voyage(scenario, catalogs, stop);
+  const MeasureRun measure = [&](const Scenario& scenario, const std::atomic<bool>* stop,
+                                 std::span<FrameSink* const> more) {
+    return measure_voyage(scenario, catalogs, stop, more);
   };
-  const std::array groups{&results.published, &results.cases, &results.fields};
-  if (!make_cells(groups, measure, options)) return {.complete = false};
+  const std::array groups{MeasuredCells{&results.published, measure}, MeasuredCells{&results.cases, measure},
+                          MeasuredCells{&results.fields, measure}};
+  if (!make_cells(groups, options)) return {.complete = false};
+  for (const char* method : {"wall_following", "blend"}) {
+    const Cell& cell =
+        find_cell(results.cases, name_of(Case::four_obstacles), method, name_of(Plant::physical));
+    show_run(cell.runs.front(), options);
+  }
 
   results.rows = published_rows(results.published);
   results.published_rows = results.rows.size();

@@ -173,4 +173,8 @@ Scenario voyage(std::string_view name, const Method& method, std::vector<Obstacl
   return scenario;
 }
 
+Scenario case_voyage(Case which, const Method& method) {
+  return voyage(name_of(which), method, obstacles_of(which), goal_of(which), voyage_duration, 1);
+}
+
 }  // namespace fairway::transport

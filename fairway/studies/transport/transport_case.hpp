@@ -51,4 +51,9 @@ Scenario scenario_of(const PublishedRun& run, Plant plant);
 Scenario voyage(std::string_view name, const Method& method, std::vector<ObstacleSpec> obstacles,
                 const Vec3& goal, double duration_s, std::uint64_t seed);
 
+inline constexpr double voyage_duration = 900.0;  ///< of what is compared beyond the publication [s]
+
+/// A case passed by any method, for up to `voyage_duration`.
+Scenario case_voyage(Case which, const Method& method);
+
 }  // namespace fairway::transport

@@ -21,12 +21,13 @@ std::vector<StudyRow> rows_in_mode(std::span<const StudyRow> rows, std::string_v
   return chosen;
 }
 
-json published_section(const Results& results) {
+json published_section(const Results& results, const RunIndex& runs) {
   const std::span rows = std::span{results.rows}.first(results.published_rows);
   return page::section(
       "published", "Published against measured", claims(results.published),
-      {page::comparison_table("On the compatible plant", rows_in_mode(rows, name_of(Plant::paper_compat))),
-       page::comparison_table("On the physical plant", rows_in_mode(rows, name_of(Plant::physical)))});
+      {page::comparison_table("On the compatible plant", rows_in_mode(rows, name_of(Plant::paper_compat)),
+                              runs),
+       page::comparison_table("On the physical plant", rows_in_mode(rows, name_of(Plant::physical)), runs)});
 }
 
 json plants_section() {
@@ -48,25 +49,25 @@ json plants_section() {
       {});
 }
 
-json figures_section(const Overrides& overrides) {
+json figures_section(const Overrides& overrides, const RunIndex& runs) {
   std::vector<json> blocks;
   const std::array titles{"Figure 5: hard switching", "Figure 6: wall following",
                           "Figure 7: wall following among four obstacles", "Figure 9: trajectory following"};
   for (std::size_t i = 0; i < titles.size(); ++i) {
     if (i == 3) blocks.push_back(planned_paths());
-    for (json& block : redrawn(published_runs()[i], titles[i], overrides)) blocks.push_back(std::move(block));
+    for (json& block : redrawn(published_runs()[i], titles[i], overrides, runs))
+      blocks.push_back(std::move(block));
   }
   return page::section("figures", "Figures 5 to 9 redrawn", {"Positions north and east, one point a second."},
                        std::move(blocks));
 }
 
-json cases_section(const Results& results, const Overrides& overrides) {
+json cases_section(const Results& results, const Overrides& overrides, const RunIndex& runs) {
   std::vector<json> blocks;
-  for (const Case which : {Case::one_obstacle, Case::four_obstacles, Case::unknown_obstacle}) {
-    blocks.push_back(ways(std::string(name_of(which)), compared_methods(), obstacles_of(which),
-                          goal_of(which), overrides));
-  }
-  blocks.push_back(page::comparison_table("Every method on the three cases", comparison_rows(results.cases)));
+  for (const Case which : {Case::one_obstacle, Case::four_obstacles, Case::unknown_obstacle})
+    blocks.push_back(ways(which, compared_methods(), overrides, runs));
+  blocks.push_back(
+      page::comparison_table("Every method on the three cases", comparison_rows(results.cases), runs));
   return page::section(
       "cases", "Every method on the published cases, and on one with an unknown obstacle",
       {"On the physical plant. A run is a success if it arrives and the footprint, a disc of 3.2 m that "
@@ -74,7 +75,7 @@ json cases_section(const Results& results, const Overrides& overrides) {
       std::move(blocks));
 }
 
-json fields_section(const Results& results) {
+json fields_section(const Results& results, const RunIndex& runs) {
   const std::vector<StudyRow> rows = comparison_rows(results.fields);
   std::vector<std::string> places;
   for (const FieldKind kind : field_kinds) places.emplace_back(name_of(kind));
@@ -90,14 +91,14 @@ json fields_section(const Results& results) {
   std::ranges::copy(field_findings(results.fields, results.seeds), std::back_inserter(paragraphs));
   return page::section("fields", "Random fields: known, unknown and moving obstacles", std::move(paragraphs),
                        {page::grid(2, {page::method_intervals(rows, compared_methods(), "success_ratio",
-                                                              "arrived, nothing touched", places),
+                                                              "arrived, nothing touched", places, runs),
                                        page::method_intervals(rows, compared_methods(), "untouched_ratio",
-                                                              "nothing touched", places),
+                                                              "nothing touched", places, runs),
                                        page::method_intervals(rows, compared_methods(), "navigation_time_s",
-                                                              "time of arrival [s]", places),
+                                                              "time of arrival [s]", places, runs),
                                        page::method_intervals(rows, compared_methods(), "body_energy_j",
-                                                              "energy into the body [J]", places)}),
-                        page::comparison_table("All kinds, all methods", rows)});
+                                                              "energy into the body [J]", places, runs)}),
+                        page::comparison_table("All kinds, all methods", rows, runs)});
 }
 
 json facts(const Results& results) {
@@ -115,10 +116,12 @@ json facts(const Results& results) {
 }  // namespace
 
 json page_of(const Results& results, const StudyOptions& options) {
-  json sections =
-      json::array({published_section(results), plants_section(), figures_section(options.overrides),
-                   cases_section(results, options.overrides)});
-  if (results.seeds > 0) sections.push_back(fields_section(results));
+  RunIndex runs{options};
+  for (const auto* cells : {&results.published, &results.cases, &results.fields}) runs.add(*cells);
+  json sections = json::array({published_section(results, runs), plants_section(),
+                               figures_section(options.overrides, runs),
+                               cases_section(results, options.overrides, runs)});
+  if (results.seeds > 0) sections.push_back(fields_section(results, runs));
   return {{"title", "A transport system among obstacles"},
           {"subtitle",
            "rehman2021: hard switching, wall following and a planned path; then corrected, filtered and "
@@ -126,6 +129,7 @@ json page_of(const Results& results, const StudyOptions& options) {
           {"version", fmt::format("fairway {}", fairway_version)},
           {"command", options.command},
           {"facts", facts(results)},
+          {"runs", runs.document()},
           {"sections", std::move(sections)}};
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "fairway/studies/run_index.hpp"
 #include "fairway/studies/transport/findings.hpp"
 #include "fairway/studies/transport/voyage_log.hpp"
 
@@ -33,6 +34,18 @@ const StudyRow& row(std::string_view cell, std::string_view method, Plant plant,
 double measured(std::string_view cell, std::string_view method, std::string_view quantity,
                 Plant plant = Plant::paper_compat) {
   return row(cell, method, plant, quantity).measured;
+}
+
+TEST(TransportStudy, RowsOfPublishedRunsLeadToThemAndNotToTheirLikes) {
+  const std::vector<Cell> published = published_cells();
+  const std::vector<Cell> compared = case_cells();
+  const auto has = [](const std::vector<Cell>& cells, const StudyRow& row) {
+    return std::ranges::count(cells, cell_of(row), &Cell::labels);
+  };
+  for (const StudyRow& row : rows()) {
+    EXPECT_EQ(has(published, row), 1) << row.cell << " " << row.method;
+    EXPECT_EQ(has(compared, row), 0) << row.cell << " " << row.method;
+  }
 }
 
 TEST(TransportStudy, FirstForcesAreThePrintedOnes) {

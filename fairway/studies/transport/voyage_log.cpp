@@ -147,12 +147,11 @@ std::optional<Trajectory> printed_reference(const VehicleSpec& vehicle) {
 }
 
 std::vector<Measure> measure_voyage(const Scenario& scenario, const Catalogs& catalogs,
-                                    const std::atomic<bool>* stop) {
+                                    const std::atomic<bool>* stop, std::span<FrameSink* const> more) {
   const std::optional<Trajectory> reference = printed_reference(scenario.vehicles.front());
   RunMetrics metrics = metrics_for(scenario);
   VoyageLog log{scenario, reference ? &*reference : nullptr};
-  const std::array<FrameSink*, 2> sinks{&metrics, &log};
-  run_into(scenario, catalogs, sinks, stop);
+  run_into(scenario, catalogs, sinks_of({&metrics, &log}, more), stop);
 
   std::vector<Measure> measures = metrics.measures();
   double net = 0.0;

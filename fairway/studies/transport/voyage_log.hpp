@@ -60,8 +60,9 @@ class VoyageLog final : public FrameSink {
 std::optional<Trajectory> printed_reference(const VehicleSpec& vehicle);
 
 /// Runs a scenario under every metric and the log; `net_power_w` is the sum of the rms powers along surge,
-/// sway and yaw, as the publication adds them. Throws RunAbandoned once `stop` is true.
+/// sway and yaw, as the publication adds them; `more` sinks see the same frames. Throws RunAbandoned once
+/// `stop` is true.
 std::vector<Measure> measure_voyage(const Scenario& scenario, const Catalogs& catalogs,
-                                    const std::atomic<bool>* stop);
+                                    const std::atomic<bool>* stop, std::span<FrameSink* const> more = {});
 
 }  // namespace fairway::transport

@@ -9,6 +9,7 @@
 #include "fairway/sim/simulation.hpp"
 #include "fairway/studies/page_blocks.hpp"
 #include "fairway/studies/study_runs.hpp"
+#include "fairway/studies/uuv/plan.hpp"
 
 namespace fairway::uuv {
 namespace {
@@ -102,8 +103,10 @@ Scenario as_published(Encounter encounter, const Setting& setting, const Method&
 }  // namespace
 
 std::vector<json> redrawn(Encounter encounter, const Setting& setting, const std::string& title,
-                          const Overrides& overrides) {
-  const Scenario scenario = as_published(encounter, setting, planar_methods().front(), overrides);
+                          const Overrides& overrides, const RunIndex& runs) {
+  const Method& rvo = planar_methods().front();
+  const Scenario scenario = as_published(encounter, setting, rvo, overrides);
+  const json run = runs.run_of(published_labels(encounter, setting, hull_of(rvo), rvo), 1);
   const std::vector<Wake> wakes = sailed(scenario);
   const double end = wakes.front().way.t().back();
   json tracks = json::array();
@@ -124,22 +127,25 @@ std::vector<json> redrawn(Encounter encounter, const Setting& setting, const std
           sphere({place.x(), place.y(), 0.0}, ship.radius, fmt::format("ship {} at {:.0f} s", i + 1, time)));
     }
   }
-  return {{{"kind", "trajectories"},
-           {"title", title},
-           {"vehicles", std::move(tracks)},
-           {"goals", goals_of(scenario)},
-           {"spheres", std::move(spheres)}},
-          speeds_over_time(wakes, "Speeds: " + title)};
+  json ways{{"kind", "trajectories"},
+            {"title", title},
+            {"vehicles", std::move(tracks)},
+            {"goals", goals_of(scenario)},
+            {"spheres", std::move(spheres)}};
+  return {page::linked(std::move(ways), run, {}),
+          page::linked(speeds_over_time(wakes, "Speeds: " + title), run, {})};
 }
 
 json ways_of(Encounter encounter, std::span<const std::string_view> methods, const std::string& title,
-             const Overrides& overrides) {
+             const Overrides& overrides, const RunIndex& runs) {
   json tracks = json::array();
   json goals = json::array();
   for (const std::string_view name : methods) {
     const Method& method = *std::ranges::find(planar_methods(), name, &Method::name);
-    const Scenario scenario = as_published(encounter, find_setting("common"), method, overrides);
-    tracks.push_back(sailed(scenario).front().way.track(std::string(name)));
+    const Setting& common = find_setting("common");
+    const Scenario scenario = as_published(encounter, common, method, overrides);
+    const Labels cell = published_labels(encounter, common, hull_of(method), method);
+    tracks.push_back(page::linked(sailed(scenario).front().way.track(name), runs.run_of(cell, 1), {}));
     goals = goals_of(scenario);
   }
   return {{"kind", "trajectories"},

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/studies/uuv/measures.hpp"
 
-#include <array>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -55,22 +54,20 @@ std::vector<Quantities> by_vehicle(const std::vector<Measure>& measures, std::si
 }  // namespace
 
 std::vector<Measure> measure_encounter(const Scenario& scenario, const Catalogs& catalogs,
-                                       const std::atomic<bool>* stop) {
+                                       const std::atomic<bool>* stop, std::span<FrameSink* const> more) {
   RunMetrics metrics = metrics_for(scenario);
   Timeline timeline{scenario};
-  const std::array<FrameSink*, 2> sinks{&metrics, &timeline};
-  run_into(scenario, catalogs, sinks, stop);
+  run_into(scenario, catalogs, sinks_of({&metrics, &timeline}, more), stop);
   std::vector<Measure> measures = metrics.measures();
   timeline.report(measures);
   return measures;
 }
 
 std::vector<Measure> measure_fleet(const Scenario& scenario, const Catalogs& catalogs,
-                                   const std::atomic<bool>* stop) {
+                                   const std::atomic<bool>* stop, std::span<FrameSink* const> more) {
   RunMetrics metrics = metrics_for(scenario);
   CourseLog courses{scenario.vehicles.size()};
-  const std::array<FrameSink*, 2> sinks{&metrics, &courses};
-  run_into(scenario, catalogs, sinks, stop);
+  run_into(scenario, catalogs, sinks_of({&metrics, &courses}, more), stop);
 
   const std::vector<Measure> all = metrics.measures();
   std::vector<Measure> kept;

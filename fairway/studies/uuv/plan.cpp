@@ -43,8 +43,12 @@ Cell cell_of(std::string_view place, std::string_view method, std::string mode, 
   return cell;
 }
 
+std::string mode_of(const Setting& setting, Hull hull) {
+  return fmt::format("{} {}", setting.name, name_of(hull));
+}
+
 Cell published_cell(Encounter encounter, const Setting& setting, Hull hull, const Method& method) {
-  return cell_of(name_of(encounter), method.name, fmt::format("{} {}", setting.name, name_of(hull)), 1,
+  return cell_of(name_of(encounter), method.name, mode_of(setting, hull), 1,
                  [encounter, &setting, hull, &method](std::uint64_t seed) {
                    return encounter_scenario(encounter, meeting_of(encounter), setting, hull, method, seed);
                  });
@@ -61,6 +65,12 @@ std::optional<double> published(Encounter encounter, std::string_view quantity) 
     if (moment.encounter == encounter && moment.quantity == quantity) return moment.value;
   }
   return {};
+}
+
+Labels published_labels(Encounter encounter, const Setting& setting, Hull hull, const Method& method) {
+  return {{"case", std::string(name_of(encounter))},
+          {"method", std::string(method.name)},
+          {"mode", mode_of(setting, hull)}};
 }
 
 std::vector<Cell> published_cells() {

@@ -19,6 +19,9 @@ std::optional<double> published(Encounter encounter, std::string_view quantity);
 /// The setting that fits an encounter.
 std::string_view fit_of(Encounter encounter);
 
+/// The labels of the published cell of an encounter.
+Labels published_labels(Encounter encounter, const Setting& setting, Hull hull, const Method& method);
+
 /// RVO in every setting as the point, the encounter's fit first, in the chosen ones also as the unicycle;
 /// then every other method of the plane in the common setting. One run each: nothing is drawn.
 std::vector<Cell> published_cells();

@@ -15,16 +15,21 @@ StudyResult run_uuv(const StudyOptions& options) {
     results.silence = silence_cells(options.seeds);
   }
   const Catalogs catalogs = builtin_catalogs();
-  const auto meet = [&](const Scenario& scenario, const std::atomic<bool>* stop) {
-    return measure_encounter(scenario, catalogs, stop);
+  const MeasureRun meet = [&](const Scenario& scenario, const std::atomic<bool>* stop,
+                              std::span<FrameSink* const> more) {
+    return measure_encounter(scenario, catalogs, stop, more);
   };
-  const auto gather = [&](const Scenario& scenario, const std::atomic<bool>* stop) {
-    return measure_fleet(scenario, catalogs, stop);
+  const MeasureRun gather = [&](const Scenario& scenario, const std::atomic<bool>* stop,
+                                std::span<FrameSink* const> more) {
+    return measure_fleet(scenario, catalogs, stop, more);
   };
-  const std::array meetings{&results.published, &results.variations};
-  const std::array fleets{&results.gatherings, &results.silence};
-  if (!make_cells(meetings, meet, options) || !make_cells(fleets, gather, options))
-    return {.complete = false};
+  const std::array groups{MeasuredCells{&results.published, meet}, MeasuredCells{&results.variations, meet},
+                          MeasuredCells{&results.gatherings, gather},
+                          MeasuredCells{&results.silence, gather}};
+  if (!make_cells(groups, options)) return {.complete = false};
+  // the first of each encounter is RVO in the setting that fits, which the figures show
+  for (const Encounter encounter : {Encounter::head_on, Encounter::multi_obstacle})
+    show_run(std::ranges::find(results.published, name_of(encounter), &Cell::place)->runs.front(), options);
 
   results.published_rows = published_rows(results.published);
   StudyResult study{.rows = results.published_rows};

@@ -23,7 +23,7 @@ std::vector<StudyRow> rows_where(std::span<const StudyRow> rows,
   return chosen;
 }
 
-json published_section(const Results& results) {
+json published_section(const Results& results, const RunIndex& runs) {
   const std::span<const StudyRow> rows = results.published_rows;
   const auto judged = rows_where(rows, [](const StudyRow& row) { return row.published.has_value(); });
   const auto others = rows_where(rows, [](const StudyRow& row) { return !row.published; });
@@ -37,33 +37,33 @@ json published_section(const Results& results) {
            "The paper gives no radius, time step, acceleration or horizon, and its head-on times fit no "
            "constant speed: settings that come near its times stand in. Its second encounter names no goals: "
            "crossing ones are adopted, since with parallel ones nobody needs to brake."),
-       page::comparison_table("RVO, as the paper has it", judged),
-       page::comparison_table("All that was measured of single encounters", others)});
+       page::comparison_table("RVO, as the paper has it", judged, runs),
+       page::comparison_table("All that was measured of single encounters", others, runs)});
 }
 
-json figures_section(const StudyOptions& options) {
+json figures_section(const StudyOptions& options, const RunIndex& runs) {
   std::vector<json> blocks;
   const auto draw = [&](Encounter encounter, std::string_view setting, const std::string& title) {
-    for (json& block : redrawn(encounter, find_setting(setting), title, options.overrides))
+    for (json& block : redrawn(encounter, find_setting(setting), title, options.overrides, runs))
       blocks.push_back(std::move(block));
   };
   draw(Encounter::head_on, "fit_head_on", "Figure 4: head-on, the setting that fits its times");
   draw(Encounter::multi_obstacle, "fit_ships", "Figure 5: three ships cross, goals as adopted");
   draw(Encounter::parallel_goals, "fit_ships", "Figure 5 with parallel goals");
-  blocks.push_back(
-      ways_of(Encounter::head_on, drawn_methods, "Head-on: UUV1 under other methods", options.overrides));
+  blocks.push_back(ways_of(Encounter::head_on, drawn_methods, "Head-on: UUV1 under other methods",
+                           options.overrides, runs));
   blocks.push_back(ways_of(Encounter::multi_obstacle, drawn_methods, "Three ships: UUV1 under other methods",
-                           options.overrides));
+                           options.overrides, runs));
   return page::section("figures", "Figures 4 and 5 redrawn",
                        {"Spheres are where everyone is at the times that the paper's text names."},
                        std::move(blocks));
 }
 
-json variations_section(const Results& results) {
+json variations_section(const Results& results, const RunIndex& runs) {
   const std::vector<std::string> places{std::string(name_of(Encounter::head_on)),
                                         std::string(name_of(Encounter::multi_obstacle))};
   const auto bars = [&](const char* quantity, const char* label) {
-    return page::method_intervals(results.varied_rows, planar_methods(), quantity, label, places);
+    return page::method_intervals(results.varied_rows, planar_methods(), quantity, label, places, runs);
   };
   return page::section(
       "variations", "Every method on variations of both encounters",
@@ -75,10 +75,10 @@ json variations_section(const Results& results) {
                       bars("arrived_ratio", "runs in which both arrived"),
                       bars("arrive_time_s", "arrival of UUV1 [s]"),
                       bars("keeps_right_ratio", "runs in which both kept right")}),
-       page::comparison_table("Both encounters, all methods", results.varied_rows)});
+       page::comparison_table("Both encounters, all methods", results.varied_rows, runs)});
 }
 
-json gatherings_section(const Results& results) {
+json gatherings_section(const Results& results, const RunIndex& runs) {
   std::vector<std::string> places;
   for (const Gathering& gathering : gatherings()) places.push_back(gathering.name());
   std::vector<json> blocks;
@@ -87,14 +87,14 @@ json gatherings_section(const Results& results) {
         rows_where(results.gathering_rows, [&](const StudyRow& row) { return row.mode == awareness.name; });
     const auto bars = [&](const char* quantity, const char* label) {
       return page::method_intervals(rows, gathering_methods(), quantity,
-                                    fmt::format("{}, {}", awareness.name, label).c_str(), places);
+                                    fmt::format("{}, {}", awareness.name, label).c_str(), places, runs);
     };
     blocks.push_back(page::grid(2, {bars("collision_ratio", "runs with a collision"),
                                     bars("deadlock_ratio", "runs in which somebody did not arrive"),
                                     bars("time_ratio", "time to the straight way's"),
                                     bars("mean_course_change_rad", "changes of course in all [rad]")}));
   }
-  blocks.push_back(page::comparison_table("All gatherings", results.gathering_rows));
+  blocks.push_back(page::comparison_table("All gatherings", results.gathering_rows, runs));
   return page::section(
       "gatherings", "Up to fifty",
       {"Swaps across a circle, two columns that cross, and crowds in a square: everyone at 1 m/s, keeping "
@@ -105,7 +105,7 @@ json gatherings_section(const Results& results) {
 }
 
 /// Runs with a collision over update rates, a series for each method.
-json silence_chart(const Results& results, std::string_view cube, double loss) {
+json silence_chart(const Results& results, std::string_view cube, double loss, const RunIndex& runs) {
   json series = json::array();
   std::vector<std::string> categories;
   for (const double rate : update_rates_hz) categories.push_back(fmt::format("{} Hz", rate));
@@ -115,7 +115,8 @@ json silence_chart(const Results& results, std::string_view cube, double loss) {
       const Cell& cell =
           find_cell(results.silence, cube, method.name, Channel{Channel::Kind::acoustic, rate, loss}.name());
       const RateEstimate share = wilson_interval(collision_runs(cell), cell.results.size());
-      points.push_back({{"value", share.rate}, {"low", share.low}, {"high", share.high}});
+      points.push_back(runs.mark({{"value", share.rate}, {"low", share.low}, {"high", share.high}},
+                                 cell.labels(), "pair_collision_count"));
     }
     series.push_back({{"label", method.name}, {"points", points}});
   }
@@ -127,15 +128,15 @@ json silence_chart(const Results& results, std::string_view cube, double loss) {
           {"series", series}};
 }
 
-json silence_section(const Results& results) {
+json silence_section(const Results& results, const RunIndex& runs) {
   std::vector<json> blocks;
   for (const std::string_view cube : silent_cubes()) {
     std::vector<json> charts;
-    for (const double loss : loss_ratios) charts.push_back(silence_chart(results, cube, loss));
+    for (const double loss : loss_ratios) charts.push_back(silence_chart(results, cube, loss, runs));
     blocks.push_back(page::grid(2, std::move(charts)));
   }
   const auto shown = rows_where(results.silence_rows, [](const StudyRow& row) { return row.params.empty(); });
-  blocks.push_back(page::comparison_table("Perfect exchange, the modem, and the limits", shown));
+  blocks.push_back(page::comparison_table("Perfect exchange, the modem, and the limits", shown, runs));
   return page::section("silence", "The cubes with less and less to hear", silence_sentences(results.silence),
                        std::move(blocks));
 }
@@ -154,11 +155,14 @@ json facts(const Results& results) {
 }  // namespace
 
 json page_of(const Results& results, const StudyOptions& options) {
-  json sections = json::array({published_section(results), figures_section(options)});
+  RunIndex runs{options};
+  for (const auto* cells : {&results.published, &results.variations, &results.gatherings, &results.silence})
+    runs.add(*cells);
+  json sections = json::array({published_section(results, runs), figures_section(options, runs)});
   if (results.seeds > 0) {
-    sections.push_back(variations_section(results));
-    sections.push_back(gatherings_section(results));
-    sections.push_back(silence_section(results));
+    sections.push_back(variations_section(results, runs));
+    sections.push_back(gatherings_section(results, runs));
+    sections.push_back(silence_section(results, runs));
   }
   return {{"title", "UUVs that meet, and what they know of each other"},
           {"subtitle",
@@ -168,6 +172,7 @@ json page_of(const Results& results, const StudyOptions& options) {
           {"version", fmt::format("fairway {}", fairway_version)},
           {"command", options.command},
           {"facts", facts(results)},
+          {"runs", runs.document()},
           {"sections", std::move(sections)}};
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The document's runs, and the references of marks and rows to them.
 import type { Made, Run } from './model';
-import { DataError, type Reader } from './reader';
+import { DataError, type Reader } from '../common/reader';
 
 /** A page beside the report or below it, never a place elsewhere or a script. */
 function playback(at: Reader): string {

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/studies/run_index.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "fairway/studies/study_runs.hpp"
+
+namespace fairway {
+namespace {
+
+using nlohmann::json;
+
+/// "cube20_8 apf corrected".
+std::string list_label(const Labels& labels) {
+  std::string label = cell_name(labels);
+  std::ranges::replace(label, '/', ' ');
+  label.pop_back();
+  return label;
+}
+
+/// The fleet's value, or the mean over the vehicles; NaN if it was not measured.
+double value_in(const std::vector<Measure>& run, std::string_view quantity) {
+  double sum = 0.0;
+  int vehicles = 0;
+  for (const Measure& measure : run) {
+    if (measure.quantity != quantity) continue;
+    if (measure.vehicle == Measure::fleet) return measure.value;
+    sum += measure.value;
+    ++vehicles;
+  }
+  return vehicles == 0 ? std::numeric_limits<double>::quiet_NaN() : sum / vehicles;
+}
+
+}  // namespace
+
+void RunIndex::add(std::span<const RunSpec> specs, std::span<const std::vector<Measure>> results) {
+  if (specs.empty()) return;
+  Group group{.results = results};
+  const std::string label = list_label(specs.front().labels);
+  for (const RunSpec& spec : specs) {
+    const RunSpec kept = spec_under(options_, spec);
+    const std::size_t place =
+        list_.add(label, kept, options_.playback ? options_.playback(kept) : std::string());
+    if (group.seeds.empty()) group.first = place;
+    group.seeds.push_back(spec.seed);
+  }
+  groups_[cell_name(specs.front().labels)] = std::move(group);
+}
+
+void RunIndex::add(const std::vector<Cell>& cells) {
+  for (const Cell& cell : cells) {
+    std::vector<RunSpec> specs;
+    for (const StudyRun& run : cell.runs) specs.push_back(run.spec);
+    add(specs, cell.results);
+  }
+}
+
+const RunIndex::Group* RunIndex::find(const Labels& cell) const {
+  const auto found = groups_.find(cell_name(cell));
+  return found == groups_.end() ? nullptr : &found->second;
+}
+
+json RunIndex::runs_of(const Labels& cell) const {
+  const Group* group = find(cell);
+  if (group == nullptr) return nullptr;
+  std::vector<std::size_t> places(group->seeds.size());
+  for (std::size_t i = 0; i < places.size(); ++i) places[i] = group->first + i;
+  return page::references(places);
+}
+
+json RunIndex::run_of(const Labels& cell, std::uint64_t seed) const {
+  const Group* group = find(cell);
+  if (group == nullptr) return nullptr;
+  const auto found = std::ranges::find(group->seeds, seed);
+  if (found == group->seeds.end()) return nullptr;
+  const std::array place{group->first + static_cast<std::size_t>(found - group->seeds.begin())};
+  return page::references(place);
+}
+
+json RunIndex::values_of(const Labels& cell, std::string_view quantity) const {
+  const Group* group = find(cell);
+  if (group == nullptr) return nullptr;
+  std::vector<double> values;
+  for (const std::vector<Measure>& run : group->results) values.push_back(value_in(run, quantity));
+  if (std::ranges::all_of(values, [](double value) { return std::isnan(value); })) return nullptr;
+  return page::shown_values(values);
+}
+
+json RunIndex::mark(json point, const Labels& cell, std::string_view quantity) const {
+  return page::linked(std::move(point), runs_of(cell), values_of(cell, quantity));
+}
+
+json RunIndex::line(json row, const Labels& cell, std::string_view quantity) const {
+  json runs = runs_of(cell);
+  if (runs.is_null()) return row;
+  row["$runs"] = std::move(runs);
+  if (json values = values_of(cell, quantity); !values.is_null()) row["$values"] = std::move(values);
+  return row;
+}
+
+Labels cell_of(const StudyRow& row) {
+  Labels labels{{"case", row.cell}, {"method", row.method}, {"mode", row.mode}};
+  if (!row.part.empty()) labels.emplace_back("part", row.part);
+  return labels;
+}
+
+}  // namespace fairway
