@@ -10,7 +10,6 @@
 #include "fairway/core/text.hpp"
 #include "fairway/experiment/version.hpp"
 #include "fairway/record/recording.hpp"
-#include "fairway/report/page.hpp"
 #include "fairway/sim/catalogs.hpp"
 #include "fairway/view/explain/explanation.hpp"
 #include "fairway/view/explain/instant.hpp"
@@ -70,8 +69,7 @@ void print(const Explanation& explanation) {
 void write_explanation(const std::string& path, const Scenario& scenario, const Recording& recording,
                        const Film& film, const Explanation& explanation, const std::string& typed) {
   const PlaybackInfo info{recording.info().version, typed, recording.info().period, page_json(explanation)};
-  write_whole(filled(embedded::view_template(), playback_document(scenario, info, &film).dump()), path,
-              "the page");
+  write_playback(path, playback_document(scenario, info, &film));
 }
 
 int explain(const ExplainFlags& flags, const Program& program) {
