@@ -32,7 +32,7 @@ class Outline {
   void add(const Vec2& point) { points_[count_++] = point; }
   std::span<const Vec2> view() const { return {points_.data(), count_}; }
 
-  static constexpr std::size_t cut_points = 17;  ///< along the cut
+  static constexpr std::size_t cut_points = 9;  ///< along the cut
   static constexpr std::size_t max_points = cut_points + 2;
 
  private:
