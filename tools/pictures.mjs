@@ -4,7 +4,7 @@
 // A picture is a command that writes a page, and what of it is photographed:
 //   {"name", "commands": [[word...]...], "page", "size": [width, height], "scheme"?, "hash"?, "clip"?: css selector}
 // Words may hold {dir}, a scratch folder. `hash` is the page's fragment: moment, vehicles, camera, layers.
-import { execFileSync } from 'node:child_process';
+import { spawnSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
@@ -38,7 +38,9 @@ const browser = await chromium.launch({
 async function photograph({ commands, page: name, size: [width, height], scheme = 'light', hash = '', clip }) {
   for (const command of commands) {
     const filled = command.map((word) => word.replaceAll('{dir}', folder));
-    execFileSync(join(root, 'build/bin/fairway'), filled, { cwd: root, stdio: ['ignore', 'ignore', 'inherit'] });
+    const { status } = spawnSync(join(root, 'build/bin/fairway'), filled, { cwd: root, stdio: ['ignore', 'ignore', 'inherit'] });
+    // 1: an expectation of the scenario failed, which under another method it may.
+    if (status !== 0 && status !== 1) throw new Error(`fairway ${filled.join(' ')} ended with ${status}`);
   }
   const context = await browser.newContext({ viewport: { width, height }, colorScheme: scheme, reducedMotion: 'reduce' });
   try {

@@ -10,7 +10,7 @@ import type { Panel } from './panel';
 import { alert_text, goal_distance, mode_text, phase_text, position_texts, seconds, speed_of, vehicle_colour } from './printed';
 
 /** Of more vehicles than these, only the chosen ones show their numbers. */
-const most_in_full = 12;
+const most_in_full = 4;
 
 interface Card {
   element: HTMLElement;

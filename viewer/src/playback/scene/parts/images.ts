@@ -8,6 +8,9 @@ import type { Stroke } from '../../model';
 
 type Image = Extract<Stroke, { kind: 'image' }>;
 
+/** What is black is forbidden: it darkens what is below and hides it no more than it must. */
+const alpha_of = (red: number, green: number, blue: number): number => (red + green + blue === 0 ? 90 : 215);
+
 /** Rows from the top, as a texture has them from the bottom. */
 function texture_of({ side, rgb }: Image): DataTexture {
   const bytes = from_base64(rgb);
@@ -16,7 +19,8 @@ function texture_of({ side, rgb }: Image): DataTexture {
   for (let row = 0; row < side; ++row) {
     for (let column = 0; column < side; ++column) {
       const from = 3 * (row * side + column);
-      pixels.set([bytes[from]!, bytes[from + 1]!, bytes[from + 2]!, 255], 4 * ((side - 1 - row) * side + column));
+      const [red, green, blue] = [bytes[from]!, bytes[from + 1]!, bytes[from + 2]!];
+      pixels.set([red, green, blue, alpha_of(red, green, blue)], 4 * ((side - 1 - row) * side + column));
     }
   }
   const texture = new DataTexture(pixels, side, side);
@@ -60,7 +64,7 @@ export class Images {
   }
 
   private make(image: Image): Mesh<BufferGeometry, MeshBasicMaterial> {
-    const material = new MeshBasicMaterial({ map: texture_of(image), transparent: true, opacity: 0.55, depthWrite: false, side: DoubleSide });
+    const material = new MeshBasicMaterial({ map: texture_of(image), transparent: true, depthWrite: false, side: DoubleSide });
     const mesh = new Mesh(this.lying, material);
     mesh.renderOrder = this.render_order;
     this.object.add(mesh);

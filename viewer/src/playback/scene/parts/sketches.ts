@@ -22,6 +22,9 @@ const circle_points = 40;
 const a = new Vector3();
 const b = new Vector3();
 
+/** What the key says for one of several neighbours. */
+const of_all = (meaning: string): string => meaning.replace(/ (vehicle|contact|drifter) \d+$/, ' each $1');
+
 /** Two directions across `normal`, the first level. */
 function across(normal: Vector3): [Vector3, Vector3] {
   const level = new Vector3(-normal.z, 0, normal.x);
@@ -35,6 +38,13 @@ function circle(centre: Vector3, u: Vector3, v: Vector3, radius: number): Vector
     const angle = (2 * Math.PI * k) / circle_points;
     return centre.clone().addScaledVector(u, radius * Math.cos(angle)).addScaledVector(v, radius * Math.sin(angle));
   });
+}
+
+/** Where a stroke stands among those of its decision. */
+interface Among {
+  many: boolean;
+  first: boolean;
+  first_image: boolean;
 }
 
 export class Sketches implements Part {
@@ -98,17 +108,21 @@ export class Sketches implements Part {
     const counts = new Map<string, number>();
     for (const s of record.strokes) counts.set(s.meaning, (counts.get(s.meaning) ?? 0) + 1);
     const named = new Set<string>();
+    let imaged = false;
     for (const stroke of record.strokes) {
       const many = counts.get(stroke.meaning)! > most_arrows;
-      this.draw(stroke, at, many, !named.has(stroke.meaning), now);
+      this.draw(stroke, at, { many, first: !named.has(stroke.meaning), first_image: !imaged }, now);
       named.add(stroke.meaning);
+      imaged ||= stroke.kind === 'image';
     }
   }
 
-  private draw(stroke: Stroke, at: Vector3, many: boolean, first: boolean, now: Now): void {
+  private draw(stroke: Stroke, at: Vector3, { many, first, first_image }: Among, now: Now): void {
     const name = meaning_colour(stroke.meaning);
     const colour = now.colours.of(name);
-    if (stroke.kind !== 'velocity') this.meanings.set(stroke.meaning, name);
+    // Of several images the first lies in the scene; the plane of velocities beside it has them all.
+    if (stroke.kind === 'image' && !first_image) return;
+    if (stroke.kind !== 'velocity') this.meanings.set(of_all(stroke.meaning), name);
     switch (stroke.kind) {
       case 'velocity': {
         if (!many) return this.arrow(at, place_of(stroke.points[0], a), stroke.meaning, now, first);
@@ -120,7 +134,7 @@ export class Sketches implements Part {
       case 'region': return this.region(at, stroke.points, colour);
       case 'path': return this.polyline(stroke.points.map((p) => place_of(p, new Vector3())), this.lines, colour, 0.95);
       case 'tree':
-        for (let k = 0; k + 1 < stroke.points.length; k += 2) this.thin.add(place_of(stroke.points[k]!, a), place_of(stroke.points[k + 1]!, b), colour, 0.6);
+        for (let k = 0; k + 1 < stroke.points.length; k += 2) this.thin.add(place_of(stroke.points[k]!, a), place_of(stroke.points[k + 1]!, b), colour, 0.35);
         return;
       case 'sphere': return this.wire(place_of(stroke.points[0], new Vector3()), stroke.radius, colour);
       case 'image':
