@@ -81,8 +81,8 @@ function strokes(id, t) {
     { kind: 'velocity', meaning: 'preferred', points: [[vn, ve, 0]] },
     { kind: 'velocity', meaning: 'chosen', points: [[0.9 * vn + 0.1, 0.9 * ve - 0.1, 0]] },
   ];
-  if (id === 0) marks.push({ kind: 'half_space', meaning: 'allowed by a neighbour', points: [[0.2, 0.1, 0], [-0.8, 0.6, 0]] },
-    { kind: 'half_space', meaning: 'allowed by a neighbour', points: [[-0.1, 0.3, 0], [0, -1, 0]] });
+  if (id === 0) marks.push({ kind: 'half_space', meaning: 'allowed by vehicle 1', points: [[0.2, 0.1, 0], [-0.8, 0.6, 0]] },
+    { kind: 'half_space', meaning: 'allowed by vehicle 2', points: [[-0.1, 0.3, 0], [0, -1, 0]] });
   if (id === 1) marks.push({ kind: 'region', meaning: 'velocity obstacle', points: [[0.8, 0.5, 0], [0.2, 0.1, 0], [0.3, -0.1, 0], [0.9, -0.2, 0]] });
   if (id === 2) {
     const side = 31;

@@ -177,8 +177,10 @@ TEST(Explanation, CallsTracksByWhatTheyAre) {
 TEST(Explanation, SaysAllOfADeviation) {
   EXPECT_EQ(
       deviation_words({.size = 0.4, .speed = -0.1, .climb = 0.2, .turn = radians(-12.0)}, {0.3, 0.1, -0.2}),
-      "turns 12 deg to port, slows down by 0.10 m/s to 0.37 m/s and climbs by 0.20 m/s");
+      "turns 12 deg to port, slows down by 0.10 m/s to 0.37 m/s and goes 0.20 m/s more upwards");
   EXPECT_EQ(deviation_words({.size = 0.5, .speed = -0.5}, Vec3::Zero()), "stops");
+  EXPECT_EQ(deviation_words({.size = 0.3, .climb = -0.05, .turn = radians(45.0)}, {-0.02, 0, 0.16}),
+            "goes 0.05 m/s more downwards");
   EXPECT_EQ(deviation_words({.size = 2e-3, .speed = -2e-3}, {0.4, 0, 0}),
             "hardly leaves the velocity it prefers, by 0.002 m/s");
   EXPECT_EQ(deviation_words({.size = 1e-16}, {0.4, 0, 0}), "keeps to the velocity it prefers");

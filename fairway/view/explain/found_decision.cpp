@@ -150,7 +150,7 @@ std::optional<FoundDecision> find_decision(const Recording& recording, const Sce
   while (!simulation.is_done() && count(simulation.tick()) <= target + after) {
     if (stop != nullptr && stop->load(std::memory_order_relaxed)) return {};
     const Tick now = simulation.tick();
-    if (count(now) >= watched) simulation.show_thoughts(true);
+    simulation.show_thoughts(recording.info().sketches || count(now) >= watched);
     simulation.observe(count(now) >= watched && count(now) <= target ? &witness : nullptr);
     simulation.step(sinks);
     witness.hold_to_recording();

@@ -18,6 +18,9 @@ constexpr std::uint32_t first_drifting = 0x8000'0000U;
 constexpr double least_speed = 0.005;
 constexpr double least_turn = radians(0.5);
 
+/// Of a velocity that has a course worth telling, the horizontal part at least.
+constexpr double least_share_of_way = 0.2;
+
 /// Less is the rounding of sums [m/s].
 constexpr double least_difference = 1e-9;
 
@@ -151,7 +154,9 @@ std::string deviation_words(const Deviation& deviation, const Vec3& commanded) {
   const double speed = commanded.norm();
   if (speed < least_speed && deviation.speed < -least_speed) return "stops";
   std::vector<std::string> parts;
-  if (deviation.turn && std::abs(*deviation.turn) >= least_turn) {
+  // what goes nearly straight up or down has a course, but nobody would call it a turn
+  const bool has_way = horizontal_norm(commanded) >= least_share_of_way * speed;
+  if (has_way && deviation.turn && std::abs(*deviation.turn) >= least_turn) {
     parts.push_back(fmt::format("turns {:.0f} deg to {}", std::abs(degrees(*deviation.turn)),
                                 *deviation.turn > 0.0 ? "starboard" : "port"));
   }
@@ -161,8 +166,8 @@ std::string deviation_words(const Deviation& deviation, const Vec3& commanded) {
                                 speed));
   }
   if (std::abs(deviation.climb) >= least_speed) {
-    parts.push_back(fmt::format("{} by {:.2f} m/s", deviation.climb > 0.0 ? "climbs" : "dives",
-                                std::abs(deviation.climb)));
+    parts.push_back(fmt::format("goes {:.2f} m/s more {}", std::abs(deviation.climb),
+                                deviation.climb > 0.0 ? "upwards" : "downwards"));
   }
   if (parts.empty()) {
     return fmt::format("hardly leaves the velocity it prefers, by {:.1g} m/s", deviation.size);
