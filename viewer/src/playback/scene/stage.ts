@@ -22,8 +22,19 @@ const heading_window_s = 2;
 /** Who has nothing to draw for this long does not play. */
 const pause_ms = 150;
 
+/** Whether the processor draws, for want of a graphics card. */
+function is_drawn_by_processor(renderer: WebGLRenderer): boolean {
+  const gl = renderer.getContext();
+  const unmasked = gl.getExtension('WEBGL_debug_renderer_info')?.UNMASKED_RENDERER_WEBGL ?? gl.RENDERER;
+  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(String(gl.getParameter(unmasked)));
+}
+
 function make_renderer(): WebGLRenderer {
   try {
+    const plain = new WebGLRenderer({ powerPreference: 'high-performance' });
+    if (is_drawn_by_processor(plain)) return plain;
+    // Smooth edges would halve the pace of a processor; a graphics card has them for nothing.
+    plain.dispose();
     return new WebGLRenderer({ antialias: true, powerPreference: 'high-performance' });
   } catch {
     throw new Error('This browser shows no WebGL, which the picture in three dimensions needs.');
@@ -59,12 +70,14 @@ class Stage implements StageView {
   private drawn_ms = 0;
   private paused = true;
   private key_text = '';
+  private size = '';
   /** Of the film, when the extent was last measured. */
   private measured = { count: -1, generation: -1 };
 
   constructor(private readonly host: HTMLElement, private readonly scene: Scene, private readonly film: Film) {
     host.classList.add('stage');
     this.renderer.outputColorSpace = SRGBColorSpace;
+    this.renderer.debug.checkShaderErrors = import.meta.env.DEV;
     this.poses = new Poses(film);
     this.vehicles = new Vehicles(scene);
     this.parts = make_parts(scene, film);
@@ -80,6 +93,7 @@ class Stage implements StageView {
     this.resize();
     this.fit();
     this.listen();
+    this.renderer.compile(this.world, this.cameras.camera);
   }
 
   private listen(): void {
@@ -168,13 +182,16 @@ class Stage implements StageView {
 
   private resize(): void {
     const { clientWidth: width, clientHeight: height } = this.host;
-    if (width === 0 || height === 0) return;
-    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    const ratio = Math.min(devicePixelRatio, 2);
+    const size = `${width} x ${height} at ${ratio}`;
+    if (width === 0 || height === 0 || size === this.size) return;
+    this.size = size;
+    this.renderer.setPixelRatio(ratio);
     this.renderer.setSize(width, height, false);
     this.cameras.resize(width, height);
     if (!this.cameras.moved) this.cameras.fit(this.extent.view);
     // A canvas of another size is empty until it is drawn on, so that waiting would show as a flicker.
-    this.draw();
+    if (this.drawn_ms > 0) this.draw();
   }
 
   private refresh(): void {
