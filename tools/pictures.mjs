@@ -34,7 +34,7 @@ const browser = await chromium.launch({
   args: ['--no-sandbox', '--disable-dev-shm-usage', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--hide-scrollbars'],
 });
 
-/** A picture of half as many pixels in each direction. */
+/** A picture of half as many pixels in each direction, as WebP. */
 async function halved(picture) {
   const page = await browser.newPage();
   try {
@@ -47,7 +47,7 @@ async function halved(picture) {
       const context = canvas.getContext('2d');
       context.imageSmoothingQuality = 'high';
       context.drawImage(image, 0, 0, canvas.width, canvas.height);
-      return canvas.toDataURL('image/png').split(',')[1];
+      return canvas.toDataURL('image/webp', 0.92).split(',')[1];
     }, picture.toString('base64'));
     return Buffer.from(smaller, 'base64');
   } finally {
@@ -84,7 +84,7 @@ async function difference(one, other) {
     return await page.evaluate(async (sources) => {
       const [a, b] = await Promise.all(sources.map(async (source) => {
         const image = new Image();
-        image.src = `data:image/png;base64,${source}`;
+        image.src = `data:image/webp;base64,${source}`;
         await image.decode();
         const canvas = new OffscreenCanvas(image.width, image.height);
         const context = canvas.getContext('2d');
@@ -104,7 +104,7 @@ async function difference(one, other) {
 let stale = 0;
 try {
   for (const picture of all.filter(({ name }) => names.length === 0 || names.includes(name))) {
-    const file = join(images, `${picture.name}.png`);
+    const file = join(images, `${picture.name}.webp`);
     const drawn = await photograph(picture);
     if (!checking) {
       writeFileSync(file, drawn);
