@@ -206,7 +206,7 @@ Command Teb::decide(const Situation& s, Memory& memory, Context& context) const 
     if (context.sketch != nullptr) draw(s, memory.bands, *context.sketch);
     const Band& band = memory.bands.front();
     if (is_feasible(task, band)) {
-      const Command command = first_command(task, band);
+      Command command = first_command(task, band);
       if (context.sketch != nullptr) context.sketch->velocity(command.velocity, "chosen");
       return command;
     }
