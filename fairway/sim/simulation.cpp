@@ -212,7 +212,7 @@ Command Simulation::ask(std::size_t index, const Leg& leg) {
                             .model = agent.model ? &*agent.model : nullptr,
                             .tracks = agent.tracks,
                             .obstacles = agent.obstacles};
-  const Command command = agent.avoider.decide(situation, showing_ ? &drawings_[index] : nullptr);
+  Command command = agent.avoider.decide(situation, showing_ ? &drawings_[index] : nullptr);
   if (observer_ != nullptr) observer_->see(index, situation, command);
   return command;
 }
