@@ -95,13 +95,13 @@ Found first_flight_difference(std::span<const MessageFlight> a, std::span<const 
     const MessageFlight& x = a[i];
     const MessageFlight& y = b[i];
     if (x == y) continue;
-    const Found found = first_of("flights[" + std::to_string(i) + "]",
-                                 {{".from_index", std::to_string(x.from), std::to_string(y.from)},
-                                  {".to_index", std::to_string(x.to), std::to_string(y.to)},
-                                  {".sent_s", number_text(x.sent), number_text(y.sent)},
-                                  {".begins_s", number_text(x.begins), number_text(y.begins)},
-                                  {".arrives_s", number_text(x.arrives), number_text(y.arrives)},
-                                  {".drowned", word(x.drowned), word(y.drowned)}});
+    Found found = first_of("flights[" + std::to_string(i) + "]",
+                           {{".from_index", std::to_string(x.from), std::to_string(y.from)},
+                            {".to_index", std::to_string(x.to), std::to_string(y.to)},
+                            {".sent_s", number_text(x.sent), number_text(y.sent)},
+                            {".begins_s", number_text(x.begins), number_text(y.begins)},
+                            {".arrives_s", number_text(x.arrives), number_text(y.arrives)},
+                            {".drowned", word(x.drowned), word(y.drowned)}});
     if (found) return found;
   }
   return first_of("", {{"flight_count", count_text(a.size()), count_text(b.size())}});
