@@ -115,16 +115,6 @@ TEST_P(Laws, InSteadyStateDecidingDoesNotAllocate) {
   });
 }
 
-/// One period later, if the command was carried out at once and the others kept their course.
-void pass(Encounter& e, const Command& command) {
-  Situation& s = e.situation;
-  s.time += s.period;
-  s.own.velocity = command.velocity;
-  s.own.position += s.period * command.velocity;
-  for (Track& track : e.tracks) track.position += s.period * track.velocity;
-  e.sorted();
-}
-
 TEST_P(Laws, LookingDoesNotChangeACommandForEver) {
   for (std::uint64_t i = 0; i < 40; ++i) {
     SCOPED_TRACE(i);
@@ -137,7 +127,7 @@ TEST_P(Laws, LookingDoesNotChangeACommandForEver) {
       drawing.clear();
       const Command command = alone.decide(e);
       ASSERT_EQ(looked_at.decide(e, &drawing), command) << step;
-      pass(e, command);
+      carry_out(e, command);
     }
     e.tracks.clear();
     ASSERT_EQ(looked_at.decide(e), alone.decide(e));  // what it remembers is the same

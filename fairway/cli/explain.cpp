@@ -8,8 +8,7 @@
 
 #include "fairway/cli/program.hpp"
 #include "fairway/core/text.hpp"
-#include "fairway/experiment/version.hpp"
-#include "fairway/record/recording.hpp"
+#include "fairway/experiment/recording_info.hpp"
 #include "fairway/sim/catalogs.hpp"
 #include "fairway/view/explain/explanation.hpp"
 #include "fairway/view/explain/instant.hpp"
@@ -75,7 +74,7 @@ void write_explanation(const std::string& path, const Scenario& scenario, const 
 int explain(const ExplainFlags& flags, const Program& program) {
   const Recording recording = Recording::read(flags.recording);
   const Instant instant{vehicle_called(recording.info(), flags.vehicle), frame_at(recording, flags.time)};
-  const Scenario scenario = parse_scenario(recording.info().scenario_yaml, flags.recording + " (scenario)");
+  const Scenario scenario = recorded_scenario(recording, flags.recording);
   const Catalogs catalogs = builtin_catalogs();
   const double time = recording.frame(instant.frame).time;
   Film film{scenario, {.from_s = time - window_s, .to_s = time + window_s}};

@@ -6,6 +6,7 @@
 
 #include "fairway/cli/program.hpp"
 #include "fairway/experiment/measure_run.hpp"
+#include "fairway/experiment/recording_info.hpp"
 #include "fairway/metrics/run_metrics.hpp"
 #include "fairway/record/csv.hpp"
 #include "fairway/record/hash_checker.hpp"
@@ -26,7 +27,7 @@ struct ReplayFlags {
 
 /// Simulates the recorded scenario again beside the recording.
 int verify(const Recording& recording, const std::string& name, bool as_json) {
-  const Scenario scenario = parse_scenario(recording.info().scenario_yaml, name + " (scenario)");
+  const Scenario scenario = recorded_scenario(recording, name);
   HashChecker checker{recording};
   const std::array<FrameSink*, 1> sinks{&checker};
   Simulation simulation{scenario, builtin_catalogs()};
@@ -61,7 +62,7 @@ void export_to(const std::string& file, const Recording& recording, Export write
 /// What is in the recording, from its frames alone.
 void summarise(const Recording& recording, const std::string& name, bool as_json) {
   const RecordingInfo& info = recording.info();
-  const Scenario scenario = parse_scenario(info.scenario_yaml, name + " (scenario)");
+  const Scenario scenario = recorded_scenario(recording, name);
   RunMetrics metrics = metrics_for(scenario);
   recording.play(metrics);
   nlohmann::json document{

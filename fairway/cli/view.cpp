@@ -12,8 +12,8 @@
 #include <optional>
 
 #include "fairway/cli/program.hpp"
+#include "fairway/experiment/recording_info.hpp"
 #include "fairway/record/hash_checker.hpp"
-#include "fairway/record/recording.hpp"
 #include "fairway/sim/simulation.hpp"
 #include "fairway/view/playback.hpp"
 
@@ -154,9 +154,7 @@ int view(const ViewOptions& options, const Program& program) {
   check_view_options(options);
   const Recording recording = Recording::read(options.recording);
   const RecordingInfo& info = recording.info();
-  const Scenario scenario = parse_scenario(info.scenario_yaml, options.recording + " (scenario)");
-  if (scenario.vehicles.size() != info.vehicles.size())
-    throw InputError(options.recording + ": its frames and its scenario have different vehicles");
+  const Scenario scenario = recorded_scenario(recording, options.recording);
   Film film{scenario, film_limits_of(options)};
   const bool again = options.sketch && !holds_thoughts(recording);
   const bool complete = again ? show_again(recording, scenario, options.recording, film, program.stop)

@@ -66,6 +66,31 @@ TEST(AcousticChannel, AMessageArrivesAfterItsTransmissionAndTheWayOfSound) {
   EXPECT_FALSE(sea.heard(0, 0).told) << "nobody hears itself";
 }
 
+TEST(AcousticChannel, TellsWhatIsUnderWayUntilItHasArrived) {
+  // as above, of the first alone: sent at 0, heard from 0.05 s to 0.37 s
+  Sea sea{{}, pair(75)};
+  sea.said[1].told = false;
+  const auto under_way = [&] {
+    std::vector<MessageFlight> flights;
+    sea.channel.add_under_way(flights);
+    return flights;
+  };
+  EXPECT_TRUE(under_way().empty());
+  sea.tick();
+  ASSERT_EQ(under_way().size(), 1U);
+  const MessageFlight flight = under_way()[0];
+  EXPECT_EQ(flight.from, 0U);
+  EXPECT_EQ(flight.to, 1U);
+  EXPECT_EQ(flight.sent, 0.0);
+  EXPECT_NEAR(flight.begins, 0.05, 1e-12);
+  EXPECT_NEAR(flight.arrives, 0.37, 1e-12);
+  EXPECT_FALSE(flight.drowned);
+  for (int i = 1; i < 8; ++i) sea.tick();
+  EXPECT_EQ(under_way(), std::vector{flight});
+  sea.tick();
+  EXPECT_TRUE(under_way().empty());
+}
+
 TEST(AcousticChannel, WhatTakesAsLongAsATickArrivesOnIt) {
   // 0.32 s are 6.4 ticks; 45 m at 1500 m/s the 0.6 that are missing from 7
   Sea sea{{}, pair(45)};

@@ -32,6 +32,12 @@ using ParamValues = std::vector<std::pair<std::string, ParamValue>>;
 template <class E>
 struct EnumNames;
 
+/// The name of an enumerator.
+template <class E>
+constexpr const char* enum_name(E value) {
+  return EnumNames<E>::names[static_cast<std::size_t>(value)];
+}
+
 /// One tunable value of an algorithm, model or sensor: said once, next to its default, and read by
 /// the YAML loader, the tuner, `fairway describe` and the report.
 template <class Owner, class T>

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <span>
 
+#include "fairway/core/params.hpp"
 #include "fairway/core/vec.hpp"
 
 namespace fairway {
@@ -21,6 +23,11 @@ struct Obstacle {
   Vec3 to = Vec3::Zero();          ///< [m, NED]
   std::span<const Vec3> vertices;  ///< [m, NED]; at least three
   bool charted{true};              ///< known before the mission; else met on the way
+};
+
+template <>
+struct EnumNames<Obstacle::Kind> {
+  static constexpr std::array names{"sphere", "segment", "polygon"};
 };
 
 /// A solid that may drift at a constant velocity; only spheres do.

@@ -86,25 +86,10 @@ std::vector<std::string> chosen_quantities(std::span<const RunRecord> records,
   return options.quantities;
 }
 
-/// A run's one value of a quantity, unless it is unknown. Infinite only where the fleet's is.
-std::optional<double> value_of(const RunRecord& record, const std::string& quantity) {
-  double sum = 0.0;
-  std::size_t vehicles = 0;
-  for (const Measure& m : record.measures) {
-    if (m.quantity != quantity) continue;
-    if (m.vehicle == Measure::fleet) return std::isnan(m.value) ? std::nullopt : std::optional{m.value};
-    if (!std::isfinite(m.value)) continue;
-    sum += m.value;
-    ++vehicles;
-  }
-  if (vehicles == 0) return {};
-  return sum / static_cast<double>(vehicles);
-}
-
-/// The same, to take a mean of.
+/// A run's value, to take a mean of.
 std::optional<double> finite_value_of(const RunRecord& record, const std::string& quantity) {
-  const auto value = value_of(record, quantity);
-  return value && std::isfinite(*value) ? value : std::nullopt;
+  const double value = run_value(record.measures, quantity);
+  return std::isfinite(value) ? std::optional{value} : std::nullopt;
 }
 
 MeanEstimate mean_of(const Seeds& seeds, const std::string& quantity, double confidence) {
@@ -136,15 +121,28 @@ RateEstimate rate_of(const Seeds& seeds, const RateQuestion& question, double co
   std::size_t runs = 0;
   std::size_t yes = 0;
   for (const auto& [seed, record] : seeds) {
-    const auto value = value_of(*record, question.quantity);
-    if (!value) continue;
+    const double value = run_value(record->measures, question.quantity);
+    if (std::isnan(value)) continue;
     ++runs;
-    if (*value >= question.min && *value <= question.max) ++yes;
+    if (value >= question.min && value <= question.max) ++yes;
   }
   return wilson_interval(yes, runs, confidence);
 }
 
 }  // namespace
+
+double run_value(std::span<const Measure> measures, std::string_view quantity) {
+  double sum = 0.0;
+  int vehicles = 0;
+  for (const Measure& m : measures) {
+    if (m.quantity != quantity) continue;
+    if (m.vehicle == Measure::fleet) return m.value;
+    if (!std::isfinite(m.value)) continue;
+    sum += m.value;
+    ++vehicles;
+  }
+  return vehicles == 0 ? std::numeric_limits<double>::quiet_NaN() : sum / vehicles;
+}
 
 std::vector<RateQuestion> usual_rates() {
   return {{.name = "collision_free_ratio", .quantity = "collision_count", .min = 0.0, .max = 0.0},

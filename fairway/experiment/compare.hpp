@@ -66,11 +66,13 @@ struct Comparison {
   std::vector<ComparedRate> rates;
 };
 
-/// Compares cells that differ in one label and agree in all others, run by run under the same seed.
-/// A run counts as one value, because its vehicles are not independent of each other: the fleet's
-/// measure if there is one, otherwise the mean over the vehicles that have a finite one.
-/// Throws InputError for a label, baseline or quantity that no run has, and for two runs of one cell and
-/// seed: then the records are of more than one version of a scenario. O(n log n) in measures.
+/// A run counts as one value, because its vehicles are not independent of each other: the fleet's measure if
+/// there is one, otherwise the mean over the vehicles that have a finite one; NaN if neither is there.
+double run_value(std::span<const Measure> measures, std::string_view quantity);
+
+/// Compares cells that differ in one label and agree in all others, run by run under the same seed, each run
+/// by its run_value(). Throws InputError for a label, baseline or quantity that no run has, and for two runs
+/// of one cell and seed: then the records are of more than one version of a scenario. O(n log n) in measures.
 Comparison compare(std::span<const RunRecord> records, const CompareOptions& options = {});
 
 /// An aligned table for people; numbers to four digits.

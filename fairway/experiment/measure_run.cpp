@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/experiment/measure_run.hpp"
 
+#include <algorithm>
+
 #include "fairway/experiment/executor.hpp"
 #include "fairway/sim/simulation.hpp"
 
@@ -17,6 +19,8 @@ RunMetrics metrics_for(const Scenario& scenario) {
 void run_into(const Scenario& scenario, const Catalogs& catalogs, std::span<FrameSink* const> sinks,
               const std::atomic<bool>* stop) {
   Simulation simulation{scenario, catalogs};
+  simulation.show_thoughts(
+      std::ranges::any_of(sinks, [](const FrameSink* sink) { return sink->wants_thoughts(); }));
   while (!simulation.is_done()) {
     if (stop != nullptr && stop->load(std::memory_order_relaxed)) throw RunAbandoned{};
     simulation.step(sinks);

@@ -15,7 +15,7 @@ namespace fairway {
 /// Every metric, with the scenario's counting rules and obstacles. The scenario must outlive it.
 RunMetrics metrics_for(const Scenario& scenario);
 
-/// Runs a scenario into `sinks`. Throws as measure_run().
+/// Runs a scenario into `sinks`, showing its thoughts if one of them wants them. Throws as measure_run().
 void run_into(const Scenario& scenario, const Catalogs& catalogs, std::span<FrameSink* const> sinks,
               const std::atomic<bool>* stop);
 

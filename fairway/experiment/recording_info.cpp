@@ -18,4 +18,11 @@ RecordingInfo recording_info(const Scenario& scenario) {
   return info;
 }
 
+Scenario recorded_scenario(const Recording& recording, const std::string& file) {
+  Scenario scenario = parse_scenario(recording.info().scenario_yaml, file + " (scenario)");
+  if (scenario.vehicles.size() != recording.info().vehicles.size())
+    throw InputError(file + ": its frames and its scenario have different vehicles");
+  return scenario;
+}
+
 }  // namespace fairway

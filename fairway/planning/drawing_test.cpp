@@ -32,15 +32,6 @@ Encounter busy_waters() {
   return e;
 }
 
-/// One period later, if the command was carried out at once.
-void sail(Encounter& e, const Command& command) {
-  Situation& s = e.situation;
-  s.time += s.period;
-  s.own.velocity = command.velocity;
-  s.own.position += s.period * command.velocity;
-  for (Track& track : e.tracks) track.position += s.period * track.velocity;
-}
-
 class PlannersDraw : public testing::TestWithParam<std::string> {
  protected:
   static Avoider planner() {
@@ -63,7 +54,7 @@ TEST_P(PlannersDraw, SomethingAtEveryDecisionAndLookingChangesNoCommand) {
       ASSERT_TRUE(std::ranges::all_of(stroke.points, [](const Vec3& p) { return is_finite(p); }))
           << stroke.meaning;
     }
-    sail(e, command);
+    carry_out(e, command);
   }
 }
 
@@ -83,7 +74,7 @@ TEST(BlendDraws, ItsPlanAndHowItGoesRoundWhatItDidNotKnow) {
       return !o.charted && (o.position - e.situation.own.position).norm() > 6.0;
     });
     Drawing drawing;
-    sail(e, blend.decide(seen, &drawing));
+    carry_out(e, blend.decide(seen, &drawing));
     std::set<std::string> meanings;
     for (const Stroke& stroke : drawing.strokes()) meanings.insert(stroke.meaning);
     (meanings.contains("search tree") ? following : going_round).merge(meanings);

@@ -104,8 +104,9 @@ using InformedRrtStar = WithTree<og::InformedRRTstar>;
 std::vector<Vec2> tree_of(const og::BITstar& planner) {
   ob::PlannerData data(planner.getSpaceInformation());
   planner.getPlannerData(data);
+  if (data.numEdges() > max_tree_edges) return {};
   std::vector<Vec2> edges;
-  for (unsigned to = 0; data.numEdges() <= max_tree_edges && to < data.numVertices(); ++to) {
+  for (unsigned to = 0; to < data.numVertices(); ++to) {
     std::vector<unsigned> sources;
     data.getIncomingEdges(to, sources);
     for (const unsigned from : sources) {

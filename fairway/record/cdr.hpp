@@ -68,7 +68,7 @@ class CdrReader {
  public:
   explicit CdrReader(ByteView message) : size_{message.size()}, reader_{message} {
     if (reader_.number<std::uint32_t>() != 0x00000100) {
-      throw Malformed{"damaged recording: a message is not little-endian CDR"};
+      damaged("a message is not little-endian CDR");
     }
   }
 
@@ -88,7 +88,7 @@ class CdrReader {
   std::string_view text() {
     const ByteView with_zero = bytes();
     if (with_zero.empty() || with_zero.back() != std::byte{0}) {
-      throw Malformed{"damaged recording: a text does not end"};
+      damaged("a text does not end");
     }
     return {reinterpret_cast<const char*>(with_zero.data()), with_zero.size() - 1};
   }
@@ -120,7 +120,7 @@ class CdrReader {
 
   /// Throws Malformed if something is left.
   void finish() const {
-    if (reader_.remaining() > 0) throw Malformed{"damaged recording: a message is longer than its schema"};
+    if (reader_.remaining() > 0) damaged("a message is longer than its schema");
   }
 
  private:

@@ -28,12 +28,10 @@ using testing::SampleRun;
 using ::testing::StartsWith;
 
 Bytes sample() {
-  const TemporaryFolder folder;
   SampleRun run{2, 3};
   run.perceive();
   run.sketch();
-  run.record(folder.file("run.mcap"));
-  return bytes_in(folder.file("run.mcap"));
+  return testing::recorded_bytes(run);
 }
 
 // what reading says, or "" if it accepts

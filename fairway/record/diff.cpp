@@ -67,10 +67,6 @@ void compare_frames(const Frame& a, const Frame& b, const RecordingInfo& info, I
   }
 }
 
-std::string at(Tick tick, double time) {
-  return "tick " + std::to_string(count(tick)) + " (" + number_text(time) + " s)";
-}
-
 }  // namespace
 
 Difference diff(const Recording& a, const Recording& b) {
@@ -113,13 +109,13 @@ std::string Difference::describe() const {
   std::string text;
   for (const std::string& line : setup) text += line + '\n';
   if (first) {
-    text += "first difference at " + at(first->tick, first->time) + ": " + first->vehicle +
+    text += "first difference at " + instant_text(first->tick, first->time) + ": " + first->vehicle +
             (first->vehicle.empty() ? "" : " ") + first->quantity + ": " + first->a + " against " + first->b +
             '\n';
   }
   if (farthest) {
-    text += "farthest apart at " + at(farthest->tick, farthest->time) + ": " + farthest->vehicle + " by " +
-            number_text(farthest->distance) + " m\n";
+    text += "farthest apart at " + instant_text(farthest->tick, farthest->time) + ": " + farthest->vehicle +
+            " by " + number_text(farthest->distance) + " m\n";
   }
   const auto lone = [&](const char* which, std::size_t frames) {
     if (frames > 0) text += std::string("only in the ") + which + ": " + std::to_string(frames) + " frames\n";

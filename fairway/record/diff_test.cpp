@@ -16,6 +16,7 @@
 namespace fairway {
 namespace {
 
+using testing::checked;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -48,6 +49,11 @@ TEST(Diff, NamesTheFirstQuantityAndTheFarthestPosition) {
   EXPECT_EQ(d.farthest->vehicle, "auv_1");
   EXPECT_NEAR(d.farthest->distance, 3.0, 1e-12);
   EXPECT_THAT(d.describe(), HasSubstr("first difference at tick 2 (0.2 s): auv_2 mode: "));
+}
+
+TEST(Diff, TellsATimeWithoutTheLastDigitsOfItsRounding) {
+  EXPECT_EQ(instant_text(Tick{1111}, 1111 * 0.05), "tick 1111 (55.55 s)");
+  EXPECT_NE(number_text(1111 * 0.05), "55.55");
 }
 
 TEST(Diff, SeesTheLastBit) {
@@ -126,8 +132,7 @@ TEST(HashChecker, AgreesWithTheSameRunAtAnyStride) {
   const SampleRun run{3, 10};
   for (const std::int64_t stride : {1, 3, 20}) {
     const Recording recording = recorded(run, stride);
-    HashChecker checker{recording};
-    for (std::size_t i = 0; i < run.size(); ++i) checker.write(run.frame(i));
+    const HashChecker checker = checked(recording, run);
     EXPECT_TRUE(checker.same()) << checker.describe();
     EXPECT_EQ(checker.matched(), recording.size());
     EXPECT_THAT(checker.describe(), ::testing::StartsWith("the same to the bit: "));
@@ -140,8 +145,7 @@ TEST(HashChecker, RemembersTheFirstMismatch) {
   SampleRun now;
   now.at(1, 2).state.v_b.y() = 7.0;
   now.at(3, 0).power = 1.0;
-  HashChecker checker{recording};
-  for (std::size_t i = 0; i < now.size(); ++i) checker.write(now.frame(i));
+  const HashChecker checker = checked(recording, now);
   EXPECT_FALSE(checker.same());
   ASSERT_TRUE(checker.first_mismatch());
   EXPECT_EQ(checker.first_mismatch()->tick, Tick{1});
@@ -154,16 +158,14 @@ TEST(HashChecker, RemembersTheFirstMismatch) {
 TEST(HashChecker, SeesARunOfAnotherLengthAndFramesBetweenTheRecordedOnes) {
   const SampleRun run{2, 10};
   const Recording recording = recorded(run, 4);
-  HashChecker early{recording};
-  for (std::size_t i = 0; i < 9; ++i) early.write(run.frame(i));
+  const HashChecker early = checked(recording, run, 9);
   EXPECT_FALSE(early.same());
   EXPECT_FALSE(early.first_mismatch());
   EXPECT_EQ(early.describe(), "another length: 10 frames were run, now 9");
 
   SampleRun now{2, 10};
   now.at(5, 0).power += 1.0;
-  HashChecker between{recording};
-  for (std::size_t i = 0; i < 10; ++i) between.write(now.frame(i));
+  const HashChecker between = checked(recording, now);
   EXPECT_FALSE(between.same());
   EXPECT_EQ(between.describe(), "differs between the recorded frames, of which 3 of 3 match");
 }

@@ -45,6 +45,9 @@ class FrameSink {
  public:
   virtual ~FrameSink() = default;
   virtual void write(const Frame& frame) = 0;
+
+  /// Whether it looks at strokes and flights, which a run that it is handed to then shows.
+  virtual bool wants_thoughts() const { return false; }
 };
 
 }  // namespace fairway

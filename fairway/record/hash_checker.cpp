@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "fairway/core/text.hpp"
 #include "fairway/record/frame_hash.hpp"
 #include "fairway/record/perception_quantities.hpp"
 #include "fairway/record/quantities.hpp"
@@ -77,8 +76,7 @@ std::string HashChecker::describe() const {
            (info.sketches ? ", and what was drawn" : "");
   }
   if (mismatch_) {
-    return "differs from tick " + std::to_string(count(mismatch_->tick)) + " (" +
-           number_text(mismatch_->time) + " s): " + mismatch_->what;
+    return "differs from " + instant_text(mismatch_->tick, mismatch_->time) + ": " + mismatch_->what;
   }
   if (seen_ != recording_.run_frame_count()) {
     return "another length: " + std::to_string(recording_.run_frame_count()) + " frames were run, now " +

@@ -42,8 +42,8 @@ inline void skip_header(CdrReader& cdr) {
 template <class E>
 E enumerator(std::uint8_t value, const char* what) {
   if (value >= EnumNames<E>::names.size()) {
-    throw Malformed{std::string("damaged recording: a ") + what + " is " + std::to_string(value) +
-                    "; expected 0 to " + std::to_string(EnumNames<E>::names.size() - 1)};
+    damaged(std::string("a ") + what + " is " + std::to_string(value) + "; expected 0 to " +
+            std::to_string(EnumNames<E>::names.size() - 1));
   }
   return static_cast<E>(value);
 }

@@ -8,13 +8,11 @@
 #include <sstream>
 
 #include "fairway/core/error.hpp"
-#include "fairway/core/testing/allocations.hpp"
 #include "fairway/core/text.hpp"
 #include "fairway/record/csv.hpp"
 #include "fairway/record/diff.hpp"
 #include "fairway/record/frame_hash.hpp"
 #include "fairway/record/hash_checker.hpp"
-#include "fairway/record/mcap_reader.hpp"
 #include "fairway/record/messages.hpp"
 #include "fairway/record/perception_quantities.hpp"
 #include "fairway/record/testing/sample_run.hpp"
@@ -22,26 +20,16 @@
 namespace fairway {
 namespace {
 
-using testing::bytes_in;
+using testing::checked;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using testing::PerceivingRun;
 using testing::recorded;
+using testing::recorded_bytes;
 using testing::SampleRun;
 using ::testing::SizeIs;
 using ::testing::StartsWith;
-
-/// A sample run whose vehicles perceive.
-struct PerceivingRun : SampleRun {
-  explicit PerceivingRun(std::size_t vehicle_count = 3, std::size_t frame_count = 5)
-      : SampleRun{vehicle_count, frame_count} {
-    perceive();
-  }
-
-  Track& track(std::size_t frame, std::size_t vehicle, std::size_t i) {
-    return tracks[frame * info.vehicles.size() + vehicle][i];
-  }
-};
 
 void expect_same_perception(const Frame& a, const Frame& b) {
   ASSERT_EQ(a.vehicles.size(), b.vehicles.size());
@@ -95,15 +83,7 @@ TEST(RecordedPerception, MovesWithItsFramesAndSurvivesAStride) {
 }
 
 TEST(RecordedPerception, IsWrittenOnlyWhereItChanges) {
-  const TemporaryFolder folder;
-  const PerceivingRun run{3, 10};  // anew in every second frame
-  run.record(folder.file("run.mcap"));
-  const Bytes bytes = bytes_in(folder.file("run.mcap"));
-  const McapReader mcap{bytes};
-  std::map<std::string, std::vector<std::uint64_t>> times;
-  mcap.for_each_message([&](const McapReader::Message& m) {
-    times[mcap.channels().at(m.channel).topic].push_back(m.time / 100'000'000);
-  });
+  auto times = testing::writings(recorded_bytes(PerceivingRun{3, 10}));  // anew in every second frame
   EXPECT_THAT(times["/auv_2/tracks"], ElementsAre(0, 2, 4, 6, 8));
   EXPECT_THAT(times["/auv_1/echoes"], ElementsAre(0, 2, 4, 6, 8));
   EXPECT_THAT(times["/auv_2/echoes"], ElementsAre(0));  // it has no sonar
@@ -111,15 +91,12 @@ TEST(RecordedPerception, IsWrittenOnlyWhereItChanges) {
 }
 
 TEST(RecordedPerception, LeavesARecordingWithoutItAsItIs) {
-  const TemporaryFolder folder;
   const SampleRun blind;
   PerceivingRun silent;
   silent.info.perception = false;
-  blind.record(folder.file("blind.mcap"));
-  silent.record(folder.file("silent.mcap"));
-  EXPECT_EQ(bytes_in(folder.file("blind.mcap")), bytes_in(folder.file("silent.mcap")));
+  EXPECT_EQ(recorded_bytes(blind), recorded_bytes(silent));
 
-  const Recording recording = Recording::read(folder.file("silent.mcap"));
+  const Recording recording = recorded(silent);
   EXPECT_FALSE(recording.info().perception);
   EXPECT_THAT(recording.perception_hashes(), IsEmpty());
   EXPECT_THAT(recording.frame(0).vehicles[0].tracks, IsEmpty());
@@ -127,16 +104,7 @@ TEST(RecordedPerception, LeavesARecordingWithoutItAsItIs) {
 }
 
 TEST(RecordedPerception, IsWrittenWithoutAllocatingOnceTheBuffersHaveGrown) {
-  const TemporaryFolder folder;
-  const PerceivingRun run{4, 800};
-  RecordingWriter writer{folder.file("run.mcap"), run.info};
-  for (std::size_t i = 0; i < 600; ++i) writer.write(run.frame(i));
-  long allocated = 0;
-  for (std::size_t i = 600; i < 800; ++i) {
-    const long before = allocation_count();
-    writer.write(run.frame(i));
-    allocated += allocation_count() - before;
-  }
+  const long allocated = testing::allocations_from(600, PerceivingRun{4, 800});
   EXPECT_LE(allocated, 4);  // entries that each chunk adds to the summary
 }
 
@@ -228,22 +196,17 @@ TEST(HashChecker, ComparesWhatWasPerceivedWhereItIsRecorded) {
   const Recording recording = recorded(now);
   const Recording without = recorded(SampleRun{});
   now.track(2, 2, 0).destination = Vec3{7.0, 8.0, 9.0};
-  HashChecker checker{recording}, blind{without};
-  for (std::size_t i = 0; i < now.size(); ++i) {
-    checker.write(now.frame(i));
-    blind.write(now.frame(i));
-  }
+  const HashChecker checker = checked(recording, now);
   EXPECT_FALSE(checker.same());
   EXPECT_EQ(checker.matched(), 4U);
   EXPECT_THAT(checker.describe(),
               StartsWith("differs from tick 2 (0.2 s): auv_3 tracks[0].destination_n_m: "));
-  EXPECT_TRUE(blind.same());
+  EXPECT_TRUE(checked(without, now).same());
 
   const PerceivingRun again;
   for (const std::int64_t stride : {1, 2}) {
     const Recording kept = recorded(again, stride);
-    HashChecker agreeing{kept};
-    for (std::size_t i = 0; i < again.size(); ++i) agreeing.write(again.frame(i));
+    const HashChecker agreeing = checked(kept, again);
     EXPECT_TRUE(agreeing.same());
     EXPECT_THAT(agreeing.describe(), HasSubstr("recorded frames, and what was perceived"));
   }
@@ -253,8 +216,7 @@ TEST(HashChecker, SeesPerceptionThatDiffersBetweenTheRecordedFrames) {
   PerceivingRun now{2, 9};
   const Recording recording = recorded(now, 4);
   now.track(6, 0, 0).yaw += 1.0;
-  HashChecker checker{recording};
-  for (std::size_t i = 0; i < now.size(); ++i) checker.write(now.frame(i));
+  const HashChecker checker = checked(recording, now);
   EXPECT_FALSE(checker.same());
   EXPECT_EQ(checker.describe(), "differs between the recorded frames, of which 3 of 3 match");
 }

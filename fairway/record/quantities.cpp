@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/record/quantities.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <cstdint>
 
 #include "fairway/core/text.hpp"
 
@@ -70,14 +70,13 @@ constexpr std::array list{
     Quantity{"moment_n_nm", [](V v) { return number_text(v.wrench[5]); }},
 };
 
-// number_text() tells every two doubles apart, but not the payloads of NaN
-bool same_bits(double a, double b) {
-  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
-}
-
 }  // namespace
 
 std::span<const Quantity> quantities() { return list; }
+
+std::string instant_text(Tick tick, double time) {
+  return fmt::format("tick {} ({:.10g} s)", count(tick), time);
+}
 
 std::optional<QuantityDifference> first_difference(const VehicleFrame& a, const VehicleFrame& b) {
   for (const Quantity& quantity : list) {

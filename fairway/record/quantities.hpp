@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <bit>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -25,6 +27,15 @@ struct QuantityDifference {
   std::string a;
   std::string b;
 };
+
+/// Whether two numbers are the same to the bit. number_text() tells every two apart, but not the payloads of
+/// NaN.
+inline bool same_bits(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+
+/// "tick 4 (0.4 s)", the time without the last digits of its rounding.
+std::string instant_text(Tick tick, double time);
 
 /// The first in which two vehicle frames differ, actuators last; none if they are the same to the bit.
 std::optional<QuantityDifference> first_difference(const VehicleFrame& a, const VehicleFrame& b);

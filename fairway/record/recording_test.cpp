@@ -18,7 +18,6 @@
 namespace fairway {
 namespace {
 
-using testing::bytes_in;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using testing::recorded;
@@ -107,11 +106,8 @@ TEST(Recording, MovesWithItsFrames) {
 }
 
 TEST(RecordingWriter, GivesTheSameBytesForTheSameRun) {
-  const TemporaryFolder folder;
   const SampleRun run{4, 100};
-  run.record(folder.file("a.mcap"));
-  run.record(folder.file("b.mcap"));
-  EXPECT_EQ(bytes_in(folder.file("a.mcap")), bytes_in(folder.file("b.mcap")));
+  EXPECT_EQ(testing::recorded_bytes(run), testing::recorded_bytes(run));
 }
 
 TEST(RecordingWriter, ShowsTheFileOnlyWhenItIsComplete) {

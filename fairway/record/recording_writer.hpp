@@ -51,6 +51,7 @@ class RecordingWriter : public FrameSink {
   /// the disk is full, if the frame has not the vehicles of the info, or if its time is outside what a stamp
   /// holds.
   void write(const Frame& frame) override;
+  bool wants_thoughts() const override { return info_.sketches; }
 
   /// Completes the file. Throws InputError if that fails; does nothing the second time.
   void close();

@@ -2,7 +2,6 @@
 #include "fairway/record/sketch_quantities.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <initializer_list>
 
 #include "fairway/core/text.hpp"
@@ -13,18 +12,13 @@ namespace {
 
 using Found = std::optional<QuantityDifference>;
 
-bool same_bits(double a, double b) {
-  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
-}
-
-bool same_bits(const Vec3& a, const Vec3& b) {
+bool same_point(const Vec3& a, const Vec3& b) {
   return same_bits(a.x(), b.x()) && same_bits(a.y(), b.y()) && same_bits(a.z(), b.z());
 }
 
-bool same_bits(const Stroke& a, const Stroke& b) {
+bool same_stroke(const Stroke& a, const Stroke& b) {
   return a.kind == b.kind && a.meaning == b.meaning && same_bits(a.size, b.size) && same_bits(a.yaw, b.yaw) &&
-         a.side == b.side && a.rgb == b.rgb &&
-         std::ranges::equal(a.points, b.points, [](const Vec3& p, const Vec3& q) { return same_bits(p, q); });
+         a.side == b.side && a.rgb == b.rgb && std::ranges::equal(a.points, b.points, same_point);
 }
 
 /// A quantity by its name and its texts in both.
@@ -40,8 +34,6 @@ Found first_of(const std::string& prefix, std::initializer_list<Named> all) {
   }
   return {};
 }
-
-std::string count_text(std::size_t count) { return std::to_string(count); }
 
 std::string point_text(const Vec3& p) {
   return number_text(p.x()) + " " + number_text(p.y()) + " " + number_text(p.z());
@@ -59,11 +51,11 @@ QuantityDifference difference_between(const Stroke& a, const Stroke& b, const st
                         {".size", number_text(a.size), number_text(b.size)},
                         {".yaw_rad", number_text(a.yaw), number_text(b.yaw)},
                         {".side_count", std::to_string(a.side), std::to_string(b.side)},
-                        {".point_count", count_text(a.points.size()), count_text(b.points.size())},
-                        {".pixel_count", count_text(a.rgb.size()), count_text(b.rgb.size())}});
+                        {".point_count", std::to_string(a.points.size()), std::to_string(b.points.size())},
+                        {".pixel_count", std::to_string(a.rgb.size()), std::to_string(b.rgb.size())}});
   if (of_members) return *of_members;
   for (std::size_t i = 0; i < a.points.size(); ++i) {
-    if (same_bits(a.points[i], b.points[i])) continue;
+    if (same_point(a.points[i], b.points[i])) continue;
     return {prefix + ".points[" + std::to_string(i) + "]", point_text(a.points[i]), point_text(b.points[i])};
   }
   const auto pixel = std::ranges::mismatch(a.rgb, b.rgb);
@@ -84,9 +76,9 @@ bool same_sketches(const Frame& a, const Frame& b) {
 
 Found first_sketch_difference(std::span<const Stroke> a, std::span<const Stroke> b) {
   for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
-    if (!same_bits(a[i], b[i])) return difference_between(a[i], b[i], "sketch[" + std::to_string(i) + "]");
+    if (!same_stroke(a[i], b[i])) return difference_between(a[i], b[i], "sketch[" + std::to_string(i) + "]");
   }
-  return first_of("", {{"stroke_count", count_text(a.size()), count_text(b.size())}});
+  return first_of("", {{"stroke_count", std::to_string(a.size()), std::to_string(b.size())}});
 }
 
 Found first_flight_difference(std::span<const MessageFlight> a, std::span<const MessageFlight> b) {
@@ -104,7 +96,7 @@ Found first_flight_difference(std::span<const MessageFlight> a, std::span<const 
                             {".drowned", word(x.drowned), word(y.drowned)}});
     if (found) return found;
   }
-  return first_of("", {{"flight_count", count_text(a.size()), count_text(b.size())}});
+  return first_of("", {{"flight_count", std::to_string(a.size()), std::to_string(b.size())}});
 }
 
 }  // namespace fairway

@@ -9,7 +9,7 @@
 
 namespace fairway {
 
-/// The first in which what two vehicles drew differs, "sketch[3].points[0].x" or "stroke_count"; none if it
+/// The first in which what two vehicles drew differs, "sketch[3].points[0]" or "stroke_count"; none if it
 /// is the same to the bit. O(size).
 std::optional<QuantityDifference> first_sketch_difference(std::span<const Stroke> a,
                                                           std::span<const Stroke> b);

@@ -6,10 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "fairway/core/testing/allocations.hpp"
 #include "fairway/record/diff.hpp"
 #include "fairway/record/frame_hash.hpp"
-#include "fairway/record/hash_checker.hpp"
 #include "fairway/record/mcap_reader.hpp"
 #include "fairway/record/sketch_messages.hpp"
 #include "fairway/record/sketch_quantities.hpp"
@@ -18,25 +16,15 @@
 namespace fairway {
 namespace {
 
-using testing::bytes_in;
+using testing::checked;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using testing::recorded;
+using testing::recorded_bytes;
 using testing::SampleRun;
 using ::testing::SizeIs;
-
-/// A sample run whose vehicles draw.
-struct SketchingRun : SampleRun {
-  explicit SketchingRun(std::size_t vehicle_count = 3, std::size_t frame_count = 5)
-      : SampleRun{vehicle_count, frame_count} {
-    sketch();
-  }
-
-  Stroke& stroke(std::size_t frame, std::size_t vehicle, std::size_t i) {
-    return strokes[frame * info.vehicles.size() + vehicle][i];
-  }
-};
+using testing::SketchingRun;
 
 void expect_same_sketches(const Frame& a, const Frame& b) {
   ASSERT_EQ(a.vehicles.size(), b.vehicles.size());
@@ -93,30 +81,20 @@ TEST(RecordedSketch, MovesWithItsFramesAndSurvivesAStrideAndPerception) {
 }
 
 TEST(RecordedSketch, IsWrittenOnlyWhereItChanges) {
-  const TemporaryFolder folder;
-  const SketchingRun run{3, 10};  // anew in every second frame
-  run.record(folder.file("run.mcap"));
-  const Bytes bytes = bytes_in(folder.file("run.mcap"));
-  const McapReader mcap{bytes};
-  std::map<std::string, std::vector<std::uint64_t>> times;
-  mcap.for_each_message([&](const McapReader::Message& m) {
-    times[mcap.channels().at(m.channel).topic].push_back(m.time / 100'000'000);
-  });
+  const Bytes bytes = recorded_bytes(SketchingRun{3, 10});  // anew in every second frame
+  auto times = testing::writings(bytes);
   EXPECT_THAT(times["/auv_2/sketch"], ElementsAre(0, 2, 4, 6, 8));
   EXPECT_THAT(times["/fairway/flights"], ElementsAre(0, 2, 3, 4, 5, 6, 7, 8, 9));  // none before 0.2 s
-  EXPECT_EQ(mcap.metadata().at("fairway").at("sketches"), "true");
+  EXPECT_EQ(McapReader{bytes}.metadata().at("fairway").at("sketches"), "true");
 }
 
 TEST(RecordedSketch, LeavesARecordingWithoutItAsItIs) {
-  const TemporaryFolder folder;
   const SampleRun plain;
   SketchingRun unasked;
   unasked.info.sketches = false;
-  plain.record(folder.file("plain.mcap"));
-  unasked.record(folder.file("unasked.mcap"));
-  EXPECT_EQ(bytes_in(folder.file("plain.mcap")), bytes_in(folder.file("unasked.mcap")));
+  EXPECT_EQ(recorded_bytes(plain), recorded_bytes(unasked));
 
-  const Recording recording = Recording::read(folder.file("unasked.mcap"));
+  const Recording recording = recorded(unasked);
   EXPECT_FALSE(recording.info().sketches);
   EXPECT_THAT(recording.frame(4).vehicles[0].strokes, IsEmpty());
   EXPECT_THAT(recording.frame(4).flights, IsEmpty());
@@ -124,16 +102,7 @@ TEST(RecordedSketch, LeavesARecordingWithoutItAsItIs) {
 }
 
 TEST(RecordedSketch, IsWrittenWithoutAllocatingOnceTheBuffersHaveGrown) {
-  const TemporaryFolder folder;
-  const SketchingRun run{4, 800};
-  RecordingWriter writer{folder.file("run.mcap"), run.info};
-  for (std::size_t i = 0; i < 600; ++i) writer.write(run.frame(i));
-  long allocated = 0;
-  for (std::size_t i = 600; i < 800; ++i) {
-    const long before = allocation_count();
-    writer.write(run.frame(i));
-    allocated += allocation_count() - before;
-  }
+  const long allocated = testing::allocations_from(600, SketchingRun{4, 800});
   EXPECT_LE(allocated, 8);  // entries that each chunk adds to the summary
 }
 
@@ -209,21 +178,17 @@ TEST(HashChecker, ComparesWhatWasDrawnWhereItIsRecorded) {
   SketchingRun now;
   const Recording recording = recorded(now);
   const Recording without = recorded(SampleRun{});
-  const auto checked = [&now](const Recording& against) {
-    HashChecker checker{against};
-    for (std::size_t i = 0; i < now.size(); ++i) checker.write(now.frame(i));
-    return checker;
-  };
-  EXPECT_TRUE(checked(recording).same());
-  EXPECT_THAT(checked(recording).describe(), HasSubstr("recorded frames, and what was drawn"));
+  EXPECT_TRUE(checked(recording, now).same());
+  EXPECT_THAT(checked(recording, now).describe(), HasSubstr("recorded frames, and what was drawn"));
 
   now.flights[4][1].sent += 1.0;
-  EXPECT_FALSE(checked(recording).same());
-  EXPECT_THAT(checked(recording).describe(), HasSubstr("from tick 4 (0.4 s): flights[1].sent_s: "));
+  EXPECT_FALSE(checked(recording, now).same());
+  EXPECT_THAT(checked(recording, now).describe(), HasSubstr("from tick 4 (0.4 s): flights[1].sent_s: "));
   now.stroke(2, 2, 0).meaning = "another";
-  EXPECT_EQ(checked(recording).matched(), 3U);
-  EXPECT_THAT(checked(recording).describe(), HasSubstr("from tick 2 (0.2 s): auv_3 sketch[0].meaning: "));
-  EXPECT_TRUE(checked(without).same());
+  EXPECT_EQ(checked(recording, now).matched(), 3U);
+  EXPECT_THAT(checked(recording, now).describe(),
+              HasSubstr("from tick 2 (0.2 s): auv_3 sketch[0].meaning: "));
+  EXPECT_TRUE(checked(without, now).same());
 }
 
 }  // namespace

@@ -5,7 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <map>
+#include <utility>
 
 #include "fairway/core/error.hpp"
 #include "fairway/experiment/compare.hpp"
@@ -34,19 +35,18 @@ std::vector<std::string> distinct(const std::vector<T>& items, auto name) {
 /// The runs of the cells, and where they stand in the document.
 class CellRuns {
  public:
-  CellRuns(std::span<const RunRecord> records, const std::string& by) : records_{records}, by_{by} {
-    for (const RunRecord& record : records) list_.add(labels_text(record.spec.labels), record.spec, "");
+  CellRuns(std::span<const RunRecord> records, const std::string& by) : records_{records} {
+    for (const RunRecord& record : records) {
+      const Labels& labels = record.spec.labels;
+      const std::size_t place = list_.add(labels_text(labels), record.spec, "");
+      const std::string* candidate = find_label(labels, by);
+      if (candidate != nullptr) places_[{without_label(labels, by), *candidate}].push_back(place);
+    }
   }
 
-  /// Places of the runs of a cell.
-  std::vector<std::size_t> of(const Labels& group, const std::string& candidate) const {
-    std::vector<std::size_t> places;
-    for (std::size_t i = 0; i < records_.size(); ++i) {
-      const std::string* found = find_label(records_[i].spec.labels, by_);
-      if (found != nullptr && *found == candidate && without_label(records_[i].spec.labels, by_) == group)
-        places.push_back(i);
-    }
-    return places;
+  /// Places of the runs of a cell that was compared.
+  const std::vector<std::size_t>& of(const Labels& group, const std::string& candidate) const {
+    return places_.at({group, candidate});
   }
 
   const RunRecord& operator[](std::size_t place) const { return records_[place]; }
@@ -54,7 +54,7 @@ class CellRuns {
 
  private:
   std::span<const RunRecord> records_;
-  const std::string& by_;
+  std::map<std::pair<Labels, std::string>, std::vector<std::size_t>> places_;
   page::RunList list_;
 };
 
@@ -69,7 +69,7 @@ std::vector<double> values_in(const RunRecord& record, const std::string& quanti
 
 /// A box of all values of a quantity in a cell, which leads to its runs.
 json box_of(const CellRuns& runs, const ComparedCell& cell, const std::string& quantity) {
-  const std::vector<std::size_t> places = runs.of(cell.group, cell.candidate);
+  const std::vector<std::size_t>& places = runs.of(cell.group, cell.candidate);
   std::vector<double> finite, shown;
   for (const std::size_t place : places) {
     for (const double value : values_in(runs[place], quantity)) {
@@ -84,18 +84,15 @@ json box_of(const CellRuns& runs, const ComparedCell& cell, const std::string& q
                       even ? page::shown_values(shown) : json());
 }
 
-/// A line of a table, which leads to the runs of its cell; beside each the mean over its vehicles.
+/// A line of a table, which leads to the runs of its cell; beside each its value.
 json line_of(json line, const CellRuns& runs, const Labels& group, const std::string& candidate,
              const std::string& quantity) {
-  const std::vector<std::size_t> places = runs.of(group, candidate);
-  std::vector<double> means;
-  for (const std::size_t place : places) {
-    const std::vector<double> values = values_in(runs[place], quantity);
-    means.push_back(std::reduce(values.begin(), values.end()) / static_cast<double>(values.size()));
-  }
+  const std::vector<std::size_t>& places = runs.of(group, candidate);
+  std::vector<double> values;
+  for (const std::size_t place : places) values.push_back(run_value(runs[place].measures, quantity));
   line["$runs"] = page::references(places);
-  if (std::ranges::any_of(means, [](double mean) { return std::isfinite(mean); }))
-    line["$values"] = page::shown_values(means);
+  if (std::ranges::any_of(values, [](double value) { return std::isfinite(value); }))
+    line["$values"] = page::shown_values(values);
   return line;
 }
 
@@ -186,13 +183,10 @@ json results_page(std::span<const RunRecord> records, const std::string& name, c
        distinct(comparison.means, [](const ComparedMean& m) { return m.quantity; })) {
     charts.push_back(boxes(runs, comparison, quantity));
   }
-  const auto section = [](const char* id, const char* title, json blocks) {
-    return json{{"id", id}, {"title", title}, {"paragraphs", json::array()}, {"blocks", std::move(blocks)}};
-  };
   json sections = json::array();
-  sections.push_back(section("rates", "Rates", json::array({rates_table(comparison, runs)})));
-  sections.push_back(section("quantities", "Quantities", json::array({page::grid(2, std::move(charts))})));
-  sections.push_back(section("means", "Means", json::array({means_table(comparison, runs)})));
+  sections.push_back(page::section("rates", "Rates", {}, {rates_table(comparison, runs)}));
+  sections.push_back(page::section("quantities", "Quantities", {}, {page::grid(2, std::move(charts))}));
+  sections.push_back(page::section("means", "Means", {}, {means_table(comparison, runs)}));
   return {{"title", name},
           {"subtitle", "Stored results"},
           {"version", fmt::format("fairway {}", fairway_version)},

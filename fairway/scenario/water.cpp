@@ -41,20 +41,19 @@ Form<std::vector<T>> list_up_to(std::size_t most, const Form<T>& item, const std
 Form<SpectrumKind> spectrum_kind() {
   Tree names = Tree::list();
   for (const std::string_view name : EnumNames<SpectrumKind>::names) names.items.push_back(Tree::quote(name));
-  return {.read =
-              [](const Value& value) {
-                const std::string text = value.text();
-                std::vector<std::string_view> known;
-                for (const std::string_view name : EnumNames<SpectrumKind>::names) {
-                  if (name == text) return static_cast<SpectrumKind>(known.size());
-                  known.push_back(name);
-                }
-                value.refuse("unknown spectrum" + suggestion(text, known));
-              },
-          .write = [](const SpectrumKind& kind) -> std::optional<Tree> {
-            return Tree::quote(EnumNames<SpectrumKind>::names[static_cast<std::size_t>(kind)]);
+  return {
+      .read =
+          [](const Value& value) {
+            const std::string text = value.text();
+            std::vector<std::string_view> known;
+            for (const std::string_view name : EnumNames<SpectrumKind>::names) {
+              if (name == text) return static_cast<SpectrumKind>(known.size());
+              known.push_back(name);
+            }
+            value.refuse("unknown spectrum" + suggestion(text, known));
           },
-          .schema = Tree::map({{"enum", std::move(names)}})};
+      .write = [](const SpectrumKind& kind) -> std::optional<Tree> { return Tree::quote(enum_name(kind)); },
+      .schema = Tree::map({{"enum", std::move(names)}})};
 }
 
 /// Where something runs to, as a vector of any length or as an angle.

@@ -29,9 +29,12 @@ void Cell::add_run(std::string_view study, std::function<Scenario()> scenario, s
   runs.push_back({{std::move(key), labels(), seed, {}}, std::move(scenario), {}});
 }
 
-Labels Cell::labels() const {
-  Labels labels{{"case", place}, {"method", method}, {"mode", mode}};
-  if (!part.empty()) labels.emplace_back("part", part);
+Labels Cell::labels() const { return cell_labels(place, method, mode, part); }
+
+Labels cell_labels(std::string_view place, std::string_view method, std::string_view mode,
+                   std::string_view part) {
+  Labels labels{{"case", std::string(place)}, {"method", std::string(method)}, {"mode", std::string(mode)}};
+  if (!part.empty()) labels.emplace_back("part", std::string(part));
   return labels;
 }
 

@@ -37,6 +37,10 @@ struct Cell {
   void add_run(std::string_view study, std::function<Scenario()> scenario, std::uint64_t seed);
 };
 
+/// The labels of a cell; `part` where it has one.
+Labels cell_labels(std::string_view place, std::string_view method, std::string_view mode,
+                   std::string_view part = "");
+
 /// Cells that are measured alike.
 struct MeasuredCells {
   std::vector<Cell>* cells{};

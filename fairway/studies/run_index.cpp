@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "fairway/experiment/compare.hpp"
 #include "fairway/studies/study_runs.hpp"
 
 namespace fairway {
@@ -18,19 +18,6 @@ std::string list_label(const Labels& labels) {
   std::ranges::replace(label, '/', ' ');
   label.pop_back();
   return label;
-}
-
-/// The fleet's value, or the mean over the vehicles; NaN if it was not measured.
-double value_in(const std::vector<Measure>& run, std::string_view quantity) {
-  double sum = 0.0;
-  int vehicles = 0;
-  for (const Measure& measure : run) {
-    if (measure.quantity != quantity) continue;
-    if (measure.vehicle == Measure::fleet) return measure.value;
-    sum += measure.value;
-    ++vehicles;
-  }
-  return vehicles == 0 ? std::numeric_limits<double>::quiet_NaN() : sum / vehicles;
 }
 
 }  // namespace
@@ -83,7 +70,7 @@ json RunIndex::values_of(const Labels& cell, std::string_view quantity) const {
   const Group* group = find(cell);
   if (group == nullptr) return nullptr;
   std::vector<double> values;
-  for (const std::vector<Measure>& run : group->results) values.push_back(value_in(run, quantity));
+  for (const std::vector<Measure>& run : group->results) values.push_back(run_value(run, quantity));
   if (std::ranges::all_of(values, [](double value) { return std::isnan(value); })) return nullptr;
   return page::shown_values(values);
 }
@@ -100,10 +87,6 @@ json RunIndex::line(json row, const Labels& cell, std::string_view quantity) con
   return row;
 }
 
-Labels cell_of(const StudyRow& row) {
-  Labels labels{{"case", row.cell}, {"method", row.method}, {"mode", row.mode}};
-  if (!row.part.empty()) labels.emplace_back("part", row.part);
-  return labels;
-}
+Labels cell_of(const StudyRow& row) { return cell_labels(row.cell, row.method, row.mode, row.part); }
 
 }  // namespace fairway

@@ -27,7 +27,7 @@ class RunIndex {
   nlohmann::json runs_of(const Labels& cell) const;
   /// The run of a cell that has this seed.
   nlohmann::json run_of(const Labels& cell, std::uint64_t seed) const;
-  /// A quantity in each run of a cell: the fleet's, or the mean over the vehicles.
+  /// A quantity in each run of a cell: run_value().
   nlohmann::json values_of(const Labels& cell, std::string_view quantity) const;
 
   /// A mark of an interval chart that shows a quantity of a cell.

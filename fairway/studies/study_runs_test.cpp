@@ -140,8 +140,13 @@ TEST(StudyRunAlone, ComesToWhatIsStoredAndNothingElseIsMade) {
   ASSERT_NE(texts_of((*stored)[2]), texts_of((*stored)[3]));
 
   struct Counter final : FrameSink {
-    void write(const Frame&) override { ++frames; }
+    void write(const Frame& frame) override {
+      ++frames;
+      strokes += frame.vehicles.front().strokes.size();
+    }
+    bool wants_thoughts() const override { return true; }
     int frames{};
+    std::size_t strokes{};
   } counter;
   int shown = 0;
   const auto show = [&](const ShownRun& run) {
@@ -156,6 +161,7 @@ TEST(StudyRunAlone, ComesToWhatIsStoredAndNothingElseIsMade) {
   EXPECT_FALSE(make_runs(runs, options));
   EXPECT_EQ(shown, 1);
   EXPECT_GT(counter.frames, 10);
+  EXPECT_GT(counter.strokes, 0U);  // looking does not change what it comes to
 }
 
 TEST(RunIndex, LeadsFromACellToItsRunsAndTheirValues) {

@@ -35,6 +35,7 @@ class Film final : public FrameSink {
 
   /// Frames come in order, all of them: those that are not kept count, too. O(vehicles^2 + what is thought).
   void write(const Frame& frame) override;
+  bool wants_thoughts() const override { return true; }
 
   /// No more frames come: the last one is kept too, whatever the stride, and with it what happened up to it.
   void finish();

@@ -83,9 +83,7 @@ bool is_showable(const Stroke& stroke) {
 }
 
 void put_stroke(std::string& out, const Stroke& stroke) {
-  out += fmt::format(R"({{"kind":"{}","meaning":{})",
-                     EnumNames<Stroke::Kind>::names[static_cast<std::size_t>(stroke.kind)],
-                     json_text(stroke.meaning));
+  out += fmt::format(R"({{"kind":"{}","meaning":{})", enum_name(stroke.kind), json_text(stroke.meaning));
   if (stroke.kind == Stroke::Kind::image) {
     out += fmt::format(R"(,"side":{})", stroke.side);
     put_keyed(out, "reach", stroke.size);

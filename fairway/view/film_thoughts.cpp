@@ -120,13 +120,12 @@ std::string FilmThoughts::records_text(Kind kind, double after, double until) co
 std::string FilmThoughts::between(double after, double until) const {
   const auto time = [](const auto& item) { return item.time; };
   std::string flights;
-  bool anything = false;
   for (const Told& told : messages_) {
     if (told.time <= after || told.time > until) continue;
     flights.append(flights.empty() ? "" : ",").append(text_of(told.flight));
   }
-  anything = !flights.empty() || std::ranges::upper_bound(records_, after, {}, time) !=
-                                     std::ranges::upper_bound(records_, until, {}, time);
+  const bool anything = !flights.empty() || std::ranges::upper_bound(records_, after, {}, time) !=
+                                                std::ranges::upper_bound(records_, until, {}, time);
   if (!anything) return {};
   std::string all = "{";
   for (const Kind kind : {Kind::sketch, Kind::tracks, Kind::echoes})

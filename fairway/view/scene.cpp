@@ -29,22 +29,10 @@ json vehicle_scene(const VehicleSpec& spec) {
           {"parts", parts}};
 }
 
-const char* obstacle_kind(Obstacle::Kind kind) {
-  switch (kind) {
-    case Obstacle::Kind::sphere:
-      return "sphere";
-    case Obstacle::Kind::segment:
-      return "segment";
-    case Obstacle::Kind::polygon:
-      break;
-  }
-  return "polygon";
-}
-
 json obstacle_scene(const ObstacleSpec& spec) {
   json vertices = json::array();
   for (const Vec3& vertex : spec.vertices) vertices.push_back(scene_point(vertex));
-  return {{"kind", obstacle_kind(spec.kind)},
+  return {{"kind", enum_name(spec.kind)},
           {"charted", spec.charted},
           {"position", scene_point(spec.position)},
           {"radius", spec.radius},

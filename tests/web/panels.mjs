@@ -80,6 +80,25 @@ test('a store reads each frame once, and all again when the film is replaced', a
   assert.equal(store.value(0, 3), 6);
 });
 
+test('a film takes in more events and messages than a call can have arguments', async () => {
+  const { Film } = await load('film.ts');
+  const film = new Film([{ name: 'time_s', type: 'f64', per: 'frame', width: 1 }], 1);
+  const many = Array.from({ length: 300_000 }, (_, i) => ({ time_s: i }));
+  film.append({
+    first: 0, count: 1, stride: 1, generation: 0, compression: 'none', data: Buffer.alloc(8).toString('base64'), events: many,
+    thoughts: Buffer.from(JSON.stringify({ sketches: [], tracks: [], echoes: [], flights: many })).toString('base64'),
+  });
+  assert.equal(film.events.length, many.length);
+  assert.equal(film.flights.at(-1).time_s, many.length - 1);
+});
+
+test('the axis of a full turn is divided into quarters', async () => {
+  const { multiples } = await load('../common/scale.ts');
+  const { value_domain, value_step } = await load('charts/values.ts');
+  const [low, high] = value_domain('heading', [5, 355]);
+  assert.deepEqual(multiples(low, high, value_step('heading', [low, high])), [0, 90, 180, 270, 360]);
+});
+
 test('headings go on through north', async () => {
   const { unwrapped } = await load('charts/curves.ts');
   close(unwrapped(-10, Number.NaN), 350);

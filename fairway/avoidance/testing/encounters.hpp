@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "fairway/avoidance/command.hpp"
 #include "fairway/avoidance/situation.hpp"
 #include "fairway/core/angles.hpp"
 #include "fairway/core/rng.hpp"
@@ -132,6 +133,16 @@ inline Encounter cube_centre(int count = 8, int own = 0, double edge = 20.0, dou
     }
   }
   return e.sorted();
+}
+
+/// One period later, if the command was carried out at once and the others kept their course.
+inline void carry_out(Encounter& e, const Command& command) {
+  Situation& s = e.situation;
+  s.time += s.period;
+  s.own.velocity = command.velocity;
+  s.own.position += s.period * command.velocity;
+  for (Track& t : e.tracks) t.position += s.period * t.velocity;
+  e.sorted();
 }
 
 /// The same scene elsewhere.

@@ -37,14 +37,6 @@ Avoider avoider(const ParamValues& params = {}, std::uint64_t seed = 1) {
   return catalog.make("rrt_star", params, Rng{seed});
 }
 
-/// Carries out each command exactly for a period.
-void move(Encounter& e, const Command& command) {
-  Situation& s = e.situation;
-  s.own.position += s.period * command.velocity;
-  s.own.velocity = command.velocity;
-  s.time += s.period;
-}
-
 TEST(RrtStar, TakesAVelocityDrivenVehicleToTheGoalClearOfObstacles) {
   Encounter e = four_obstacle_encounter();
   Avoider helm = avoider();
@@ -56,7 +48,7 @@ TEST(RrtStar, TakesAVelocityDrivenVehicleToTheGoalClearOfObstacles) {
     ASSERT_NE(command.mode, Mode::infeasible);
     EXPECT_FALSE(command.wrench);
     avoiding += command.mode == Mode::avoid ? 1 : 0;
-    move(e, command);
+    carry_out(e, command);
     closest = std::fmin(closest, map.clearance(seen_from_above(e.situation.own.position)));
   }
   EXPECT_LT((e.situation.own.position - e.situation.goal.position).norm(), 1e-3);
@@ -101,7 +93,7 @@ TEST(RrtStar, TheSameSituationsAndSeedGiveTheSameBits) {
     std::vector<Command> commands;
     for (int i = 0; i < 50; ++i) {
       commands.push_back(helm.decide(e));
-      move(e, commands.back());
+      carry_out(e, commands.back());
     }
     return commands;
   };
@@ -121,14 +113,14 @@ TEST(RrtStar, ACopyReplays) {
   Encounter e = four_obstacle_encounter();
   Avoider helm = avoider();
   Avoider before = helm;
-  for (int i = 0; i < 20; ++i) move(e, helm.decide(e));
+  for (int i = 0; i < 20; ++i) carry_out(e, helm.decide(e));
   Avoider after = helm;
   Encounter again = e;
   for (int i = 0; i < 20; ++i) {
     const Command command = helm.decide(e);
     EXPECT_EQ(after.decide(again), command);
-    move(e, command);
-    move(again, command);
+    carry_out(e, command);
+    carry_out(again, command);
   }
   Encounter fresh = four_obstacle_encounter();
   EXPECT_EQ(before.decide(fresh), avoider().decide(fresh));
@@ -142,7 +134,7 @@ TEST(RrtStar, InOpenWaterItGoesStraightAndCruises) {
     const Command command = helm.decide(e);
     EXPECT_EQ(command.mode, Mode::cruise);
     EXPECT_NEAR(command.velocity.x() * 35 - command.velocity.y() * 22, 0.0, 1e-12);
-    move(e, command);
+    carry_out(e, command);
   }
 }
 
@@ -237,8 +229,8 @@ TEST(RrtStar, DrawsTheSameUntilThereIsAnotherPlan) {
   Encounter e = four_obstacle_encounter();
   Avoider helm = avoider();
   Drawing first, later;
-  move(e, helm.decide(e, &first));
-  for (int i = 0; i < 50; ++i) move(e, helm.decide(e));
+  carry_out(e, helm.decide(e, &first));
+  for (int i = 0; i < 50; ++i) carry_out(e, helm.decide(e));
   (void)helm.decide(e, &later);
   EXPECT_TRUE(std::ranges::equal(first.strokes(), later.strokes()));
 }

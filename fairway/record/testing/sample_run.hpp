@@ -9,11 +9,15 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <string>
 #include <vector>
 
 #include "fairway/core/rng.hpp"
+#include "fairway/core/testing/allocations.hpp"
 #include "fairway/core/testing/temporary_folder.hpp"
+#include "fairway/record/hash_checker.hpp"
+#include "fairway/record/mcap_reader.hpp"
 #include "fairway/record/recording.hpp"
 #include "fairway/record/recording_writer.hpp"
 
@@ -72,7 +76,7 @@ class SampleRun {
       } else {
         for (std::size_t i = 0; i + 1 < n; ++i) {
           Track& track = tracks[k].emplace_back();
-          track = {.id = TrackId{0x8000'0000U + static_cast<std::uint32_t>(i)},
+          track = {.id = TrackId{first_drifter_id + static_cast<std::uint32_t>(i)},
                    .position = 100.0 * draw(),
                    .velocity = draw(),
                    .yaw = rng.normal(),
@@ -136,6 +140,14 @@ class SampleRun {
     return vehicles[frame * info.vehicles.size() + vehicle];
   }
 
+  Track& track(std::size_t frame, std::size_t vehicle, std::size_t i) {
+    return tracks[frame * info.vehicles.size() + vehicle][i];
+  }
+
+  Stroke& stroke(std::size_t frame, std::size_t vehicle, std::size_t i) {
+    return strokes[frame * info.vehicles.size() + vehicle][i];
+  }
+
   Frame frame(std::size_t i) const {
     const Tick tick{static_cast<std::int64_t>(i)};
     const std::size_t n = info.vehicles.size();
@@ -166,6 +178,18 @@ class SampleRun {
   std::vector<std::vector<MessageFlight>> flights;  // by frame
 };
 
+/// A sample run with what one of its functions adds.
+template <void (SampleRun::*more)()>
+struct SampleRunWith : SampleRun {
+  explicit SampleRunWith(std::size_t vehicle_count = 3, std::size_t frame_count = 5)
+      : SampleRun{vehicle_count, frame_count} {
+    (this->*more)();
+  }
+};
+
+using PerceivingRun = SampleRunWith<&SampleRun::perceive>;
+using SketchingRun = SampleRunWith<&SampleRun::sketch>;
+
 inline Bytes bytes_in(const std::string& file) {
   std::ifstream stream{file, std::ios::binary};
   const std::string text{std::istreambuf_iterator<char>{stream}, {}};
@@ -178,6 +202,46 @@ inline Recording recorded(const SampleRun& run, std::int64_t stride = 1) {
   const TemporaryFolder folder;
   run.record(folder.file("run.mcap"), stride);
   return Recording::read(folder.file("run.mcap"));
+}
+
+/// The recording of a run, as it lies in its file.
+inline Bytes recorded_bytes(const SampleRun& run) {
+  const TemporaryFolder folder;
+  run.record(folder.file("run.mcap"));
+  return bytes_in(folder.file("run.mcap"));
+}
+
+/// When each topic of such a file was written, in order [frames].
+inline std::map<std::string, std::vector<std::uint64_t>> writings(const Bytes& recording) {
+  const McapReader mcap{recording};
+  std::map<std::string, std::vector<std::uint64_t>> times;
+  mcap.for_each_message([&](const McapReader::Message& m) {
+    times[mcap.channels().at(m.channel).topic].push_back(m.time / 100'000'000);
+  });
+  return times;
+}
+
+/// How often writing a run allocates from a frame on.
+inline long allocations_from(std::size_t first, const SampleRun& run) {
+  const TemporaryFolder folder;
+  RecordingWriter writer{folder.file("run.mcap"), run.info};
+  for (std::size_t i = 0; i < first; ++i) writer.write(run.frame(i));
+  long allocated = 0;
+  for (std::size_t i = first; i < run.size(); ++i) {
+    const Frame frame = run.frame(i);
+    const long before = allocation_count();
+    writer.write(frame);
+    allocated += allocation_count() - before;
+  }
+  return allocated;
+}
+
+/// What a checker has found when it has seen a run, or the first frames of it.
+inline HashChecker checked(const Recording& recording, const SampleRun& run,
+                           std::size_t frame_count = std::numeric_limits<std::size_t>::max()) {
+  HashChecker checker{recording};
+  for (std::size_t i = 0; i < std::min(frame_count, run.size()); ++i) checker.write(run.frame(i));
+  return checker;
 }
 
 }  // namespace fairway::testing

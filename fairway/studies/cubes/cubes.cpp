@@ -20,10 +20,8 @@ Scenario scenario_of(const PlannedRun& run) {
 }
 
 /// The run that the report shows in detail.
-bool is_chosen(const PlannedRun& run) {
-  const Cell chosen = chosen_cell();
-  return run.cell->part == chosen.part && run.cell->cube == chosen.cube &&
-         run.cell->method == chosen.method && run.cell->code == chosen.code && run.spec.seed == chosen_seed;
+bool is_chosen(const RunSpec& spec) {
+  return spec.seed == chosen_seed && spec.labels == chosen_cell().labels();
 }
 
 }  // namespace
@@ -46,7 +44,7 @@ std::vector<CellResults> run_cells(const std::vector<Cell>& cells, const StudyOp
   auto measures = make_runs(runs, options);
   if (!measures) return {};
   for (std::size_t i = 0; i < plan.size(); ++i) {
-    if (is_chosen(plan[i])) show_run(runs[i], options);
+    if (is_chosen(plan[i].spec)) show_run(runs[i], options);
   }
 
   std::vector<CellResults> results;

@@ -71,10 +71,7 @@ Passage passage_of(Course course, const Method& method, const Overrides& overrid
 
   const DecisionTimes& times = simulation.decision_times();
   const std::string label{method.name};
-  const Labels cell{{"case", std::string(name_of(course))},
-                    {"method", label},
-                    {"mode", std::string(name_of(Vessel::zarco))}};
-  const json run = runs.run_of(cell, 1);
+  const json run = runs.run_of(cell_labels(name_of(course), label, name_of(Vessel::zarco)), 1);
   return {
       .label = label,
       .track = page::linked(log.track(label), run, {}),

@@ -88,10 +88,7 @@ std::vector<json> redrawn(const PublishedRun& run, const std::string& title, con
   const Curve compat = followed(scenario);
   const Curve physical = followed(under(overrides, scenario_of(run, Plant::physical)));
   const auto made = [&](json block, Plant plant) {
-    const Labels cell{{"case", std::string(name_of(run.which))},
-                      {"method", std::string(run.method.name)},
-                      {"mode", std::string(name_of(plant))},
-                      {"part", std::string(published_part)}};
+    const Labels cell = cell_labels(name_of(run.which), run.method.name, name_of(plant), published_part);
     return page::linked(std::move(block), runs.run_of(cell, 1), {});
   };
   std::vector<json> blocks{page::scene(title,
@@ -107,9 +104,7 @@ std::vector<json> redrawn(const PublishedRun& run, const std::string& title, con
 json ways(Case which, std::span<const Method> methods, const Overrides& overrides, const RunIndex& runs) {
   json vehicles = json::array();
   for (const Method& method : methods) {
-    const Labels cell{{"case", std::string(name_of(which))},
-                      {"method", std::string(method.name)},
-                      {"mode", std::string(name_of(Plant::physical))}};
+    const Labels cell = cell_labels(name_of(which), method.name, name_of(Plant::physical));
     json track = followed(under(overrides, case_voyage(which, method))).track(method.name);
     vehicles.push_back(page::linked(std::move(track), runs.run_of(cell, 1), {}));
   }

@@ -104,8 +104,7 @@ std::vector<ExplanationSection> drawn_sections(std::span<const StrokeFacts> draw
   }
   section.table.columns = {"drawn", "meaning", "count", "what"};
   for (const StrokeFacts& facts : drawn) {
-    section.table.rows.push_back({EnumNames<Stroke::Kind>::names[static_cast<std::size_t>(facts.kind)],
-                                  facts.meaning, static_cast<double>(facts.count),
+    section.table.rows.push_back({enum_name(facts.kind), facts.meaning, static_cast<double>(facts.count),
                                   group_words(facts, commanded)});
   }
   std::vector<ExplanationSection> sections{std::move(section)};

@@ -67,7 +67,7 @@ ExplanationSection command_section(const KeptDecision& decision, const DecisionF
   const Command& command = decision.command();
   ExplanationSection section{"Command", {}, {}};
   auto& lines = section.lines;
-  lines.push_back(fmt::format("Mode: {}.", EnumNames<Mode>::names[static_cast<std::size_t>(command.mode)]));
+  lines.push_back(fmt::format("Mode: {}.", enum_name(command.mode)));
   lines.push_back("Commanded: " + velocity_words(command.velocity) + ".");
   lines.push_back("Preferred: " + velocity_words(facts.preferred) + ".");
   lines.push_back(fmt::format("So it {}: a difference of {:.4f} m/s.",
@@ -138,8 +138,7 @@ ExplanationSection neighbours_section(const Scenario& scenario, const DecisionFa
     section.table.rows.push_back({track_name(scenario, n.track.id), n.range, degrees(n.bearing), n.below,
                                   n.closing, n.at_present.distance, n.at_present.time, n.radii,
                                   n.commanded.distance, n.commanded.time, n.track.age,
-                                  n.track.reacts ? "yes" : "no",
-                                  EnumNames<Precedence>::names[static_cast<std::size_t>(n.precedence)]});
+                                  n.track.reacts ? "yes" : "no", enum_name(n.precedence)});
   }
   return section;
 }
@@ -150,11 +149,10 @@ ExplanationSection obstacles_section(const DecisionFacts& facts) {
       "{} known, by the nearest point of their surface{}.", facts.obstacles.size(),
       facts.obstacles.size() > most_obstacles ? fmt::format("; the {} nearest", most_obstacles) : ""));
   section.table.columns = {"obstacle", "distance_m", "bearing_deg", "n_m", "e_m", "d_m"};
-  constexpr std::array kinds{"sphere", "segment", "polygon"};
   for (const ObstacleFacts& o :
        std::span{facts.obstacles}.first(std::min(most_obstacles, facts.obstacles.size()))) {
-    section.table.rows.push_back({kinds[static_cast<std::size_t>(o.kind)], o.distance, degrees(o.bearing),
-                                  o.nearest.x(), o.nearest.y(), o.nearest.z()});
+    section.table.rows.push_back(
+        {enum_name(o.kind), o.distance, degrees(o.bearing), o.nearest.x(), o.nearest.y(), o.nearest.z()});
   }
   return section;
 }
@@ -182,8 +180,8 @@ ExplanationSection method_section(const Choice& avoider, const Catalog& avoiders
 
 ExplanationSection unasked_section(const FoundDecision& found) {
   ExplanationSection section{"Who steers", {}, {}};
-  section.lines.push_back(fmt::format("Phase: {}. Avoiders are asked on transits only.",
-                                      EnumNames<Phase>::names[static_cast<std::size_t>(found.phase)]));
+  section.lines.push_back(
+      fmt::format("Phase: {}. Avoiders are asked on transits only.", enum_name(found.phase)));
   section.lines.push_back(found.asked
                               ? fmt::format("In this recording its avoider is asked from {} to {}.",
                                             time_words(found.asked->first), time_words(found.asked->second))

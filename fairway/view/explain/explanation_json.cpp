@@ -19,11 +19,6 @@ json exact(const Vec3& v) { return {exact(v.x()), exact(v.y()), exact(v.z())}; }
 json exact(const std::optional<double>& value) { return value ? exact(*value) : json(); }
 json exact(const Mat3& m) { return {exact(Vec3(m.row(0))), exact(Vec3(m.row(1))), exact(Vec3(m.row(2)))}; }
 
-template <class E>
-std::string word_for(E value) {
-  return EnumNames<E>::names[static_cast<std::size_t>(value)];
-}
-
 template <class Round>
 json sections_json(const Explanation& explanation, Round&& round) {
   json sections = json::array();
@@ -53,7 +48,7 @@ json command_json(const Command& command) {
               {"moment_nm", exact(Vec3(command.wrench->tail<3>()))}};
   }
   return {{"velocity_mps", exact(command.velocity)},
-          {"mode", word_for(command.mode)},
+          {"mode", enum_name(command.mode)},
           {"astern", command.astern},
           {"heading_rad", exact(command.heading)},
           {"turn_rate_radps", exact(command.turn_rate)},
@@ -86,12 +81,11 @@ json neighbour_json(const Scenario& scenario, const NeighbourFacts& n) {
           {"closest_approach", approach_json(n.at_present)},
           {"closest_approach_preferred", approach_json(n.preferred)},
           {"closest_approach_commanded", approach_json(n.commanded)},
-          {"right_of_way", word_for(n.precedence)}};
+          {"right_of_way", enum_name(n.precedence)}};
 }
 
 json obstacle_json(const ObstacleFacts& o) {
-  constexpr std::array kinds{"sphere", "segment", "polygon"};
-  return {{"kind", kinds[static_cast<std::size_t>(o.kind)]},
+  return {{"kind", enum_name(o.kind)},
           {"nearest_m", exact(o.nearest)},
           {"distance_m", exact(o.distance)},
           {"bearing_rad", exact(o.bearing)}};
@@ -115,7 +109,7 @@ json limits_json(const Limits& limits) {
 json stroke_json(const Stroke& stroke, const Vec3& preferred, const Vec3& commanded) {
   json points = json::array();
   for (const Vec3& point : stroke.points) points.push_back(exact(point));
-  json out{{"kind", word_for(stroke.kind)}, {"meaning", stroke.meaning}, {"points", std::move(points)}};
+  json out{{"kind", enum_name(stroke.kind)}, {"meaning", stroke.meaning}, {"points", std::move(points)}};
   if (stroke.kind == Stroke::Kind::half_space) {
     out["preferred_margin_mps"] = exact(margin_of(stroke, preferred));
     out["commanded_margin_mps"] = exact(margin_of(stroke, commanded));
@@ -191,7 +185,7 @@ json exact_json(const Scenario& scenario, const FoundDecision& found, const Expl
           {"avoider", vehicle.avoider.name},
           {"tick", count(found.tick)},
           {"time_s", exact(found.time)},
-          {"phase", word_for(found.phase)},
+          {"phase", enum_name(found.phase)},
           {"recorded_command_to_the_bit", !found.difference},
           {"difference", std::move(difference)},
           {"headline", explanation.headline},

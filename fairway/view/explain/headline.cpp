@@ -10,10 +10,6 @@
 namespace fairway {
 namespace {
 
-/// Where ids of tracks begin that are no vehicle's: of trackers, and of what drifts.
-constexpr std::uint32_t first_tracked = 0x4000'0000U;
-constexpr std::uint32_t first_drifting = 0x8000'0000U;
-
 /// Less is not worth a word [m/s, rad].
 constexpr double least_speed = 0.005;
 constexpr double least_turn = radians(0.5);
@@ -135,8 +131,9 @@ std::string place_words(const Vec3& p) {
 std::string track_name(const Scenario& scenario, TrackId id) {
   const auto vehicle = std::ranges::find(scenario.vehicles, number(id), &VehicleSpec::id);
   if (vehicle != scenario.vehicles.end()) return vehicle->name;
-  if (number(id) >= first_drifting) return fmt::format("drifting obstacle {}", number(id) - first_drifting);
-  if (number(id) >= first_tracked) return fmt::format("track {}", number(id) - first_tracked);
+  if (number(id) >= first_drifter_id)
+    return fmt::format("drifting obstacle {}", number(id) - first_drifter_id);
+  if (number(id) >= first_tracker_id) return fmt::format("track {}", number(id) - first_tracker_id);
   return fmt::format("track {}", number(id));
 }
 

@@ -8,6 +8,11 @@ export type Shape = 'circle' | 'square' | 'triangle' | 'wedge' | 'diamond';
 const shapes: Shape[] = ['circle', 'square', 'triangle', 'wedge'];
 const dashes = ['', '7 3', '2 3', '9 3 2 3'];
 
+/** The page's colour of the so-many-th series, as the name of a custom property; after the last the first returns. */
+export function series_colour(index: number): string {
+  return `--c${index % colour_count}`;
+}
+
 export class Palette {
   private readonly order = new Map<string, number>();
 
@@ -22,7 +27,7 @@ export class Palette {
     return this.order.get(name) ?? 0;
   }
   colour(name: string): string {
-    return `var(--c${this.index(name) % colour_count})`;
+    return `var(${series_colour(this.index(name))})`;
   }
   /** Beyond the last colour the same ones return, dashed. */
   dash(name: string): string {

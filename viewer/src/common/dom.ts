@@ -44,6 +44,13 @@ export function s<K extends keyof SVGElementTagNameMap>(
   return element;
 }
 
+/** A small square of a colour, beside what the colour stands for; without one, of none. */
+export function swatch(colour: string | null): HTMLElement {
+  const square = h('i', { class: 'swatch', 'aria-hidden': 'true' });
+  if (colour !== null) square.style.background = colour;
+  return square;
+}
+
 /** A path's data from points; a null point lifts the pen. */
 export function path_data(points: Iterable<readonly [number, number] | null>): string {
   let data = '';

@@ -13,6 +13,15 @@ function name_of(value: unknown): string {
 
 /** A value of the document with the path that leads to it, for messages. */
 export class Reader {
+  /** The whole of a document. */
+  static of_json(json: string): Reader {
+    try {
+      return new Reader(JSON.parse(json), '');
+    } catch (error) {
+      throw new DataError(`the data are not JSON: ${error instanceof Error ? error.message : String(error)}`);
+    }
+  }
+
   constructor(readonly value: unknown, readonly path: string) {}
 
   fail(expected: string): never {

@@ -23,8 +23,11 @@ export function nice_step(span: number, count: number): number {
 
 /** Round values inside [low, high]. */
 export function ticks(low: number, high: number, count: number): number[] {
-  if (!(high > low)) return [low];
-  const step = nice_step(high - low, count);
+  return high > low ? multiples(low, high, nice_step(high - low, count)) : [low];
+}
+
+/** The multiples of `step` inside [low, high]. */
+export function multiples(low: number, high: number, step: number): number[] {
   const values: number[] = [];
   for (let i = Math.ceil(low / step - 1e-9); i * step <= high + step * 1e-9; ++i) {
     values.push(Number((i * step).toPrecision(12)));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-import { h } from './dom';
+import { h, swatch } from './dom';
 
 export interface Tip {
   title: string;
@@ -11,12 +11,8 @@ const box = h('div', { class: 'tip', role: 'status', 'aria-live': 'polite', hidd
 let shown: Tip | null = null;
 
 function fill(tip: Tip): void {
-  const rows = tip.rows.map((row) => {
-    const swatch = h('i', { class: 'swatch', 'aria-hidden': 'true' });
-    if (row.colour !== undefined) swatch.style.background = row.colour;
-    return h('tr', {}, h('th', { scope: 'row' }, row.colour === undefined ? null : swatch, row.label),
-      h('td', {}, row.value));
-  });
+  const rows = tip.rows.map(({ label, value, colour }) => h('tr', {},
+    h('th', { scope: 'row' }, colour === undefined ? null : swatch(colour), label), h('td', {}, value)));
   box.replaceChildren(h('b', {}, tip.title), h('table', {}, h('tbody', {}, ...rows)));
 }
 

@@ -6,8 +6,9 @@ import { action_button, copy_text, save_blob, save_text } from '../common/save';
 import type { Film } from './film';
 import { frames_csv } from './frames_csv';
 import type { Document } from './model';
-import type { StageView } from './scene/stage_view';
+import type { Panel } from './panel';
 import { seconds } from './printed';
+import type { StageView } from './scene/stage_view';
 
 export function make_saving(playback: Document, film: Film, stage: StageView, link: () => string, time: () => number): HTMLElement {
   const name = slug(playback.title);
@@ -42,8 +43,8 @@ function facts(playback: Document, film: Film): [string, string][] {
   ];
 }
 
-/** Where the run comes from: its command, seed and numbers; and what to call when it has grown. */
-export function make_about(playback: Document, film: Film): { element: HTMLElement; grown: () => void } {
+/** Where the run comes from: its command, seed and numbers. */
+export function make_about(playback: Document, film: Film): Panel {
   const list = h('dl', {});
   const fill = (): void => list.replaceChildren(...facts(playback, film).filter(([, value]) => value !== '')
     .map(([label, value]) => h('div', {}, h('dt', {}, label), h('dd', {}, value))));

@@ -3,12 +3,12 @@
 import type { Choice } from './choice';
 import type { Clock } from './clock';
 import type { Film } from './film';
-import { layer_keys, type Binding } from './keys';
-import { layers, type CameraKind, type StageView } from './scene/stage_view';
+import { camera_keys, layer_keys, type Binding } from './keys';
+import { cameras, layers, type CameraKind, type StageView } from './scene/stage_view';
 
-const camera_keys: [string, CameraKind, string][] = [
-  ['o', 'orbit', 'turn freely about the scene'], ['t', 'top', 'from above, north up'], ['s', 'side', 'from the south'], ['c', 'follow', 'behind the vehicle'],
-];
+const looks: Record<CameraKind, string> = {
+  orbit: 'turn freely about the scene', follow: 'behind the vehicle', top: 'from above, north up', side: 'from the south',
+};
 
 function time_keys(film: Film, clock: Clock): Binding[] {
   return [
@@ -28,7 +28,7 @@ export function make_bindings(film: Film, clock: Clock, choice: Choice, stage: S
     ...time_keys(film, clock),
     { keys: [...'123456789'], shown: '1 to 9', does: 'follow that vehicle', run: (key) => choice.follow(Number(key) - 1) },
     { keys: ['f'], does: 'fit everything into the picture', run: () => stage.fit() },
-    ...camera_keys.map(([key, kind, does]): Binding => ({ keys: [key], does, run: () => choice.set_camera(kind) })),
+    ...cameras.map((kind): Binding => ({ keys: [camera_keys[kind]], does: looks[kind], run: () => choice.set_camera(kind) })),
     ...layers.map((layer): Binding => ({
       keys: [layer_keys[layer]], does: `show or hide: ${layer}`, run: () => choice.set_layer(layer, !choice.shows(layer)),
     })),

@@ -167,13 +167,7 @@ function explanation(at: Reader, vehicles: number): Explanation | null {
 
 /** Throws DataError with the first thing that keeps the document from being shown. */
 export function decode(json: string): Document {
-  let value: unknown;
-  try {
-    value = JSON.parse(json);
-  } catch (error) {
-    throw new DataError(`the data are not JSON: ${error instanceof Error ? error.message : String(error)}`);
-  }
-  const at = new Reader(value, '');
+  const at = Reader.of_json(json);
   const title = at.at('title').text();
   const seen = scene(at.at('scene'));
   return {

@@ -52,6 +52,5 @@ export function make_event_list(scene: Scene, film: Film, go_to: (event: RunEven
     grown() {
       if (film.events.length !== known) fill();
     },
-    restyle: () => undefined,
   };
 }

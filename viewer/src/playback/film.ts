@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The frames of a run, in typed arrays that grow as parts come in.
 import { decompress } from 'fzstd';
-import type { ColumnSpec, ColumnType, EchoesRecord, Flight, Part, RunEvent, SketchRecord, Thoughts, TracksRecord } from './model';
+import { first_index } from '../common/search';
+import type { ColumnSpec, ColumnType, EchoesRecord, Flight, Part, RunEvent, SketchRecord, Thoughts, TracksRecord, Vec3 } from './model';
 
 type Values = Float64Array | Float32Array | Uint8Array;
 const makers: Record<ColumnType, { bytes: number; of: (buffer: ArrayBuffer) => Values; empty: (length: number) => Values }> = {
@@ -53,14 +54,7 @@ class Standing<R extends { time_s: number; vehicle: number }> {
 
 /** Of ascending times, the last that is at or before `time`; -1 if all are later. */
 function last_not_after(count: number, time_of: (i: number) => number, time: number): number {
-  let low = 0;
-  let high = count;
-  while (low < high) {
-    const middle = (low + high) >> 1;
-    if (time_of(middle) <= time) low = middle + 1;
-    else high = middle;
-  }
-  return low - 1;
+  return first_index(count, (i) => time_of(i) > time) - 1;
 }
 
 export class Film {
@@ -104,7 +98,8 @@ export class Film {
     }
     if (at !== bytes.length) throw new Error('a part of the film is too long');
     this.count += part.count;
-    this.events.push(...part.events);
+    // One by one: a call cannot have as many arguments as there may be events and messages.
+    for (const event of part.events) this.events.push(event);
     if (part.thoughts !== '') this.add_thoughts(JSON.parse(new TextDecoder().decode(unpack(part.thoughts, part.compression))) as Thoughts);
   }
 
@@ -112,7 +107,7 @@ export class Film {
     this.sketches.add(thoughts.sketches);
     this.tracks.add(thoughts.tracks);
     this.echoes.add(thoughts.echoes);
-    this.flights.push(...thoughts.flights);
+    for (const flight of thoughts.flights) this.flights.push(flight);
   }
 
   private clear(): void {
@@ -140,10 +135,6 @@ export class Film {
     return column;
   }
 
-  has(name: string): boolean {
-    return this.columns.has(name);
-  }
-
   width(name: string): number {
     return this.column(name).spec.width;
   }
@@ -152,6 +143,15 @@ export class Film {
   value(name: string, i: number, vehicle: number, k = 0): number {
     const { values, stride, spec } = this.column(name);
     return values[i * stride + vehicle * spec.width + k]!;
+  }
+
+  vector(name: string, i: number, vehicle: number): Vec3 {
+    return [this.value(name, i, vehicle, 0), this.value(name, i, vehicle, 1), this.value(name, i, vehicle, 2)];
+  }
+
+  /** Of a value of three components. */
+  length(name: string, i: number, vehicle: number): number {
+    return Math.hypot(this.value(name, i, vehicle, 0), this.value(name, i, vehicle, 1), this.value(name, i, vehicle, 2));
   }
 
   time(i: number): number {

@@ -10,9 +10,9 @@ const shapes = {
   panel: 'M3.5 5h17v14h-17ZM5.3 6.8v10.4h8.4V6.8Z',
   follow: 'M11 2h2v3.1a7 7 0 0 1 5.9 5.9H22v2h-3.1a7 7 0 0 1-5.9 5.9V22h-2v-3.1A7 7 0 0 1 5.1 13H2v-2h3.1A7 7 0 0 1 11 5.1ZM12 7.2a4.8 4.8 0 1 0 0 9.6 4.8 4.8 0 0 0 0-9.6Z',
 } as const;
-export type Icon = keyof typeof shapes;
+type Icon = keyof typeof shapes;
 
-export function icon(name: Icon): SVGElement {
+function icon(name: Icon): SVGElement {
   return s('svg', { class: 'icon', viewBox: '0 0 24 24', 'aria-hidden': 'true' },
     s('path', { d: shapes[name], 'fill-rule': 'evenodd' }));
 }

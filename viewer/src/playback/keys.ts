@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The keyboard: what each key does, as the help lists it, and the listener.
-import type { Layer } from './scene/stage_view';
+import type { CameraKind, Layer } from './scene/stage_view';
 
+export const camera_keys: Record<CameraKind, string> = { orbit: 'o', follow: 'c', top: 't', side: 's' };
 export const layer_keys: Record<Layer, string> = {
   trails: 'r', spheres: 'b', goals: 'g', obstacles: 'x', grid: 'd', surface: 'w', current: 'u', sketch: 'k', tracks: 'n',
   sonar: 'a', messages: 'm', names: 'l',

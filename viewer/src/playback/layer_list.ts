@@ -5,6 +5,7 @@ import type { Choice } from './choice';
 import type { Film } from './film';
 import { layer_keys } from './keys';
 import type { Scene } from './model';
+import type { Panel } from './panel';
 import { layers, type Layer } from './scene/stage_view';
 
 const names: Record<Layer, string> = {
@@ -24,8 +25,7 @@ function has_any(layer: Layer, scene: Scene, film: Film): boolean {
   }
 }
 
-/** The switches, and what to call when more of the film has come in. */
-export function make_layer_list(scene: Scene, film: Film, choice: Choice): { element: HTMLElement; grown: () => void } {
+export function make_layer_list(scene: Scene, film: Film, choice: Choice): Panel {
   const buttons = layers.map((layer) => h('button', {
     type: 'button', class: 'switch', 'data-layer': layer, title: `${names[layer]} (${layer_keys[layer]})`,
     click: () => choice.set_layer(layer, !choice.shows(layer)),

@@ -3,9 +3,8 @@
 import type { Choice } from './choice';
 import type { Clock } from './clock';
 import type { Film } from './film';
-import type { CameraKind } from './scene/stage_view';
+import { cameras } from './scene/stage_view';
 
-const cameras: readonly CameraKind[] = ['orbit', 'follow', 'top', 'side'];
 /** Browsers refuse an address that changes too often. */
 const least_gap_ms = 1000;
 

@@ -4,6 +4,7 @@ import { h } from '../common/dom';
 import { short } from '../common/format';
 import type { Clock } from './clock';
 import type { LiveRun } from './live';
+import type { Panel } from './panel';
 import { seconds } from './printed';
 
 function status_text({ state, trouble }: LiveRun): string {
@@ -14,7 +15,7 @@ function status_text({ state, trouble }: LiveRun): string {
   return `${how}, at ${seconds(state.time_s)} s`;
 }
 
-export function make_live_controls(live: LiveRun, clock: Clock): { element: HTMLElement; show: () => void } {
+export function make_live_controls(live: LiveRun, clock: Clock) {
   const status = h('span', { class: 'live-status', role: 'status' });
   const pause = h('button', { type: 'button', class: 'switch' });
   pause.addEventListener('click', () => live.order(live.state?.paused === true ? 'resume' : 'pause'));
@@ -31,5 +32,5 @@ export function make_live_controls(live: LiveRun, clock: Clock): { element: HTML
     newest.setAttribute('aria-pressed', String(clock.following));
   };
   show();
-  return { element: h('div', { class: 'live-controls', role: 'group', 'aria-label': 'The run' }, newest, pause, step, status), show };
+  return { element: h('div', { class: 'live-controls', role: 'group', 'aria-label': 'The run' }, newest, pause, step, status), show } satisfies Panel;
 }

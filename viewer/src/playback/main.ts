@@ -4,6 +4,7 @@ import '../common/parts.css';
 import './page.css';
 import './side.css';
 import './transport.css';
+import './panel.css';
 import { h } from '../common/dom';
 import { embedded_text, show_problem } from '../common/problem';
 import { DataError } from '../common/reader';

@@ -123,6 +123,11 @@ export type Stroke =
   | { kind: 'tree'; meaning: string; points: Vec3[] }
   | { kind: 'sphere'; meaning: string; points: [Vec3]; radius: number }
   | { kind: 'image'; meaning: string; side: number; reach: number; yaw: number; /** Base64, 3 bytes a pixel. */ rgb: string };
+export type ImageStroke = Extract<Stroke, { kind: 'image' }>;
+/** Between the outer edges of an image [m/s]: `reach` is that of the outermost pixels' middles. */
+export function image_width({ side, reach }: ImageStroke): number {
+  return side > 1 ? (2 * reach * side) / (side - 1) : 2 * reach;
+}
 /** What a vehicle knows of others: stands until its next record. */
 export interface TracksRecord {
   time_s: number;

@@ -5,6 +5,7 @@ import { h } from '../common/dom';
 import { theme_toggle } from '../common/theme';
 import { make_about, make_saving } from './about';
 import { make_bindings } from './bindings';
+import { make_camera_bar } from './camera_bar';
 import { make_charts } from './charts/charts';
 import { Choice } from './choice';
 import { Clock, frame_from } from './clock';
@@ -19,11 +20,11 @@ import { make_layer_list } from './layer_list';
 import { MomentLink } from './link';
 import type { LiveRun } from './live';
 import { make_live_controls } from './live_controls';
-import type { Document, Scene } from './model';
+import type { Document, RunEvent, Scene } from './model';
 import { no_stage } from './no_stage';
 import type { Panel } from './panel';
 import { make_stage } from './scene/stage';
-import type { CameraKind, StageView } from './scene/stage_view';
+import type { StageView } from './scene/stage_view';
 import { make_thoughts } from './thoughts/thoughts';
 import { make_transport } from './transport';
 import { make_vehicle_list } from './vehicle_list';
@@ -43,134 +44,163 @@ function stage_in(host: HTMLElement, scene: Scene, film: Film): StageView {
   }
 }
 
-function camera_bar(choice: Choice, stage: StageView): HTMLElement {
-  const kinds: [CameraKind, string, string][] = [['orbit', 'Orbit', 'o'], ['follow', 'Follow', 'c'], ['top', 'Top', 't'], ['side', 'Side', 's']];
-  const buttons = kinds.map(([kind, label, key]) => h('button', {
-    type: 'button', class: 'switch', 'data-camera': kind, title: `${label} (${key})`, click: () => choice.set_camera(kind),
-  }, label));
-  const update = (): void => buttons.forEach((button, i) => button.setAttribute('aria-pressed', String(kinds[i]![0] === choice.camera)));
-  choice.on_change(update);
-  update();
-  return h('div', { class: 'cameras', role: 'group', 'aria-label': 'Camera' }, ...buttons,
-    h('button', { type: 'button', class: 'switch', title: 'Fit everything into the picture (f)', click: () => stage.fit() }, 'Fit'));
-}
-
 /** Calls `changed` when the colours of the page do. */
 function on_theme(changed: () => void): void {
   new MutationObserver(changed).observe(window.document.documentElement, { attributeFilter: ['data-theme'] });
 }
 
-/** Shows the film, which holds a frame at least; `live` brings more of it. */
-export function show_page(playback: Document, film: Film, live: LiveRun | null, into: HTMLElement): void {
-  const { scene } = playback;
+/** The empty places of the page. */
+function make_frame(playback: Document, into: HTMLElement) {
   window.document.title = `${playback.title} · fairway view`;
-  const picture = h('div', { class: 'picture', role: 'img', 'aria-label': `The run in three dimensions: ${playback.title}` });
-  const stage_area = h('main', { class: 'stage-area' }, picture);
-  const side = h('aside', { class: 'side', 'aria-label': 'The run' });
-  const charts_strip = h('details', { class: 'charts-strip' }, h('summary', {}, 'Charts'));
-  const lower = h('div', { class: 'lower' }, charts_strip, side);
   const bar = h('header', { class: 'bar' });
-  // It sets the theme, whose colours everything below draws with.
-  const theme = theme_toggle();
-  const page = h('div', { class: 'playback' }, bar, stage_area, lower);
+  const picture = h('div', { class: 'picture' });
+  const stage_area = h('main', { class: 'stage-area' }, picture);
+  const charts_strip = h('details', { class: 'charts-strip' }, h('summary', {}, 'Charts'));
+  const side = h('aside', { class: 'side', 'aria-label': 'The run' });
+  const page = h('div', { class: 'playback' }, bar, stage_area, h('div', { class: 'lower' }, charts_strip, side));
   into.replaceChildren(page);
+  // It sets the theme, whose colours everything else draws with.
+  return { page, bar, picture, stage_area, charts_strip, side, theme: theme_toggle() };
+}
 
-  const stage = stage_in(picture, scene, film);
-  const choice = new Choice(stage, scene.vehicles.length);
-  const panels: Panel[] = [];
-  const clock = new Clock(film, live !== null, () => show());
-  const link = new MomentLink(film, clock, choice);
-  const live_controls = live === null ? null : make_live_controls(live, clock);
-  const seek = (time: number): void => clock.seek(time);
+class Page {
+  private readonly stage: StageView;
+  private readonly choice: Choice;
+  private readonly clock: Clock;
+  private readonly link: MomentLink;
+  private readonly help: Help;
+  private readonly panel_button = icon_button('panel', 'Side panel', 'p', () => this.toggle_side());
+  private readonly panels: Panel[] = [];
+  private readonly seek = (time: number): void => this.clock.seek(time);
 
-  function show(): void {
-    const moment = clock.moment;
-    stage.show(moment);
-    for (const panel of panels) panel.show(moment);
-    live_controls?.show();
-    link.update();
+  constructor(private readonly playback: Document, private readonly film: Film, private readonly live: LiveRun | null,
+              private readonly frame: ReturnType<typeof make_frame>) {
+    this.stage = stage_in(frame.picture, playback.scene, film);
+    this.choice = new Choice(this.stage, playback.scene.vehicles.length);
+    this.clock = new Clock(film, live !== null, () => this.show());
+    this.link = new MomentLink(film, this.clock, this.choice);
+    const bindings = make_bindings(film, this.clock, this.choice, this.stage, {
+      panel: () => this.toggle_side(), charts: () => this.toggle_charts(), help: () => this.help.toggle(),
+    });
+    this.help = new Help(bindings);
+    this.fill_side();
+    this.surround_picture();
+    this.fill_bar();
+    this.make_charts_when_opened();
+    this.keep_in_step();
+    listen(bindings);
+    give_back_keys(frame.page);
+    expose(film, this.clock, this.choice, this.stage);
+    this.begin();
   }
-  function add<P extends Panel>(panel: P): P {
-    panels.push(panel);
+
+  private show(): void {
+    const { moment } = this.clock;
+    this.stage.show(moment);
+    for (const panel of this.panels) panel.show?.(moment);
+    this.link.update();
+  }
+
+  /** Keeps the panel in step from now on. */
+  private add<P extends Panel>(panel: P): P {
+    this.panels.push(panel);
     return panel;
   }
 
-  // The side panel.
-  const layers = make_layer_list(scene, film, choice);
-  const about = make_about(playback, film);
-  const { explanation } = playback;
-  side.append(
-    ...(playback.notice === '' ? [] : [h('div', { class: 'note warning', role: 'note' }, h('b', {}, 'Notice'), h('p', {}, playback.notice))]),
-    ...(explanation === null ? [] : [section('explanation', 'Why it did so', true, make_explanation(explanation, scene, seek))]),
-    section('vehicles', 'Vehicles', true, add(make_vehicle_list(scene, film, choice)).element),
-    section('thoughts', 'What it thought', true, add(make_thoughts(scene, film)).element),
-    section('layers', 'Layers', true, layers.element),
-    section('events', 'Events', film.events.length > 0,
-      add(make_event_list(scene, film, (event) => clock.seek_frame(frame_from(film, event.time_s)))).element),
-    section('saving', 'Save and share', true, make_saving(playback, film, stage, () => link.text(), () => film.time(clock.moment.index))),
-    section('about', 'About this run', false, about.element));
-
-  // Around the picture.
-  const transport = add(make_transport(scene, film, clock, live_controls?.element ?? null));
-  stage_area.append(camera_bar(choice, stage));
-  stage_area.after(transport.element);
-  const toggle_panel = (): void => {
-    const hidden = page.classList.toggle('alone');
-    panel_button.setAttribute('aria-expanded', String(!hidden));
-  };
-  const toggles = { panel: toggle_panel, charts: () => { charts_strip.open = !charts_strip.open; }, help: () => help.toggle() };
-  const bindings = make_bindings(film, clock, choice, stage, toggles);
-  const help = new Help(bindings);
-  page.append(help.element);
-  const panel_button = icon_button('panel', 'Side panel', 'p', toggle_panel);
-  panel_button.setAttribute('aria-expanded', 'true');
-  bar.append(h('span', { class: 'brand' }, buoy()), h('h1', {}, playback.title),
-    h('p', { class: 'summary', title: playback.summary }, playback.summary), h('span', { class: 'version' }, playback.version),
-    h('button', { type: 'button', class: 'tool', 'aria-label': 'Help', title: 'Keys and pointer (?)', click: () => help.toggle() }, '?'),
-    panel_button, theme);
-
-  // Charts are worked out when they are first opened, after the first picture.
-  let charts: Panel | null = null;
-  charts_strip.addEventListener('toggle', () => {
-    if (charts_strip.open && charts === null) {
-      charts = add(make_charts(scene, film, seek));
-      charts_strip.append(charts.element);
-      charts.choose(choice.chosen);
-    }
-    if (charts_strip.open) charts?.restyle();
-    show();
-  });
-
-  let { chosen } = choice;
-  choice.on_change(() => {
-    if (chosen !== choice.chosen) for (const panel of panels) panel.choose(choice.chosen);
-    chosen = choice.chosen;
-    show();
-  });
-  on_theme(() => {
-    stage.restyle();
-    for (const panel of panels) panel.restyle();
-  });
-  live?.on_answer((grown) => {
-    if (grown) {
-      for (const panel of panels) panel.grown();
-      layers.grown();
-      about.grown();
-      clock.grown();
-    } else {
-      live_controls?.show();
-    }
-  });
-  listen(bindings);
-  give_back_keys(page);
-  expose(film, clock, choice, stage);
-
-  if (explanation !== null) {
-    choice.choose([explanation.vehicle]);
-    clock.seek(explanation.time_s);
+  private fill_side(): void {
+    const { playback, film, choice, clock } = this;
+    const { scene, notice, explanation } = playback;
+    const go_to = (event: RunEvent): void => clock.seek_frame(frame_from(film, event.time_s));
+    this.frame.side.append(
+      ...(notice === '' ? [] : [h('div', { class: 'note warning', role: 'note' }, h('b', {}, 'Notice'), h('p', {}, notice))]),
+      ...(explanation === null ? [] : [section('explanation', 'Why it did so', true, make_explanation(explanation, scene, this.seek))]),
+      section('vehicles', 'Vehicles', true, this.add(make_vehicle_list(scene, film, choice)).element),
+      section('thoughts', 'What it thought', true, this.add(make_thoughts(scene, film)).element),
+      section('layers', 'Layers', true, this.add(make_layer_list(scene, film, choice)).element),
+      section('events', 'Events', film.events.length > 0, this.add(make_event_list(scene, film, go_to)).element),
+      section('saving', 'Save and share', true,
+        make_saving(playback, film, this.stage, () => this.link.text(), () => film.time(clock.moment.index))),
+      section('about', 'About this run', false, this.add(make_about(playback, film)).element));
   }
-  const placed = link.go();
-  if (live !== null && !placed) clock.follow();
-  show();
-  if (matchMedia(roomy).matches) setTimeout(toggles.charts);
+
+  private surround_picture(): void {
+    const { live, clock } = this;
+    const live_controls = live === null ? null : this.add(make_live_controls(live, clock));
+    const transport = this.add(make_transport(this.playback.scene, this.film, clock, live_controls?.element ?? null));
+    this.frame.stage_area.append(make_camera_bar(this.choice, this.stage));
+    this.frame.stage_area.after(transport.element);
+    // An answer that brings frames shows everything anew; any other one only tells how the run stands.
+    live?.on_answer((grown) => (grown ? this.grow() : live_controls?.show()));
+  }
+
+  private fill_bar(): void {
+    const { title, summary, version } = this.playback;
+    this.panel_button.setAttribute('aria-expanded', 'true');
+    this.frame.bar.append(h('span', { class: 'brand' }, buoy()), h('h1', {}, title),
+      h('p', { class: 'summary', title: summary }, summary), h('span', { class: 'version' }, version),
+      h('button', { type: 'button', class: 'tool', 'aria-label': 'Help', title: 'Keys and pointer (?)', click: () => this.help.toggle() }, '?'),
+      this.panel_button, this.frame.theme);
+    this.frame.page.append(this.help.element);
+  }
+
+  /** Charts are worked out when they are first opened, after the first picture. */
+  private make_charts_when_opened(): void {
+    const { charts_strip } = this.frame;
+    let charts: ReturnType<typeof make_charts> | null = null;
+    charts_strip.addEventListener('toggle', () => {
+      if (!charts_strip.open) return;
+      if (charts === null) {
+        charts = this.add(make_charts(this.playback.scene, this.film, this.seek));
+        charts_strip.append(charts.element);
+        charts.choose(this.choice.chosen);
+      }
+      charts.restyle();
+      this.show();
+    });
+  }
+
+  private keep_in_step(): void {
+    let { chosen } = this.choice;
+    this.choice.on_change(() => {
+      if (chosen !== this.choice.chosen) for (const panel of this.panels) panel.choose?.(this.choice.chosen);
+      chosen = this.choice.chosen;
+      this.show();
+    });
+    on_theme(() => {
+      this.stage.restyle();
+      for (const panel of this.panels) panel.restyle?.();
+    });
+  }
+
+  private grow(): void {
+    for (const panel of this.panels) panel.grown?.();
+    this.clock.grown();
+  }
+
+  private toggle_side(): void {
+    const hidden = this.frame.page.classList.toggle('alone');
+    this.panel_button.setAttribute('aria-expanded', String(!hidden));
+  }
+
+  private toggle_charts(): void {
+    this.frame.charts_strip.open = !this.frame.charts_strip.open;
+  }
+
+  /** At the moment of the explanation, unless the address says another; a live run at its newest frame. */
+  private begin(): void {
+    const { explanation } = this.playback;
+    if (explanation !== null) {
+      this.choice.choose([explanation.vehicle]);
+      this.clock.seek(explanation.time_s);
+    }
+    const placed = this.link.go();
+    if (this.live !== null && !placed) this.clock.follow();
+    this.show();
+    if (matchMedia(roomy).matches) setTimeout(() => this.toggle_charts());
+  }
+}
+
+/** Shows the film, which holds a frame at least; `live` brings more of it. */
+export function show_page(playback: Document, film: Film, live: LiveRun | null, into: HTMLElement): void {
+  new Page(playback, film, live, make_frame(playback, into));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The film's values as the page prints them.
-import { colour_count } from '../common/colour';
+import { series_colour } from '../common/colour';
 import { fixed } from '../common/format';
 import type { Film } from './film';
 import { alerts, modes, phases, type RunEvent, type Scene } from './model';
@@ -9,16 +9,11 @@ import { alerts, modes, phases, type RunEvent, type Scene } from './model';
 const digits = 3;
 
 export const seconds = (time: number): string => fixed(time, digits);
-export const vehicle_colour = (vehicle: number): string => `var(--c${vehicle % colour_count})`;
+export const vehicle_colour = (vehicle: number): string => `var(${series_colour(vehicle)})`;
 
 /** North, east and down [m]. */
 export function position_texts(film: Film, index: number, vehicle: number): string[] {
-  return [0, 1, 2].map((k) => fixed(film.value('position_m', index, vehicle, k), digits));
-}
-
-/** Over ground [m/s]. */
-export function speed_of(film: Film, index: number, vehicle: number): number {
-  return Math.hypot(...[0, 1, 2].map((k) => film.value('velocity_mps', index, vehicle, k)));
+  return film.vector('position_m', index, vehicle).map((coordinate) => fixed(coordinate, digits));
 }
 
 /** From the vehicle to its goal [m]. */

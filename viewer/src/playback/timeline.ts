@@ -18,7 +18,7 @@ const inset = 8;
 /** Width of the drawing that is stretched over the track. */
 const units = 10_000;
 
-export function make_timeline(scene: Scene, film: Film, clock: Clock): Panel {
+export function make_timeline(scene: Scene, film: Film, clock: Clock) {
   const range = h('input', { type: 'range', min: 0, step: 1, class: 'scrubber', 'aria-label': 'Time' });
   const paths = marked.map((kind) => s('path', { class: `mark ${kind}`, 'vector-effect': 'non-scaling-stroke' }));
   const drawing = s('svg', { class: 'marks', viewBox: `0 0 ${units} 10`, preserveAspectRatio: 'none', 'aria-hidden': 'true' }, ...paths);
@@ -69,8 +69,6 @@ export function make_timeline(scene: Scene, film: Film, clock: Clock): Panel {
       range.setAttribute('aria-valuetext', `${seconds(film.time(index))} s`);
       range.style.setProperty('--done', String(fraction(index)));
     },
-    choose: () => undefined,
     grown: fill,
-    restyle: () => undefined,
-  };
+  } satisfies Panel;
 }

@@ -38,11 +38,9 @@ export function make_transport(scene: Scene, film: Film, clock: Clock, more: HTM
       set_icon(play, clock.playing ? 'pause' : 'play', clock.playing ? 'Pause' : 'Play', 'Space');
       speed.value = String(clock.speed);
     },
-    choose: () => undefined,
     grown() {
       timeline.grown();
       show_end();
     },
-    restyle: () => undefined,
   };
 }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // One card per vehicle: who it is and, of the frame that is shown, where it is and how it fares.
-import { h } from '../common/dom';
+import { h, swatch } from '../common/dom';
 import { fixed, finite } from '../common/format';
 import type { Choice } from './choice';
 import type { Film, Moment } from './film';
 import { icon_button } from './icons';
 import type { Scene } from './model';
 import type { Panel } from './panel';
-import { alert_text, goal_distance, mode_text, phase_text, position_texts, seconds, speed_of, vehicle_colour } from './printed';
+import { alert_text, goal_distance, mode_text, phase_text, position_texts, seconds, vehicle_colour } from './printed';
 
 /** Of more vehicles than these, only the chosen ones show their numbers. */
 const most_in_full = 4;
@@ -30,8 +30,6 @@ function set_text(element: Element, text: string): void {
 
 function make_card(vehicle: number, scene: Scene, film: Film, choice: Choice, brief: boolean): Card {
   const spec = scene.vehicles[vehicle]!;
-  const swatch = h('span', { class: 'swatch', 'aria-hidden': 'true' });
-  swatch.style.background = vehicle_colour(vehicle);
   const dot = h('span', { class: 'alert-dot' });
   const status = h('span', { class: 'status' });
   const places = ['n', 'e', 'd'].map((axis) => value_row(axis, ''));
@@ -42,7 +40,7 @@ function make_card(vehicle: number, scene: Scene, film: Film, choice: Choice, br
     click: (event) => choice.pick(vehicle, event instanceof MouseEvent && (event.shiftKey || event.ctrlKey || event.metaKey)),
     dblclick: () => choice.follow(vehicle),
   },
-  h('span', { class: 'who' }, swatch, h('span', { class: 'name' }, spec.name), dot, status),
+  h('span', { class: 'who' }, swatch(vehicle_colour(vehicle)), h('span', { class: 'name' }, spec.name), dot, status),
   h('span', { class: 'what' }, [spec.model, spec.avoider === '' ? 'no avoidance' : spec.avoider,
     spec.cooperative ? '' : 'not cooperative'].filter((word) => word !== '').join(' · ')),
   h('span', { class: 'values place' }, ...places.map(({ row }) => row), h('i', {}, 'm')),
@@ -64,7 +62,7 @@ function make_card(vehicle: number, scene: Scene, film: Film, choice: Choice, br
       }
       if (brief && !shown) return;
       position_texts(film, index, vehicle).forEach((text, k) => set_text(places[k]!.value, text));
-      set_text(speed.value, fixed(speed_of(film, index, vehicle), 3));
+      set_text(speed.value, fixed(film.length('velocity_mps', index, vehicle), 3));
       const distance = goal_distance(film, index, vehicle);
       set_text(goal.value, finite(distance) ? fixed(distance, 3) : '–');
     },
@@ -99,8 +97,6 @@ export function make_vehicle_list(scene: Scene, film: Film, choice: Choice): Pan
     show(moment: Moment) {
       if (moment.index !== index) show(moment.index);
     },
-    choose: () => undefined,
     grown: () => { index = -1; },
-    restyle: () => undefined,
   };
 }

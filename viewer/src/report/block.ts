@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A block of the document as an element, numbered over the whole page.
 import { h } from '../common/dom';
+import { legend } from '../common/legend';
 import { problem_element } from '../common/problem';
 import { boxes_chart } from './charts/boxes';
 import type { Chart, Palettes } from './charts/chart';
@@ -9,7 +10,6 @@ import { lines_chart } from './charts/lines';
 import { raster_chart } from './charts/raster';
 import { trajectories_chart } from './charts/trajectories';
 import { figure, type FigureOptions } from './figure';
-import { legend } from './legend';
 import type { Block, ChartBlock, GridBlock } from './model';
 import { table } from './table';
 

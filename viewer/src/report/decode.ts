@@ -232,13 +232,7 @@ function section(at: Reader, runs: readonly Run[]): Section {
 
 /** Throws DataError with the first thing that keeps the document as a whole from being shown. */
 export function decode(json: string): Document {
-  let value: unknown;
-  try {
-    value = JSON.parse(json);
-  } catch (error) {
-    throw new DataError(`the data are not JSON: ${error instanceof Error ? error.message : String(error)}`);
-  }
-  const at = new Reader(value, '');
+  const at = Reader.of_json(json);
   const runs = decode_runs(at.at('runs'));
   return {
     title: at.at('title').text(),

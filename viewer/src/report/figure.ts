@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The frame around a chart: caption, legend, buttons, the drawing at the width there is, and pointing at it.
 import { h, s, slug } from '../common/dom';
+import { legend, type LegendEntry } from '../common/legend';
 import { action_button, save_text } from '../common/save';
+import { standalone_svg } from '../common/saved_svg';
 import { hide_tip, show_tip } from '../common/tooltip';
-import type { Chart, Drawing, LegendEntry, Target } from './charts/chart';
+import type { Chart, Drawing, Target } from './charts/chart';
 import { to_csv } from './csv';
-import { legend } from './legend';
 import { count_of, show_runs } from './runs_panel';
-import { standalone_svg } from './saved_svg';
 import { table_body } from './table';
 
 export interface FigureOptions {
@@ -185,8 +185,7 @@ export function figure(chart: Chart, options: FigureOptions): HTMLElement {
     save_text(`${name}.svg`, 'image/svg+xml', standalone_svg(svg, title, shown_entries()));
     return true;
   });
-  const csv = action_button('CSV', 'Save the numbers behind this chart as CSV', 'saved',
-    () => {
+  const csv = action_button('CSV', 'Save the numbers behind this chart as CSV', 'saved', () => {
     const data = chart.data();
     save_text(`${name}.csv`, 'text/csv', to_csv(data, data.rows));
   });

@@ -2,6 +2,7 @@
 // A table as LaTeX, for a paper: booktabs, numbers as the page shows them.
 import { column_digits, fixed, signed_percent } from '../common/format';
 import { verdicts } from './cells';
+import { heading } from './csv';
 import type { Cell, Column, Row, TableBlock } from './model';
 
 const escapes: Record<string, string> = {
@@ -22,10 +23,6 @@ function alignment(column: Column, rows: readonly Row[]): string {
   if (column.type === 'number' || column.type === 'deviation') return 'r';
   const long = column.type === 'text' && rows.some((row) => String(row[column.key] ?? '').length > 30);
   return long ? 'p{14em}' : 'l';
-}
-
-function heading(column: Column): string {
-  return escaped(column.unit === '' ? column.label : `${column.label} [${column.unit}]`);
 }
 
 /** The text of a cell as the page shows it; `digits` is that of all of its column. */
@@ -49,7 +46,7 @@ export function to_latex(block: TableBlock, rows: readonly Row[], name: string):
     `  \\label{tab:${name}}`,
     `  \\begin{tabular}{${block.columns.map((column) => alignment(column, rows)).join('')}}`,
     '    \\toprule',
-    line(block.columns.map(heading)),
+    line(block.columns.map((column) => escaped(heading(column)))),
     '    \\midrule',
     ...rows.map((row) => line(block.columns.map((column, i) => shown(column, row[column.key] ?? null, digits[i]!)))),
     '    \\bottomrule',

@@ -7,8 +7,7 @@
 #include <vector>
 
 #include "fairway/core/testing/temporary_folder.hpp"
-#include "fairway/experiment/version.hpp"
-#include "fairway/record/recording.hpp"
+#include "fairway/experiment/recording_info.hpp"
 #include "fairway/record/recording_writer.hpp"
 #include "fairway/scenario/load.hpp"
 #include "fairway/sim/simulation.hpp"
@@ -43,17 +42,8 @@ class Forger final : public FrameSink {
 
 /// The recording of a scenario, of every `stride`-th frame.
 inline Recording recorded(const Scenario& scenario, std::int64_t stride = 1, const Forgery& forgery = {}) {
-  RecordingInfo info{.version = std::string(fairway_version),
-                     .scenario_name = scenario.name,
-                     .scenario_yaml = to_yaml(scenario),
-                     .seed = scenario.seed,
-                     .period = scenario.step_s,
-                     .vehicles = {}};
-  for (const VehicleSpec& v : scenario.vehicles) {
-    info.vehicles.push_back({VehicleId{v.id}, v.name, v.model.name});
-  }
   const TemporaryFolder folder;
-  RecordingWriter writer{folder.file("run.mcap"), info, stride};
+  RecordingWriter writer{folder.file("run.mcap"), recording_info(scenario), stride};
   Forger forger{writer, forgery};
   const std::array<FrameSink*, 1> sinks{&forger};
   Simulation{scenario, builtin_catalogs()}.run(sinks);

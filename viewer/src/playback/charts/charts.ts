@@ -190,6 +190,6 @@ class Charts implements Panel {
 }
 
 /** Charts of a film; `seek` moves the moment that all of the page shows. */
-export function make_charts(scene: Scene, film: Film, seek: (time: number) => void): Panel {
+export function make_charts(scene: Scene, film: Film, seek: (time: number) => void): Required<Panel> {
   return new Charts(scene, film, seek);
 }

@@ -101,8 +101,14 @@ function separation(scene: Scene, film: Film, shown: Shown): Curves {
   };
 }
 
-function length_of(film: Film, column: string, i: number, vehicle: number): number {
-  return Math.hypot(film.value(column, i, vehicle, 0), film.value(column, i, vehicle, 1), film.value(column, i, vehicle, 2));
+/** One curve for each vehicle; `value` may look at that of the frame before. */
+function each(axis: string, note: string, scene: Scene, shown: Shown, value: (i: number, vehicle: number, before: number) => number): Curves {
+  return {
+    axis, note, series: one_each(scene, shown), rules: [],
+    read(i, values) {
+      shown.vehicles.forEach((vehicle, k) => { values[k] = value(i, vehicle, values[k]!); });
+    },
+  };
 }
 
 function speed(scene: Scene, film: Film, shown: Shown): Curves {
@@ -117,8 +123,8 @@ function speed(scene: Scene, film: Film, shown: Shown): Curves {
     rules: [],
     read(i, values) {
       vehicles.forEach((vehicle, k) => {
-        values[k] = length_of(film, 'command_mps', i, vehicle);
-        values[vehicles.length + k] = length_of(film, 'velocity_mps', i, vehicle);
+        values[k] = film.length('command_mps', i, vehicle);
+        values[vehicles.length + k] = film.length('velocity_mps', i, vehicle);
       });
     },
   };
@@ -137,47 +143,23 @@ export function unwrapped(angle: number, before: number): number {
 }
 
 function heading(scene: Scene, film: Film, shown: Shown): Curves {
-  return {
-    axis: 'heading [°]',
-    note: 'of the bow, clockwise from north',
-    series: one_each(scene, shown),
-    rules: [],
-    read(i, values) {
-      shown.vehicles.forEach((vehicle, k) => {
-        values[k] = unwrapped(yaw_of(film, i, vehicle) * degrees, values[k]!);
-      });
-    },
-  };
+  return each('heading [°]', 'of the bow, clockwise from north', scene, shown,
+    (i, vehicle, before) => unwrapped(yaw_of(film, i, vehicle) * degrees, before));
 }
 
 function depth(scene: Scene, film: Film, shown: Shown): Curves {
-  return {
-    axis: 'depth [m]',
-    note: 'below the mean surface',
-    series: one_each(scene, shown),
-    rules: [],
-    read(i, values) {
-      shown.vehicles.forEach((vehicle, k) => {
-        values[k] = film.value('position_m', i, vehicle, 2);
-      });
-    },
-  };
+  return each('depth [m]', 'below the mean surface', scene, shown, (i, vehicle) => film.value('position_m', i, vehicle, 2));
+}
+
+function power(scene: Scene, film: Film, shown: Shown): Curves {
+  return each('power [W]', 'drawn by the thrusters', scene, shown, (i, vehicle) => film.value('power_w', i, vehicle));
 }
 
 function force(scene: Scene, film: Film, shown: Shown): Curves {
   const own = shown.alone;
   if (own === null) {
-    return {
-      axis: 'force [N]',
-      note: 'amount; choose one vehicle for surge, sway and heave',
-      series: one_each(scene, shown),
-      rules: [],
-      read(i, values) {
-        shown.vehicles.forEach((vehicle, k) => {
-          values[k] = length_of(film, 'force_n', i, vehicle);
-        });
-      },
-    };
+    return each('force [N]', 'amount; choose one vehicle for surge, sway and heave', scene, shown,
+      (i, vehicle) => film.length('force_n', i, vehicle));
   }
   return {
     axis: 'force [N]',
@@ -188,20 +170,6 @@ function force(scene: Scene, film: Film, shown: Shown): Curves {
     rules: [],
     read(i, values) {
       for (let k = 0; k < 3; ++k) values[k] = film.value('force_n', i, own, k);
-    },
-  };
-}
-
-function power(scene: Scene, film: Film, shown: Shown): Curves {
-  return {
-    axis: 'power [W]',
-    note: 'drawn by the thrusters',
-    series: one_each(scene, shown),
-    rules: [],
-    read(i, values) {
-      shown.vehicles.forEach((vehicle, k) => {
-        values[k] = film.value('power_w', i, vehicle);
-      });
     },
   };
 }

@@ -5,7 +5,7 @@ import type { Palette } from '../../common/colour';
 import { h, slug } from '../../common/dom';
 import { fixed, short } from '../../common/format';
 import { action_button, save_text } from '../../common/save';
-import { tick_digits } from '../../common/scale';
+import { multiples, tick_digits } from '../../common/scale';
 import type { Tip } from '../../common/tooltip';
 import type { Film } from '../film';
 import type { ChartKind, Curves } from './curves';
@@ -16,7 +16,7 @@ import { Store } from './store';
 import { colour_now, dash_of } from './style';
 import { told, value_domain, value_step } from './values';
 
-export const axis_width = 56;
+const axis_width = 56;
 const right_margin = 10;
 const plot_height = 112;
 const time_axis_height = 38;
@@ -104,7 +104,7 @@ export class Plot {
         { ...axis, grid, space: 60, size: tells_time ? 20 : 0,
           ...(tells_time ? { label: 'time [s]', labelSize: 18, labelGap: 0, values: tell } : { values: () => [] }) },
         { ...axis, grid, size: axis_width - 18, label: curves.axis, labelSize: 18, labelGap: 2,
-          splits: (_, __, low, high) => splits(low, high, value_step(kind.key, [low, high])),
+          splits: (_, __, low, high) => multiples(low, high, value_step(kind.key, [low, high])),
           values: (_, at) => tell(_, at.map((value) => told(kind.key, value))) },
       ],
       series: [{}, ...curves.series.map((series): uPlot.Series => ({
@@ -186,12 +186,6 @@ export class Plot {
 /** uPlot leaves a gap at null, which a typed array cannot hold. */
 function with_gaps(values: Float64Array): Float64Array | (number | null)[] {
   return values.some(Number.isNaN) ? Array.from(values, (value) => (Number.isNaN(value) ? null : value)) : values;
-}
-
-function splits(low: number, high: number, step: number): number[] {
-  const at: number[] = [];
-  for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; ++k) at.push(Number((k * step).toPrecision(12)));
-  return at;
 }
 
 function tell(_: uPlot, at: number[]): string[] {

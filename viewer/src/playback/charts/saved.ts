@@ -3,8 +3,8 @@
 import type { Palette } from '../../common/colour';
 import { path_data, s } from '../../common/dom';
 import { fixed, short } from '../../common/format';
-import { linear, tick_digits, ticks } from '../../common/scale';
-import { standalone_svg } from '../../report/saved_svg';
+import { standalone_svg } from '../../common/saved_svg';
+import { linear, multiples, tick_digits, ticks } from '../../common/scale';
 import type { ChartKind, Curves, Series } from './curves';
 import type { Store } from './store';
 import { dash_of } from './style';
@@ -23,8 +23,7 @@ export function curves_svg(kind: ChartKind, curves: Curves, store: Store, span: 
   const drawing = s('svg', { class: 'chart', viewBox: `0 0 ${width} ${height}` });
   drawing.style.fontSize = '11px';
 
-  const step = value_step(kind.key, domain);
-  const levels = ticks(domain[0], domain[1], Math.round((domain[1] - domain[0]) / step));
+  const levels = multiples(domain[0], domain[1], value_step(kind.key, domain));
   const instants = ticks(span[0], span[1], 6);
   drawing.append(
     ...levels.flatMap((value) => [

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The curves of a chart at every frame, computed once per frame, and thinned to what a screen can show.
+import { first_index } from '../../common/search';
 import type { Film } from '../film';
 import type { Curves } from './curves';
 
@@ -77,14 +78,7 @@ export class Store {
   }
 
   private first_after(time: number): number {
-    let low = 0;
-    let high = this.count;
-    while (low < high) {
-      const middle = (low + high) >> 1;
-      if (this.times[middle]! <= time) low = middle + 1;
-      else high = middle;
-    }
-    return low;
+    return first_index(this.count, (i) => this.times[i]! > time);
   }
 }
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Two bands per vehicle over time: how near the metric saw others, and in which mode it went.
-import { fit_text, h } from '../../common/dom';
+import { fit_text, h, swatch } from '../../common/dom';
 import type { Tip } from '../../common/tooltip';
 import type { Film } from '../film';
-import { alerts, modes, phases, type Scene } from '../model';
+import { alerts, modes, type Scene } from '../model';
+import { alert_text, mode_text, phase_text } from '../printed';
 import { plot_extent } from './plot';
 import { TimeArea, type Timeline } from './pointing';
 import { colour_now } from './style';
@@ -99,22 +100,16 @@ export class Strip {
     const vehicle = this.vehicles[Math.floor(y / this.row_height)];
     if (vehicle === undefined || this.film.count === 0) return null;
     const i = this.film.index_at(time);
-    const word = (words: readonly string[], column: string): string =>
-      (words[this.film.value(column, i, vehicle)] ?? '?').replace('_', ' ');
     return {
       title: `${this.scene.vehicles[vehicle]!.name}, t = ${this.film.time(i).toFixed(2)} s`,
       rows: [
-        { label: 'near', value: word(alerts, 'alert') }, { label: 'mode', value: word(modes, 'mode') },
-        { label: 'phase', value: word(phases, 'phase') },
+        { label: 'near', value: alert_text(this.film, i, vehicle) }, { label: 'mode', value: mode_text(this.film, i, vehicle) },
+        { label: 'phase', value: phase_text(this.film, i, vehicle) },
       ],
     };
   }
 }
 
 function key(title: string, words: readonly string[], colours: string[]): HTMLElement[] {
-  return [h('b', {}, title), ...words.map((word, k) => {
-    const swatch = h('i', { class: 'swatch', 'aria-hidden': 'true' });
-    swatch.style.background = colours[k]!;
-    return h('span', {}, swatch, word);
-  })];
+  return [h('b', {}, title), ...words.map((word, k) => h('span', {}, swatch(colours[k]!), word))];
 }

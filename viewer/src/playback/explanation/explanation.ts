@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Why a vehicle decided as it did, in words and numbers.
 import './explanation.css';
-import { h, type Child } from '../../common/dom';
+import { h, swatch, type Child } from '../../common/dom';
 import { fixed, short } from '../../common/format';
-import { colour_count } from '../../common/colour';
 import type { Explanation, Scene } from '../model';
+import { vehicle_colour } from '../printed';
 
 type Section = Explanation['sections'][number];
 type Table = NonNullable<Section['table']>;
@@ -50,11 +50,9 @@ function section({ title, lines, table: numbers }: Section): HTMLElement {
 export function make_explanation(explanation: Explanation, scene: Scene, seek: (time: number) => void): HTMLElement {
   const { vehicle, time_s, headline, sections } = explanation;
   const name = scene.vehicles[vehicle]?.name ?? `vehicle ${vehicle}`;
-  const swatch = h('i', { class: 'swatch', 'aria-hidden': 'true' });
-  swatch.style.background = `var(--c${vehicle % colour_count})`;
   const go = h('button', { type: 'button', class: 'chip', title: 'Show this moment in the picture' }, `Show t = ${fixed(time_s, 2)} s`);
   go.addEventListener('click', () => seek(time_s));
   return h('article', { class: 'explanation' },
-    h('header', {}, h('span', { class: 'who' }, swatch, `${name}, decided at t = ${fixed(time_s, 2)} s`), go),
+    h('header', {}, h('span', { class: 'who' }, swatch(vehicle_colour(vehicle)), `${name}, decided at t = ${fixed(time_s, 2)} s`), go),
     h('h2', {}, headline), ...sections.map(section));
 }

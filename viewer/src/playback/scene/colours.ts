@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The page's colours, read from its style sheets whenever the theme changes.
 import { Color } from 'three';
-import { colour_count } from '../../common/colour';
+import { series_colour } from '../../common/colour';
 
 export interface Colours {
-  /** Of vehicles, by index modulo their number. */
-  series: Color[];
+  vehicle(index: number): Color;
   deep: Color;
   ink: Color;
   ink_3: Color;
@@ -33,14 +32,10 @@ export function read_colours(host: HTMLElement): Colours {
   };
   const deep = of('--deep');
   return {
-    series: Array.from({ length: colour_count }, (_, k) => of(`--c${k}`)),
+    vehicle: (index) => of(series_colour(index)),
     deep, ink: of('--ink'), ink_3: of('--ink-3'), line: of('--line-2'),
-    alerts: [of('--good'), of('--caution'), of('--bad')],
+    alerts: [of('--sign-clear'), of('--sign-detected'), of('--sign-collided')],
     bad: of('--bad'), water: of('--water'), accent: of('--accent'), of,
     dark: deep.getHSL({ h: 0, s: 0, l: 0 }).l < 0.5,
   };
-}
-
-export function series_name(vehicle: number): string {
-  return `--c${vehicle % colour_count}`;
 }

@@ -3,7 +3,8 @@
 import { Box3, Vector3 } from 'three';
 import type { Film } from '../film';
 import type { Scene } from '../model';
-import { place, place_of } from './axes';
+import { place_of } from './axes';
+import { vector_at } from './poses';
 
 /** The next of 1, 2, 5, 10, ... that is not below `value`. */
 export function round_up(value: number): number {
@@ -43,7 +44,7 @@ function trails_box(scene: Scene, film: Film): Box3 {
   for (let i = 0; i < film.count; i += step) {
     for (let v = 0; v < film.vehicles; ++v) {
       for (const column of ['position_m', 'goal_m']) {
-        place(film.value(column, i, v, 0), film.value(column, i, v, 1), film.value(column, i, v, 2), point);
+        vector_at(film, column, i, v, point);
         if (Number.isFinite(point.x + point.y + point.z)) box.expandByPoint(point);
       }
     }
@@ -57,7 +58,7 @@ function top_speed(film: Film): number {
   const step = Math.max(1, Math.floor(film.count / 100));
   for (let i = 0; i < film.count; i += step) {
     for (let v = 0; v < film.vehicles; ++v) {
-      fastest = Math.max(fastest, Math.hypot(...[0, 1, 2].map((k) => film.value('velocity_mps', i, v, k))));
+      fastest = Math.max(fastest, film.length('velocity_mps', i, v));
     }
   }
   return fastest > 0 ? fastest : 1;

@@ -8,9 +8,9 @@ const from = new Vector3();
 const to = new Vector3();
 const turn_to = new Quaternion();
 
-function position_in(film: Film, frame: number, vehicle: number, out: Vector3): Vector3 {
-  return place(film.value('position_m', frame, vehicle, 0), film.value('position_m', frame, vehicle, 1),
-    film.value('position_m', frame, vehicle, 2), out);
+/** A column of three in the axes of the picture. */
+export function vector_at(film: Film, column: string, frame: number, vehicle: number, out = new Vector3()): Vector3 {
+  return place(film.value(column, frame, vehicle, 0), film.value(column, frame, vehicle, 1), film.value(column, frame, vehicle, 2), out);
 }
 
 function attitude_in(film: Film, frame: number, vehicle: number, out: Quaternion): Quaternion {
@@ -20,18 +20,13 @@ function attitude_in(film: Film, frame: number, vehicle: number, out: Quaternion
 
 /** A vehicle's position between the frames of a moment. */
 export function position_at(film: Film, moment: Moment, vehicle: number, out = new Vector3()): Vector3 {
-  position_in(film, moment.index, vehicle, out);
-  return moment.part === 0 ? out : out.lerp(position_in(film, moment.index + 1, vehicle, to), moment.part);
+  vector_at(film, 'position_m', moment.index, vehicle, out);
+  return moment.part === 0 ? out : out.lerp(vector_at(film, 'position_m', moment.index + 1, vehicle, to), moment.part);
 }
 
 export function attitude_at(film: Film, moment: Moment, vehicle: number, out = new Quaternion()): Quaternion {
   attitude_in(film, moment.index, vehicle, out);
   return moment.part === 0 ? out : out.slerp(attitude_in(film, moment.index + 1, vehicle, turn_to), moment.part);
-}
-
-/** A column of three in the axes of the picture, in the frame at or before the moment. */
-export function vector_at(film: Film, column: string, frame: number, vehicle: number, out = new Vector3()): Vector3 {
-  return place(film.value(column, frame, vehicle, 0), film.value(column, frame, vehicle, 1), film.value(column, frame, vehicle, 2), out);
 }
 
 /** Heading about the moment, averaged over `window_s` of the run on either side: a function of time alone, so a

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The picture in three dimensions: its parts, cameras and labels, drawn only when something has changed.
 import { AmbientLight, DirectionalLight, HemisphereLight, Scene as World, SRGBColorSpace, WebGLRenderer } from 'three';
-import { h } from '../../common/dom';
+import { h, swatch } from '../../common/dom';
 import type { Film, Moment } from '../film';
 import type { Scene } from '../model';
 import { Cameras } from './cameras';
@@ -139,7 +139,7 @@ class Stage implements StageView {
     this.colours = read_colours(this.host);
     this.renderer.setClearColor(this.colours.deep);
     this.light();
-    this.vehicles.restyle(this.colours.series);
+    this.vehicles.restyle(this.colours);
     fit_parts(this.parts, this.colours, this.extent);
     this.refresh();
   }
@@ -275,11 +275,8 @@ class Stage implements StageView {
     const text = JSON.stringify(lines);
     if (text === this.key_text) return;
     this.key_text = text;
-    this.key.replaceChildren(...lines.map((line) => {
-      const swatch = h('span', { class: 'swatch' });
-      swatch.style.background = `var(${line.colour})`;
-      return line.colour === '' ? h('p', {}, line.text) : h('div', {}, swatch, line.text);
-    }));
+    this.key.replaceChildren(...lines.map(({ colour, text: said }) =>
+      colour === '' ? h('p', {}, said) : h('div', {}, swatch(`var(${colour})`), said)));
   }
 
   private written(): Label[] {

@@ -3,7 +3,8 @@
 import type { Film, Moment } from '../film';
 import type { Scene } from '../model';
 
-export type CameraKind = 'orbit' | 'follow' | 'top' | 'side';
+export const cameras = ['orbit', 'follow', 'top', 'side'] as const;
+export type CameraKind = (typeof cameras)[number];
 export const layers = [
   'trails', 'spheres', 'goals', 'obstacles', 'grid', 'surface', 'current', 'sketch', 'tracks', 'sonar', 'messages', 'names',
 ] as const;

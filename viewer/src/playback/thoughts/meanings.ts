@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // How each meaning looks, and how it is told.
-import { colour_count } from '../../common/colour';
 import { s } from '../../common/dom';
+import { meaning_colour } from '../meaning_colour';
 import type { Stroke, VehicleSpec } from '../model';
 import { about } from './who';
 
@@ -15,28 +15,18 @@ export interface Look {
 export const own_velocity = 'own velocity';
 export const commanded = 'commanded';
 
-const looks: Record<string, Look> = {
-  [own_velocity]: { mark: 'arrow', colour: 'var(--ink-3)', dash: '' },
-  [commanded]: { mark: 'diamond', colour: 'var(--ink)', dash: '' },
-  chosen: { mark: 'arrow', colour: 'var(--ink)', dash: '' },
-  'after the safety filter': { mark: 'arrow', colour: 'var(--ink)', dash: '' },
-  force: { mark: 'arrow', colour: 'var(--ink)', dash: '' },
-  preferred: { mark: 'arrow', colour: 'var(--c2)', dash: '5 3' },
-  desired: { mark: 'arrow', colour: 'var(--c2)', dash: '5 3' },
-  'before the safety filter': { mark: 'arrow', colour: 'var(--c2)', dash: '5 3' },
-  attraction: { mark: 'ring', colour: 'var(--c2)', dash: '' },
-  repulsion: { mark: 'ring', colour: 'var(--bad)', dash: '' },
-  particle: { mark: 'dot', colour: 'var(--c3)', dash: '' },
+/** Velocities that every method draws; the others are rings. */
+const looks: Record<string, Omit<Look, 'colour'>> = {
+  [own_velocity]: { mark: 'arrow', dash: '' },
+  [commanded]: { mark: 'diamond', dash: '' },
+  chosen: { mark: 'arrow', dash: '' },
+  'after the safety filter': { mark: 'arrow', dash: '' },
+  force: { mark: 'arrow', dash: '' },
+  preferred: { mark: 'arrow', dash: '5 3' },
+  desired: { mark: 'arrow', dash: '5 3' },
+  'before the safety filter': { mark: 'arrow', dash: '5 3' },
+  particle: { mark: 'dot', dash: '' },
 };
-
-/** As in the picture; else the same colour for the same words, in every run. */
-function colour_of(kind: Stroke['kind'], meaning: string): string {
-  if (kind === 'region') return 'var(--bad)';
-  if (kind === 'half_space') return 'var(--c0)';
-  let sum = 0;
-  for (const letter of meaning) sum = (sum * 31 + letter.charCodeAt(0)) >>> 0;
-  return `var(--c${sum % colour_count})`;
-}
 
 const marks: Record<Stroke['kind'], Mark> = {
   velocity: 'ring', half_space: 'edge', region: 'area', image: 'image', path: 'edge', tree: 'edge', sphere: 'ring',
@@ -45,13 +35,11 @@ const marks: Record<Stroke['kind'], Mark> = {
 export class Meanings {
   constructor(private readonly vehicles: readonly VehicleSpec[]) {}
 
-  /** What is about a vehicle has that one's colour; about something else, grey. */
+  /** What is about a vehicle has that one's colour; about something else, grey; the rest, that of the picture. */
   look(kind: Stroke['kind'], meaning: string): Look {
-    const known = looks[meaning];
-    if (known !== undefined) return known;
     const subject = about(meaning, this.vehicles);
-    const colour = subject === null ? colour_of(kind, meaning) : (subject.who.colour ?? 'var(--ink-2)');
-    return { mark: marks[kind], colour, dash: '' };
+    const colour = subject === null ? `var(${meaning_colour(meaning)})` : (subject.who.colour ?? 'var(--ink-2)');
+    return { ...(looks[meaning] ?? { mark: marks[kind], dash: '' }), colour };
   }
 
   /** With the name of a vehicle in place of its number. */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a vehicle knows at a moment: tracks, the last ping, messages under way.
-import { h, type Child } from '../../common/dom';
+import { h, swatch, type Child } from '../../common/dom';
 import { fixed } from '../../common/format';
 import { yaw_of } from '../charts/curves';
 import type { Film } from '../film';
@@ -34,10 +34,6 @@ export function bearing_words(bearing_rad: number): string {
   return angle === 0 ? 'ahead' : angle === 180 ? 'astern' : `${angle}° ${bearing_rad > 0 ? 'stbd' : 'port'}`;
 }
 
-function vector(film: Film, column: string, i: number, vehicle: number): Vec3 {
-  return [film.value(column, i, vehicle, 0), film.value(column, i, vehicle, 1), film.value(column, i, vehicle, 2)];
-}
-
 export class Perceived {
   readonly element = h('div', { class: 'perceived' });
   private shown = '';
@@ -68,7 +64,7 @@ export class Perceived {
   private track_table({ time_s, vehicle, tracks }: TracksRecord): HTMLElement {
     const i = this.film.index_at(time_s);
     const own = {
-      position: vector(this.film, 'position_m', i, vehicle), velocity: vector(this.film, 'velocity_mps', i, vehicle),
+      position: this.film.vector('position_m', i, vehicle), velocity: this.film.vector('velocity_mps', i, vehicle),
       yaw: yaw_of(this.film, i, vehicle),
     };
     const rows = tracks.map((track) => ({ track, sight: sight_of(track, own) })).sort((a, b) => a.sight.range_m - b.sight.range_m);
@@ -84,9 +80,7 @@ export class Perceived {
 
   private who({ id, reacts }: Track): Child[] {
     const { name, colour } = who_is(id, this.scene.vehicles);
-    const swatch = h('i', { class: 'swatch', 'aria-hidden': 'true' });
-    if (colour !== null) swatch.style.background = colour;
-    return [swatch, name, reacts ? null : h('small', {}, ' does not react')];
+    return [swatch(colour), name, reacts ? null : h('small', {}, ' does not react')];
   }
 
   private flight_list(vehicle: number, flights: Flight[]): HTMLElement {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The planes of velocities as one SVG that stands alone, with their legend.
 import { s, text_width } from '../../common/dom';
-import { standalone_svg } from '../../report/saved_svg';
+import { standalone_svg } from '../../common/saved_svg';
+import { image_width, type ImageStroke } from '../model';
+import { pixels_of } from './image';
 import { told, type Entry } from './key';
 import { glyph_marks } from './meanings';
-import { image_width, pixels_of, type ImageStroke } from './raster';
 
 const gap = 22;
 const row = 18;

@@ -6,13 +6,13 @@ import { fixed } from '../../common/format';
 import { action_button, save_text } from '../../common/save';
 import { hide_tip, show_tip } from '../../common/tooltip';
 import type { Film, Moment } from '../film';
-import type { Scene, SketchRecord, Stroke, Vec3 } from '../model';
+import type { ImageStroke, Scene, SketchRecord, Stroke } from '../model';
 import type { Panel } from '../panel';
+import { paint_image } from './image';
 import { entries_of, meaning_key, told, Wanted } from './key';
 import { commanded, Meanings, own_velocity } from './meanings';
 import { Perceived } from './perceived';
 import { draw_plane, velocity_words, type Plane, type Spot } from './plane';
-import { paint_image, type ImageStroke } from './raster';
 import { planes_svg } from './saved';
 import { horizontal_slice, round_reach, vertical_slice, type Slice } from './slice';
 
@@ -72,14 +72,14 @@ class Thoughts implements Panel {
     this.time = time;
     if (this.width === 0 || this.pending !== 0) return;
     const now = performance.now();
-    const record = this.vehicle === null ? null : this.film.sketches.at(this.vehicle, time);
+    const record = this.standing();
     const wait = Math.min(record === this.record ? Infinity : this.drawn_at + redraw_every_ms - now,
       this.perceived_at + 4 * redraw_every_ms - now);
     if (wait <= 0) this.update(record);
     // What is skipped while the run rushes past is caught up with when it stops.
     else if (wait < Infinity) this.pending = window.setTimeout(() => {
       this.pending = 0;
-      this.update(this.vehicle === null ? null : this.film.sketches.at(this.vehicle, this.time));
+      this.update(this.standing());
     }, wait);
   }
 
@@ -91,13 +91,18 @@ class Thoughts implements Panel {
   }
 
   grown(): void {
-    const record = this.vehicle === null ? null : this.film.sketches.at(this.vehicle, this.time);
+    const record = this.standing();
     if (record === null || record !== this.record) this.restyle();
   }
 
   restyle(): void {
     this.width = this.title.clientWidth;
-    if (this.width > 0) this.draw(this.vehicle === null ? null : this.film.sketches.at(this.vehicle, this.time));
+    if (this.width > 0) this.draw(this.standing());
+  }
+
+  /** The decision that stands at the moment. */
+  private standing(): SketchRecord | null {
+    return this.vehicle === null ? null : this.film.sketches.at(this.vehicle, this.time);
   }
 
   private update(record: SketchRecord | null): void {
@@ -130,8 +135,8 @@ class Thoughts implements Panel {
 
   private decision(record: SketchRecord): Decision {
     const i = this.film.index_at(record.time_s);
-    const vector = (column: string): Vec3 => [0, 1, 2].map((k) => this.film.value(column, i, record.vehicle, k)) as unknown as Vec3;
-    const [velocity, command] = [vector('velocity_mps'), vector('command_mps')];
+    const velocity = this.film.vector('velocity_mps', i, record.vehicle);
+    const command = this.film.vector('command_mps', i, record.vehicle);
     const strokes: Stroke[] = [{ kind: 'velocity', meaning: own_velocity, points: [velocity] }, ...record.strokes,
       { kind: 'velocity', meaning: commanded, points: [command] }];
     const velocities = strokes.flatMap((stroke) => (stroke.kind === 'velocity' ? stroke.points : []));

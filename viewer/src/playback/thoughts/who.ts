@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Who a track is, by its number: fairway/core/ids.hpp.
-import { colour_count } from '../../common/colour';
 import type { VehicleSpec } from '../model';
+import { vehicle_colour } from '../printed';
 
 const first_tracker_id = 0x4000_0000;
 const first_drifter_id = 0x8000_0000;
@@ -15,7 +15,7 @@ export interface Who {
 function numbered(kind: string, serial: number, vehicles: readonly VehicleSpec[]): Who {
   const vehicle = kind === 'vehicle' ? vehicles.findIndex(({ id }) => id === serial) : -1;
   return vehicle < 0 ? { name: `${kind} ${serial}`, colour: null }
-    : { name: vehicles[vehicle]!.name, colour: `var(--c${vehicle % colour_count})` };
+    : { name: vehicles[vehicle]!.name, colour: vehicle_colour(vehicle) };
 }
 
 export function who_is(id: number, vehicles: readonly VehicleSpec[]): Who {

@@ -3,11 +3,12 @@
 import { shape_path } from '../../common/colour';
 import { s } from '../../common/dom';
 import { short } from '../../common/format';
+import type { LegendEntry } from '../../common/legend';
 import { bands } from '../../common/scale';
 import type { Tip } from '../../common/tooltip';
 import type { Box, BoxesBlock, Column } from '../model';
 import { canvas, category_layout, draw_bands, draw_categories } from './cartesian';
-import { leads_to, pick_along_x, type Chart, type Drawing, type LegendEntry, type Palettes, type Target, type View } from './chart';
+import { leads_to, pick_along_x, type Chart, type Drawing, type Palettes, type Target, type View } from './chart';
 
 function box_tip(block: BoxesBlock, category: number, series: number, box: Box, colour: string): Tip {
   const { label } = block.series[series]!;

@@ -1,18 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a chart is to the figure around it.
-import type { Palette, Shape } from '../../common/colour';
+import type { Palette } from '../../common/colour';
+import type { LegendEntry } from '../../common/legend';
 import type { Tip } from '../../common/tooltip';
 import type { Made, TableBlock } from '../model';
-
-export interface LegendEntry {
-  label: string;
-  glyph: 'box' | 'line' | 'point' | 'rule' | 'mean' | 'published' | 'goal' | 'sphere';
-  colour?: string;
-  shape?: Shape;
-  dash?: string;
-  /** Whether a click shows and hides the series of this name. */
-  toggles: boolean;
-}
 
 export interface View {
   width: number;

@@ -12,7 +12,7 @@ export interface Hull {
   accent: BufferGeometry;
 }
 
-export const paint = { yellow: '#f0bd27', black: '#333c45', grey: '#8d99a3', pale: '#dfe4e7', orange: '#e8833a', brass: '#b98e3f' } as const;
+const paint = { yellow: '#f0bd27', black: '#333c45', grey: '#8d99a3', pale: '#dfe4e7', orange: '#e8833a', brass: '#b98e3f' } as const;
 export type Paint = keyof typeof paint | 'accent';
 
 /** Forward, starboard, up [m]. */

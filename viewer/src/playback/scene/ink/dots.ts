@@ -4,7 +4,7 @@ import { BufferAttribute, BufferGeometry, Mesh, ShaderMaterial, type Color, type
 import { Instances } from './instances';
 import { viewport } from './lines';
 
-export const dot_kinds = { disc: 0, ring: 1, target: 2 } as const;
+const dot_kinds = { disc: 0, ring: 1, target: 2 } as const;
 export type DotKind = keyof typeof dot_kinds;
 
 function square(): BufferGeometry {

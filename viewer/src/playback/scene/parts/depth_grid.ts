@@ -57,7 +57,7 @@ export class DepthGrid implements Part {
     this.feet.clear();
     now.poses.positions.forEach((p, v) => {
       const stands_out = now.chosen.size === 0 || now.chosen.has(v);
-      const colour = now.colours.series[v % now.colours.series.length]!;
+      const colour = now.colours.vehicle(v);
       this.plumb.add(p, a.set(p.x, y, p.z), colour, stands_out ? 0.35 : 0.12);
       this.feet.add(a, 'disc', 6, colour, stands_out ? 0.5 : 0.2);
     });

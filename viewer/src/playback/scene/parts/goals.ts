@@ -19,13 +19,12 @@ export class Goals implements Part {
   }
 
   show(now: Now): void {
-    const { series } = now.colours;
     this.marks.clear();
     this.ways.clear();
     for (let v = 0; v < this.film.vehicles && this.film.count > 0; ++v) {
       vector_at(this.film, 'goal_m', now.moment.index, v, goal);
       if (!Number.isFinite(goal.x + goal.y + goal.z)) continue;
-      const colour = series[v % series.length]!;
+      const colour = now.colours.vehicle(v);
       const stands_out = now.chosen.has(v);
       this.marks.add(goal, 'target', stands_out ? 20 : 15, colour, now.chosen.size === 0 || stands_out ? 0.95 : 0.4);
       if (stands_out) this.ways.add(now.poses.positions[v]!, goal, colour, 0.55);

@@ -4,9 +4,7 @@ import {
   DataTexture, DoubleSide, Group, LinearFilter, Mesh, MeshBasicMaterial, PlaneGeometry, SRGBColorSpace, Vector3, type BufferGeometry,
 } from 'three';
 import { from_base64 } from '../../film';
-import type { Stroke } from '../../model';
-
-type Image = Extract<Stroke, { kind: 'image' }>;
+import { image_width, type ImageStroke as Image } from '../../model';
 
 /** What is black is forbidden: it darkens what is below and hides it no more than it must. */
 const alpha_of = (red: number, green: number, blue: number): number => (red + green + blue === 0 ? 90 : 215);
@@ -47,8 +45,7 @@ export class Images {
     const mesh = this.before.get(image) ?? this.make(image);
     this.before.delete(image);
     this.shown.set(image, mesh);
-    // The outermost pixels' middles are at the reach: their outer edges half a pixel further.
-    const half = image.reach * seconds * (image.side / Math.max(1, image.side - 1));
+    const half = (image_width(image) / 2) * seconds;
     mesh.position.copy(at);
     mesh.rotation.set(0, -image.yaw, 0);
     mesh.scale.set(half, 1, half);

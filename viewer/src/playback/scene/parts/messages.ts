@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Messages under way: the stretch of water that the sound fills between the one who speaks and the one who hears.
 import { Group, Vector3 } from 'three';
+import { first_index } from '../../../common/search';
 import { moment_at, type Film } from '../../film';
 import type { Flight } from '../../model';
 import { Dots } from '../ink/dots';
@@ -34,7 +35,8 @@ export class Messages implements Part {
     for (const ink of [this.ways, this.pulses, this.fronts]) ink.clear();
     const { time } = now.moment;
     const all = now.chosen.size === 0 && this.film.vehicles <= most_vehicles;
-    for (let k = this.first_after(time - this.longest_s); k < this.ordered.length && this.ordered[k]!.sent_s <= time; ++k) {
+    const first = first_index(this.ordered.length, (i) => this.ordered[i]!.sent_s >= time - this.longest_s);
+    for (let k = first; k < this.ordered.length && this.ordered[k]!.sent_s <= time; ++k) {
       const flight = this.ordered[k]!;
       if (time <= flight.arrives_s && (all || now.thinkers.includes(flight.from) || now.thinkers.includes(flight.to))) this.draw(flight, now);
     }
@@ -47,17 +49,6 @@ export class Messages implements Part {
     this.known = known;
     this.ordered = [...this.film.flights].sort((x, y) => x.sent_s - y.sent_s);
     this.longest_s = this.ordered.reduce((longest, f) => Math.max(longest, f.arrives_s - f.sent_s), 0);
-  }
-
-  private first_after(time: number): number {
-    let low = 0;
-    let high = this.ordered.length;
-    while (low < high) {
-      const middle = (low + high) >> 1;
-      if (this.ordered[middle]!.sent_s < time) low = middle + 1;
-      else high = middle;
-    }
-    return low;
   }
 
   private draw(flight: Flight, now: Now): void {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Names under the vehicles: all of a few; of many, those that are chosen, pointed at, followed or nearest.
 import { Group, Vector3, type Camera } from 'three';
+import { series_colour } from '../../../common/colour';
 import type { Scene } from '../../model';
-import { series_name } from '../colours';
 import type { Label } from '../labels';
 import type { Now, Part } from '../part';
 
@@ -39,7 +39,7 @@ export class Names implements Part {
       const spec = this.scene.vehicles[v];
       if (spec === undefined) return [];
       const at = below(now.poses.positions[v]!, camera, 0.3 * spec.length_m);
-      return [{ text: spec.name, at, kind: 'name' as const, colour: series_name(v), rank: this.rank(v, places.get(v)!, now) }];
+      return [{ text: spec.name, at, kind: 'name' as const, colour: series_colour(v), rank: this.rank(v, places.get(v)!, now) }];
     });
   }
 

@@ -3,6 +3,7 @@
 import { Group, Vector3 } from 'three';
 import type { Film } from '../../film';
 import type { SketchRecord, Stroke, Vec3 } from '../../model';
+import { meaning_colour } from '../../meaning_colour';
 import { place, place_of } from '../axes';
 import { Arrows } from '../ink/arrows';
 import { Dots } from '../ink/dots';
@@ -13,7 +14,6 @@ import type { Label } from '../labels';
 import { order, type KeyLine, type Now, type Part } from '../part';
 import { vector_at } from '../poses';
 import { Images } from './images';
-import { meaning_colour } from './meanings';
 
 /** More velocities of one meaning than these are dots, not arrows. */
 const most_arrows = 6;
@@ -74,12 +74,11 @@ export class Sketches implements Part {
   }
 
   show(now: Now): void {
-    const records = now.thinkers.map((v) => this.film.sketches.at(v, now.moment.time));
     const shown = [now.moment.time, now.colours.deep.getHex(), this.film.count, this.film.generation, ...now.thinkers].join();
     if (shown === this.shown) return;
     this.shown = shown;
     this.begin();
-    now.thinkers.forEach((vehicle, k) => this.draw_vehicle(vehicle, records[k] ?? null, now));
+    for (const vehicle of now.thinkers) this.draw_vehicle(vehicle, this.film.sketches.at(vehicle, now.moment.time), now);
     this.end();
   }
 

@@ -63,7 +63,7 @@ export class SonarFan implements Part {
     const from = position_at(this.film, then, vehicle);
     const turned = attitude_at(this.film, then, vehicle);
     for (const [range, bearing] of record.echoes) {
-      this.echoes.add(spot(range, bearing, 0).applyQuaternion(turned).add(from), 'disc', 7, now.colours.of('--caution'), 0.95);
+      this.echoes.add(spot(range, bearing, 0).applyQuaternion(turned).add(from), 'disc', 7, now.colours.of('--sign-detected'), 0.95);
     }
   }
 }

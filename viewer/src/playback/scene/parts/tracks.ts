@@ -31,7 +31,7 @@ export class Tracks implements Part {
     for (const ink of [this.ghosts, this.halos, this.velocities]) ink.clear();
     this.any = false;
     for (const vehicle of now.thinkers) {
-      const colour = now.colours.series[vehicle % now.colours.series.length]!;
+      const colour = now.colours.vehicle(vehicle);
       for (const track of this.film.tracks.at(vehicle, now.moment.time)?.tracks ?? []) {
         this.any = true;
         place_of(track.position, at);

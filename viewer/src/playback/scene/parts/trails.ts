@@ -2,10 +2,10 @@
 // Where vehicles have been and will go: the whole run in one buffer, of which time shows what is past.
 import { Group, Vector3 } from 'three';
 import type { Film } from '../../film';
-import { place } from '../axes';
 import type { Extent } from '../extent';
 import { Lines } from '../ink/lines';
 import { order, type Now, type Part } from '../part';
+import { vector_at } from '../poses';
 
 /** More lines than this are not seen, only paid for; a frame is left out between two that are kept. */
 const most_lines = 32_000;
@@ -65,7 +65,7 @@ export class Trails implements Part {
     const before = this.frames;
     for (let i = this.frames; i + stride < film.count; i += stride) {
       for (let v = 0; v < film.vehicles; ++v) {
-        this.whole.add_timed(this.at(i, v, from), this.at(i + stride, v, to), film.time(i), film.time(i + stride), ...this.tint(now, v));
+        this.whole.add_timed(vector_at(film, 'position_m', i, v, from), vector_at(film, 'position_m', i + stride, v, to), film.time(i), film.time(i + stride), ...this.tint(now, v));
       }
       this.frames = i + stride;
     }
@@ -79,8 +79,7 @@ export class Trails implements Part {
   }
 
   private tint(now: Now, vehicle: number): [Now['colours']['ink'], number] {
-    const { series } = now.colours;
-    return [series[vehicle % series.length]!, now.chosen.size === 0 || now.chosen.has(vehicle) ? 1 : 0.28];
+    return [now.colours.vehicle(vehicle), now.chosen.size === 0 || now.chosen.has(vehicle) ? 1 : 0.28];
   }
 
   private show_heads(now: Now): void {
@@ -91,15 +90,9 @@ export class Trails implements Part {
     this.heads.clear();
     for (let v = 0; film.count > 0 && v < film.vehicles; ++v) {
       const here = now.poses.positions[v]!;
-      this.heads.add_timed(this.at(kept, v, from), here, film.time(kept) - 1e-9, time, ...this.tint(now, v));
-      if (next > now.moment.index) this.heads.add_timed(here, this.at(next, v, to), time, film.time(next), ...this.tint(now, v));
+      this.heads.add_timed(vector_at(film, 'position_m', kept, v, from), here, film.time(kept) - 1e-9, time, ...this.tint(now, v));
+      if (next > now.moment.index) this.heads.add_timed(here, vector_at(film, 'position_m', next, v, to), time, film.time(next), ...this.tint(now, v));
     }
     this.heads.commit();
-  }
-
-  private at(frame: number, vehicle: number, out: Vector3): Vector3 {
-    const { film } = this;
-    return place(film.value('position_m', frame, vehicle, 0), film.value('position_m', frame, vehicle, 1),
-      film.value('position_m', frame, vehicle, 2), out);
   }
 }

@@ -42,9 +42,9 @@ export class Vehicles implements Part {
     this.object.add(this.marks.object);
   }
 
-  restyle(series: Now['colours']['series']): void {
+  restyle(colours: Now['colours']): void {
     for (const { vehicles, accent } of this.fleets) {
-      vehicles.forEach((v, k) => accent.setColorAt(k, series[v % series.length]!));
+      vehicles.forEach((v, k) => accent.setColorAt(k, colours.vehicle(v)));
       accent.instanceColor!.needsUpdate = true;
     }
   }
@@ -60,11 +60,11 @@ export class Vehicles implements Part {
   }
 
   private mark(now: Now): void {
-    const { series, ink } = now.colours;
+    const { ink } = now.colours;
     this.marks.clear();
     this.scene.vehicles.forEach((spec, v) => {
       const at = now.poses.positions[v]!;
-      const colour = series[v % series.length]!;
+      const colour = now.colours.vehicle(v);
       const chosen = now.chosen.has(v);
       this.marks.add(at, 'disc', 8, colour, now.chosen.size > 0 && !chosen ? 0.6 : 1, spec.length_m, 13);
       if (chosen || this.hovered === v) this.marks.add(at, 'ring', chosen ? 30 : 26, chosen ? ink : colour, chosen ? 0.9 : 0.7, spec.length_m, 60);

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A chart as a file that stands alone: styles resolved, title and legend inside, in the light theme.
-import { fit_text, s } from '../common/dom';
-import { in_light_theme } from '../common/theme';
-import type { LegendEntry } from './charts/chart';
-import { drawn_legend } from './legend';
+import { fit_text, s } from './dom';
+import { drawn_legend, type LegendEntry } from './legend';
+import { in_light_theme } from './theme';
 
 // What the style sheet sets on marks, with the values that need not be written.
 const properties: [name: string, initial: string][] = [

@@ -1,8 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // Names of series with their drawing; a click on a name hides and shows the series.
-import { shape_path } from '../common/colour';
-import { h, s, text_width } from '../common/dom';
-import type { LegendEntry } from './charts/chart';
+import { shape_path, type Shape } from './colour';
+import { h, s, text_width } from './dom';
+
+export interface LegendEntry {
+  label: string;
+  glyph: 'box' | 'line' | 'point' | 'rule' | 'mean' | 'published' | 'goal' | 'sphere';
+  colour?: string;
+  shape?: Shape;
+  dash?: string;
+  /** Whether a click shows and hides the series of this name. */
+  toggles: boolean;
+}
 
 const size = 16;
 

@@ -1,14 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // An image over velocities, turned as the vehicle is.
 import { from_base64 } from '../film';
-import type { Stroke } from '../model';
-
-export type ImageStroke = Extract<Stroke, { kind: 'image' }>;
-
-/** Between the outer edges of the image [m/s]: `reach` is that of the outermost pixels' middles. */
-export function image_width({ side, reach }: ImageStroke): number {
-  return side > 1 ? (2 * reach * side) / (side - 1) : 2 * reach;
-}
+import { image_width, type ImageStroke } from '../model';
 
 export function pixels_of({ side, rgb }: ImageStroke): HTMLCanvasElement {
   const canvas = document.createElement('canvas');
