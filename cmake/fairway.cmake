@@ -3,6 +3,7 @@ set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)  # the libraries go into the Python module, too
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
 
 add_library(fairway_options INTERFACE)
@@ -10,6 +11,7 @@ target_compile_options(fairway_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wno-missing-field-initializers -Werror
   # g++ 12 raises these for plain strings and temporaries when it inlines them
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-array-bounds -Wno-stringop-overflow -Wno-maybe-uninitialized>
+  -fno-semantic-interposition
   -ffp-contract=off)  # the same bits whether or not the machine has FMA
 
 # What nearly every file includes, compiled once: it takes two thirds off the build.
@@ -76,3 +78,22 @@ function(fairway_test name)
   endif()
   gtest_discover_tests(${name}_test WORKING_DIRECTORY ${PROJECT_SOURCE_DIR} DISCOVERY_TIMEOUT 60)
 endfunction()
+
+# fairway_wants(option package): an optional part of the tree, AUTO, ON or OFF. <option>_ON says whether it is built;
+# AUTO builds it where the package is installed, ON requires that. A macro: what find_package() sets is needed.
+macro(fairway_wants option package)
+  set(${option} AUTO CACHE STRING "AUTO, ON or OFF")
+  set(${option}_ON FALSE)
+  if(NOT ${option} STREQUAL "OFF")
+    if(${option} STREQUAL "ON")
+      find_package(${package} REQUIRED)
+    else()
+      find_package(${package} QUIET)
+    endif()
+    if(${package}_FOUND)
+      set(${option}_ON TRUE)
+    else()
+      message(STATUS "${option}: not built, for ${package} is not installed")
+    endif()
+  endif()
+endmacro()

@@ -49,6 +49,8 @@ struct Agent {
   std::vector<Obstacle> obstacles;  ///< as far as it knows of them
   Tick next_decision{0};            ///< when the avoider is asked again
   Command command;
+  std::optional<Command> order;        ///< from outside, instead of asking the avoider
+  std::optional<BodyRequest> request;  ///< that the order is made of, instead of steering
   HoldPoint hold;
   bool holding{false};
   std::string_view note;  ///< of the last command that had one

@@ -60,11 +60,21 @@ Wrench wrench_of(const Vehicle& vehicle) {
   return propulsion->effectiveness * vehicle.actuator_state();
 }
 
+bool is_steered_from_outside(const Agent& agent) {
+  return agent.request && is_avoiding(agent.mission.phase());
+}
+
+/// What it is asked from outside, or else what holds its position or carries out its command.
+BodyRequest request_over_ground(const Agent& agent, const SteeringParams& steering) {
+  if (is_steered_from_outside(agent)) return *agent.request;
+  return agent.holding ? keep_position(agent.hold, agent.own) : steer(steering, agent.command, agent.own.yaw);
+}
+
 /// What the vehicle asks of its autopilot to carry out its command in this current.
 BodyRequest request_through_water(const Agent& agent, const Vec3& current_n, const Vec3& current_b) {
   const double yaw = agent.own.yaw;
   SteeringParams steering = agent.steering;
-  if (steering.kind == SteeringKind::crab) {
+  if (steering.kind == SteeringKind::crab && !is_steered_from_outside(agent)) {
     const Command command =
         agent.holding ? circle(agent.hold, steering.circle_radius_m, steering.min_speed_mps, agent.own)
                       : agent.command;
@@ -73,8 +83,7 @@ BodyRequest request_through_water(const Agent& agent, const Vec3& current_n, con
 
   const bool transit = is_avoiding(agent.mission.phase());
   if (!transit) steering.kind = SteeringKind::proportional;
-  const BodyRequest over_ground =
-      agent.holding ? keep_position(agent.hold, agent.own) : steer(steering, agent.command, yaw);
+  const BodyRequest over_ground = request_over_ground(agent, steering);
   return {.surge_mps = over_ground.surge_mps - current_b.x(),
           .sway_mps = over_ground.sway_mps - current_b.y(),
           .heave_mps = over_ground.heave_mps - current_b.z(),
@@ -101,14 +110,39 @@ Simulation::Simulation(const Scenario& scenario, const Catalogs& catalogs)
 }
 
 void Simulation::step(std::span<FrameSink* const> sinks) {
+  look();
+  act(sinks);
+}
+
+void Simulation::look() {
   locate();
   deliver();
   perceive();
+}
+
+void Simulation::act(std::span<FrameSink* const> sinks) {
   decide();
   control();
   record(sinks);
   move();
   tick_ = next(tick_);
+}
+
+void Simulation::order(std::size_t index, const Command& command) {
+  agents_[index].order = command;
+  agents_[index].request.reset();
+}
+
+void Simulation::order(std::size_t index, const BodyRequest& over_ground) {
+  Agent& agent = agents_[index];
+  const Vec3 velocity_b{over_ground.surge_mps, over_ground.sway_mps, over_ground.heave_mps};
+  agent.order = Command{.velocity = Eigen::AngleAxisd(agent.own.yaw, Vec3::UnitZ()) * velocity_b};
+  agent.request = over_ground;
+}
+
+void Simulation::release(std::size_t index) {
+  agents_[index].order.reset();
+  agents_[index].request.reset();
 }
 
 void Simulation::run(std::span<FrameSink* const> sinks) {
@@ -199,21 +233,28 @@ Command Simulation::decide(std::size_t index) {
     case LegKind::transit:
       break;
   }
-  return ask(index, *leg);
+  return ask(index);
 }
 
-Command Simulation::ask(std::size_t index, const Leg& leg) {
+Situation Simulation::situation(std::size_t index) const {
+  const Agent& agent = agents_[index];
+  const Leg& leg = *agent.mission.leg();
+  return {.time = time(),
+          .period = steps_per_decision_ * period_,
+          .own = agent.own,
+          .goal = {.position = leg.position, .cruise_speed = leg.speed_mps},
+          .limits = agent.limits,
+          .model = agent.model ? &*agent.model : nullptr,
+          .tracks = agent.tracks,
+          .obstacles = agent.obstacles};
+}
+
+Command Simulation::ask(std::size_t index) {
   Agent& agent = agents_[index];
-  const Situation situation{.time = time(),
-                            .period = steps_per_decision_ * period_,
-                            .own = agent.own,
-                            .goal = {.position = leg.position, .cruise_speed = leg.speed_mps},
-                            .limits = agent.limits,
-                            .model = agent.model ? &*agent.model : nullptr,
-                            .tracks = agent.tracks,
-                            .obstacles = agent.obstacles};
-  Command command = agent.avoider.decide(situation, showing_ ? &drawings_[index] : nullptr);
-  if (observer_ != nullptr) observer_->see(index, situation, command);
+  const Situation shown = situation(index);
+  Command command =
+      agent.order ? *agent.order : agent.avoider.decide(shown, showing_ ? &drawings_[index] : nullptr);
+  if (observer_ != nullptr) observer_->see(index, shown, command);
   return command;
 }
 

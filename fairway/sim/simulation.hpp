@@ -34,6 +34,25 @@ class Simulation {
   /// then receive, and only then does anything move. Does not allocate after the first tick.
   void step(std::span<FrameSink* const> sinks);
 
+  /// The first half of a step: everyone is told and sees. Then situations and orders may be asked and given.
+  void look();
+
+  /// The second half: everyone decides and steers, `sinks` receive it, everything moves.
+  void act(std::span<FrameSink* const> sinks);
+
+  /// Whether vehicle `index` is to decide. Valid between look() and act().
+  bool is_deciding(std::size_t index) const { return is_deciding(agents_[index]); }
+
+  /// What its avoider is shown then. Only of a vehicle that is to decide; valid between look() and act().
+  Situation situation(std::size_t index) const;
+
+  /// From now on vehicle `index`, while it avoids, does this instead of asking its avoider.
+  void order(std::size_t index, const Command& command);
+  /// Likewise, with velocities over ground for its own controller.
+  void order(std::size_t index, const BodyRequest& over_ground);
+  /// Its avoider is asked again.
+  void release(std::size_t index);
+
   /// True when the time is up or nobody is left under way.
   bool is_done() const;
 
@@ -68,7 +87,7 @@ class Simulation {
   bool is_deciding(const Agent& agent) const;
   Scene scene_of(std::size_t index) const;
   Command decide(std::size_t index);
-  Command ask(std::size_t index, const Leg& leg);
+  Command ask(std::size_t index);
 
   double period_;
   std::int32_t steps_per_decision_;

@@ -149,6 +149,45 @@ TEST(Simulation, EveryoneDecidesOnTheSameInstant) {
   }
 }
 
+TEST(Simulation, OrdersFromOutsideLeadWhereTheAvoidersWouldHave) {
+  const Scenario scenario = swap("sparus2", "orca3d");
+  Simulation own{scenario, builtin_catalogs()};
+  Simulation commanded{scenario, builtin_catalogs()};
+  Simulation steered{scenario, builtin_catalogs()};
+  std::vector<Avoider> avoiders;
+  for (const Agent& agent : own.agents()) avoiders.push_back(agent.avoider);
+  for (int i = 0; i < 300; ++i) {
+    own.step({});
+    commanded.look();
+    steered.look();
+    for (std::size_t v = 0; v < avoiders.size(); ++v) {
+      ASSERT_TRUE(commanded.is_deciding(v));
+      const Command command = avoiders[v].decide(commanded.situation(v));
+      commanded.order(v, command);
+      const Agent& agent = steered.agents()[v];
+      steered.order(v, steer(agent.steering, command, agent.own.yaw));
+    }
+    commanded.act({});
+    steered.act({});
+  }
+  for (std::size_t v = 0; v < avoiders.size(); ++v) {
+    const Vec3& place = own.agents()[v].vehicle.state().p_n;
+    EXPECT_EQ(commanded.agents()[v].vehicle.state().p_n, place);
+    EXPECT_EQ(steered.agents()[v].vehicle.state().p_n, place);
+  }
+}
+
+TEST(Simulation, WhoIsToldToHoldFromOutsideHoldsUntilReleased) {
+  Simulation simulation{swap("sparus2", "orca3d"), builtin_catalogs()};
+  simulation.order(0, Command{.mode = Mode::hold});
+  const Vec3 start = simulation.agents()[0].vehicle.state().p_n;
+  for (int i = 0; i < 400; ++i) simulation.step({});
+  EXPECT_LT((simulation.agents()[0].vehicle.state().p_n - start).norm(), 0.1);
+  simulation.release(0);
+  for (int i = 0; i < 400; ++i) simulation.step({});
+  EXPECT_GT((simulation.agents()[0].vehicle.state().p_n - start).norm(), 5.0);
+}
+
 TEST(Simulation, AMissionWaitsAtItsRendezvousForTheSlowest) {
   Scenario scenario{.name = "rendezvous", .duration_s = 300};
   for (std::uint32_t i = 0; i < 2; ++i) {

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "fairway/onboard/fix.hpp"
+#include "fairway/onboard/policy.hpp"
+
+namespace fairway {
+
+/// Judges the fixes of one vehicle as they come and keeps the last good one. A value; does not allocate.
+class FixWatch {
+ public:
+  /// The verdict on `fix`, which came when the clock showed `now` [s]. O(1).
+  FixVerdict see(const Fix& fix, double now, const OnboardPolicy& policy) noexcept;
+
+  /// The last one accepted, as it came; none before the first.
+  const std::optional<Fix>& last() const { return last_; }
+
+  /// Since the last one accepted [s]; infinite before the first.
+  double age(double now) const noexcept;
+
+  /// Since when all have been accepted without a gap of more than `own_stale_s` [s]; infinite while not.
+  double good_since() const { return good_since_; }
+
+  /// How many had each verdict.
+  std::int64_t count(FixVerdict verdict) const { return counts_[static_cast<std::size_t>(verdict)]; }
+
+  /// Of the latest; `accepted` before the first.
+  FixVerdict verdict() const { return verdict_; }
+
+ private:
+  FixVerdict judge(const Fix& fix, double now, const OnboardPolicy& policy) noexcept;
+
+  std::optional<Fix> last_;
+  std::optional<Fix> candidate_;  ///< the latest that jumped
+  int confirmations_{0};
+  double moved_{};  ///< when the position last changed [s]
+  double good_since_{};
+  FixVerdict verdict_{FixVerdict::accepted};
+  std::array<std::int64_t, EnumNames<FixVerdict>::names.size()> counts_{};
+};
+
+}  // namespace fairway
