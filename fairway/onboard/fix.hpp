@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "fairway/core/params.hpp"
 #include "fairway/core/state.hpp"
 
 namespace fairway {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 #include "fairway/onboard/fix.hpp"
@@ -25,6 +26,9 @@ class FixWatch {
   /// Since when all have been accepted without a gap of more than `own_stale_s` [s]; infinite while not.
   double good_since() const { return good_since_; }
 
+  /// When the last one was refused, by the clock of the helm [s]; minus infinity if none was.
+  double refused_at() const { return refused_at_; }
+
   /// How many had each verdict.
   std::int64_t count(FixVerdict verdict) const { return counts_[static_cast<std::size_t>(verdict)]; }
 
@@ -32,13 +36,18 @@ class FixWatch {
   FixVerdict verdict() const { return verdict_; }
 
  private:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
   FixVerdict judge(const Fix& fix, double now, const OnboardPolicy& policy) noexcept;
+  FixVerdict judge_jump(const Fix& fix, const OnboardPolicy& policy) noexcept;
+  void accept(const Fix& fix, const OnboardPolicy& policy) noexcept;
 
   std::optional<Fix> last_;
   std::optional<Fix> candidate_;  ///< the latest that jumped
   int confirmations_{0};
   double moved_{};  ///< when the position last changed [s]
-  double good_since_{};
+  double good_since_{infinity};
+  double refused_at_{-infinity};
   FixVerdict verdict_{FixVerdict::accepted};
   std::array<std::int64_t, EnumNames<FixVerdict>::names.size()> counts_{};
 };

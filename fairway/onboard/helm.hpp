@@ -29,6 +29,7 @@ struct TeamMate {
   double radius{1.0};       ///< of the sphere to keep clear of [m]
   std::int32_t priority{};  ///< the smaller number has the right of way
   bool reacts{true};        ///< whether it can be counted on to give way
+  double arrival{};  ///< it has arrived when this near to the goal that it told [m]; 0: it says so itself
 };
 
 /// A helm's constants.
@@ -40,6 +41,7 @@ struct HelmSetup {
   double period{0.05};         ///< between decisions [s]
   double record_period{0.05};  ///< of the ticks that team records are stamped with [s]
   double arrival{1.0};         ///< arrived when this near to the goal [m]
+  double range{std::numeric_limits<double>::infinity()};  ///< neighbours beyond it are left out [m]
   Limits limits;
   SteeringParams steering;
   std::optional<OnboardModel> model;
@@ -85,12 +87,15 @@ struct HelmReport {
   std::array<std::int64_t, EnumNames<FixVerdict>::names.size()> own_counts{};
   std::int64_t decisions{};
   std::int64_t infeasible{};
+  std::int64_t clock_restarts{};
+  std::int64_t records_refused{};  ///< no team records, or of nobody of the team
+  double refused_at{};             ///< the last fix of anyone [s]; minus infinity if none was
   struct Neighbour {
     const TeamMate* mate{};
     double age{std::numeric_limits<double>::infinity()};       ///< [s]
     double distance{std::numeric_limits<double>::infinity()};  ///< between centres, as predicted [m]
     double growth{};                                           ///< of its sphere [m]
-    bool stale{}, lost{};
+    bool heard{}, stale{}, lost{}, shown{};                    ///< shown to the method at the last decision
     FixVerdict verdict{};
     std::array<std::int64_t, EnumNames<FixVerdict>::names.size()> counts{};
   };
@@ -99,9 +104,10 @@ struct HelmReport {
 
 /// An avoider as it runs on board: told of fixes and goals as they come, asked for an order again and again.
 /// It judges what it is told (`OnboardPolicy`), predicts what is late, and steers. It reads no clock: `now`
-/// [s] must not run backwards by itself, and if it does, because a simulation has begun again, everything
-/// heard is forgotten. A value; nothing throws, allocates or locks after construction, unless its
-/// method does.
+/// [s] must not run backwards by itself, and if it does by more than `max_ahead_s`, because a simulation has
+/// begun again, everything heard is forgotten, goals included, and the method begins afresh (which copies it,
+/// and so allocates). A value: a copy is a snapshot. Otherwise nothing throws, allocates or locks after
+/// construction, unless the method does.
 class Helm {
  public:
   Helm(HelmSetup setup, Avoider avoider);
@@ -109,49 +115,113 @@ class Helm {
   // what it is told
 
   FixVerdict own_fix(const Fix& fix, double now) noexcept;
-  /// Of a vehicle that is not of the team: ignored.
+  /// Of a vehicle that is not of the team: `invalid`, and nothing is counted.
   FixVerdict neighbour_fix(VehicleId id, const Fix& fix, double now) noexcept;
-  /// Where a neighbour says that it is going [m, NED]; none: nowhere.
+  /// Where a neighbour says that it is going [m, NED]; none: nowhere. What is not a position is nowhere.
   void neighbour_goal(VehicleId id, const std::optional<Vec3>& goal) noexcept;
-  /// A neighbour's own words; its radius and priority replace those of the setup. `invalid` for a length that
-  /// is not a record's or a sender that is not of the team.
+  /// A neighbour's own words; its radius, priority and goal replace what was known. `invalid` for a length
+  /// that is not a record's or a sender that is not of the team.
   FixVerdict team_record(std::span<const std::uint8_t> bytes, double now) noexcept;
 
   // what it shall do
 
-  /// To `position` [m, NED] at `speed` [m/s], avoiding. Not usable values are refused with false.
+  /// To `position` [m, NED] at `speed` [m/s], avoiding. False, and nothing changes, for what is not a
+  /// position, a speed that is not positive, or a depth farther outside the limits than arrival reaches.
   bool go_to(const Vec3& position, double speed) noexcept;
-  /// Along the line to `leg.position`, avoiding; `leg.kind` is section.
+  /// Along the line from `leg.from` to `leg.position`, avoiding, until within `leg.arrival_m` of its end.
+  /// Refused likewise, and if the line has no length.
   bool follow(const Leg& leg) noexcept;
   /// Hold here.
   void keep_position() noexcept;
   /// Nothing: leave the vehicle to others.
   void stand_by() noexcept;
 
-  /// The order for `now`. Asks the avoider when a decision is due, steers always. O(what deciding costs).
+  /// The order for `now`. Asks the avoider when a decision is due, which is at the update nearest to `period`
+  /// after the last one; steers always. O(what deciding costs + team log team).
   const HelmOrder& update(double now, Sketch* sketch = nullptr) noexcept;
 
   const HelmOrder& order() const { return order_; }
   const HelmSetup& setup() const { return setup_; }
   const AlgorithmInfo& algorithm() const { return avoider_.info(); }
+  /// Where it goes [m, NED]; none while it goes nowhere.
+  std::optional<Vec3> goal() const noexcept;
+  /// Where it was taken to be at the last update [m, NED].
+  const Ownship& own() const { return own_; }
   /// The next decision [s].
   double next_decision() const { return next_decision_; }
   /// The time of the oldest last fix of own vehicle and all team mates [s]; minus infinity while one is
   /// missing: to wait for everyone's fix of one instant.
   double common_time() const noexcept;
-  /// What this vehicle tells the team now; nothing before its first fix.
+  /// What this vehicle tells the team: its last fix, stamped with that fix's time. Nothing before the first
+  /// one, and nothing of one that is lost by now.
   std::optional<TeamRecord> own_record(double now) const noexcept;
   /// Allocates: for reporting, now and then.
   HelmReport report(double now) const;
 
  private:
-  struct Neighbour;
-  // implementation below the line is the implementer's
+  enum class Task : std::uint8_t { none, go, section, keep };
+  enum class Health : std::uint8_t { good, stale, lost };
+
+  struct Neighbour {
+    FixWatch watch;
+    std::optional<Vec3> goal;
+    double radius{};
+    std::int32_t priority{};
+    bool arrived{};
+    bool shown{};
+  };
+
+  struct Near {
+    double distance2;
+    VehicleId id;
+    std::size_t index;  ///< of the team
+  };
+
+  void see_clock(double now) noexcept;
+  void begin_again() noexcept;
+  std::optional<std::size_t> index_of(std::uint32_t id, std::uint32_t modulus) const noexcept;
+  FixVerdict see_neighbour(std::size_t index, const Fix& fix) noexcept;
+  bool set_out(Task task, const Leg& leg) noexcept;
+
+  void see_health() noexcept;
+  void see_arrival() noexcept;
+  Ownship own_at(const Fix& fix) const noexcept;
+  bool is_lost(const Neighbour& neighbour) const noexcept;
+  double growth_of(double age) const noexcept;
+  Track track_of(std::size_t index) const noexcept;
+  void look_round() noexcept;
+  bool is_due() const noexcept;
+  void decide(Sketch* sketch) noexcept;
+  void lead_back(Command& command) const noexcept;
+  BodyRequest hold() noexcept;
+  BodyRequest stop_blind() const noexcept;
+  BodyRequest carry_out() noexcept;
+  void hold_because(HelmState state, std::string_view reason = {}) noexcept;
 
   HelmSetup setup_;
   Avoider avoider_;
-  double next_decision_{};
+  Avoider fresh_;  ///< as it was before its first decision
+  FixWatch own_watch_;
+  std::vector<Neighbour> neighbours_;  ///< as in `HelmSetup::team`
+  std::vector<Near> near_;
+  std::vector<Track> tracks_;
+
+  Leg leg_;
+  HoldPoint hold_;
+  Ownship own_;
+  Command command_;
+  double now_{-std::numeric_limits<double>::infinity()};
+  double updated_{-std::numeric_limits<double>::infinity()};  ///< when it was asked before this [s]
+  double next_decision_{-std::numeric_limits<double>::infinity()};
+  std::int64_t decisions_{};
+  std::int64_t infeasible_{};
+  std::int64_t clock_restarts_{};
+  std::int64_t records_refused_{};
   HelmOrder order_;
+  Task task_{Task::none};
+  Health health_{Health::good};
+  bool arrived_{};
+  bool holding_{};
 };
 
 }  // namespace fairway

@@ -27,6 +27,7 @@ struct OnboardPolicy {
   LostPolicy neighbour_lost = LostPolicy::inflate;
   double growth_mps = 0.25;
   double max_growth_m = 10.0;
+  double unforeseen_acceleration_mps2 = 0.02;
   double max_ahead_s = 0.2;
   double jump_m = 1.0;
   double jump_speed_mps = 3.0;
@@ -47,6 +48,8 @@ struct OnboardPolicy {
         field<&P::neighbour_lost>("what is done about a lost neighbour"),
         field<&P::growth_mps>({0, 10}, "how fast the sphere of a stale neighbour grows"),
         field<&P::max_growth_m>({0, 1000}, "by how much it grows at most"),
+        field<&P::unforeseen_acceleration_mps2>(
+            {0, 10}, "what a neighbour may do between messages: of it come the covariances of its track"),
         field<&P::max_ahead_s>({0, 60}, "a message may be so far ahead of the clock"),
         field<&P::jump_m>({0, 1000}, "a position may be so far from where it was expected ..."),
         field<&P::jump_speed_mps>({0, 100}, "... and farther by this speed for the time since the last one"),

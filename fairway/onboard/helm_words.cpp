@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a helm is told of others, and what it tells.
+#include <algorithm>
+#include <cmath>
+
+#include "fairway/onboard/helm.hpp"
+
+namespace fairway {
+namespace {
+
+constexpr std::uint32_t record_ids = 1024;  // a record holds the number modulo this
+
+Fix fix_of(const Message& message, double record_period) {
+  Fix fix{.time = seconds(message.sent, record_period)};
+  fix.state.p_n = message.position;
+  fix.state.q_nb = quaternion_of({.yaw = message.yaw});
+  fix.state.v_b = fix.state.q_nb.conjugate() * message.velocity;
+  return fix;
+}
+
+}  // namespace
+
+FixVerdict Helm::own_fix(const Fix& fix, double now) noexcept {
+  see_clock(now);
+  return own_watch_.see(fix, now_, setup_.policy);
+}
+
+std::optional<std::size_t> Helm::index_of(std::uint32_t id, std::uint32_t modulus) const noexcept {
+  for (std::size_t i = 0; i < setup_.team.size(); ++i) {
+    const std::uint32_t mate = number(setup_.team[i].id);
+    if ((modulus == 0 ? mate : mate % modulus) == id) return i;
+  }
+  return std::nullopt;
+}
+
+FixVerdict Helm::neighbour_fix(VehicleId id, const Fix& fix, double now) noexcept {
+  see_clock(now);
+  const std::optional<std::size_t> index = index_of(number(id), 0);
+  return index ? see_neighbour(*index, fix) : FixVerdict::invalid;
+}
+
+FixVerdict Helm::see_neighbour(std::size_t index, const Fix& fix) noexcept {
+  Neighbour& neighbour = neighbours_[index];
+  const double arrival = setup_.team[index].arrival;
+  const std::optional<Fix>& before = neighbour.watch.last();
+
+  // whoever had come to its goal by its last fix is there, and gives way to everyone
+  if (before && neighbour.goal && (before->state.p_n - *neighbour.goal).norm() <= arrival)
+    neighbour.arrived = true;
+  return neighbour.watch.see(fix, now_, setup_.policy);
+}
+
+void Helm::neighbour_goal(VehicleId id, const std::optional<Vec3>& goal) noexcept {
+  const std::optional<std::size_t> index = index_of(number(id), 0);
+  if (!index) return;
+  Neighbour& neighbour = neighbours_[*index];
+  const std::optional<Vec3> told = goal && is_finite(*goal) ? goal : std::nullopt;
+  if (told != neighbour.goal) neighbour.arrived = false;
+  neighbour.goal = told;
+}
+
+FixVerdict Helm::team_record(std::span<const std::uint8_t> bytes, double now) noexcept {
+  see_clock(now);
+  TeamRecord record{};
+  const bool fits = bytes.size() == record.size();
+  if (fits) std::ranges::copy(bytes, record.begin());
+
+  // a clock that is a little ahead must not make a message look a whole cycle old
+  const double latest = now_ + setup_.policy.max_ahead_s;
+  const bool has_clock = std::fabs(latest) < 1e9;
+  const Tick latest_tick{has_clock ? std::llround(latest / setup_.record_period) : 0};
+  const Message message = decode(record, latest_tick, setup_.record_period);
+  const std::optional<std::size_t> index = index_of(number(message.from), record_ids);
+  if (!fits || !has_clock || !index) {
+    ++records_refused_;
+    return FixVerdict::invalid;
+  }
+
+  const FixVerdict verdict = see_neighbour(*index, fix_of(message, setup_.record_period));
+  if (verdict == FixVerdict::accepted) {
+    Neighbour& neighbour = neighbours_[*index];
+    neighbour.radius = message.radius;
+    neighbour.priority = message.priority;
+    neighbour_goal(setup_.team[*index].id, message.destination);
+  }
+  return verdict;
+}
+
+double Helm::common_time() const noexcept {
+  constexpr double never = -std::numeric_limits<double>::infinity();
+  const auto time_of = [](const FixWatch& watch) { return watch.last() ? watch.last()->time : never; };
+  double oldest = time_of(own_watch_);
+  for (const Neighbour& neighbour : neighbours_) oldest = std::fmin(oldest, time_of(neighbour.watch));
+  return oldest;
+}
+
+std::optional<TeamRecord> Helm::own_record(double now) const noexcept {
+  const std::optional<Fix>& fix = own_watch_.last();
+  if (!fix || own_watch_.age(now) > setup_.policy.own_lost_s || std::fabs(fix->time) > 1e9) return {};
+  const Tick sent{std::llround(fix->time / setup_.record_period)};
+  const Vec3 velocity = fix->state.v_n();
+  const double since = seconds(sent, setup_.record_period) - fix->time;
+  const Message message{.from = setup_.id,
+                        .sent = sent,
+                        .position = fix->state.p_n + since * velocity,
+                        .velocity = velocity,
+                        .yaw = yaw_of(fix->state.q_nb),
+                        .radius = setup_.radius,
+                        .priority = arrived_ ? std::numeric_limits<std::int32_t>::max() : setup_.priority,
+                        .destination = goal()};
+  return encode(message, setup_.record_period);
+}
+
+HelmReport Helm::report(double now) const {
+  const auto counts_of = [](const FixWatch& watch) {
+    decltype(HelmReport::own_counts) counts{};
+    for (std::size_t i = 0; i < counts.size(); ++i) counts[i] = watch.count(static_cast<FixVerdict>(i));
+    return counts;
+  };
+  HelmReport report{.order = order_,
+                    .own_age = own_watch_.age(now),
+                    .own_verdict = own_watch_.verdict(),
+                    .own_counts = counts_of(own_watch_),
+                    .decisions = decisions_,
+                    .infeasible = infeasible_,
+                    .clock_restarts = clock_restarts_,
+                    .records_refused = records_refused_,
+                    .refused_at = own_watch_.refused_at(),
+                    .neighbours = {}};
+  for (std::size_t i = 0; i < neighbours_.size(); ++i) {
+    const Neighbour& neighbour = neighbours_[i];
+    HelmReport::Neighbour line{
+        .mate = &setup_.team[i], .verdict = neighbour.watch.verdict(), .counts = counts_of(neighbour.watch)};
+    if (neighbour.watch.last()) {
+      line.age = neighbour.watch.age(now);
+      line.distance = (track_of(i).position - own_.position).norm();
+      line.growth = growth_of(line.age);
+      line.heard = true;
+      line.stale = line.age > setup_.policy.neighbour_stale_s;
+      line.lost = is_lost(neighbour);
+      line.shown = neighbour.shown;
+    }
+    report.refused_at = std::fmax(report.refused_at, neighbour.watch.refused_at());
+    report.neighbours.push_back(line);
+  }
+  return report;
+}
+
+}  // namespace fairway

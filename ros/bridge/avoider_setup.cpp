@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ros/bridge/avoider_setup.hpp"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <iterator>
+#include <limits>
+#include <sstream>
+#include <string_view>
+
+#include "fairway/core/names.hpp"
+#include "fairway/core/text.hpp"
+#include "fairway/scenario/load.hpp"
+#include "fairway/sim/agent.hpp"
+
+namespace fairway::bridge {
+namespace {
+
+constexpr double unlimited = std::numeric_limits<double>::infinity();
+constexpr std::int32_t first_of_all = std::numeric_limits<std::int32_t>::min();
+
+/// What settings change.
+struct Draft {
+  Scenario scenario;
+  std::size_t own{};  ///< of the scenario's vehicles
+  HelmSetup helm;
+  Catalogs catalogs{builtin_catalogs()};
+
+  VehicleSpec& vehicle() { return scenario.vehicles[own]; }
+};
+
+struct Setting {
+  std::string_view name;
+  std::function<void(Draft&, const std::string& text)> set;
+};
+
+double number_of(std::string_view name, const std::string& text, double lo, double hi) {
+  const ParamValue value = parse_value(text);
+  const double* given = std::get_if<double>(&value);
+  if (given == nullptr || !(*given >= lo && *given <= hi)) {
+    throw InputError(
+        {}, std::string(name),
+        "is \"" + text + "\"; expected a number in [" + number_text(lo) + ", " + number_text(hi) + "]");
+  }
+  return *given;
+}
+
+std::int32_t whole_of(std::string_view name, const std::string& text, double lo) {
+  const double value = number_of(name, text, lo, 2147483647.0);
+  if (value != std::floor(value)) {
+    throw InputError({}, std::string(name), "is \"" + text + "\"; expected a whole number");
+  }
+  return static_cast<std::int32_t>(value);
+}
+
+template <class Target>
+Setting number(std::string_view name, double lo, double hi, Target target, double factor = 1.0) {
+  return {name, [=](Draft& draft, const std::string& text) {
+            target(draft) = factor * number_of(name, text, lo, hi);
+          }};
+}
+
+/// Parameters that the algorithm in the scenario had and the one in its place has too are kept.
+void choose_algorithm(Draft& draft, const std::string& name) {
+  Choice& avoider = draft.vehicle().avoider;
+  const std::vector<ParamInfo> known = draft.catalogs.avoiders.params(name);
+  std::erase_if(avoider.params, [&](const auto& param) {
+    return std::ranges::none_of(
+        known, [&](const ParamInfo& info) { return info.name == list_of_param(param.first); });
+  });
+  avoider.param_where.clear();
+  avoider.name = name;
+}
+
+const std::vector<Setting>& settings() {
+  static const std::vector<Setting> all{
+      {"algorithm", choose_algorithm},
+      {"model",
+       [](Draft& d, const std::string& text) { d.vehicle().model = {.name = text, .path = "model"}; }},
+      {"steering",
+       [](Draft& d, const std::string& text) { d.vehicle().steering = {.name = text, .path = "steering"}; }},
+      {"priority",
+       [](Draft& d, const std::string& t) { d.vehicle().priority = whole_of("priority", t, -2147483648.0); }},
+      {"id", [](Draft& d,
+                const std::string& t) { d.vehicle().id = static_cast<std::uint32_t>(whole_of("id", t, 0)); }},
+      number("radius_m", 0.0, 1e4, [](Draft& d) -> double& { return d.vehicle().radius_m; }),
+      number("period_s", 1e-3, 60.0, [](Draft& d) -> double& { return d.helm.period; }),
+      number("record_period_s", 1e-3, 60.0, [](Draft& d) -> double& { return d.helm.record_period; }),
+      number("arrival_m", 1e-3, 1e4, [](Draft& d) -> double& { return d.helm.arrival; }),
+      number("range_m", 0.0, unlimited, [](Draft& d) -> double& { return d.helm.range; }),
+      number("max_speed_mps", 0.0, 1e3, [](Draft& d) -> double& { return d.vehicle().limits.max_speed; }),
+      number("max_climb_rate_mps", 0.0, 1e3,
+             [](Draft& d) -> double& { return d.vehicle().limits.max_climb_rate; }),
+      number("max_acceleration_mps2", 0.0, 1e3,
+             [](Draft& d) -> double& { return d.vehicle().limits.max_acceleration; }),
+      number("max_turn_rate_radps", 0.0, 1e3,
+             [](Draft& d) -> double& { return d.vehicle().limits.max_turn_rate; }),
+      number(
+          "max_turn_rate_degps", 0.0, 1e5,
+          [](Draft& d) -> double& { return d.vehicle().limits.max_turn_rate; }, radians(1.0)),
+      number("min_depth_m", -1e4, 1e5, [](Draft& d) -> double& { return d.vehicle().limits.min_depth; }),
+      number("max_depth_m", -1e4, 1e5, [](Draft& d) -> double& { return d.vehicle().limits.max_depth; }),
+  };
+  return all;
+}
+
+void put(ParamValues& params, const std::string& name, const std::string& text) {
+  params = merged(std::move(params), {{name, parse_value(text)}});
+}
+
+void set_policy(OnboardPolicy& policy, const std::string& name, const std::string& text) {
+  try {
+    set_param(policy, name, parse_value(text));
+  } catch (const InputError& error) {
+    throw InputError("policy." + std::string(error.what()));
+  }
+}
+
+TeamMate& mate_of(Draft& draft, const std::string& setting, std::string_view name) {
+  std::vector<std::string_view> known;
+  for (TeamMate& mate : draft.helm.team) {
+    if (mate.name == name) return mate;
+    known.push_back(mate.name);
+  }
+  throw InputError({}, setting,
+                   "nobody of the team is called " + std::string(name) + suggestion(name, known));
+}
+
+/// `team.NAME.radius_m` and so on.
+void set_mate(Draft& draft, const std::string& setting, const std::string& text) {
+  const std::size_t dot = setting.rfind('.');
+  const std::size_t begin = std::string_view("team.").size();
+  const std::string what = setting.substr(dot + 1);
+  TeamMate& mate = mate_of(draft, setting, dot > begin ? setting.substr(begin, dot - begin) : "");
+  if (what == "radius_m") {
+    mate.radius = number_of(setting, text, 0.0, 1e4);
+  } else if (what == "arrival_m") {
+    mate.arrival = number_of(setting, text, 0.0, 1e4);
+  } else if (what == "priority") {
+    mate.priority = whole_of(setting, text, -2147483648.0);
+  } else if (what == "id") {
+    mate.id = VehicleId{static_cast<std::uint32_t>(whole_of(setting, text, 0))};
+  } else if (what == "reacts" && (text == "true" || text == "false")) {
+    mate.reacts = text == "true";
+  } else if (what == "reacts") {
+    throw InputError({}, setting, "is \"" + text + "\"; expected true or false");
+  } else {
+    throw InputError(
+        {}, setting,
+        "unknown setting" + suggestion(what, {"radius_m", "arrival_m", "priority", "id", "reacts"}));
+  }
+}
+
+[[noreturn]] void refuse_unknown(const std::string& name) {
+  std::vector<std::string> known{"team"};
+  for (const Setting& setting : settings()) known.emplace_back(setting.name);
+  for (const std::string_view policy : param_names<OnboardPolicy>())
+    known.push_back("policy." + std::string(policy));
+  const std::vector<std::string_view> views(known.begin(), known.end());
+  throw InputError({}, name, "unknown setting" + suggestion(name, views));
+}
+
+void apply(Draft& draft, const std::string& name, const std::string& text) {
+  const auto tail_of = [&](std::string_view head) { return name.substr(head.size()); };
+  if (name.starts_with("params.")) return put(draft.vehicle().avoider.params, tail_of("params."), text);
+  if (name.starts_with("model.")) return put(draft.vehicle().model.params, tail_of("model."), text);
+  if (name.starts_with("steering.")) return put(draft.vehicle().steering.params, tail_of("steering."), text);
+  if (name.starts_with("policy.")) return set_policy(draft.helm.policy, tail_of("policy."), text);
+  if (name.starts_with("team.")) return set_mate(draft, name, text);
+  const auto found = std::ranges::find(settings(), name, &Setting::name);
+  if (found == settings().end()) refuse_unknown(name);
+  found->set(draft, text);
+}
+
+/// In which order settings are carried out: their parameters are for what was chosen, and others are as this
+/// vehicle is unless it is said what they are.
+enum class Stage { choices, own, team };
+
+Stage stage_of(const std::string& name) {
+  if (name == "algorithm" || name == "model" || name == "steering") return Stage::choices;
+  return name.starts_with("team.") ? Stage::team : Stage::own;
+}
+
+void apply_stage(Draft& draft, const Settings& settings, Stage stage) {
+  for (const auto& [name, text] : settings) {
+    if (name != "team" && stage_of(name) == stage) apply(draft, name, text);
+  }
+}
+
+void check(Draft& draft) {
+  const VehicleSpec& own = draft.vehicle();
+  if (own.limits.min_depth > own.limits.max_depth) {
+    throw InputError({}, "min_depth_m",
+                     "is " + number_text(own.limits.min_depth) + ", below max_depth_m, " +
+                         number_text(own.limits.max_depth) + "; expected the ceiling above the floor");
+  }
+  std::vector<std::uint32_t> ids{own.id};
+  for (const TeamMate& mate : draft.helm.team) {
+    if (std::ranges::find(ids, number(mate.id)) != ids.end()) {
+      throw InputError(
+          {}, "id", std::to_string(number(mate.id)) + " is that of two vehicles, one of them " + mate.name);
+    }
+    ids.push_back(number(mate.id));
+  }
+}
+
+std::vector<std::string> words_of(std::string text) {
+  std::ranges::replace(text, ',', ' ');
+  std::istringstream words{text};
+  return {std::istream_iterator<std::string>{words}, {}};
+}
+
+/// A vehicle that nothing is known of but its name, among others of which no more is known. Everyone who is
+/// told the same names numbers them alike, in their order as text.
+Scenario scenario_of_names(const std::string& own, std::vector<std::string> names) {
+  names.push_back(own);
+  std::ranges::sort(names);
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  Scenario scenario;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    scenario.vehicles.push_back({.id = static_cast<std::uint32_t>(i),
+                                 .name = names[i],
+                                 .model = {.name = "kinematic", .path = "model"},
+                                 .avoider = {.name = "orca3d", .path = "algorithm"},
+                                 .priority = static_cast<std::int32_t>(i)});
+  }
+  return scenario;
+}
+
+std::size_t index_of(const Scenario& scenario, const std::string& vehicle, const std::string& file) {
+  std::vector<std::string_view> known;
+  for (std::size_t i = 0; i < scenario.vehicles.size(); ++i) {
+    if (scenario.vehicles[i].name == vehicle) return i;
+    known.push_back(scenario.vehicles[i].name);
+  }
+  throw InputError({}, "vehicle", "\"" + vehicle + "\" is not in " + file + suggestion(vehicle, known));
+}
+
+/// The only transit's, for what is known of others is one goal; 0 if there is another number of them.
+double arrival_of(const VehicleSpec& spec) {
+  const auto is_transit = [](const Leg& leg) { return leg.kind == LegKind::transit; };
+  if (std::ranges::count_if(spec.mission, is_transit) != 1) return 0.0;
+  return std::ranges::find_if(spec.mission, is_transit)->arrival_m;
+}
+
+TeamMate mate_of(const VehicleSpec& spec) {
+  return {.id = VehicleId{spec.id},
+          .name = spec.name,
+          .radius = spec.radius_m,
+          .priority = spec.cooperative ? spec.priority : first_of_all,
+          .reacts = spec.cooperative,
+          .arrival = arrival_of(spec)};
+}
+
+Draft draft_of(const AvoiderOptions& options, const std::optional<std::vector<std::string>>& team) {
+  if (options.vehicle.empty()) throw InputError({}, "vehicle", "is empty; expected the name of a vehicle");
+  const bool has_file = !options.scenario.empty();
+  Draft draft{.scenario = has_file
+                              ? load_scenario(options.scenario, {}, options.seed)
+                              : scenario_of_names(options.vehicle, team.value_or(std::vector<std::string>{})),
+              .helm = {}};
+  if (!has_file) draft.scenario.seed = options.seed.value_or(1);
+  draft.own = index_of(draft.scenario, options.vehicle, has_file ? options.scenario : "the team");
+
+  const Scenario& scenario = draft.scenario;
+  HelmSetup& helm = draft.helm;
+  helm.period = scenario.steps_per_decision * scenario.step_s;
+  helm.record_period = scenario.step_s;
+  helm.range = scenario.perception.range_m;
+  for (const Leg& leg : draft.vehicle().mission) {
+    if (leg.kind == LegKind::transit) helm.arrival = leg.arrival_m;
+  }
+  for (const VehicleSpec& spec : scenario.vehicles) {
+    const bool is_mate = !team || std::ranges::find(*team, spec.name) != team->end();
+    if (is_mate && spec.name != options.vehicle) helm.team.push_back(mate_of(spec));
+  }
+  if (has_file && team) {
+    for (const std::string& name : *team) {
+      if (name != options.vehicle) index_of(scenario, name, options.scenario);
+    }
+  }
+  return draft;
+}
+
+}  // namespace
+
+AvoiderSetup avoider_setup(const AvoiderOptions& options) {
+  std::optional<std::vector<std::string>> team;
+  for (const auto& [name, text] : options.settings) {
+    if (name == "team") team = words_of(text);
+  }
+  Draft draft = draft_of(options, team);
+  apply_stage(draft, options.settings, Stage::choices);
+  apply_stage(draft, options.settings, Stage::own);
+  if (options.scenario.empty()) {
+    for (TeamMate& mate : draft.helm.team) mate.radius = draft.vehicle().radius_m;
+  }
+  apply_stage(draft, options.settings, Stage::team);
+  check(draft);
+
+  Agent agent = make_agent(draft.vehicle(), draft.scenario, draft.catalogs);
+  HelmSetup& helm = draft.helm;
+  helm.id = agent.id;
+  helm.name = agent.name;
+  helm.radius = agent.radius;
+  helm.priority = agent.own_priority;
+  helm.limits = agent.limits;
+  helm.steering = agent.steering;
+  helm.model = agent.model;
+  AvoiderSetup setup{.obstacles = std::move(draft.scenario.obstacles),
+                     .algorithm = draft.vehicle().avoider.name,
+                     .helm = std::move(helm),
+                     .avoider = std::move(agent.avoider)};
+  for (const ObstacleSpec& obstacle : setup.obstacles) {
+    if (obstacle.charted && !obstacle.moves()) setup.helm.chart.push_back(obstacle.view());
+  }
+  return setup;
+}
+
+}  // namespace fairway::bridge

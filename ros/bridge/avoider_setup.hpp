@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "fairway/onboard/helm.hpp"
+#include "fairway/scenario/scenario.hpp"
+#include "ros/bridge/avoider_host.hpp"
+
+namespace fairway::bridge {
+
+/// What a helm is made of.
+struct AvoiderSetup {
+  std::vector<ObstacleSpec> obstacles;  ///< hold the vertices of the helm's chart
+  std::string algorithm;                ///< as it was chosen, wrappers included
+  HelmSetup helm;
+  Avoider avoider;
+};
+
+/// The options, carried out. Throws InputError: one line that says what is wrong and the nearest valid name.
+AvoiderSetup avoider_setup(const AvoiderOptions& options);
+
+}  // namespace fairway::bridge
