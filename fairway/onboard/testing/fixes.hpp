@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "fairway/avoidance/catalog.hpp"
+#include "fairway/onboard/helm.hpp"
+
+namespace fairway::fixes {
+
+/// Level, heading north, going so fast along its heading.
+inline Fix north(double time, const Vec3& position, double speed = 0.5) {
+  return {.time = time, .state = {.p_n = position, .v_b = {speed, 0, 0}}};
+}
+
+/// At `time` on its way north from `from` since time 0.
+inline Fix on_course(double time, const Vec3& from = {0, 0, 10}, double speed = 0.5) {
+  return north(time, from + Vec3{speed * time, 0, 0}, speed);
+}
+
+/// Vehicle 0 of two, decides ten times a second, 0.5 m/s, turns on the spot.
+inline HelmSetup setup() {
+  HelmSetup setup{.id = VehicleId{0}, .name = "zero", .radius = 1.5, .period = 0.1, .record_period = 0.05};
+  setup.limits.max_speed = 0.5;
+  setup.team = {{.id = VehicleId{1}, .name = "one", .radius = 1.5, .priority = 1}};
+  return setup;
+}
+
+inline Helm helm_of(const HelmSetup& setup, const char* algorithm = "orca3d",
+                    const ParamValues& params = {}) {
+  return Helm{setup, builtin_avoiders().make(algorithm, params)};
+}
+
+}  // namespace fairway::fixes
