@@ -22,6 +22,12 @@ bool is_place(const Vec3& position) {
   return is_finite(position) && position.cwiseAbs().maxCoeff() <= farthest;
 }
 
+/// What is left, without knowing where it is, to a vehicle that cannot stop.
+BodyRequest circle_blind(const SteeringParams& steering) {
+  return {.surge_mps = steering.min_speed_mps,
+          .yaw_rate_radps = steering.min_speed_mps / steering.circle_radius_m};
+}
+
 }  // namespace
 
 Helm::Helm(HelmSetup setup, Avoider avoider)
@@ -91,54 +97,49 @@ const HelmOrder& Helm::update(double now, Sketch* sketch) noexcept {
   see_clock(now);
   see_health();
   order_ = {.time = now_};
-
-  if (!own_watch_.last() || task_ == Task::none || health_ == Health::lost) {
-    order_.state = !own_watch_.last()    ? HelmState::waiting
-                   : task_ == Task::none ? HelmState::idle
-                                         : HelmState::handed_back;
-    if (order_.state == HelmState::handed_back) {
-      const bool is_back = own_watch_.age(now_) <= setup_.policy.own_stale_s;
-      order_.reason = is_back ? "own navigation was lost and has not been good for long enough"
-                              : "own navigation is lost";
-    }
-    holding_ = false;
-    next_decision_ = now_;
-    if (own_watch_.last()) own_ = own_at(*own_watch_.last());
-    updated_ = now_;
-    return order_;
-  }
-
-  order_.in_charge = true;
-  own_ = own_at(*own_watch_.last());
+  if (own_watch_.last()) own_ = own_at(*own_watch_.last());
   see_arrival();
-  const bool waits_for_neighbour =
-      setup_.policy.neighbour_lost == LostPolicy::hold &&
-      std::ranges::any_of(neighbours_, [&](const Neighbour& n) { return is_lost(n); });
 
-  if (health_ == Health::stale) {
-    const bool is_back = own_watch_.age(now_) <= setup_.policy.own_stale_s;
-    hold_because(HelmState::holding, is_back
-                                         ? "own navigation was stale and has not been good for long enough"
-                                         : "own navigation is stale");
+  if (!own_watch_.last()) {
+    let_go(HelmState::waiting);
+  } else if (task_ == Task::none) {
+    let_go(HelmState::idle);
+  } else if (health_ == Health::lost) {
+    let_go(HelmState::handed_back, is_blind()
+                                       ? "own navigation is lost"
+                                       : "own navigation was lost and has not been good for long enough");
+  } else if (health_ == Health::stale) {
+    hold_because(HelmState::holding, is_blind()
+                                         ? "own navigation is stale"
+                                         : "own navigation was stale and has not been good for long enough");
   } else if (arrived_) {
     hold_because(HelmState::arrived);
   } else if (task_ == Task::keep) {
     hold_because(HelmState::keeping);
-  } else if (waits_for_neighbour) {
+  } else if (waits_for_neighbour()) {
     hold_because(HelmState::holding, "a neighbour is lost");
   } else {
     order_.state = HelmState::under_way;
+    order_.in_charge = true;
     if (is_due()) decide(sketch);
   }
-  order_.command = command_;
-  order_.request = carry_out();
+  if (order_.in_charge) carry_out();
   updated_ = now_;
   return order_;
+}
+
+void Helm::let_go(HelmState state, std::string_view reason) noexcept {
+  order_.state = state;
+  order_.reason = reason;
+  order_.in_charge = false;
+  holding_ = false;
+  next_decision_ = now_;
 }
 
 void Helm::hold_because(HelmState state, std::string_view reason) noexcept {
   order_.state = state;
   order_.reason = reason;
+  order_.in_charge = true;
   command_ = {.mode = Mode::hold};
   next_decision_ = now_;
 }
@@ -160,7 +161,9 @@ void Helm::see_health() noexcept {
 void Helm::see_arrival() noexcept {
   const bool goes = task_ == Task::go || task_ == Task::section;
   if (!goes) arrived_ = false;
-  if (goes && (leg_.position - own_.position).norm() <= leg_.arrival_m) arrived_ = true;
+  if (goes && own_watch_.last() && health_ == Health::good &&
+      (leg_.position - own_.position).norm() <= leg_.arrival_m)
+    arrived_ = true;
 }
 
 Ownship Helm::own_at(const Fix& fix) const noexcept {
@@ -178,6 +181,13 @@ Ownship Helm::own_at(const Fix& fix) const noexcept {
     own.yaw = wrap_angle(own.yaw + age * own.yaw_rate);
   }
   return own;
+}
+
+bool Helm::is_blind() const noexcept { return own_watch_.age(now_) > setup_.policy.own_stale_s; }
+
+bool Helm::waits_for_neighbour() const noexcept {
+  return setup_.policy.neighbour_lost == LostPolicy::hold &&
+         std::ranges::any_of(neighbours_, [&](const Neighbour& n) { return is_lost(n); });
 }
 
 bool Helm::is_lost(const Neighbour& neighbour) const noexcept {
@@ -270,37 +280,26 @@ void Helm::lead_back(Command& command) const noexcept {
   if (error < 0.0) down = std::fmin(down, back);
 }
 
-BodyRequest Helm::carry_out() noexcept {
-  const bool is_blind = own_watch_.age(now_) > setup_.policy.own_stale_s;
-  if (is_blind) {
-    holding_ = false;
-    return stop_blind();
-  }
-  if (command_.mode == Mode::hold) return hold();
-  holding_ = false;
-  if (setup_.steering.kind == SteeringKind::crab)
-    return steer_through_water(setup_.steering, command_, own_.yaw, Vec3::Zero());
-  return steer(setup_.steering, command_, own_.yaw);
-}
-
-BodyRequest Helm::hold() noexcept {
-  // a hold begins where the vehicle is when it is told to, or at the nearest depth that it may be at
-  if (!holding_) {
+void Helm::carry_out() noexcept {
+  order_.command = command_;
+  const bool hold_here = command_.mode == Mode::hold && !is_blind();
+  if (hold_here && !holding_) {
     hold_ = {own_.position, own_.yaw};
     hold_.position.z() = within(setup_.limits, own_.position.z());
   }
-  holding_ = true;
-  const SteeringParams& steering = setup_.steering;
-  if (steering.kind != SteeringKind::crab) return ::fairway::keep_position(hold_, own_);
-  const Command round = circle(hold_, steering.circle_radius_m, steering.min_speed_mps, own_);
-  return steer_through_water(steering, round, own_.yaw, Vec3::Zero());
+  holding_ = hold_here;
+  order_.request = request();
 }
 
-BodyRequest Helm::stop_blind() const noexcept {
+BodyRequest Helm::request() const noexcept {
   const SteeringParams& steering = setup_.steering;
-  if (steering.kind != SteeringKind::crab) return {};
-  return {.surge_mps = steering.min_speed_mps,
-          .yaw_rate_radps = steering.min_speed_mps / steering.circle_radius_m};
+  const bool can_stop = steering.kind != SteeringKind::crab;
+  if (is_blind()) return can_stop ? BodyRequest{} : circle_blind(steering);
+  if (can_stop) return holding_ ? ::fairway::keep_position(hold_, own_) : steer(steering, command_, own_.yaw);
+
+  const Command command =
+      holding_ ? circle(hold_, steering.circle_radius_m, steering.min_speed_mps, own_) : command_;
+  return steer_through_water(steering, command, own_.yaw, Vec3::Zero());
 }
 
 }  // namespace fairway

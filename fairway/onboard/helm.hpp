@@ -193,10 +193,12 @@ class Helm {
   bool is_due() const noexcept;
   void decide(Sketch* sketch) noexcept;
   void lead_back(Command& command) const noexcept;
-  BodyRequest hold() noexcept;
-  BodyRequest stop_blind() const noexcept;
-  BodyRequest carry_out() noexcept;
+  bool is_blind() const noexcept;
+  bool waits_for_neighbour() const noexcept;
+  void let_go(HelmState state, std::string_view reason = {}) noexcept;
   void hold_because(HelmState state, std::string_view reason = {}) noexcept;
+  void carry_out() noexcept;
+  BodyRequest request() const noexcept;
 
   HelmSetup setup_;
   Avoider avoider_;

@@ -153,12 +153,13 @@ void set_mate(Draft& draft, const std::string& setting, const std::string& text)
 }
 
 [[noreturn]] void refuse_unknown(const std::string& name) {
-  std::vector<std::string> known{"team"};
-  for (const Setting& setting : settings()) known.emplace_back(setting.name);
-  for (const std::string_view policy : param_names<OnboardPolicy>())
-    known.push_back("policy." + std::string(policy));
-  const std::vector<std::string_view> views(known.begin(), known.end());
-  throw InputError({}, name, "unknown setting" + suggestion(name, views));
+  const std::string_view policy = nearest_name(name, param_names<OnboardPolicy>());
+  std::vector<std::string_view> known{"team"};
+  for (const Setting& setting : settings()) known.push_back(setting.name);
+  const bool means_policy = nearest_name(name, known).empty() && !policy.empty();
+  throw InputError({}, name,
+                   "unknown setting" + (means_policy ? "; did you mean policy." + std::string(policy) + "?"
+                                                     : suggestion(name, known)));
 }
 
 void apply(Draft& draft, const std::string& name, const std::string& text) {

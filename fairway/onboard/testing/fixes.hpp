@@ -29,4 +29,15 @@ inline Helm helm_of(const HelmSetup& setup, const char* algorithm = "orca3d",
   return Helm{setup, builtin_avoiders().make(algorithm, params)};
 }
 
+/// A helm that goes north, with good fixes of its own ten times a second until `until` [s].
+inline Helm under_way(double until, const HelmSetup& with = setup()) {
+  Helm helm = helm_of(with);
+  helm.go_to({500, 0, 10}, 0.5);
+  for (int i = 0; 0.1 * i <= until + 1e-9; ++i) {
+    helm.own_fix(on_course(0.1 * i), 0.1 * i);
+    helm.update(0.1 * i);
+  }
+  return helm;
+}
+
 }  // namespace fairway::fixes

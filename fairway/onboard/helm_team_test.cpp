@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a helm makes of others, and what it tells them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "fairway/onboard/testing/fixes.hpp"
+
+namespace fairway {
+namespace {
+
+using fixes::helm_of;
+using fixes::on_course;
+using fixes::setup;
+using fixes::under_way;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double h = 0.1;  // between fixes [s]
+
+TEST(HelmInATeam, ANeighbourIsPredictedByItsVelocityAndGrowsWhenItIsStale) {
+  Helm helm = under_way(0.0);
+  Fix fix = on_course(0.0, {30, 20, 10}, 0.4);
+  helm.neighbour_fix(VehicleId{1}, fix, 0.0);
+  for (int i = 1; i <= 600; ++i) {
+    const double now = h * i;
+    helm.own_fix(on_course(now), now);
+    helm.update(now);
+    const HelmReport::Neighbour one = helm.report(now).neighbours[0];
+    const double reckoned = 30 + 0.4 * std::fmin(now, 30.0);
+    EXPECT_NEAR(one.distance, std::hypot(reckoned - 0.5 * now, 20.0), 1e-9) << now;
+    EXPECT_NEAR(one.growth, std::clamp(0.25 * (now - 1.0), 0.0, 10.0), 1e-9) << now;
+    EXPECT_EQ(one.stale, now > 1.0) << now;
+    EXPECT_EQ(one.lost, now > 30.0) << now;
+    EXPECT_TRUE(one.shown);
+  }
+}
+
+TEST(HelmInATeam, ALostNeighbourIsInflatedHeldForOrForgotten) {
+  for (const LostPolicy lost : {LostPolicy::inflate, LostPolicy::hold, LostPolicy::forget}) {
+    HelmSetup with = setup();
+    with.policy.neighbour_lost = lost;
+    Helm helm = under_way(0.0, with);
+    helm.neighbour_fix(VehicleId{1}, on_course(0.0, {0, 20, 10}), 0.0);
+    for (int i = 1; i <= 310; ++i) {
+      helm.own_fix(on_course(h * i), h * i);
+      const HelmState state = helm.update(h * i).state;
+      const bool holds = lost == LostPolicy::hold && i > 300;
+      EXPECT_EQ(state, holds ? HelmState::holding : HelmState::under_way) << i;
+    }
+    const HelmReport report = helm.report(31.0);
+    EXPECT_TRUE(report.neighbours[0].lost);
+    EXPECT_EQ(report.order.reason, lost == LostPolicy::hold ? "a neighbour is lost" : "");
+    EXPECT_NE(report.neighbours[0].shown, lost == LostPolicy::forget);
+
+    // heard again it is as before
+    helm.own_fix(on_course(31.1), 31.1);
+    helm.neighbour_fix(VehicleId{1}, on_course(31.1, {0, 20, 10}), 31.1);
+    EXPECT_EQ(helm.update(31.1).state, HelmState::under_way);
+    EXPECT_EQ(helm.report(31.1).neighbours[0].growth, 0.0);
+  }
+}
+
+TEST(HelmInATeam, ANeighbourThatWasNeverHeardIsNotThereButReported) {
+  HelmSetup with = setup();
+  with.policy.neighbour_lost = LostPolicy::hold;
+  Helm helm = under_way(60.0, with);
+  EXPECT_EQ(helm.order().state, HelmState::under_way);
+  const HelmReport::Neighbour one = helm.report(60.0).neighbours[0];
+  EXPECT_FALSE(one.heard || one.shown);
+  EXPECT_EQ(one.age, infinity);
+}
+
+TEST(HelmInATeam, BeyondItsRangeANeighbourIsLeftOut) {
+  HelmSetup with = setup();
+  with.range = 30.0;
+  Helm helm = under_way(0.0, with);
+  for (const double east : {29.9, 30.1}) {
+    helm = under_way(0.0, with);
+    helm.neighbour_fix(VehicleId{1}, on_course(0.1, {0, east, 10}), 0.1);
+    helm.own_fix(on_course(0.1), 0.1);
+    helm.update(0.1);
+    EXPECT_EQ(helm.report(0.1).neighbours[0].shown, east < 30.0);
+  }
+}
+
+TEST(HelmInATeam, AStrangerIsIgnored) {
+  Helm helm = under_way(1.0);
+  EXPECT_EQ(helm.neighbour_fix(VehicleId{7}, on_course(1.0), 1.0), FixVerdict::invalid);
+  helm.neighbour_goal(VehicleId{7}, Vec3{1, 2, 3});
+  EXPECT_FALSE(helm.report(1.0).neighbours[0].heard);
+}
+
+TEST(HelmInATeam, ANeighbourThatCameToItsGoalGivesWay) {
+  // one has the right of way, until it has arrived
+  HelmSetup with = setup();
+  with.priority = 5;
+  with.team[0].arrival = 1.0;
+  Helm helm = helm_of(with, "direct+stop_and_wait", {{"crit_dist_m", 20.0}});
+  helm.go_to({500, 0, 10}, 0.5);
+  helm.neighbour_goal(VehicleId{1}, Vec3{10, 5, 10});
+  for (int i = 0; i <= 40; ++i) {
+    const double now = h * i;
+    helm.own_fix(fixes::north(now, {0, 0, 10}, 0.0), now);
+    helm.neighbour_fix(VehicleId{1}, on_course(now, {8, 5, 10}), now);  // at its goal, to a metre, after 2 s
+    const Mode mode = helm.update(now).command.mode;
+    EXPECT_EQ(mode, now < 2.05 ? Mode::hold : Mode::cruise) << now;
+  }
+}
+
+TEST(HelmInATeam, ATeamRecordIsAFixWithPriorityRadiusAndGoal) {
+  Helm helm = under_way(1.0);
+  const Message message{.from = VehicleId{1},
+                        .sent = Tick{20},
+                        .position = {10, 20, 5},
+                        .velocity = {0.3, 0, 0},
+                        .radius = 2.0,
+                        .priority = -3,
+                        .destination = Vec3{50, 20, 5}};
+  const TeamRecord record = encode(message, 0.05);
+  EXPECT_EQ(helm.team_record(record, 1.5), FixVerdict::accepted);
+  EXPECT_EQ(helm.team_record(record, 1.5), FixVerdict::backwards);
+  EXPECT_EQ(helm.team_record(std::span{record}.first(24), 1.5), FixVerdict::invalid);
+  TeamRecord stranger = encode({.from = VehicleId{9}, .sent = Tick{21}}, 0.05);
+  EXPECT_EQ(helm.team_record(stranger, 1.5), FixVerdict::invalid);
+  helm.own_fix(on_course(1.5), 1.5);
+  helm.update(1.5);
+  const HelmReport report = helm.report(1.5);
+  EXPECT_EQ(report.records_refused, 2);
+  EXPECT_NEAR(report.neighbours[0].age, 0.5, 1e-9);
+  EXPECT_NEAR(report.neighbours[0].distance, (Vec3{10.15, 20, 5} - helm.own().position).norm(), 0.02);
+}
+
+TEST(HelmInATeam, ARecordOfAClockThatIsALittleAheadIsOfNow) {
+  Helm helm = under_way(10.0);
+  const TeamRecord record = encode({.from = VehicleId{1}, .sent = Tick{202}, .position = {9, 9, 9}}, 0.05);
+  EXPECT_EQ(helm.team_record(record, 10.0), FixVerdict::accepted);
+  EXPECT_NEAR(helm.report(10.0).neighbours[0].age, -0.1, 1e-9);
+}
+
+TEST(HelmInATeam, WhatItTellsIsItsLastFixStampedWithThatFixesTime) {
+  Helm helm = under_way(10.0);
+  const Message told = decode(*helm.own_record(11.0), Tick{220}, 0.05);
+  EXPECT_EQ(count(told.sent), 200);
+  EXPECT_NEAR((told.position - on_course(10.0).state.p_n).norm(), 0.0, 0.01);
+  EXPECT_TRUE(told.destination);
+  EXPECT_FALSE(helm.own_record(13.5)) << "lost, and not told any more";
+}
+
+TEST(HelmInATeam, KnowsTheInstantOfWhichEveryoneWasHeard) {
+  Helm helm = helm_of(setup());
+  EXPECT_EQ(helm.common_time(), -infinity);
+  helm.own_fix(on_course(0.2), 0.2);
+  EXPECT_EQ(helm.common_time(), -infinity);
+  helm.neighbour_fix(VehicleId{1}, on_course(0.1, {0, 20, 10}), 0.2);
+  EXPECT_EQ(helm.common_time(), 0.1);
+}
+
+}  // namespace
+}  // namespace fairway
