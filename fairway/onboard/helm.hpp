@@ -181,6 +181,7 @@ class Helm {
   void begin_again() noexcept;
   std::optional<std::size_t> index_of(std::uint32_t id, std::uint32_t modulus) const noexcept;
   FixVerdict see_neighbour(std::size_t index, const Fix& fix) noexcept;
+  void see_arrival_of(std::size_t index) noexcept;
   bool set_out(Task task, const Leg& leg) noexcept;
 
   void see_health() noexcept;

@@ -105,7 +105,10 @@ TEST(HelmInATeam, ANeighbourThatCameToItsGoalGivesWay) {
     helm.neighbour_fix(VehicleId{1}, on_course(now, {8, 5, 10}), now);  // at its goal, to a metre, after 2 s
     const Mode mode = helm.update(now).command.mode;
     EXPECT_EQ(mode, now < 2.05 ? Mode::hold : Mode::cruise) << now;
+    if (i == 30) helm.neighbour_goal(VehicleId{1}, std::nullopt);
   }
+  helm.neighbour_goal(VehicleId{1}, Vec3{50, 5, 10});
+  EXPECT_EQ(helm.update(4.1).command.mode, Mode::hold) << "with another goal it goes first again";
 }
 
 TEST(HelmInATeam, ATeamRecordIsAFixWithPriorityRadiusAndGoal) {

@@ -203,6 +203,23 @@ TEST(Helm, OutsideTheDepthBandEveryOrderLeadsBack) {
   }
 }
 
+TEST(Helm, AVehicleThatIsTooDeepOrTooShallowComesBackOnItsWay) {
+  HelmSetup with = setup();
+  with.limits.min_depth = 5.0;
+  with.limits.max_depth = 20.0;
+  for (const double depth : {2.0, 23.0}) {
+    Helm helm = helm_of(with);
+    ASSERT_TRUE(helm.go_to({500, 0, 12}, 0.5));
+    Vec3 at{0, 0, depth};
+    for (int i = 0; i < 300; ++i) {
+      helm.own_fix({.time = h * i, .state = {.p_n = at}}, h * i);
+      at += h * helm.update(h * i).command.velocity;
+    }
+    EXPECT_TRUE(at.z() > 4.99 && at.z() < 20.01) << depth << " became " << at.z();
+    EXPECT_GT(at.x(), 10.0);
+  }
+}
+
 TEST(Helm, AGoalOutsideTheDepthBandIsRefusedUnlessItCanBeReachedFromWithin) {
   HelmSetup with = setup();
   with.limits.max_depth = 20.0;

@@ -40,14 +40,16 @@ FixVerdict Helm::neighbour_fix(VehicleId id, const Fix& fix, double now) noexcep
 }
 
 FixVerdict Helm::see_neighbour(std::size_t index, const Fix& fix) noexcept {
-  Neighbour& neighbour = neighbours_[index];
-  const double arrival = setup_.team[index].arrival;
-  const std::optional<Fix>& before = neighbour.watch.last();
+  see_arrival_of(index);
+  return neighbours_[index].watch.see(fix, now_, setup_.policy);
+}
 
+void Helm::see_arrival_of(std::size_t index) noexcept {
   // whoever had come to its goal by its last fix is there, and gives way to everyone
-  if (before && neighbour.goal && (before->state.p_n - *neighbour.goal).norm() <= arrival)
+  Neighbour& neighbour = neighbours_[index];
+  const std::optional<Fix>& last = neighbour.watch.last();
+  if (last && neighbour.goal && (last->state.p_n - *neighbour.goal).norm() <= setup_.team[index].arrival)
     neighbour.arrived = true;
-  return neighbour.watch.see(fix, now_, setup_.policy);
 }
 
 void Helm::neighbour_goal(VehicleId id, const std::optional<Vec3>& goal) noexcept {
@@ -55,7 +57,8 @@ void Helm::neighbour_goal(VehicleId id, const std::optional<Vec3>& goal) noexcep
   if (!index) return;
   Neighbour& neighbour = neighbours_[*index];
   const std::optional<Vec3> told = goal && is_finite(*goal) ? goal : std::nullopt;
-  if (told != neighbour.goal) neighbour.arrived = false;
+  see_arrival_of(*index);  // it may fall silent about its goal because it is there
+  if (told && told != neighbour.goal) neighbour.arrived = false;
   neighbour.goal = told;
 }
 

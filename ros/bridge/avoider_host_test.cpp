@@ -5,11 +5,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
 
 #include "fairway/scenario/load.hpp"
 #include "fairway/sim/simulation.hpp"
+#include "ros/bridge/avoider_setup.hpp"
 
 namespace fairway::bridge {
 namespace {
@@ -132,6 +135,13 @@ TEST(AvoiderHost, WhatIsWrongIsSaidInOneLineWithTheNearestName) {
     EXPECT_THAT(message, HasSubstr(part));
     EXPECT_EQ(message.find('\n'), std::string::npos) << message;
   }
+}
+
+TEST(AvoiderHost, ThePageNamesEverySetting) {
+  std::ifstream file{FAIRWAY_SOURCE_DIR "/docs/onboard.md"};
+  const std::string page{std::istreambuf_iterator<char>{file}, {}};
+  for (const std::string_view name : setting_names())
+    EXPECT_THAT(page, HasSubstr("`" + std::string(name) + "`"));
 }
 
 TEST(AvoiderHost, EveryoneToldTheSameNamesNumbersThemAlike) {

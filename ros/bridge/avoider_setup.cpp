@@ -154,8 +154,7 @@ void set_mate(Draft& draft, const std::string& setting, const std::string& text)
 
 [[noreturn]] void refuse_unknown(const std::string& name) {
   const std::string_view policy = nearest_name(name, param_names<OnboardPolicy>());
-  std::vector<std::string_view> known{"team"};
-  for (const Setting& setting : settings()) known.push_back(setting.name);
+  const std::vector<std::string_view> known = setting_names();
   const bool means_policy = nearest_name(name, known).empty() && !policy.empty();
   throw InputError({}, name,
                    "unknown setting" + (means_policy ? "; did you mean policy." + std::string(policy) + "?"
@@ -285,6 +284,12 @@ Draft draft_of(const AvoiderOptions& options, const std::optional<std::vector<st
 }
 
 }  // namespace
+
+std::vector<std::string_view> setting_names() {
+  std::vector<std::string_view> names{"team"};
+  for (const Setting& setting : settings()) names.push_back(setting.name);
+  return names;
+}
 
 AvoiderSetup avoider_setup(const AvoiderOptions& options) {
   std::optional<std::vector<std::string>> team;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "fairway/onboard/helm.hpp"
@@ -20,5 +21,8 @@ struct AvoiderSetup {
 
 /// The options, carried out. Throws InputError: one line that says what is wrong and the nearest valid name.
 AvoiderSetup avoider_setup(const AvoiderOptions& options);
+
+/// The settings that there are, but for those of `params.`, `model.`, `steering.`, `policy.` and `team.`.
+std::vector<std::string_view> setting_names();
 
 }  // namespace fairway::bridge
