@@ -22,7 +22,8 @@ struct AvoiderOptions {
   /// `params.NAME`, `model`, `model.NAME`, `steering`, `steering.NAME`, `policy.NAME`, `team` ("auv_2
   /// auv_3"), `team.NAME.radius_m`, `team.NAME.priority`; all of them in words on docs/onboard.md.
   Settings settings;
-  std::optional<std::uint64_t> seed;  ///< the scenario's own, or 1, unless given
+  std::optional<std::uint64_t> seed;      ///< the scenario's own, or 1, unless given
+  std::vector<std::string> also_known{};  ///< settings that the program takes itself: for suggestions
 };
 
 /// What a vehicle shall do, in plain words.

@@ -152,16 +152,18 @@ void set_mate(Draft& draft, const std::string& setting, const std::string& text)
   }
 }
 
-[[noreturn]] void refuse_unknown(const std::string& name) {
+[[noreturn]] void refuse_unknown(const std::string& name, const std::vector<std::string>& also_known) {
   const std::string_view policy = nearest_name(name, param_names<OnboardPolicy>());
-  const std::vector<std::string_view> known = setting_names();
+  std::vector<std::string_view> known = setting_names();
+  known.insert(known.end(), also_known.begin(), also_known.end());
   const bool means_policy = nearest_name(name, known).empty() && !policy.empty();
   throw InputError({}, name,
                    "unknown setting" + (means_policy ? "; did you mean policy." + std::string(policy) + "?"
                                                      : suggestion(name, known)));
 }
 
-void apply(Draft& draft, const std::string& name, const std::string& text) {
+void apply(Draft& draft, const std::string& name, const std::string& text,
+           const std::vector<std::string>& also_known) {
   const auto tail_of = [&](std::string_view head) { return name.substr(head.size()); };
   if (name.starts_with("params.")) return put(draft.vehicle().avoider.params, tail_of("params."), text);
   if (name.starts_with("model.")) return put(draft.vehicle().model.params, tail_of("model."), text);
@@ -169,7 +171,7 @@ void apply(Draft& draft, const std::string& name, const std::string& text) {
   if (name.starts_with("policy.")) return set_policy(draft.helm.policy, tail_of("policy."), text);
   if (name.starts_with("team.")) return set_mate(draft, name, text);
   const auto found = std::ranges::find(settings(), name, &Setting::name);
-  if (found == settings().end()) refuse_unknown(name);
+  if (found == settings().end()) refuse_unknown(name, also_known);
   found->set(draft, text);
 }
 
@@ -182,9 +184,9 @@ Stage stage_of(const std::string& name) {
   return name.starts_with("team.") ? Stage::team : Stage::own;
 }
 
-void apply_stage(Draft& draft, const Settings& settings, Stage stage) {
-  for (const auto& [name, text] : settings) {
-    if (name != "team" && stage_of(name) == stage) apply(draft, name, text);
+void apply_stage(Draft& draft, const AvoiderOptions& options, Stage stage) {
+  for (const auto& [name, text] : options.settings) {
+    if (name != "team" && stage_of(name) == stage) apply(draft, name, text, options.also_known);
   }
 }
 
@@ -297,12 +299,12 @@ AvoiderSetup avoider_setup(const AvoiderOptions& options) {
     if (name == "team") team = words_of(text);
   }
   Draft draft = draft_of(options, team);
-  apply_stage(draft, options.settings, Stage::choices);
-  apply_stage(draft, options.settings, Stage::own);
+  apply_stage(draft, options, Stage::choices);
+  apply_stage(draft, options, Stage::own);
   if (options.scenario.empty()) {
     for (TeamMate& mate : draft.helm.team) mate.radius = draft.vehicle().radius_m;
   }
-  apply_stage(draft, options.settings, Stage::team);
+  apply_stage(draft, options, Stage::team);
   check(draft);
 
   Agent agent = make_agent(draft.vehicle(), draft.scenario, draft.catalogs);
