@@ -137,6 +137,12 @@ TEST(AvoiderHost, WhatIsWrongIsSaidInOneLineWithTheNearestName) {
   }
 }
 
+TEST(AvoiderHost, WhatAProgramTakesItselfIsKnownToSuggestions) {
+  AvoiderOptions options = named({{"lockstp", "true"}});
+  options.also_known = {"lockstep", "advisory"};
+  EXPECT_EQ(refusal(options), "lockstp: unknown setting; did you mean lockstep?");
+}
+
 TEST(AvoiderHost, ThePageNamesEverySetting) {
   std::ifstream file{FAIRWAY_SOURCE_DIR "/docs/onboard.md"};
   const std::string page{std::istreambuf_iterator<char>{file}, {}};
