@@ -43,6 +43,16 @@ class Avoider {
     return command;
   }
 
+  /// Decides and takes it back: memory and randomness are as before, but what deciding has allocated is kept.
+  /// So no later decision on a situation with no more in it allocates, not even the first.
+  void rehearse(const Situation& situation) {
+    const std::unique_ptr<Interface> before = self_->clone();
+    const Rng rng = rng_;
+    (void)decide(situation);
+    self_->restore(*before);
+    rng_ = rng;
+  }
+
  private:
   struct Interface {
     Interface() = default;
@@ -51,6 +61,7 @@ class Avoider {
     virtual ~Interface() = default;
     virtual Command decide(const Situation&, Context&) noexcept = 0;
     virtual std::unique_ptr<Interface> clone() const = 0;
+    virtual void restore(const Interface& clone) = 0;  ///< to what the clone of this remembers
     virtual const AlgorithmInfo& info() const = 0;
   };
 
@@ -61,6 +72,7 @@ class Avoider {
       return algorithm.decide(s, memory, c);
     }
     std::unique_ptr<Interface> clone() const override { return std::make_unique<Model>(*this); }
+    void restore(const Interface& clone) override { memory = static_cast<const Model&>(clone).memory; }
     const AlgorithmInfo& info() const override { return A::info; }
 
     A algorithm;
@@ -84,6 +96,12 @@ struct Avoider::Wrapped final : Avoider::Interface {
     return wrapper.decide(s, inner, memory, c);
   }
   std::unique_ptr<Interface> clone() const override { return std::make_unique<Wrapped>(*this); }
+  void restore(const Interface& clone) override {
+    const auto& before = static_cast<const Wrapped&>(clone);
+    memory = before.memory;
+    inner.self_->restore(*before.inner.self_);
+    inner.rng_ = before.inner.rng_;
+  }
   const AlgorithmInfo& info() const override { return W::info; }
 
   W wrapper;
