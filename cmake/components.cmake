@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: Apache-2.0
+# What the tree and an installed fairwayConfig.cmake both need to know of libraries. fairway_uses_<name> is the list of
+# libraries that <name> uses, fairway_links_<name> that of targets of other packages.
+
+# fairway_closure(result libraries wanted): of `libraries`, which stand in the order data flows, the `wanted` and all that
+# they use, in that order
+function(fairway_closure result libraries wanted)
+  list(REVERSE libraries)
+  set(chosen "")
+  foreach(name IN LISTS libraries)
+    if(name IN_LIST wanted)
+      list(PREPEND chosen ${name})
+      list(APPEND wanted ${fairway_uses_${name}})
+    endif()
+  endforeach()
+  set(${result} "${chosen}" PARENT_SCOPE)
+endfunction()
+
+# fairway_find(target missing): finds the package that `target` is of. `missing` comes back empty, or as what was not found.
+function(fairway_find target missing)
+  set(${missing} "" PARENT_SCOPE)
+  if(TARGET ${target})
+    return()
+  endif()
+  if(target STREQUAL "PkgConfig::zstd")
+    set(sought "libzstd, by pkg-config")
+    find_package(PkgConfig QUIET)
+    if(PKG_CONFIG_FOUND)
+      pkg_check_modules(zstd QUIET IMPORTED_TARGET libzstd)
+    endif()
+  elseif(target STREQUAL "ompl::ompl")  # its own CMake package names libraries of Boost that Debian does not bring
+    set(sought "OMPL, and Boost's headers")
+    find_package(Boost QUIET)
+    find_path(fairway_ompl_headers ompl/config.h PATH_SUFFIXES ompl-1.5)
+    find_library(fairway_ompl_library ompl)
+    mark_as_advanced(fairway_ompl_headers fairway_ompl_library)
+    if(TARGET Boost::headers AND fairway_ompl_headers AND fairway_ompl_library)
+      add_library(ompl::ompl INTERFACE IMPORTED)
+      target_include_directories(ompl::ompl INTERFACE ${fairway_ompl_headers})
+      target_link_libraries(ompl::ompl INTERFACE ${fairway_ompl_library} Boost::headers)
+    endif()
+  else()
+    string(REGEX REPLACE "::.*" "" package ${target})
+    if(package STREQUAL "SQLite")
+      set(package SQLite3)
+    endif()
+    set(sought ${package})
+    find_package(${package} QUIET)
+  endif()
+  if(NOT TARGET ${target})
+    set(${missing} ${sought} PARENT_SCOPE)
+  endif()
+endfunction()

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+// Collision avoidance for a program that does not compile C++20: this header is C++17 and includes nothing
+// but the standard library. Its types mirror those of fairway/avoidance in plain numbers, so that C or
+// another language is easily put around them.
+//
+// Positions and velocities are in local NED (north, east, down), bodies forward, starboard, down, angles in
+// radians, all in SI.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fairway::embed {
+
+using Triple = std::array<double, 3>;   ///< north, east, down
+using SixAxes = std::array<double, 6>;  ///< surge, sway, heave, roll, pitch, yaw
+using Matrix3 = std::array<double, 9>;  ///< row by row
+
+/// A limit that does not bind.
+constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+/// Own state as estimated on board.
+struct Ownship {
+  Triple position{};        ///< [m, NED]
+  Triple velocity{};        ///< over ground [m/s, NED]
+  double yaw{};             ///< [rad], 0 north, positive to starboard
+  double yaw_rate{};        ///< [rad/s]
+  double radius{1.0};       ///< of the enclosing sphere [m]
+  std::uint32_t id{};       ///< unlike that of every track
+  std::int32_t priority{};  ///< the smaller number has the right of way
+};
+
+/// Another vehicle, or anything else that moves, as perceived.
+struct Track {
+  Triple position{};              ///< extrapolated to the situation's time [m, NED]
+  Triple velocity{};              ///< over ground [m/s, NED]
+  Triple destination{};           ///< where it says it is going, if `has_destination` [m, NED]
+  Matrix3 position_covariance{};  ///< of the error of `position` [m2, NED]
+  Matrix3 velocity_covariance{};  ///< of the error of `velocity` [m2/s2, NED]
+  double yaw{};                   ///< as reported [rad]
+  double radius{1.0};             ///< of the enclosing sphere [m]
+  double age{};                   ///< since the last measurement or message [s]
+  std::uint32_t id{};
+  std::int32_t priority{};  ///< the smaller number has the right of way
+  bool has_destination{false};
+  bool reacts{true};  ///< false: it keeps its course whatever comes
+};
+
+enum class ObstacleKind : std::uint8_t {
+  sphere,   ///< `position`, `radius`
+  segment,  ///< a thin wall from `from` to `to`
+  polygon,  ///< solid vertical prism through every depth; vertices counter-clockwise, north as x and east as
+            ///< y
+};
+
+/// Something solid that does not move. Only the members of its kind mean anything.
+struct Obstacle {
+  Triple position{};                ///< [m, NED]
+  Triple from{};                    ///< [m, NED]
+  Triple to{};                      ///< [m, NED]
+  double radius{};                  ///< [m]
+  const Triple* vertices{nullptr};  ///< at least three [m, NED]
+  std::size_t vertex_count{};
+  ObstacleKind kind{ObstacleKind::sphere};
+  bool charted{true};  ///< known before the mission; else met on the way
+};
+
+/// Where the mission wants to be, and how fast.
+struct Goal {
+  Triple position{};  ///< [m, NED]
+  Triple velocity{};  ///< wanted instead of heading straight for the position, if `has_velocity` [m/s, NED]
+  double cruise_speed{};  ///< [m/s]
+  bool has_velocity{false};
+};
+
+/// What the vehicle can or may do.
+struct Limits {
+  double max_speed{unlimited};         ///< over ground [m/s]
+  double max_climb_rate{unlimited};    ///< vertical, either way [m/s]; zero for a surface vehicle
+  double max_acceleration{unlimited};  ///< [m/s2]
+  double max_turn_rate{unlimited};     ///< [rad/s]
+  double min_depth{-unlimited};        ///< ceiling: no command leads above it [m]
+  double max_depth{unlimited};         ///< floor: no command leads below it [m]
+};
+
+/// How the vehicle answers to forces, one axis at a time: m nu' = tau - (d_l + d_q |nu|) nu - g, least <= tau
+/// <= greatest.
+struct OnboardModel {
+  SixAxes mass{};               ///< rigid body and added mass m [kg, kg m2]
+  SixAxes linear_damping{};     ///< d_l >= 0 [kg/s, kg m2/s]
+  SixAxes quadratic_damping{};  ///< d_q >= 0 [kg/m, kg m2]
+  SixAxes restoring{};          ///< g when level [N, N m]
+  SixAxes least{};              ///< what the actuators give on an axis, the others at zero [N, N m]
+  SixAxes greatest{};           ///< likewise
+};
+
+/// All that an avoider may know at one instant. What it points to must live until decide() returns.
+struct Situation {
+  Ownship own;
+  Goal goal;
+  Limits limits;
+  double time{};                       ///< since the start of the mission [s]
+  double period{};                     ///< until the next decision [s], > 0
+  const OnboardModel* model{nullptr};  ///< null where nothing is known of forces
+  const Track* tracks{nullptr};        ///< in any order
+  std::size_t track_count{};
+  const Obstacle* obstacles{nullptr};  ///< in any order
+  std::size_t obstacle_count{};
+};
+
+/// Why the command is what it is.
+enum class Mode : std::uint8_t {
+  cruise,      ///< nothing in the way
+  avoid,       ///< deviating from the preferred velocity, or someone close enough that it might
+  hold,        ///< waiting on purpose: keep the present position
+  infeasible,  ///< no safe choice was found, or the input made no sense; the velocity is the least bad one
+};
+
+/// What the vehicle should do until the next decision.
+struct Command {
+  Triple velocity{};   ///< desired, over ground [m/s, NED]
+  SixAxes wrench{};    ///< desired force and moment, if `has_wrench` [N, N m, body]
+  double heading{};    ///< desired yaw, if `has_heading` [rad]
+  double turn_rate{};  ///< desired, if `has_turn_rate`; then surge is the part of `velocity` along the
+                       ///< heading [rad/s]
+  std::string_view
+      note;  ///< why, in a few words for people, where `mode` does not say it; lives as long as the program
+  std::size_t left_out{};  ///< tracks and obstacles that did not fit into the Capacity
+  Mode mode{Mode::cruise};
+  bool astern{false};  ///< the vehicle may go stern first rather than turn round
+  bool has_heading{false};
+  bool has_turn_rate{false};
+  bool has_wrench{false};
+};
+
+/// How much a situation may hold; room for it is made once, at construction.
+struct Capacity {
+  std::size_t tracks{32};
+  std::size_t obstacles{32};
+  std::size_t vertices{256};  ///< of all polygons together
+};
+
+/// A method by its name, with its memory and its randomness, as fairway/avoidance has it: shown the same, it
+/// decides the same, to the bit. A value: a copy is a snapshot, and decides as the original does for ever.
+/// One thread at a time may use one.
+class Avoider {
+ public:
+  /// `algorithm` as algorithms() lists it, wrappers behind it: "orca3d", "apf+stop_and_wait". `settings` are
+  /// its parameters, "time_horizon_s=10", by the names that `fairway describe` shows; the others keep their
+  /// defaults. Throws std::runtime_error with what is wrong and the nearest valid name; std::bad_alloc.
+  explicit Avoider(std::string_view algorithm, const std::vector<std::string>& settings = {},
+                   const Capacity& capacity = {}, std::uint64_t seed = 0);
+  Avoider(const Avoider& other);
+  Avoider& operator=(const Avoider& other);
+  Avoider(Avoider&& other) noexcept;             ///< `other` is then good for assignment only
+  Avoider& operator=(Avoider&& other) noexcept;  ///< likewise
+  ~Avoider();
+
+  /// Decides, and holds the decision to the limits. A situation that is not usable (NaN, no period, a null
+  /// pointer with a count) is answered with zero velocity and Mode::infeasible. Where there is more than the
+  /// capacity the nearest are kept, of a polygon's vertices all or none; `Command::left_out` counts the
+  /// others. Does not throw, allocate or lock, the first time no more than later. O(n log n) for n tracks and
+  /// obstacles, besides the method's own cost.
+  [[nodiscard]] Command decide(const Situation& situation) noexcept;
+
+ private:
+  struct Self;
+  std::unique_ptr<Self> self_;
+};
+
+/// Names that an Avoider can be made by; wrappers stand alone too, and are then around `direct`.
+std::vector<std::string> algorithms();
+
+}  // namespace fairway::embed
