@@ -8,7 +8,8 @@ set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/fairway)
 set(fairway_lists "")
 foreach(name IN LISTS fairway_made)
   install(TARGETS fairway_${name} EXPORT fairway_${name}
-          ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+          ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+          INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})  # said again for a host's CMake that knows no file sets
   install(EXPORT fairway_${name} FILE ${name}.cmake NAMESPACE fairway:: DESTINATION ${package_folder})
   string(APPEND fairway_lists "set(fairway_uses_${name} ${fairway_uses_${name}})\n"
                               "set(fairway_links_${name} ${fairway_links_${name}})\n")
