@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <optional>
+#include <vector>
+
+#include "fairway/avoidance/command.hpp"
+#include "fairway/avoidance/situation.hpp"
+#include "fairway/scenario/scenario.hpp"
+
+namespace fairway::python {
+
+/// `fairway.Situation`: owns its tracks, its obstacles and their vertices, so that it may be kept.
+struct OwnedSituation {
+  double time{};
+  double period{};
+  Ownship own;
+  Goal goal;
+  Limits limits;
+  std::optional<OnboardModel> model;
+  std::vector<Track> tracks;            ///< nearest first; equal ranges by id
+  std::vector<ObstacleSpec> obstacles;  ///< `velocity` means nothing here
+
+  OwnedSituation() = default;
+  /// A copy of all that it is made of. O(tracks + vertices).
+  explicit OwnedSituation(const Situation& situation);
+
+  /// What an avoider is shown; `solids` is overwritten. Valid while this and `solids` live.
+  Situation view(std::vector<Obstacle>& solids) const;
+};
+
+/// What an algorithm written in Python answered: a Command, or a velocity of three numbers. Throws InputError
+/// that begins with `who`.
+Command command_of(pybind11::handle answer, const std::string& who);
+
+}  // namespace fairway::python
