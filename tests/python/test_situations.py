@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Situations and commands: values that are made by keywords, owned, and never changed."""
+
+import copy
+import gc
+import pickle
+
+import numpy as np
+import pytest
+
+import fairway as fw
+
+
+def situation(**changes):
+    own = fw.Ownship(id=0, position=[0, 0, 5], velocity=[0.5, 0, 0])
+    given = dict(own=own, goal=fw.Goal(position=[50, 0, 5], cruise_speed=0.5), period=0.1)
+    return fw.Situation(**{**given, **changes})
+
+
+def test_vectors_are_float64_arrays_of_three():
+    position = fw.Track(position=(1, 2, 3)).position
+    assert position.dtype == np.float64 and position.shape == (3,)
+    assert position.tolist() == [1, 2, 3]
+
+
+def test_what_is_not_given_has_the_default_of_the_library():
+    track = fw.Track(id=7, position=[1, 2, 3])
+    assert (track.radius, track.age, track.reacts, track.destination) == (1.0, 0.0, True, None)
+    assert track.priority == 7, "the id unless given"
+    assert fw.Limits().max_speed == np.inf
+
+
+def test_tracks_are_held_nearest_first_and_equal_ranges_by_id():
+    tracks = [fw.Track(id=i, position=[d, 0, 5]) for i, d in [(1, 9), (3, 4), (2, 4)]]
+    shown = situation(tracks=tracks)
+    assert [track.id for track in shown.tracks] == [2, 3, 1]
+    assert shown.track_positions[:, 0].tolist() == [4, 4, 9]
+    assert shown.track_velocities.shape == (3, 3) and shown.track_radii.tolist() == [1, 1, 1]
+
+
+def test_without_tracks_their_arrays_are_empty():
+    assert situation().track_positions.shape == (0, 3)
+    assert situation().track_radii.shape == (0,)
+
+
+def test_nothing_of_a_situation_can_be_written():
+    shown = situation(tracks=[fw.Track(position=[1, 0, 5])])
+    for array in (shown.own.position, shown.track_positions, shown.tracks[0].velocity, shown.track_radii):
+        with pytest.raises(ValueError):
+            array[0] = 7
+    with pytest.raises(AttributeError):
+        shown.own.yaw = 1
+
+
+def test_what_is_kept_of_a_situation_outlives_it():
+    shown = situation(tracks=[fw.Track(id=4, position=[1, 2, 3])], obstacles=[fw.Obstacle.prism([(0, 0), (4, 0), (4, 4)])])
+    kept = shown.tracks[0].position, shown.obstacles[0].vertices, shown.own, shown.track_positions
+    del shown
+    gc.collect()
+    filler = [situation() for _ in range(1000)]  # whatever was freed is written over
+    assert kept[0].tolist() == [1, 2, 3]
+    assert kept[1].tolist() == [[0, 0, 0], [4, 0, 0], [4, 4, 0]]
+    assert kept[2].velocity.tolist() == [0.5, 0, 0]
+    assert kept[3].tolist() == [[1, 2, 3]]
+    assert len(filler) == 1000
+
+
+def test_values_compare_copy_and_pickle():
+    shown = situation(tracks=[fw.Track(position=[1, 2, 3])], obstacles=[fw.Obstacle.sphere([9, 9, 9], 2)])
+    assert shown == pickle.loads(pickle.dumps(shown)) == copy.deepcopy(shown)
+    assert shown != shown.replace(time=1.0)
+    assert shown != 3
+    assert "Track(position=[1.0, 2.0, 3.0])" in repr(shown)
+
+
+def test_replace_changes_what_it_names_alone():
+    own = fw.Ownship(id=3, position=[1, 2, 3], yaw=0.5, priority=9)
+    moved = own.replace(position=[4, 5, 6])
+    assert moved.position.tolist() == [4, 5, 6]
+    assert (moved.id, moved.yaw, moved.priority) == (3, 0.5, 9)
+    assert own.position.tolist() == [1, 2, 3]
+
+
+def test_the_preferred_velocity_goes_straight_and_slows_down_to_stop_on_the_goal():
+    assert situation().preferred_velocity.tolist() == [0.5, 0, 0]
+    near = situation(goal=fw.Goal(position=[0.01, 0, 5], cruise_speed=0.5))
+    assert near.preferred_velocity == pytest.approx([0.1, 0, 0])
+
+
+def test_obstacles_know_their_nearest_point():
+    point, distance = fw.Obstacle.sphere([10, 0, 0], 2).nearest_point([0, 0, 0])
+    assert point.tolist() == [8, 0, 0] and distance == 8
+    point, distance = fw.Obstacle.segment([0, 5, 0], [10, 5, 0]).nearest_point([3, 0, 0])
+    assert point.tolist() == [3, 5, 0] and distance == 5
+    _, distance = fw.Obstacle.polygon([(1, -1), (3, -1), (3, 1), (1, 1)]).nearest_point([0, 0, 7])
+    assert distance == 1
+
+
+def test_a_command_takes_a_mode_or_its_name():
+    assert fw.Command([0, 0, 0], fw.Mode.hold).mode == fw.Command(mode="hold").mode == fw.Mode.hold
+    assert fw.Mode(int(fw.Mode.avoid)) == fw.Mode.avoid
+    assert fw.Command(note="gives way").note == "gives way"
+    assert fw.Command(wrench=[1, 2, 3, 4, 5, 6]).wrench.tolist() == [1, 2, 3, 4, 5, 6]
+
+
+def test_notes_without_end_do_not_fill_the_memory():
+    notes = {fw.Command(note=f"note {i}").note for i in range(10000)}
+    assert "(one note too many)" in notes and len(notes) < 5000
+
+
+@pytest.mark.parametrize(
+    "make, message",
+    [
+        (lambda: fw.Track(positon=[1, 2, 3]), "Track: position is missing"),
+        (lambda: fw.Track(position=[1, 2, 3], radus=2), "Track.radus: there is no such field; did you mean radius?"),
+        (lambda: fw.Track(position=[1, 2]), "Track.position: expected 3 numbers, got [1, 2]"),
+        (lambda: fw.Track(position="north"), "Track.position: expected 3 numbers, got 'north'"),
+        (lambda: fw.Track([1, 2, 3], id=1), "Track.id: given twice"),
+        (lambda: fw.Ownship(id=-1, position=[0, 0, 0]), "Ownship.id: expected a whole number that fits, got -1"),
+        (lambda: fw.Ownship(yaw="n", position=[0, 0, 0]), "Ownship.yaw: expected a number, got 'n'"),
+        (lambda: fw.Goal([1, 2, 3]), "Goal: cruise_speed is missing"),
+        (lambda: fw.Command(mode="hodl"), 'Command.mode: unknown "hodl"; did you mean hold?'),
+        (lambda: fw.Limits(min_depth=9, max_depth=1), "Limits: min_depth is below max_depth; depth counts downwards"),
+        (lambda: fw.Obstacle.sphere([0, 0, 0], -1), "Obstacle.radius: expected a number that is not negative"),
+        (lambda: fw.Obstacle.polygon([(0, 0), (1, 1)]), "Obstacle.vertices: expected at least three, got 2"),
+        (
+            lambda: fw.Obstacle.polygon([(0, 0), (4, 4), (4, 0)]),
+            "Obstacle.vertices: they run clockwise; write them counter-clockwise with n as x and e as y",
+        ),
+        (lambda: situation(tracks=[3]), "Situation.tracks[0]: expected a value of class Track, got 3"),
+        (lambda: situation().replace(tiem=3), "Situation.tiem: there is no such field; did you mean time?"),
+    ],
+)
+def test_a_mistake_is_one_line_that_says_what_was_expected(make, message):
+    with pytest.raises(fw.InputError) as raised:
+        make()
+    assert str(raised.value) == message
+    assert isinstance(raised.value, ValueError)
