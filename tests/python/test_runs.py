@@ -88,14 +88,20 @@ def test_a_thousand_runs_of_the_small_cube_in_one_call(scenarios, fairway_comman
             assert mine == theirs, (seed, vehicle)
 
 
-def test_the_results_do_not_depend_on_jobs_and_more_of_them_are_not_slower(scenarios):
-    file = scenarios / "cube20_8.yaml"
-    walls = {}
-    batches = {}
+def test_the_results_do_not_depend_on_jobs_and_threads_do_not_wait_for_each_other(scenarios):
+    batches, walls, busy = {}, {}, {}
     for jobs in (1, 2, 5):
-        batches[jobs] = fw.run_batch(file, seeds=range(60), jobs=jobs)
+        begin = time.process_time()
+        batches[jobs] = fw.run_batch(scenarios / "cube20_8.yaml", seeds=range(40), jobs=jobs)
+        busy[jobs] = time.process_time() - begin
         walls[jobs] = batches[jobs].wall_s
-    print(f"\n60 runs of cube20_8: {walls[1]:.2f} s with one job, {walls[2]:.2f} s with two", flush=True)
+    print(
+        f"\n40 runs of cube20_8: {walls[1]:.2f} s with one job, {walls[2]:.2f} s with two; "
+        f"processor time {busy[1]:.2f} and {busy[2]:.2f} s",
+        flush=True,
+    )
+    # on a shared machine wall time says nothing; who waits for a lock or spins shows in the processor's
+    assert busy[2] < 1.6 * busy[1]
     for jobs in (2, 5):
         for quantity, values in batches[1].vehicles.items():
             assert np.array_equal(values, batches[jobs].vehicles[quantity], equal_nan=True), quantity
@@ -117,27 +123,35 @@ def test_without_seeds_each_scenario_has_its_own(scenarios):
     assert batch.seeds.tolist() == [9]
 
 
-def test_one_failing_run_does_not_end_the_others(scenarios):
-    # a start drawn so that now and then both are at one place, which a scenario may not have
-    text = (scenarios / "crossing.yaml").read_text()
-    scenario = fw.Scenario.parse(text, overrides={"vehicles[0].radius_m": "{uniform: [-1, 3]}"}, seed=good_seed(text))
-    batch = fw.run_batch(scenario, seeds=range(12))
-    assert 0 < len(batch.failures) < 12
-    for i, failure in batch.failures.items():
-        assert isinstance(failure, fw.InputError) and "radius_m" in str(failure)
-        assert np.isnan(batch.fleet["makespan_s"][i])
-    fine = [i for i in range(12) if i not in batch.failures]
-    assert np.isfinite(batch.fleet["makespan_s"][fine]).all()
+# drawn so that now and then a vehicle starts inside an obstacle, which a scenario may not have
+UNLUCKY = {
+    "vehicles[0].start.position_m": [{"uniform": [-40, -25]}, 0, 5],
+    "obstacles": [{"sphere": {"position_m": [-36, 0, 5], "radius_m": 4}}],
+}
 
 
-def good_seed(text):
+def first_lucky_seed(file):
     for seed in range(100):
         try:
-            fw.Scenario.parse(text, overrides={"vehicles[0].radius_m": "{uniform: [-1, 3]}"}, seed=seed)
+            fw.Scenario.load(file, overrides=UNLUCKY, seed=seed)
         except fw.InputError:
             continue
         return seed
-    raise AssertionError("no seed draws a radius that may be")
+    raise AssertionError("every draw is unlucky")
+
+
+def test_one_failing_run_does_not_end_the_others(scenarios):
+    file = scenarios / "crossing.yaml"
+    scenario = fw.Scenario.load(file, overrides=UNLUCKY, seed=first_lucky_seed(file))
+    batch = fw.run_batch(scenario, seeds=range(12))
+    assert 0 < len(batch.failures) < 12
+    for i, failure in batch.failures.items():
+        assert isinstance(failure, fw.InputError) and "vehicles[0].start" in str(failure)
+        assert np.isnan(batch.fleet["makespan_s"][i])
+    fine = [i for i in range(12) if i not in batch.failures]
+    assert np.isfinite(batch.fleet["makespan_s"][fine]).all()
+    alone = fw.run(fw.Scenario.load(file, overrides=UNLUCKY, seed=fine[-1]))
+    assert batch.fleet["makespan_s"][fine[-1]] == alone.fleet["makespan_s"]
 
 
 def test_a_name_that_nobody_has_is_refused_before_anything_runs(scenarios):
