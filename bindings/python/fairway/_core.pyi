@@ -491,3 +491,54 @@ def study(
     overrides: Mapping[str, Any] | None = ...,
     store: _Path | None = ...,
 ) -> list[dict[str, Any]]: ...
+
+# ---- environments: fairway.gym is made of these
+
+class FleetEnvironments:
+    def __init__(
+        self,
+        scenario: Scenario | _Path,
+        *,
+        count: int = ...,
+        learners: Sequence[str] = ...,
+        tracks: int | None = ...,
+        obstacles: int | None = ...,
+        axes: str = ...,
+        reward: Mapping[str, float] = ...,
+        action_repeat: int = ...,
+        actions: str = ...,
+        end_on_collision: bool = ...,
+        skip_deployment: bool = ...,
+        overrides: Mapping[str, Any] | None = ...,
+        threads: int = ...,
+        autoreset: bool = ...,
+        algorithms: _Algorithms | None = ...,
+    ) -> None: ...
+    def reset(self, chosen: npt.ArrayLike | None = ..., seeds: Sequence[int | None] = ...) -> None: ...
+    def step(self, actions: npt.ArrayLike) -> None: ...
+    def step_commands(self, commands: Sequence[Command]) -> None: ...
+    def advise(self) -> npt.NDArray[Any]: ...
+    def advised_commands(self) -> list[Command]: ...
+    def situation(self, environment: int = ..., learner: int = ...) -> Situation | None: ...
+    def measures(self, environment: int = ...) -> dict[str, Any]: ...
+    def outline(self, environment: int = ...) -> Any: ...
+    count: Final[int]
+    learners: Final[list[str]]
+    vehicles: Final[list[str]]
+    max_speeds: Final[list[float]]
+    period: Final[float]
+    observation_names: Final[list[str]]
+    observations: Final[npt.NDArray[Any]]
+    rewards: Final[npt.NDArray[Any]]
+    returns: Final[npt.NDArray[Any]]
+    terminated: Final[npt.NDArray[Any]]
+    truncated: Final[npt.NDArray[Any]]
+    time: Final[npt.NDArray[Any]]
+    seed: Final[npt.NDArray[Any]]
+    goal_distance: Final[npt.NDArray[Any]]
+    separation: Final[npt.NDArray[Any]]
+    clearance: Final[npt.NDArray[Any]]
+    deciding: Final[npt.NDArray[Any]]
+    arrived: Final[npt.NDArray[Any]]
+    stuck: Final[npt.NDArray[Any]]
+    collided: Final[npt.NDArray[Any]]
