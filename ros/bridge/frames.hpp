@@ -2,6 +2,8 @@
 // C++17. The one place where NED and ENU meet.
 #pragma once
 
+#include <string>
+
 #include "ros/bridge/plain.hpp"
 
 namespace fairway::bridge {
@@ -22,5 +24,14 @@ constexpr Triple flip_body(const Triple& v) { return {v[0], -v[1], -v[2]}; }
 /// Attitudes: of the body forward-left-up in east-north-up, of that of the body forward-starboard-down in
 /// north-east-down; and back. To rounding.
 Quaternion flip_attitude(const Quaternion& q);
+
+/// From fairway's frame to that of the graph or back: each way is its own inverse, and with `ned` nothing
+/// changes, not a bit.
+constexpr Triple world_in(Frame frame, const Triple& v) { return frame == Frame::enu ? flip_world(v) : v; }
+constexpr Triple body_in(Frame frame, const Triple& v) { return frame == Frame::enu ? flip_body(v) : v; }
+inline Quaternion attitude_in(Frame frame, const Quaternion& q) {
+  return frame == Frame::enu ? flip_attitude(q) : q;
+}
+Motion motion_in(Frame frame, const Motion& motion);
 
 }  // namespace fairway::bridge
