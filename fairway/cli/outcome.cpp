@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/cli/outcome.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <ostream>
+
+namespace fairway::cli {
+namespace {
+
+using nlohmann::json;
+
+json finite(double value) { return std::isfinite(value) ? json(value) : json(); }
+
+/// One line a quantity, one column a vehicle; for many vehicles their least, mean and greatest.
+void print_vehicles(const Scenario& scenario, const std::vector<Measure>& measures, std::ostream& out) {
+  constexpr std::size_t most_columns = 8;
+  const bool each = scenario.vehicles.size() <= most_columns;
+  out << fmt::format("  {:<24}", each ? "of each vehicle" : "of the vehicles");
+  if (each) {
+    for (const VehicleSpec& vehicle : scenario.vehicles) out << fmt::format(" {:>12}", vehicle.name);
+  } else {
+    out << fmt::format(" {:>12} {:>12} {:>12}", "least", "mean", "greatest");
+  }
+  out << "\n";
+
+  std::vector<std::string> quantities;
+  for (const Measure& m : measures) {
+    if (m.vehicle == 0) quantities.push_back(m.quantity);
+  }
+  for (const std::string& quantity : quantities) {
+    std::vector<double> values;
+    for (const Measure& m : measures) {
+      if (m.vehicle != Measure::fleet && m.quantity == quantity) values.push_back(m.value);
+    }
+    if (!each) {
+      const auto [least, greatest] = std::ranges::minmax(values);
+      values = {least, std::reduce(values.begin(), values.end()) / static_cast<double>(values.size()),
+                greatest};
+    }
+    out << fmt::format("  {:<24}", quantity);
+    for (const double value : values) out << fmt::format(" {:>12.6g}", value);
+    out << "\n";
+  }
+}
+
+}  // namespace
+
+json document_of(const Scenario& scenario, const RunOutcome& outcome,
+                 const std::vector<Judgement>& judgements) {
+  json document{{"scenario", scenario.name}, {"seed", scenario.seed}, {"simulated_s", outcome.simulated_s}};
+  for (const VehicleSpec& vehicle : scenario.vehicles)
+    document["vehicles"].push_back({{"name", vehicle.name}});
+  for (const Measure& measure : outcome.measures) {
+    if (measure.vehicle == Measure::fleet) {
+      document["fleet"][measure.quantity] = finite(measure.value);
+    } else {
+      document["vehicles"][static_cast<std::size_t>(measure.vehicle)][measure.quantity] =
+          finite(measure.value);
+    }
+  }
+  for (const auto& [vehicle, note] : outcome.notes) document["notes"][vehicle] = note;
+  document["expect"] = json::array();
+  for (const Judgement& judgement : judgements) {
+    document["expect"].push_back({{"metric", judgement.expectation.metric},
+                                  {"worst", finite(judgement.worst)},
+                                  {"kept", judgement.kept}});
+  }
+  return document;
+}
+
+void print(const Scenario& scenario, const RunOutcome& outcome, const std::vector<Judgement>& judgements,
+           std::ostream& out) {
+  out << fmt::format("{}: {} vehicles, {:.1f} s simulated in {:.2f} s\n", scenario.name,
+                     scenario.vehicles.size(), outcome.simulated_s, outcome.wall_s);
+  for (const Measure& m : outcome.measures) {
+    if (m.vehicle == Measure::fleet) out << fmt::format("  {:<24} {:.6g}\n", m.quantity, m.value);
+  }
+  print_vehicles(scenario, outcome.measures, out);
+  for (const auto& [vehicle, note] : outcome.notes) out << "  " << vehicle << ": " << note << "\n";
+  if (outcome.decisions.count > 0) {
+    out << fmt::format("  decisions: {}, mean {:.2f} us, worst {:.1f} us (on this machine)\n",
+                       outcome.decisions.count,
+                       1e6 * outcome.decisions.total_s / static_cast<double>(outcome.decisions.count),
+                       1e6 * outcome.decisions.worst_s);
+  }
+  for (const Judgement& judgement : judgements) {
+    out << "  " << (judgement.kept ? "kept    " : "FAILED  ") << text_of(judgement) << "\n";
+  }
+}
+
+}  // namespace fairway::cli
