@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ros/ros1/master_watch.hpp"
+
+#include <ros/connection_manager.h>
+#include <ros/console.h>
+#include <ros/master.h>
+#include <ros/network.h>
+#include <ros/this_node.h>
+#include <ros/xmlrpc_manager.h>
+#include <xmlrpcpp/XmlRpcClient.h>
+
+#include <chrono>
+#include <optional>
+#include <set>
+#include <utility>
+
+namespace fairway::ros1 {
+namespace {
+
+using XmlRpc::XmlRpcValue;
+
+constexpr double watch_period_s = 1.0;
+constexpr double patience_s = 2.0;     // for an answer
+constexpr double others_need_s = 2.5;  // to see that the master is back: more than a watch period
+
+struct Endpoint {
+  std::string host;
+  int port;
+};
+
+Endpoint master_endpoint() { return {ros::master::getHost(), static_cast<int>(ros::master::getPort())}; }
+
+/// This node's own interface, which knows its topics.
+Endpoint own_endpoint() {
+  std::string host;
+  std::uint32_t port{};
+  ros::network::splitURI(ros::XMLRPCManager::instance()->getServerURI(), host, port);
+  return {host, static_cast<int>(port)};
+}
+
+/// The value that `method` answers, or none: nobody there, no answer in time, or refused.
+template <class... Arguments>
+std::optional<XmlRpcValue> ask(const Endpoint& whom, const std::atomic<bool>& stopping, const char* method,
+                               const Arguments&... arguments) {
+  XmlRpcValue parameters;
+  int count = 0;
+  parameters[count++] = ros::this_node::getName();
+  ((parameters[count++] = arguments), ...);
+
+  XmlRpc::XmlRpcClient client{whom.host.c_str(), whom.port, "/"};
+  if (!client.executeNonBlock(method, parameters)) return {};
+  const auto give_up = std::chrono::steady_clock::now() + std::chrono::duration<double>(patience_s);
+  XmlRpcValue answer;
+  while (!client.executeCheckDone(answer)) {
+    if (stopping || std::chrono::steady_clock::now() > give_up) return {};
+    client._disp.work(0.05);
+  }
+  // [1 for success, words, value]
+  const bool is_success = answer.getType() == XmlRpcValue::TypeArray && answer.size() == 3 &&
+                          answer[0].getType() == XmlRpcValue::TypeInt && static_cast<int>(answer[0]) == 1;
+  return is_success ? std::optional{answer[2]} : std::nullopt;
+}
+
+/// [[topic, type]...] of `getPublications` or `getSubscriptions`.
+std::vector<std::pair<std::string, std::string>> topics(const std::atomic<bool>& stopping,
+                                                        const char* method) {
+  std::vector<std::pair<std::string, std::string>> found;
+  std::optional<XmlRpcValue> listed = ask(own_endpoint(), stopping, method);
+  if (!listed || listed->getType() != XmlRpcValue::TypeArray) return found;
+  for (int i = 0; i < listed->size(); ++i)
+    found.emplace_back(static_cast<std::string>((*listed)[i][0]), static_cast<std::string>((*listed)[i][1]));
+  return found;
+}
+
+/// The publishers of `topic` that this node is connected with: [id, whom, direction, transport, topic...].
+std::set<std::string> connected_publishers(const std::atomic<bool>& stopping, const std::string& topic) {
+  std::set<std::string> found;
+  std::optional<XmlRpcValue> info = ask(own_endpoint(), stopping, "getBusInfo");
+  if (!info || info->getType() != XmlRpcValue::TypeArray) return found;
+  for (int i = 0; i < info->size(); ++i) {
+    XmlRpcValue& link = (*info)[i];
+    if (static_cast<std::string>(link[2]) == "i" && static_cast<std::string>(link[4]) == topic)
+      found.insert(static_cast<std::string>(link[1]));
+  }
+  return found;
+}
+
+/// Tells this node of everyone it is connected with and everyone the master now knows of: connections to
+/// publishers that do not come back to a new master by themselves live on.
+void subscribe_anew(const std::atomic<bool>& stopping, const std::string& topic, const std::string& type) {
+  const std::string& own = ros::XMLRPCManager::instance()->getServerURI();
+  std::optional<XmlRpcValue> known = ask(master_endpoint(), stopping, "registerSubscriber", topic, type, own);
+  if (!known || known->getType() != XmlRpcValue::TypeArray) return;
+  std::set<std::string> publishers = connected_publishers(stopping, topic);
+  for (int i = 0; i < known->size(); ++i) publishers.insert(static_cast<std::string>((*known)[i]));
+  publishers.erase(own);
+  XmlRpcValue all;
+  all.setSize(0);
+  int count = 0;
+  for (const std::string& publisher : publishers) all[count++] = publisher;
+  ask(own_endpoint(), stopping, "publisherUpdate", topic, all);
+}
+
+}  // namespace
+
+MasterWatch::MasterWatch(std::vector<std::string> services, std::function<void()> on_return)
+    : services_{std::move(services)}, on_return_{std::move(on_return)}, thread_{[this] { watch(); }} {}
+
+MasterWatch::~MasterWatch() {
+  stopping_ = true;
+  thread_.join();
+}
+
+void MasterWatch::rest(double seconds) const {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
+  while (!stopping_ && std::chrono::steady_clock::now() < end)
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+}
+
+void MasterWatch::watch() {
+  std::optional<int> process;  // of the master that knows this node
+  for (; !stopping_; rest(watch_period_s)) {
+    std::optional<XmlRpcValue> answer = ask(master_endpoint(), stopping_, "getPid");
+    if (stopping_) return;
+    const bool answered = answer && answer->getType() == XmlRpcValue::TypeInt;
+    if (!answered) {
+      if (reachable_.exchange(false)) ROS_WARN("the master does not answer; what is connected goes on");
+      continue;
+    }
+    reachable_ = true;
+    const int now = *answer;
+    if (process && *process != now) register_anew();
+    process = now;
+  }
+}
+
+void MasterWatch::register_anew() {
+  const std::string& own = ros::XMLRPCManager::instance()->getServerURI();
+  for (const auto& [topic, type] : topics(stopping_, "getPublications"))
+    ask(master_endpoint(), stopping_, "registerPublisher", topic, type, own);
+  const std::string service_api = "rosrpc://" + ros::network::getHost() + ":" +
+                                  std::to_string(ros::ConnectionManager::instance()->getTCPPort());
+  for (const std::string& service : services_)
+    ask(master_endpoint(), stopping_, "registerService", service, service_api, own);
+  if (on_return_) on_return_();
+  rest(others_need_s);
+  for (const auto& [topic, type] : topics(stopping_, "getSubscriptions"))
+    subscribe_anew(stopping_, topic, type);
+  ++returns_;
+  ROS_WARN("the master is back, and knows this node again");
+}
+
+}  // namespace fairway::ros1
