@@ -89,8 +89,8 @@ void FleetMarkers::draw(const bridge::FleetHost& fleet, std::size_t index) {
   const Colour& own = series[index % series.size()];
   markers_.add_solid("vehicles", Marker::TRIANGLE_LIST, hull_colour, vehicle.truth, {1, 1, 1}).points =
       hulls_[index];
-  markers_.add_sphere("detection", alert_colour(vehicle.alert, 0.10F), here, fleet.crit_dist_m());
-  markers_.add_sphere("safety", alert_colour(vehicle.alert, 0.40F), here, fleet.safety_distance_m());
+  markers_.add_sphere("detection", alert_colour(vehicle.alert, 0.12F), here, fleet.crit_dist_m());
+  markers_.add_sphere("safety", alert_colour(vehicle.alert, 0.30F), here, fleet.safety_distance_m());
   markers_.add_line("trails", own, trails_[index], 0.08 * size_);
   markers_.add_words("names", word_colour,
                      {here[0], here[1], here[2] - 0.5 * fleet.safety_distance_m() - size_}, size_,

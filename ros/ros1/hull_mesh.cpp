@@ -20,8 +20,8 @@ class Mesh {
     for (std::size_t i = 0; i + 1 < profile.size(); ++i) {
       for (int k = 0; k < sides; ++k) {
         const double a = full_turn * k / sides, b = full_turn * (k + 1) / sides;
-        quad(rim(profile[i], a, centre), rim(profile[i], b, centre), rim(profile[i + 1], b, centre),
-             rim(profile[i + 1], a, centre));
+        quad(rim(profile[i], a, centre), rim(profile[i + 1], a, centre), rim(profile[i + 1], b, centre),
+             rim(profile[i], b, centre));
       }
     }
   }
@@ -32,9 +32,9 @@ class Mesh {
                     centre[2] + 0.5 * z * size[2]};
     };
     for (const int s : {-1, 1}) {
-      quad(corner(s, -1, -1), corner(s, 1, -1), corner(s, 1, 1), corner(s, -1, 1));
-      quad(corner(-1, s, -1), corner(1, s, -1), corner(1, s, 1), corner(-1, s, 1));
-      quad(corner(-1, -1, s), corner(1, -1, s), corner(1, 1, s), corner(-1, 1, s));
+      quad(corner(s, -s, -1), corner(s, s, -1), corner(s, s, 1), corner(s, -s, 1));
+      quad(corner(-1, s, -s), corner(-1, s, s), corner(1, s, s), corner(1, s, -s));
+      quad(corner(-s, -1, s), corner(s, -1, s), corner(s, 1, s), corner(-s, 1, s));
     }
   }
 
@@ -46,6 +46,7 @@ class Mesh {
             centre[2] + at.second * std::sin(angle)};
   }
 
+  /// Counter-clockwise from outside: so viewers light it.
   void quad(const Triple& a, const Triple& b, const Triple& c, const Triple& d) {
     triangles_.insert(triangles_.end(), {a, b, c, a, c, d});
   }
