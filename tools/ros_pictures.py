@@ -22,7 +22,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 IMAGES = ROOT / "docs/images"
 SCENARIO = ROOT / "scenarios/cube20_8.yaml"
 COUNT = 8
-MOMENT_S = 128.0  # all eight in the middle of the cube
+MOMENT_S = 110.0  # all eight in the middle of the cube, four of them near others
 SIZE = (1440, 900)
 DISPLAY = ":97"
 
