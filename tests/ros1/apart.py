@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Two vehicles side by side on a long way north, under ENU: time enough to do something to their data."""
+
+import copy
+import math
+
+import rospy
+from nav_msgs.msg import Odometry
+
+SCENARIO = """fairway: 1
+name: apart
+summary: two AUVs side by side on a long way
+duration_s: 5000
+defaults:
+  model: sparus2
+  avoider: {algorithm: orca3d, time_horizon_s: 10}
+  steering: {kind: proportional}
+  radius_m: 2
+  limits: {max_speed_mps: 0.5}
+vehicles:
+  - {name: left, start: {position_m: [0, 0, 5], yaw_deg: 0}, mission: [{transit: {position_m: [2000, 0, 5]}}]}
+  - {name: right, start: {position_m: [0, 40, 5], yaw_deg: 0}, mission: [{transit: {position_m: [2000, 40, 5]}}]}
+"""
+
+
+class Relay:
+    """Between the simulator and an avoider: hands on odometry as it is, or as `fault` makes it."""
+
+    def __init__(self, vehicle):
+        self.fault = None
+        self.publisher = rospy.Publisher(f"/{vehicle}/relayed", Odometry, queue_size=1000, tcp_nodelay=True)
+        self.subscriber = rospy.Subscriber(f"/{vehicle}/odometry", Odometry, self.hand_on, tcp_nodelay=True)
+
+    def hand_on(self, message):
+        fault = self.fault
+        if fault:
+            message = fault(copy.deepcopy(message))
+        if message:
+            self.publisher.publish(message)
+
+    def close(self):
+        self.subscriber.unregister()
+        self.publisher.unregister()
+
+
+def not_a_number(message):
+    message.pose.pose.position.x = math.nan
+    return message
+
+
+def no_attitude(message):
+    message.pose.pose.orientation.w = 7.0
+    return message
+
+
+def late_by(seconds):
+    def fault(message):
+        message.header.stamp -= rospy.Duration(seconds)
+        return message
+
+    return fault
+
+
+def ahead_by(seconds):
+    def fault(message):
+        message.header.stamp += rospy.Duration(seconds)
+        return message
+
+    return fault
+
+
+def frozen():
+    held = []
+
+    def fault(message):
+        held.append(message.pose.pose.position)
+        message.pose.pose.position = held[0]
+        return message
+
+    return fault
+
+
+def moved_by(metres):
+    def fault(message):
+        message.pose.pose.position.x += metres
+        return message
+
+    return fault
+
+
+def silent(_message):
+    return None

@@ -1,0 +1,184 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What people and missions ask of an avoider: goals, paths, services, advice, limits, parameters."""
+
+import math
+import subprocess
+import time
+
+import pytest
+
+import apart
+from graph import FLEET, wait_for
+
+OK = 0
+
+
+@pytest.fixture
+def alone(graph, tmp_path):
+    """`left` steered by its avoider, `right` by nobody."""
+    import listen
+
+    class Alone:
+        def __init__(self):
+            self.path = tmp_path / "apart.yaml"
+            self.path.write_text(apart.SCENARIO)
+            self.heard = []
+
+        def start(self, **left):
+            self.state = self.hear(listen.Simulated())
+            self.status = self.hear(listen.avoider_status("left"))
+            self.commands = self.hear(listen.commands("left"))
+            graph.avoider(str(self.path), "left", **left)
+            graph.simulator(str(self.path), speed=2)
+            self.state.wait_until(1.0)
+            self.status.wait(lambda s: s["state"] == "under_way", 10, "under way")
+
+        def hear(self, one):
+            self.heard.append(one)
+            return one
+
+    alone = Alone()
+    yield alone
+    for one in alone.heard:
+        one.close()
+
+
+def test_orders_come_as_services_and_unusable_ones_are_refused_in_words(alone):
+    import listen
+    import rospy
+    from fairway_ros.srv import GoTo, Section
+    from geometry_msgs.msg import Point
+    from std_srvs.srv import Trigger
+
+    alone.start()
+
+    def call(name, kind, *arguments):
+        return rospy.ServiceProxy("/left/" + name, kind)(*arguments)
+
+    def state(name):
+        return alone.status.wait(lambda s: s["state"] == name, 10, name)
+
+    assert call("keep_position", Trigger).success
+    state("keeping")
+    wait_for(lambda: abs(alone.commands.last().twist.linear.x) < 0.1, 10, "it keeps its position")
+
+    # ENU: x is east; it lies on a line north and turns to starboard
+    answer = call("go_to", GoTo, Point(500, 0, -5), 0.4)
+    assert answer.ok and answer.message == ""
+    state("under_way")
+    asked = alone.status.wait(lambda s: s["velocity_mps"][0] > 0.3, 10, "eastwards")
+    assert math.hypot(*asked["velocity_mps"]) <= 0.4 + 1e-9
+
+    assert call("section", Section, Point(0, 0, -5), Point(0, 900, -5), 0).ok
+    alone.status.wait(lambda s: s["state"] == "under_way" and s["velocity_mps"][1] > 0.3, 10, "northwards")
+
+    for place, speed, why in [
+        (Point(math.nan, 0, -5), 0.4, "not a number"),
+        (Point(0, 100, -5), -1.0, "speed"),
+        (Point(0, 100, -5), math.inf, "speed"),
+        (Point(0, 1e9, -5), 0.4, "refused"),
+    ]:
+        answer = call("go_to", GoTo, place, speed)
+        assert not answer.ok and why in answer.message, answer
+    assert alone.status.last()["state"] == "under_way", "what was refused changes nothing"
+    assert not call("section", Section, Point(1, 1, -5), Point(1, 1, -5), 0.5).ok
+
+    assert call("stand_by", Trigger).success
+    state("idle")
+    alone.commands.forget()
+    time.sleep(0.4)
+    assert alone.commands.all() == []
+    assert listen.speed is not None
+
+
+def test_a_goal_and_a_path_come_as_messages(alone):
+    import rospy
+    from geometry_msgs.msg import PoseStamped
+    from nav_msgs.msg import Path
+
+    alone.start(arrival_m=3.0)
+    goals = rospy.Publisher("/left/goal", PoseStamped, queue_size=1)
+    paths = rospy.Publisher("/left/path", Path, queue_size=1)
+    wait_for(lambda: goals.get_num_connections() and paths.get_num_connections(), 10, "connected")
+
+    def pose(east, north, frame="world"):
+        stamped = PoseStamped()
+        stamped.header.frame_id = frame
+        stamped.pose.position.x, stamped.pose.position.y, stamped.pose.position.z = east, north, -5
+        return stamped
+
+    goals.publish(pose(-400, 0))
+    alone.status.wait(lambda s: s["velocity_mps"][0] < -0.3, 10, "westwards")
+    goals.publish(pose(400, 0, frame="base_link"))
+    time.sleep(0.5)
+    assert alone.status.last()["velocity_mps"][0] < -0.3, "a goal in another frame is not taken"
+
+    path = Path()
+    path.header.frame_id = "world"
+    path.poses = [pose(400, 0), pose(400, 400)]
+    paths.publish(path)
+    alone.status.wait(lambda s: s["velocity_mps"][0] > 0.3, 10, "eastwards, to the path's first point")
+
+
+def test_advice_commands_nobody(alone):
+    import listen
+    import rosgraph
+    from geometry_msgs.msg import TwistStamped
+
+    advice = alone.hear(listen.Heard("/left/advice", TwistStamped))
+    alone.start(advisory=True)
+    wait_for(lambda: advice.last() and listen.speed(advice.last()) > 0.1, 10, "advice")
+    assert alone.commands.all() == []
+    publishers = dict(rosgraph.Master("/tests").getSystemState()[0])
+    assert "/left/velocity_command" not in publishers
+    assert alone.state.vehicle("left")["holding"]
+    assert alone.status.last()["advisory"] is True
+
+
+def deepest_and_highest(graph, tmp_path, name, **limits):
+    import csv
+
+    from graph import BIN
+
+    recording = str(tmp_path / f"{name}.mcap")
+    for vehicle in FLEET["head_on"]:
+        graph.avoider("head_on", vehicle, lockstep=True, **limits)
+    simulator = graph.simulator("head_on", speed=0, lockstep=True, wait_for_subscribers=2, record=recording)
+    assert simulator.result(90) in (0, 1), simulator.output()
+    graph.clear()
+    text = subprocess.run([f"{BIN}/fairway", "replay", recording, "--csv", "-"], capture_output=True, text=True).stdout
+    rows = list(csv.DictReader(text.splitlines()))
+    depths = [float(row["z_m"]) for row in rows]
+    return min(depths), max(depths)
+
+
+def test_depth_floor_and_ceiling_are_kept(graph, tmp_path):
+    free = deepest_and_highest(graph, tmp_path, "free")
+    band = deepest_and_highest(graph, tmp_path, "band", min_depth_m=4.9, max_depth_m=5.1)
+    assert free[1] - free[0] > 0.4, "without a band they pass above each other"
+    assert band[0] >= 4.85 and band[1] <= 5.15
+
+
+@pytest.mark.parametrize(
+    "settings, words",
+    [
+        (dict(lockstpe=True), "lockstep"),
+        (dict(algorithm="orca3"), "orca3d"),
+        (dict(params__time_horizn_s=3.0), "time_horizon_s"),
+        (dict(policy__own_stal_s=3.0), "own_stale_s"),
+        (dict(policy__own_stale_s=-3.0), "own_stale_s"),
+        (dict(frame="nwu"), "enu"),
+        (dict(advisory="perhaps"), "perhaps"),
+        (dict(vehicle="nobody"), "north_bound"),
+        (dict(scenario="nowhere.yaml"), "nowhere.yaml"),
+    ],
+    ids=lambda value: ",".join(value) if isinstance(value, dict) else None,
+)
+def test_a_parameter_that_cannot_be_used_is_refused_with_the_nearest_name(graph, settings, words):
+    settings = {**settings}
+    scenario = settings.pop("scenario", "head_on")
+    scenario = scenario if "." not in scenario else f"./{scenario}"
+    avoider = graph.avoider(scenario, "north_bound", parameters=settings)
+    assert avoider.result(20) == 2
+    said = avoider.output().strip()
+    assert words in said and len(said.splitlines()) == 1, said

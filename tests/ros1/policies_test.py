@@ -1,0 +1,160 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Bad data between the simulator and an avoider: each policy is seen in the commands, and reported."""
+
+import time
+
+import pytest
+
+import apart
+from graph import wait_for
+
+OK, WARNING, ERROR = 0, 1, 2
+
+
+class Pair:
+    """`left` gets its own odometry by a relay, and `right` hears of `left` by another."""
+
+    def __init__(self, graph, folder, left=None, right=None, speed=2):
+        import listen
+
+        path = folder / "apart.yaml"
+        path.write_text(apart.SCENARIO)
+        self.own = apart.Relay("left")
+        self.others = apart.Relay("right")
+        self.state = listen.Simulated()
+        self.status = listen.avoider_status("left")
+        self.diagnostics = listen.Diagnostics("left")
+        self.commands = listen.commands("left")
+        graph.avoider(str(path), "left", ["odometry:=relayed", "/right/odometry:=/right/relayed"], **(left or {}))
+        graph.avoider(str(path), "right", **(right or {}))
+        self.simulator = graph.simulator(str(path), speed=speed, wait_for_subscribers=2)
+        self.state.wait_until(2.0)
+        self.in_state("under_way")
+
+    def in_state(self, name, seconds=15):
+        return self.status.wait(lambda s: s["state"] == name, seconds, f"state {name}")
+
+    def count(self, name):
+        return int(self.status.last()["values"][name])
+
+    def settle(self):
+        """Good data again, until nothing of a fault is left."""
+        self.own.fault = self.others.fault = None
+        self.in_state("under_way")
+        self.diagnostics.forget()
+        self.commands.forget()
+
+    def close(self):
+        for part in (self.own, self.others, self.state, self.status, self.diagnostics, self.commands):
+            part.close()
+
+
+@pytest.fixture(scope="module")
+def pair(master, tmp_path_factory):
+    pair = Pair(master, tmp_path_factory.mktemp("pair"))
+    yield pair
+    pair.close()
+    master.clear()
+
+
+@pytest.fixture
+def settled(pair):
+    pair.settle()
+    return pair
+
+
+FAULTS = {
+    "invalid": apart.not_a_number,
+    "backwards": apart.late_by(10),
+    "ahead": apart.ahead_by(10),
+    "frozen": apart.frozen(),
+    None: apart.silent,
+}
+
+
+@pytest.mark.parametrize("verdict", FAULTS, ids=str)
+def test_a_vehicle_without_good_navigation_holds_then_is_let_go_and_comes_back(settled, verdict):
+    import listen
+
+    before = settled.count(f"own.{verdict}_count") if verdict else 0
+    settled.own.fault = FAULTS[verdict]
+
+    settled.in_state("holding")
+    settled.diagnostics.wait("holding: own navigation is stale", ERROR)
+    wait_for(lambda: listen.speed(settled.commands.last()) == 0.0, 5, "a command to stand still")
+
+    settled.in_state("handed_back")
+    settled.diagnostics.wait("handed back: own navigation is lost", ERROR)
+    settled.commands.forget()
+    time.sleep(0.5)
+    assert settled.commands.all() == []
+    assert settled.status.last()["in_charge"] is False
+    assert settled.state.vehicle("left")["holding"]
+    if verdict:
+        assert settled.count(f"own.{verdict}_count") > before
+
+    settled.own.fault = None
+    settled.in_state("under_way")
+    wait_for(lambda: settled.commands.last() and listen.speed(settled.commands.last()) > 0.2, 10, "it goes on")
+
+
+def test_a_jump_is_refused_until_enough_agree(settled):
+    before = settled.count("own.jumped_count")
+    accepted = settled.count("own.accepted_count")
+    settled.own.fault = apart.moved_by(50.0)
+    settled.status.wait(lambda s: int(s["values"]["own.jumped_count"]) > before, 10, "a jump is counted")
+    settled.status.wait(
+        lambda s: int(s["values"]["own.accepted_count"]) > accepted + 20, 10, "the new position is believed"
+    )
+    assert settled.count("own.jumped_count") == before + 4, "the fifth that agrees is believed"
+    settled.diagnostics.wait("under way", WARNING)
+    # the way back is a jump as well
+    settled.own.fault = None
+    settled.status.wait(lambda s: int(s["values"]["own.jumped_count"]) == before + 8, 10, "believed again")
+
+
+def test_a_neighbour_that_is_not_heard_grows_and_is_reported(settled):
+    settled.others.fault = apart.silent
+    settled.status.wait(lambda s: s["values"]["right.state"] == "stale", 10, "stale")
+    grown = settled.status.wait(lambda s: float(s["values"]["right.growth_m"]) >= 0.5, 15, "growth")
+    # growth_mps = 0.25 from neighbour_stale_s = 1 on
+    late = float(grown["values"]["right.age_s"]) - 1.0
+    assert float(grown["values"]["right.growth_m"]) == pytest.approx(0.25 * late, abs=0.02)
+    assert grown["state"] == "under_way"
+    settled.diagnostics.wait("under way", WARNING)
+    settled.others.fault = None
+    settled.status.wait(lambda s: float(s["values"]["right.growth_m"]) == 0.0, 10, "as large as it is")
+
+
+def test_a_neighbour_that_tells_nonsense_is_not_believed(settled):
+    before = settled.count("right.invalid_count")
+    settled.others.fault = apart.no_attitude
+    settled.status.wait(lambda s: int(s["values"]["right.invalid_count"]) > before, 10, "invalid")
+    settled.diagnostics.wait("under way", WARNING)
+
+
+def test_a_paused_simulation_is_no_alarm_and_no_reason_to_hold(settled):
+    import rospy
+    from std_srvs.srv import Trigger
+
+    before = settled.status.last()["watchdog_count"]
+    assert rospy.ServiceProxy("/fairway/pause", Trigger)().success
+    time.sleep(2.5)
+    paused = settled.status.last()
+    assert rospy.ServiceProxy("/fairway/resume", Trigger)().success
+    assert paused["state"] == "under_way"
+    assert paused["watchdog_count"] == before
+    assert [s.message for s in settled.diagnostics.statuses() if s.level == ERROR] == []
+
+
+def test_a_lost_neighbour_can_be_a_reason_to_hold(graph, tmp_path):
+    policy = dict(policy__neighbour_lost="hold", policy__neighbour_lost_s=2.0)
+    pair = Pair(graph, tmp_path, left=policy)
+    try:
+        pair.others.fault = apart.silent
+        pair.in_state("holding")
+        pair.diagnostics.wait("holding: a neighbour is lost", ERROR)
+        pair.others.fault = None
+        pair.in_state("under_way")
+    finally:
+        pair.close()

@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Processes that die, stand still or are ended: what the others do, and what the vehicle does."""
+
+import signal
+import subprocess
+import time
+
+import apart
+from graph import FLEET, Graph, wait_for
+
+ERROR = 2
+
+
+def start_pair(graph, folder, speed=2, **left):
+    path = folder / "apart.yaml"
+    path.write_text(apart.SCENARIO)
+    avoider = graph.avoider(str(path), "left", **left)
+    graph.avoider(str(path), "right")
+    graph.simulator(str(path), speed=speed, wait_for_subscribers=2)
+    return avoider
+
+
+def test_who_loses_its_avoider_holds_and_the_others_stay_clear_of_it(graph):
+    import listen
+
+    state = listen.Simulated()
+    names = FLEET["cube20_8"]
+    avoiders = {name: graph.avoider("cube20_8", name) for name in names}
+    graph.simulator("cube20_8", speed=10, wait_for_subscribers=8)
+    try:
+        crossing = "under_way"
+        state.wait(lambda s: all(v["phase"] == crossing for v in s["vehicles"]), 90, "all cross")
+        state.wait_until(state.now() + 10)
+        avoiders["robot3"].kill()
+        state.wait(lambda s: s["vehicles"][3]["holding"], 10, "it holds")
+        others = [n for n in names if n != "robot3"]
+        state.wait(
+            lambda s: all(v["phase"] == "arrived" for v in s["vehicles"] if v["name"] in others), 90, "the others arrive"
+        )
+        end = state.last()
+        assert end["collisions"] == 0
+        assert end["vehicles"][3]["phase"] == crossing and end["vehicles"][3]["holding"]
+    finally:
+        state.close()
+
+
+def test_an_avoider_that_comes_back_takes_over_again(graph, tmp_path):
+    import listen
+
+    state = listen.Simulated()
+    try:
+        avoider = start_pair(graph, tmp_path)
+        state.wait_until(2.0)
+        avoider.kill()
+        state.wait(lambda s: s["vehicles"][0]["holding"], 10, "it holds")
+        graph.avoider(str(tmp_path / "apart.yaml"), "left")
+        state.wait(lambda s: not s["vehicles"][0]["holding"], 15, "it is under way again")
+    finally:
+        state.close()
+
+
+def test_a_process_that_stands_still_is_noticed_by_the_vehicle(graph, tmp_path):
+    import listen
+
+    state = listen.Simulated()
+    try:
+        avoider = start_pair(graph, tmp_path)
+        state.wait_until(2.0)
+        avoider.signal(signal.SIGSTOP)
+        state.wait(lambda s: s["vehicles"][0]["holding"], 10, "it holds")
+        avoider.signal(signal.SIGCONT)
+        state.wait(lambda s: not s["vehicles"][0]["holding"], 10, "it is under way again")
+    finally:
+        avoider.signal(signal.SIGCONT)
+        state.close()
+
+
+def test_the_watchdog_sees_a_loop_that_hangs_and_tells_the_vehicle_to_stand_still(graph, tmp_path):
+    import listen
+    import rospy
+    from std_msgs.msg import Float64
+
+    heard = [listen.Simulated(), listen.Diagnostics("left"), listen.commands("left"), listen.avoider_status("left")]
+    state, diagnostics, commands, status = heard
+    try:
+        hang = rospy.Publisher("/left/test_hang", Float64, queue_size=1)
+        start_pair(graph, tmp_path, speed=1, test_hooks=True)
+        state.wait_until(2.0)
+        wait_for(lambda: commands.last() and listen.speed(commands.last()) > 0.1, 20, "it moves")
+        wait_for(lambda: hang.get_num_connections() == 1, 10, "the hook")
+        hang.publish(3.5)
+        diagnostics.wait("watchdog: the loop has stood still", ERROR)
+        time.sleep(0.3)
+        assert listen.speed(commands.last()) == 0.0
+        status.wait(lambda s: s["watchdog_count"] >= 2 and s["state"] == "under_way", 15, "it recovers")
+        wait_for(lambda: listen.speed(commands.last()) > 0.1, 10, "it goes on")
+    finally:
+        for one in heard:
+            one.close()
+
+
+def registered(environment):
+    """Name of every node that the master knows as publisher of a command or provider of a service."""
+    text = subprocess.run(["rosnode", "list"], env=environment, capture_output=True, text=True).stdout
+    return set(text.split())
+
+
+def test_a_fleet_goes_on_without_its_master_and_is_known_to_the_next(tmp_path):
+    # a graph of its own: what this process has of its own master would be lost with it
+    graph = Graph()
+    try:
+        names = FLEET["head_on"]
+        for name in names:
+            graph.avoider("head_on", name)
+        simulator = graph.simulator("head_on", speed=5, wait_for_subscribers=2)
+        nodes = {"/fairway_sim", *(f"/{name}/avoider" for name in names)}
+        wait_for(lambda: nodes <= registered(graph.environment), 20, "all are known")
+        time.sleep(2)
+        graph.kill_master()
+        time.sleep(4)  # 20 s of the run
+        assert all(process.is_running() for process in graph.processes)
+        graph.start_master()
+        wait_for(lambda: nodes <= registered(graph.environment), 20, "the new master knows all of them")
+
+        # who comes now finds topics and services
+        def asked(*command):
+            return subprocess.run(
+                ["timeout", "10", *command], env=graph.environment, capture_output=True, text=True
+            ).stdout
+
+        wait_for(lambda: '"vehicle":"north_bound"' in asked("rostopic", "echo", "-n1", "/north_bound/status").replace("\\", ""), 20, "its status")
+        wait_for(lambda: "/north_bound/go_to" in asked("rosservice", "list"), 10, "its services")
+        # nobody has held, or lost a command, or come too near: the scenario's expectations
+        assert simulator.result(90) == 0, simulator.output()
+    except AssertionError:
+        print(graph.output())
+        raise
+    finally:
+        graph.end()
