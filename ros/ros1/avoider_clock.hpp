@@ -22,6 +22,9 @@ class AvoiderClock {
     return now_ = is_early ? stamp : now;
   }
 
+  /// It is `now` [s], earlier or later than it was.
+  double begin(double now) { return now_ = now; }
+
   double now() const { return now_; }
 
  private:

@@ -18,8 +18,7 @@ namespace {
 constexpr double look_period_s = 0.2;      // at the own state, for changes to report
 constexpr double diagnose_period_s = 1.0;  // without changes
 constexpr double draw_period_s = 0.1;
-constexpr double idle_s = 0.01;              // the loop comes round so often at least
-constexpr double lockstep_patience_s = 1.0;  // then it answers although somebody is missing
+constexpr double idle_s = 0.01;  // the loop comes round so often at least
 
 double clock_now() { return seconds_of(ros::Time::now()); }
 
@@ -43,6 +42,7 @@ AvoiderNode::AvoiderNode(const ros::NodeHandle& vehicle, const AvoiderSettings& 
     : settings_{settings},
       vehicle_{settings.host.vehicle},
       host_{settings.host},
+      gate_{1 + host_.team().size()},
       vehicle_node_{vehicle},
       marks_{settings.frame, "world"} {
   vehicle_node_.setCallbackQueue(&queue_);
@@ -111,7 +111,7 @@ void AvoiderNode::run() {
   while (ros::ok()) {
     queue_.callAvailable(ros::WallDuration{idle_s});
     watchdog.come_round();
-    if (!ros::Time::now().isZero()) answer_now();  // zero: a simulation that has not begun
+    answer_now();
     tell_team(clock_.now());
     report(false);
   }
@@ -119,46 +119,61 @@ void AvoiderNode::run() {
 
 void AvoiderNode::on_own_odometry(const nav_msgs::Odometry& odometry) {
   const bridge::Motion motion = motion_of(odometry, settings_.frame);
-  const double now = clock_.at(clock_now(), motion.time);
   own_frame_ = odometry.header.frame_id;
-  const std::string verdict = host_.own_motion(motion, now);
-  judge("own odometry", verdict);
-  if (verdict == "accepted") own_stamp_ = odometry.header.stamp;
   if (settings_.lockstep) {
+    own_stamp_ = odometry.header.stamp;
+    gate_.hear(0, motion);
     answer_together();
-  } else {
-    answer(now, verdict == "accepted" ? odometry.header.stamp : stamp_of(now));
+    return;
   }
+  const double now = clock_.at(clock_now(), motion.time);
+  answer(now, judge_own(motion, now) ? odometry.header.stamp : stamp_of(now));
 }
 
 void AvoiderNode::on_mate_odometry(std::size_t mate, const nav_msgs::Odometry& odometry) {
   const bridge::Motion motion = motion_of(odometry, settings_.frame);
-  const double now = clock_.at(clock_now(), motion.time);
-  judge("odometry of " + host_.team()[mate], host_.neighbour_motion(mate, motion, now));
-  if (settings_.lockstep) answer_together();
+  if (settings_.lockstep) {
+    gate_.hear(mate + 1, motion);
+    answer_together();
+    return;
+  }
+  judge_mate(mate, motion, clock_.at(clock_now(), motion.time));
 }
 
 void AvoiderNode::on_record(const std_msgs::UInt8MultiArray& record) {
   judge("a team record", host_.team_record(record.data.data(), record.data.size(), clock_.at(clock_now())));
 }
 
-void AvoiderNode::judge(const std::string& whose, const std::string& verdict) {
-  if (verdict == "accepted") return;
-  ROS_WARN_STREAM_THROTTLE(5.0, whose << " is refused: " << verdict);
+bool AvoiderNode::judge_own(const bridge::Motion& motion, double now) {
+  return judge("own odometry", host_.own_motion(motion, now));
 }
 
-/// Everyone's navigation of one instant is there, and it has not been answered yet.
+void AvoiderNode::judge_mate(std::size_t mate, const bridge::Motion& motion, double now) {
+  judge("odometry of " + host_.team()[mate], host_.neighbour_motion(mate, motion, now));
+}
+
+/// Whether it is accepted.
+bool AvoiderNode::judge(const std::string& whose, const std::string& verdict) {
+  if (verdict == "accepted") return true;
+  ROS_WARN_STREAM_THROTTLE(5.0, whose << " is refused: " << verdict);
+  return false;
+}
+
+/// Time is that of the messages, whatever the clock shows: everyone's of one instant are answered together.
 void AvoiderNode::answer_together() {
-  if (!own_stamp_ || answered_ == own_stamp_ || !host_.is_complete(seconds_of(*own_stamp_))) return;
-  answered_ = own_stamp_;
-  answer(clock_.at(seconds_of(*own_stamp_)), *own_stamp_);
+  if (!gate_.opens()) return;
+  const double now = clock_.begin(gate_.motion(0).time);
+  judge_own(gate_.motion(0), now);
+  for (std::size_t i = 0; i < host_.team().size(); ++i) judge_mate(i, gate_.motion(i + 1), now);
+  answer(now, own_stamp_);
 }
 
 /// What is due without new navigation: policies act on what does not come.
 void AvoiderNode::answer_now() {
-  const double patience = settings_.lockstep ? lockstep_patience_s : 1.0 / settings_.rate_hz;
+  if (settings_.lockstep || ros::Time::now().isZero()) return;  // zero: a simulation that has not begun
   const double now = clock_.at(clock_now());
-  if (now - host_.order().time >= patience || now < host_.order().time) answer(now, stamp_of(now));
+  const double since = now - host_.order().time;
+  if (since >= 1.0 / settings_.rate_hz || since < 0.0) answer(now, stamp_of(now));
 }
 
 void AvoiderNode::answer(double now, const ros::Time& stamp) {

@@ -20,6 +20,7 @@
 
 #include "ros/bridge/avoider_host.hpp"
 #include "ros/ros1/avoider_clock.hpp"
+#include "ros/ros1/avoider_gate.hpp"
 #include "ros/ros1/avoider_settings.hpp"
 #include "ros/ros1/markers.hpp"
 
@@ -55,7 +56,9 @@ class AvoiderNode {
   bool keep_position(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   bool stand_by(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
 
-  void judge(const std::string& whose, const std::string& verdict);
+  bool judge_own(const bridge::Motion& motion, double now);
+  void judge_mate(std::size_t mate, const bridge::Motion& motion, double now);
+  bool judge(const std::string& whose, const std::string& verdict);
   bool is_told_here(const std::string& frame_id, const std::string& what);
   double speed_or_default(double speed) const;
   void order_changed();
@@ -72,6 +75,7 @@ class AvoiderNode {
   std::string vehicle_;
   bridge::AvoiderHost host_;
   AvoiderClock clock_;
+  AvoiderGate gate_;  // vehicle 0 is the own one
   ros::CallbackQueue queue_;
   ros::NodeHandle vehicle_node_;
   MarkerSet marks_;
@@ -79,12 +83,11 @@ class AvoiderNode {
   std::vector<ros::ServiceServer> services_;
   ros::Publisher command_, diagnostics_, status_, record_, sketch_;
 
-  std::string own_frame_;               // of the own odometry, empty before the first
-  std::optional<ros::Time> own_stamp_;  // of the own navigation last accepted
-  std::optional<ros::Time> answered_;   // in lockstep, the last instant answered
-  double next_record_{};                // [s]
-  std::string reported_;                // state and reason last reported
-  bridge::Diagnosis diagnosis_;         // last looked at
+  std::string own_frame_;        // of the own odometry, empty before the first
+  ros::Time own_stamp_;          // in lockstep: of the own odometry
+  double next_record_{};         // [s]
+  std::string reported_;         // state and reason last reported
+  bridge::Diagnosis diagnosis_;  // last looked at
   ros::SteadyTime looked_, diagnosed_, drawn_;
   std::atomic<std::int64_t> alarms_{0};
   std::atomic<bool> in_charge_{false};

@@ -44,9 +44,8 @@ bool AvoiderNode::is_told_here(const std::string& frame_id, const std::string& w
 
 /// In lockstep the instant is answered again, for the order may be what it waits for; unless it is over.
 void AvoiderNode::order_changed() {
-  if (!settings_.lockstep || !own_stamp_ || ros::Time::now() > *own_stamp_) return;
-  answered_.reset();
-  answer_together();
+  if (!settings_.lockstep || !gate_.is_open() || ros::Time::now() > own_stamp_) return;
+  answer(clock_.now(), own_stamp_);
 }
 
 void AvoiderNode::on_goal(const geometry_msgs::PoseStamped& goal) {
