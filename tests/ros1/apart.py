@@ -7,6 +7,8 @@ import math
 import rospy
 from nav_msgs.msg import Odometry
 
+import listen
+
 SCENARIO = """fairway: 1
 name: apart
 summary: two AUVs side by side on a long way
@@ -41,6 +43,42 @@ class Relay:
     def close(self):
         self.subscriber.unregister()
         self.publisher.unregister()
+
+
+class Pair:
+    """`left` gets its own odometry by a relay, and `right` hears of `left` by another."""
+
+    def __init__(self, graph, folder, left=None, right=None, speed=2):
+        path = folder / "apart.yaml"
+        path.write_text(SCENARIO)
+        self.own = Relay("left")
+        self.others = Relay("right")
+        self.state = listen.Simulated()
+        self.status = listen.avoider_status("left")
+        self.diagnostics = listen.Diagnostics("left")
+        self.commands = listen.commands("left")
+        graph.avoider(str(path), "left", ["odometry:=relayed", "/right/odometry:=/right/relayed"], **(left or {}))
+        graph.avoider(str(path), "right", **(right or {}))
+        self.simulator = graph.simulator(str(path), speed=speed, wait_for_subscribers=2)
+        self.state.wait_until(2.0)
+        self.in_state("under_way")
+
+    def in_state(self, name, seconds=15):
+        return self.status.wait(lambda s: s["state"] == name, seconds, f"state {name}")
+
+    def count(self, name):
+        return int(self.status.last()["values"][name])
+
+    def settle(self):
+        """Good data again, until nothing of a fault is left."""
+        self.own.fault = self.others.fault = None
+        self.in_state("under_way")
+        self.diagnostics.forget()
+        self.commands.forget()
+
+    def close(self):
+        for part in (self.own, self.others, self.state, self.status, self.diagnostics, self.commands):
+            part.close()
 
 
 def not_a_number(message):

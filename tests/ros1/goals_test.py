@@ -14,7 +14,8 @@ from graph import BIN, FLEET, ROOT, measures
 def run_through(graph, scenario, sim, avoider):
     for vehicle in FLEET[scenario]:
         graph.avoider(scenario, vehicle, **avoider)
-    process = graph.simulator(scenario, wait_for_subscribers=len(FLEET[scenario]), **sim)
+    settings = {"wait_for_subscribers": len(FLEET[scenario]), **sim}
+    process = graph.simulator(scenario, **settings)
     assert process.result(120) == 0, process.output()
     return process.output()
 
@@ -38,7 +39,7 @@ def path_of(recording):
 @pytest.mark.parametrize("scenario", ["head_on", "priority_wait", "cube20_8"])
 def test_a_fleet_in_lockstep_goes_where_it_goes_without_ros(graph, tmp_path, scenario):
     through, plain = str(tmp_path / "through.mcap"), str(tmp_path / "plain.mcap")
-    run_through(graph, scenario, dict(speed=0, lockstep=True, frame="ned", record=through), dict(frame="ned", lockstep=True))
+    run_through(graph, scenario, dict(speed=0, lockstep=True, lockstep_timeout_s=20, frame="ned", record=through), dict(frame="ned", lockstep=True))
     plain_run(scenario, plain)
     assert measures(through)["min_separation_m"] == measures(plain)["min_separation_m"]
     first = next((pair for pair in zip(path_of(through), path_of(plain)) if pair[0] != pair[1]), None)
@@ -52,4 +53,4 @@ def test_eight_vehicles_reach_their_goals_at_ten_times_real_time(graph):
 
 
 def test_eight_vehicles_reach_their_goals_on_records_of_25_bytes_alone(graph):
-    run_through(graph, "cube20_8", dict(speed=10), dict(input="team_record", record_rate_hz=5))
+    run_through(graph, "cube20_8", dict(speed=10, wait_for_subscribers=1), dict(input="team_record", record_rate_hz=5))

@@ -11,47 +11,9 @@ from graph import wait_for
 OK, WARNING, ERROR = 0, 1, 2
 
 
-class Pair:
-    """`left` gets its own odometry by a relay, and `right` hears of `left` by another."""
-
-    def __init__(self, graph, folder, left=None, right=None, speed=2):
-        import listen
-
-        path = folder / "apart.yaml"
-        path.write_text(apart.SCENARIO)
-        self.own = apart.Relay("left")
-        self.others = apart.Relay("right")
-        self.state = listen.Simulated()
-        self.status = listen.avoider_status("left")
-        self.diagnostics = listen.Diagnostics("left")
-        self.commands = listen.commands("left")
-        graph.avoider(str(path), "left", ["odometry:=relayed", "/right/odometry:=/right/relayed"], **(left or {}))
-        graph.avoider(str(path), "right", **(right or {}))
-        self.simulator = graph.simulator(str(path), speed=speed, wait_for_subscribers=2)
-        self.state.wait_until(2.0)
-        self.in_state("under_way")
-
-    def in_state(self, name, seconds=15):
-        return self.status.wait(lambda s: s["state"] == name, seconds, f"state {name}")
-
-    def count(self, name):
-        return int(self.status.last()["values"][name])
-
-    def settle(self):
-        """Good data again, until nothing of a fault is left."""
-        self.own.fault = self.others.fault = None
-        self.in_state("under_way")
-        self.diagnostics.forget()
-        self.commands.forget()
-
-    def close(self):
-        for part in (self.own, self.others, self.state, self.status, self.diagnostics, self.commands):
-            part.close()
-
-
 @pytest.fixture(scope="module")
 def pair(master, tmp_path_factory):
-    pair = Pair(master, tmp_path_factory.mktemp("pair"))
+    pair = apart.Pair(master, tmp_path_factory.mktemp("pair"))
     yield pair
     pair.close()
     master.clear()
@@ -145,16 +107,3 @@ def test_a_paused_simulation_is_no_alarm_and_no_reason_to_hold(settled):
     assert paused["state"] == "under_way"
     assert paused["watchdog_count"] == before
     assert [s.message for s in settled.diagnostics.statuses() if s.level == ERROR] == []
-
-
-def test_a_lost_neighbour_can_be_a_reason_to_hold(graph, tmp_path):
-    policy = dict(policy__neighbour_lost="hold", policy__neighbour_lost_s=2.0)
-    pair = Pair(graph, tmp_path, left=policy)
-    try:
-        pair.others.fault = apart.silent
-        pair.in_state("holding")
-        pair.diagnostics.wait("holding: a neighbour is lost", ERROR)
-        pair.others.fault = None
-        pair.in_state("under_way")
-    finally:
-        pair.close()

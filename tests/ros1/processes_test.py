@@ -99,6 +99,19 @@ def test_the_watchdog_sees_a_loop_that_hangs_and_tells_the_vehicle_to_stand_stil
             one.close()
 
 
+def test_a_lost_neighbour_can_be_a_reason_to_hold(graph, tmp_path):
+    policy = dict(policy__neighbour_lost="hold", policy__neighbour_lost_s=2.0)
+    pair = apart.Pair(graph, tmp_path, left=policy)
+    try:
+        pair.others.fault = apart.silent
+        pair.in_state("holding")
+        pair.diagnostics.wait("holding: a neighbour is lost", ERROR)
+        pair.others.fault = None
+        pair.in_state("under_way")
+    finally:
+        pair.close()
+
+
 def registered(environment):
     """Name of every node that the master knows as publisher of a command or provider of a service."""
     text = subprocess.run(["rosnode", "list"], env=environment, capture_output=True, text=True).stdout
