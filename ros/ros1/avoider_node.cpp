@@ -44,8 +44,12 @@ AvoiderNode::AvoiderNode(const ros::NodeHandle& vehicle, const AvoiderSettings& 
       host_{settings.host},
       gate_{1 + host_.team().size()},
       vehicle_node_{vehicle},
+      mates_node_{vehicle},
       marks_{settings.frame, "world"} {
+  // what mates tell waits until it is needed: to wake up for each of it would double the work. In lockstep
+  // each may be the last that is missing.
   vehicle_node_.setCallbackQueue(&queue_);
+  mates_node_.setCallbackQueue(settings_.lockstep ? &queue_ : &mates_queue_);
   advertise();
   subscribe();
 }
@@ -65,21 +69,24 @@ void AvoiderNode::advertise() {
 }
 
 template <class Message, class Listener>
-void AvoiderNode::hear(const std::string& topic, std::uint32_t kept, Listener listener) {
+void AvoiderNode::hear(ros::NodeHandle& whose, const std::string& topic, std::uint32_t kept,
+                       Listener listener) {
   const boost::function<void(const boost::shared_ptr<const Message>&)> listens =
       [listener](const boost::shared_ptr<const Message>& message) { listener(*message); };
-  subscribers_.push_back(vehicle_node_.subscribe<Message>(topic, kept, listens, ros::VoidConstPtr{},
-                                                          ros::TransportHints().tcpNoDelay()));
+  subscribers_.push_back(whose.subscribe<Message>(topic, kept, listens, ros::VoidConstPtr{},
+                                                  ros::TransportHints().tcpNoDelay()));
 }
 
 void AvoiderNode::subscribe() {
   // an old odometry is of no use when a newer one is there, unless a fleet waits for the answer to each
   const std::uint32_t kept = settings_.lockstep ? 100 : 1;
-  hear<nav_msgs::Odometry>("odometry", kept, [this](const nav_msgs::Odometry& m) { on_own_odometry(m); });
-  hear<geometry_msgs::PoseStamped>("goal", 10, [this](const geometry_msgs::PoseStamped& m) { on_goal(m); });
-  hear<nav_msgs::Path>("path", 10, [this](const nav_msgs::Path& m) { on_path(m); });
+  hear<nav_msgs::Odometry>(vehicle_node_, "odometry", kept,
+                           [this](const nav_msgs::Odometry& m) { on_own_odometry(m); });
+  hear<geometry_msgs::PoseStamped>(vehicle_node_, "goal", 10,
+                                   [this](const geometry_msgs::PoseStamped& m) { on_goal(m); });
+  hear<nav_msgs::Path>(vehicle_node_, "path", 10, [this](const nav_msgs::Path& m) { on_path(m); });
   if (settings_.test_hooks) {
-    hear<std_msgs::Float64>("test_hang", 1, [](const std_msgs::Float64& m) {
+    hear<std_msgs::Float64>(vehicle_node_, "test_hang", 1, [](const std_msgs::Float64& m) {
       ros::WallDuration{std::clamp(m.data, 0.0, 60.0)}.sleep();
     });
   }
@@ -88,14 +95,15 @@ void AvoiderNode::subscribe() {
 
 void AvoiderNode::hear_mate(std::size_t mate, const std::string& topics, std::uint32_t kept) {
   if (settings_.input != AvoiderInput::team_record) {
-    hear<nav_msgs::Odometry>(topics + "/odometry", kept,
+    hear<nav_msgs::Odometry>(mates_node_, topics + "/odometry", kept,
                              [this, mate](const nav_msgs::Odometry& m) { on_mate_odometry(mate, m); });
-    hear<geometry_msgs::PoseStamped>(topics + "/goal", 10, [this, mate](const geometry_msgs::PoseStamped& m) {
-      host_.neighbour_goal(mate, place_of(m.pose.position, settings_.frame));
-    });
+    hear<geometry_msgs::PoseStamped>(mates_node_, topics + "/goal", 10,
+                                     [this, mate](const geometry_msgs::PoseStamped& m) {
+                                       host_.neighbour_goal(mate, place_of(m.pose.position, settings_.frame));
+                                     });
   }
   if (settings_.input != AvoiderInput::odometry) {
-    hear<std_msgs::UInt8MultiArray>(topics + "/team_record", 10,
+    hear<std_msgs::UInt8MultiArray>(mates_node_, topics + "/team_record", 10,
                                     [this](const std_msgs::UInt8MultiArray& m) { on_record(m); });
   }
 }
@@ -110,6 +118,7 @@ void AvoiderNode::run() {
   AvoiderWatchdog watchdog{host_.watchdog_period(), [this](double stood_still) { raise_alarm(stood_still); }};
   while (ros::ok()) {
     queue_.callAvailable(ros::WallDuration{idle_s});
+    mates_queue_.callAvailable();
     watchdog.come_round();
     answer_now();
     tell_team(clock_.now());
@@ -126,6 +135,7 @@ void AvoiderNode::on_own_odometry(const nav_msgs::Odometry& odometry) {
     answer_together();
     return;
   }
+  mates_queue_.callAvailable();
   const double now = clock_.at(clock_now(), motion.time);
   answer(now, judge_own(motion, now) ? odometry.header.stamp : stamp_of(now));
 }

@@ -44,7 +44,7 @@ class AvoiderNode {
   void subscribe();
   void hear_mate(std::size_t mate, const std::string& topics, std::uint32_t kept);
   template <class Message, class Listener>
-  void hear(const std::string& topic, std::uint32_t kept, Listener listener);
+  void hear(ros::NodeHandle& whose, const std::string& topic, std::uint32_t kept, Listener listener);
 
   void on_own_odometry(const nav_msgs::Odometry& odometry);
   void on_mate_odometry(std::size_t mate, const nav_msgs::Odometry& odometry);
@@ -76,8 +76,8 @@ class AvoiderNode {
   bridge::AvoiderHost host_;
   AvoiderClock clock_;
   AvoiderGate gate_;  // vehicle 0 is the own one
-  ros::CallbackQueue queue_;
-  ros::NodeHandle vehicle_node_;
+  ros::CallbackQueue queue_, mates_queue_;
+  ros::NodeHandle vehicle_node_, mates_node_;
   MarkerSet marks_;
   std::vector<ros::Subscriber> subscribers_;
   std::vector<ros::ServiceServer> services_;

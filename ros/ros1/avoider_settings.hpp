@@ -18,7 +18,7 @@ struct AvoiderSettings {
   bridge::AvoiderOptions host;
   bridge::Frame frame{bridge::Frame::enu};
   AvoiderInput input{AvoiderInput::odometry};
-  double rate_hz{20.0};        ///< it answers at least so often, with or without new navigation
+  double rate_hz{10.0};        ///< it answers at least so often, with or without new navigation
   double record_rate_hz{1.0};  ///< how often it tells the team of itself; 0: never
   double speed_mps{0.5};       ///< towards goals that say nothing of speed
   bool advisory{false};        ///< advises only: it sends no command
