@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "fairway/avoidance/avoider.hpp"
@@ -53,6 +54,13 @@ class Catalog {
                             [](Avoider inner, const ParamValues& values, Rng rng) {
                               return Avoider{W{chosen<typename W::Params>(values)}, std::move(inner), rng};
                             }});
+    return *this;
+  }
+
+  /// An algorithm whose name is known only at run time. What the views in `entry.info` are of outlives the
+  /// catalog; the name is one that is not taken.
+  Catalog& add(Entry entry) {
+    entries_.push_back(std::move(entry));
     return *this;
   }
 
