@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+// The environments of Python, without Python.
+#include "bindings/python/fleet_environment.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "fairway/core/testing/allocations.hpp"
+#include "fairway/scenario/load.hpp"
+
+namespace fairway::python {
+namespace {
+
+class Environment {
+ public:
+  explicit Environment(const std::string& name, EnvironmentOptions options = {})
+      : file_{std::string(FAIRWAY_SOURCE_DIR) + "/scenarios/" + name + ".yaml"},
+        environment_{load_scenario(file_),
+                     [file = file_](std::uint64_t seed) { return load_scenario(file, {}, seed); }, catalogs_,
+                     std::move(options)} {}
+
+  FleetEnvironment* operator->() { return &environment_; }
+
+  void step_to_goals() {
+    actions_.resize(3 * environment_.learners().size());
+    environment_.advise(actions_);
+    environment_.step(actions_);
+  }
+
+ private:
+  std::string file_;
+  Catalogs catalogs_ = builtin_catalogs();
+  FleetEnvironment environment_;
+  std::vector<double> actions_;
+};
+
+TEST(FleetEnvironment, allocates_nothing_in_a_step_after_the_first) {
+  for (const char* name : {"crossing", "swap_8", "cube20_8", "static_obstacles"}) {
+    Environment environment{name};
+    environment->reset(1);
+    std::vector<double> actions(3 * environment->learners().size(), 0.5);
+    std::vector<float> seen(environment->options().observation.size());
+    environment->step(actions);
+    environment->step(actions);
+    const long before = allocation_count();
+    for (int i = 0; i < 200; ++i) {
+      ASSERT_FALSE(environment->is_over()) << name;
+      environment->step(actions);
+      for (std::size_t row = 0; row < environment->learners().size(); ++row) environment->observe(row, seen);
+    }
+    EXPECT_EQ(allocation_count(), before) << name;
+  }
+}
+
+TEST(FleetEnvironment, begins_when_the_first_learner_is_under_way_or_at_the_very_beginning) {
+  Environment deployed{"cube20_8"};
+  deployed->reset(1);
+  EXPECT_GT(deployed->time(), 10.0);
+  for (const FleetEnvironment::Learner& learner : deployed->learners()) EXPECT_TRUE(learner.deciding);
+
+  EnvironmentOptions options;
+  options.skip_deployment = false;
+  Environment whole{"cube20_8", options};
+  whole->reset(1);
+  EXPECT_EQ(whole->time(), 0.0);
+  for (const FleetEnvironment::Learner& learner : whole->learners()) EXPECT_FALSE(learner.deciding);
+  for (const FleetEnvironment::Learner& learner : whole->learners())
+    EXPECT_EQ(learner.phase, Phase::deploying);
+}
+
+TEST(FleetEnvironment, follows_its_advice_to_the_end) {
+  Environment environment{"swap_8"};
+  environment->reset(1);
+  while (!environment->is_over()) environment.step_to_goals();
+  EXPECT_TRUE(environment->terminated());
+  EXPECT_FALSE(environment->truncated());
+  for (const FleetEnvironment::Learner& learner : environment->learners()) EXPECT_FALSE(learner.collided);
+}
+
+TEST(FleetEnvironment, refuses_a_scenario_in_which_its_learner_is_never_under_way) {
+  const auto draw = [](std::uint64_t seed) {
+    return parse_scenario(
+        "fairway: 1\nname: still\nsummary: nobody goes\nduration_s: 5\n"
+        "vehicles: [{model: kinematic, avoider: direct, start: {position_m: [0, 0, 5]}, mission: "
+        "[{keep_position: "
+        "{duration_s: 60}}]}]\n",
+        "still", {}, seed);
+  };
+  const Catalogs catalogs = builtin_catalogs();
+  FleetEnvironment environment{draw(1), draw, catalogs, {}};
+  EXPECT_THAT(
+      [&] { environment.reset(1); },
+      testing::ThrowsMessage<InputError>(testing::HasSubstr("no learner of still is ever under way")));
+}
+
+TEST(Observation, of_headings_axes_is_turned_by_the_yaw) {
+  const Vec3 east{0.0, 2.0, 1.0};
+  const double to_the_east = 0.5 * pi;
+  EXPECT_TRUE(to_axes(Axes::heading, to_the_east, east).isApprox(Vec3{2.0, 0.0, 1.0}));
+  EXPECT_TRUE(from_axes(Axes::heading, to_the_east, Vec3{2.0, 0.0, 1.0}).isApprox(east));
+  EXPECT_EQ(to_axes(Axes::ned, to_the_east, east), east);
+}
+
+TEST(Observation, keeps_the_nearest_obstacles_whatever_their_order) {
+  std::vector<Obstacle> obstacles;
+  for (const double north : {9.0, 3.0, 7.0, 5.0, 1.5})
+    obstacles.push_back({.kind = Obstacle::Kind::sphere, .position = {north, 0, 0}, .radius = 1.0});
+  const Ownship own;
+  const ObservationShape shape{.tracks = 0, .obstacles = 3};
+  std::vector<float> seen(shape.size());
+  observe(shape, {.own = own, .goal = {}, .tracks = {}, .obstacles = obstacles}, seen);
+  EXPECT_EQ(seen.size(), 24U);
+  EXPECT_EQ(shape.names().size(), seen.size());
+  EXPECT_FLOAT_EQ(seen[13], 0.5F);
+  EXPECT_FLOAT_EQ(seen[17], 2.0F);
+  EXPECT_FLOAT_EQ(seen[21], 4.0F);
+}
+
+TEST(Reward, nearness_falls_from_a_collision_to_nothing) {
+  EXPECT_EQ(nearness(3.0, 100.0, 3.0, 6.0), 1.0);
+  EXPECT_EQ(nearness(4.5, 100.0, 3.0, 6.0), 0.5);
+  EXPECT_EQ(nearness(7.0, 100.0, 3.0, 6.0), 0.0);
+  EXPECT_EQ(nearness(7.0, 0.0, 3.0, 6.0), 1.0);
+  EXPECT_EQ(nearness(1.0, 100.0, 3.0, 0.0), 0.0);
+}
+
+}  // namespace
+}  // namespace fairway::python
