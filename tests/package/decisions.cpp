@@ -61,7 +61,7 @@ int main() {
     names.emplace_back(name);
 
   for (const std::string& name : names) {
-    for (std::uint64_t serial = 0; serial < 200; ++serial) {
+    for (std::uint64_t serial = 0; serial < 100; ++serial) {
       Scene scene{serial};
       Avoider avoider = catalog.make(name, {}, Rng{7});
       for (int step = 0; step < 5; ++step) {
