@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ros/bridge/avoider_duty.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+namespace fairway::bridge {
+namespace {
+
+constexpr std::chrono::milliseconds look_period{200};       // at the own state, for changes to report
+constexpr std::chrono::milliseconds diagnose_period{1000};  // without changes
+constexpr std::chrono::seconds warn_period{5};
+constexpr double restart_s = 1.0;  // a clock that is behind by more has begun again
+constexpr double early_s = 0.1;    // a clock that is behind navigation by so much is still on its way
+constexpr double lead_s = 60.0;    // a fleet that waits for nobody may be ahead by so much
+constexpr double lockstep_patience_s = 1.0;  // then it answers although somebody is missing
+
+bool is_due(std::chrono::steady_clock::time_point& last, std::chrono::steady_clock::duration period) {
+  const auto now = std::chrono::steady_clock::now();
+  if (now - last < period) return false;
+  last = now;
+  return true;
+}
+
+std::string bare(const std::string& frame_id) {
+  return !frame_id.empty() && frame_id.front() == '/' ? frame_id.substr(1) : frame_id;
+}
+
+bool is_place(const Triple& place) {
+  return std::all_of(place.begin(), place.end(), [](double x) { return std::isfinite(x); });
+}
+
+}  // namespace
+
+AvoiderDuty::AvoiderDuty(const AvoiderNodeSettings& settings, AvoiderOutlet& outlet)
+    : settings_{settings}, outlet_{outlet}, host_{settings.host} {}
+
+/// The time to go by: the graph's clock, but never behind navigation that has come: the clock of a simulation
+/// and its odometry travel apart, so either may be first. In lockstep navigation is the clock, as long as it
+/// comes.
+double AvoiderDuty::clock_at(double clock) {
+  if (clock < now_ - restart_s) now_ = clock;
+  if (settings_.lockstep && clock - now_ < lockstep_patience_s) return now_;
+  return now_ = std::max(now_, clock);
+}
+
+double AvoiderDuty::clock_at(double clock, double stamp) {
+  const double now = clock_at(clock);
+  const double early = settings_.lockstep ? restart_s : early_s;
+  return now_ = stamp > now && stamp <= clock + early ? stamp : now;
+}
+
+void AvoiderDuty::hear_own(const Motion& motion, const std::string& frame_id, double clock) {
+  own_frame_ = frame_id;
+  const std::string_view verdict = host_.own_motion(motion, clock_at(clock, motion.time));
+  judge("own odometry", verdict.data());
+  if (verdict == "accepted") own_ = motion.time;
+  is_news_ = true;
+}
+
+void AvoiderDuty::hear_mate(std::size_t mate, const Motion& motion, double clock) {
+  judge("odometry of " + host_.team()[mate],
+        host_.neighbour_motion(mate, motion, clock_at(clock, motion.time)));
+}
+
+/// In a simulation, what is told at an instant is heard at the next: in lockstep likewise here, whichever
+/// message comes first.
+void AvoiderDuty::hear_mate_goal(std::size_t mate, const Triple& place, double stamp) {
+  if (settings_.lockstep) {
+    told_.push_back({mate, place, stamp});
+  } else {
+    host_.neighbour_goal(mate, place);
+  }
+}
+
+void AvoiderDuty::hear_record(const std::uint8_t* bytes, std::size_t size, double clock) {
+  judge("a team record", host_.team_record(bytes, size, clock_at(clock)));
+}
+
+void AvoiderDuty::judge(const std::string& whose, const char* verdict) {
+  if (std::string_view{verdict} == "accepted") return;
+  ++refused_;
+  if (is_due(warned_, warn_period)) outlet_.warn(whose + " is refused: " + verdict);
+}
+
+/// A place in another frame than that of the own navigation is not what it seems to be.
+bool AvoiderDuty::is_told_here(const std::string& frame_id, const std::string& what) {
+  if (frame_id.empty() || own_frame_.empty() || bare(frame_id) == bare(own_frame_)) return true;
+  outlet_.warn("a " + what + " in the frame '" + frame_id + "' is refused; own odometry is in '" +
+               own_frame_ + "'");
+  return false;
+}
+
+void AvoiderDuty::take_up(const Task& task) {
+  if (settings_.lockstep && own_ && task.stamp > *own_ && task.stamp <= *own_ + lead_s) {
+    next_task_ = task;
+    return;
+  }
+  next_task_.reset();
+  const bool accepted = task.is_path ? host_.follow_path(task.places, settings_.speed_mps)
+                                     : host_.go_to(task.places.front(), settings_.speed_mps);
+  if (accepted) {
+    if (answered_ == task.stamp) answered_.reset();
+    return;
+  }
+  const bool are_places =
+      !task.places.empty() && std::all_of(task.places.begin(), task.places.end(), is_place);
+  outlet_.warn(std::string{"a "} + (task.is_path ? "path" : "goal") +
+               " is refused: " + (are_places ? "out of what the avoider accepts" : "not a place"));
+}
+
+void AvoiderDuty::go_to(const Triple& place, const std::string& frame_id, double stamp) {
+  if (is_told_here(frame_id, "goal")) take_up({false, {place}, stamp});
+}
+
+void AvoiderDuty::follow(const std::vector<Triple>& places, const std::string& frame_id, double stamp) {
+  if (is_told_here(frame_id, "path")) take_up({true, places, stamp});
+}
+
+void AvoiderDuty::keep_position() {
+  next_task_.reset();
+  host_.keep_position();
+}
+
+void AvoiderDuty::stand_by() {
+  next_task_.reset();
+  host_.stand_by();
+}
+
+void AvoiderDuty::settle(double clock) {
+  if (settings_.lockstep) {
+    if (!own_ || answered_ == own_ || !host_.is_complete(*own_)) return;
+    if (next_task_ && next_task_->stamp <= *own_) take_up(Task{*next_task_});
+    answered_ = own_;
+    answer(clock_at(clock), *own_);
+    const auto later =
+        std::stable_partition(told_.begin(), told_.end(), [this](const Told& t) { return t.stamp > *own_; });
+    for (auto told = later; told != told_.end(); ++told) host_.neighbour_goal(told->mate, told->place);
+    told_.erase(later, told_.end());
+  } else if (is_news_) {
+    const double now = clock_at(clock);
+    const bool is_fresh = own_ && *own_ > host_.order().time;
+    answer(now, is_fresh ? *own_ : now);
+  }
+  is_news_ = false;
+}
+
+void AvoiderDuty::come_round(double clock) {
+  const double now = clock_at(clock);
+  const double patience = settings_.lockstep ? lockstep_patience_s : 1.0 / settings_.rate_hz;
+  if (now - host_.order().time >= patience || now < host_.order().time) answer(now, now);
+  tell_team(now);
+  report(false);
+}
+
+void AvoiderDuty::answer(double now, double stamp) {
+  const Order& order = host_.update(now, settings_.draw);
+  in_charge_.store(order.in_charge, std::memory_order_relaxed);
+  if (order.in_charge) outlet_.send_command(order.request, stamp);
+  if (settings_.draw && order.decided) outlet_.send_marks(host_.marks(), now);
+  if (order.state + order.reason != reported_) report(true);
+}
+
+void AvoiderDuty::tell_team(double now) {
+  constexpr double long_ago = 100.0;  // [s]: the clock has begun again
+  if (settings_.record_rate_hz <= 0.0 || (now < next_record_ && next_record_ - now < long_ago)) return;
+  next_record_ = now + 1.0 / settings_.record_rate_hz;
+  const std::vector<std::uint8_t> record = host_.own_record(now);
+  if (!record.empty()) outlet_.send_record(record);
+}
+
+void AvoiderDuty::report(bool at_once) {
+  if (!is_due(looked_, at_once ? Steady::duration{} : look_period)) return;
+  const Order& order = host_.order();
+  const Diagnosis::Level before = diagnosis_.level;
+  diagnosis_ = host_.diagnosis(now_);
+  reported_ = order.state + order.reason;
+  outlet_.send_status(status(order));
+  if (is_due(diagnosed_, at_once || before != diagnosis_.level ? Steady::duration{} : diagnose_period))
+    outlet_.send_diagnosis(with_counts(diagnosis_), now_);
+}
+
+Diagnosis AvoiderDuty::with_counts(Diagnosis diagnosis) const {
+  diagnosis.values.insert(diagnosis.values.begin(), {{"algorithm", host_.algorithm()},
+                                                     {"advisory", settings_.advisory ? "true" : "false"},
+                                                     {"refused_count", std::to_string(refused_)},
+                                                     {"watchdog_count", std::to_string(alarms_.load())}});
+  return diagnosis;
+}
+
+std::string AvoiderDuty::status(const Order& order) const {
+  const Frame frame = settings_.frame;
+  nlohmann::json values = nlohmann::json::object();
+  for (const auto& [key, value] : diagnosis_.values) values[key] = value;
+  const nlohmann::json status{
+      {"vehicle", vehicle()},
+      {"algorithm", host_.algorithm()},
+      {"time_s", now_},
+      {"advisory", settings_.advisory},
+      {"in_charge", order.in_charge},
+      {"state", order.state},
+      {"mode", order.mode},
+      {"reason", order.reason},
+      {"summary", diagnosis_.summary},
+      {"velocity_mps", world_in(frame, order.velocity_n)},
+      {"command_mps",
+       body_in(frame, {order.request.surge_mps, order.request.sway_mps, order.request.heave_mps})},
+      {"yaw_rate_radps", body_in(frame, {0, 0, order.request.yaw_rate_radps})[2]},
+      {"refused_count", refused_},
+      {"watchdog_count", alarms_.load()},
+      {"values", values},
+  };
+  return status.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+/// It touches nothing that the loop may be in the middle of.
+void AvoiderDuty::raise_alarm(double stood_still, double clock) {
+  alarms_.fetch_add(1);
+  const bool sends = in_charge_.load(std::memory_order_relaxed) && !settings_.advisory;
+  if (sends) outlet_.send_command({}, clock);
+  Diagnosis diagnosis;
+  diagnosis.level = Diagnosis::Level::error;
+  diagnosis.summary = "watchdog: the loop has stood still for " + std::to_string(stood_still) + " s" +
+                      (sends ? "; the vehicle is told to stand still" : "");
+  outlet_.send_diagnosis(diagnosis, clock);
+}
+
+}  // namespace fairway::bridge

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// C++17. What the node of an avoider does, whatever its middleware.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ros/bridge/avoider_host.hpp"
+#include "ros/bridge/node_settings.hpp"
+
+namespace fairway::bridge {
+
+/// Where the answers go: a middleware's publishers. All of it in fairway's frame.
+class AvoiderOutlet {
+ public:
+  virtual ~AvoiderOutlet() = default;
+  /// To the vehicle, or, while it only advises, to people. `time` is that of the navigation that is answered
+  /// [s].
+  virtual void send_command(const BodyVelocity& velocity, double time) = 0;
+  virtual void send_record(const std::vector<std::uint8_t>& bytes) = 0;
+  virtual void send_status(const std::string& json) = 0;
+  virtual void send_diagnosis(const Diagnosis& diagnosis, double time) = 0;
+  virtual void send_marks(const std::vector<Mark>& marks, double time) = 0;
+  virtual void warn(const std::string& words) = 0;
+};
+
+/// Hears navigation and orders, and answers: at once what is new, in lockstep when everyone's navigation of
+/// an instant is there, and by the clock what does not come. Messages only change what is known; settle(),
+/// after all that had arrived was handed in, answers.
+class AvoiderDuty {
+ public:
+  /// Throws std::runtime_error, in one line, for settings that cannot be used.
+  AvoiderDuty(const AvoiderNodeSettings& settings, AvoiderOutlet& outlet);
+
+  const AvoiderHost& host() const { return host_; }
+  const std::string& vehicle() const { return settings_.host.vehicle; }
+
+  // what it hears; `clock` is the graph's now [s]; places in NED
+  void hear_own(const Motion& motion, const std::string& frame_id, double clock);
+  void hear_mate(std::size_t mate, const Motion& motion, double clock);
+  void hear_mate_goal(std::size_t mate, const Triple& place, double stamp);
+  void hear_record(const std::uint8_t* bytes, std::size_t size, double clock);
+
+  // what it shall do; in lockstep from the instant on that it is stamped with, be that still to come or just
+  // answered
+  void go_to(const Triple& place, const std::string& frame_id, double stamp);
+  void follow(const std::vector<Triple>& places, const std::string& frame_id, double stamp);
+  void keep_position();
+  void stand_by();
+
+  /// After everything that had arrived: the answers that are due to it.
+  void settle(double clock);
+  /// Now and then, at least every hundredth of a second: what is due by the clock, and reports.
+  void come_round(double clock);
+  /// Of a watchdog's thread, when the loop has stood still for so long [s].
+  void raise_alarm(double stood_still, double clock);
+
+ private:
+  double clock_at(double clock);
+  double clock_at(double clock, double stamp);
+  void judge(const std::string& whose, const char* verdict);
+  bool is_told_here(const std::string& frame_id, const std::string& what);
+  struct Task {
+    bool is_path{};
+    std::vector<Triple> places;  // [m, NED]
+    double stamp{};              // [s]
+  };
+  void take_up(const Task& task);
+  void answer(double now, double stamp);
+  void tell_team(double now);
+  void report(bool at_once);
+  std::string status(const Order& order) const;
+  Diagnosis with_counts(Diagnosis diagnosis) const;
+
+  using Steady = std::chrono::steady_clock;
+  struct Told {
+    std::size_t mate{};
+    Triple place{};  // [m, NED]
+    double stamp{};  // [s]
+  };
+
+  AvoiderNodeSettings settings_;
+  AvoiderOutlet& outlet_;
+  AvoiderHost host_;
+  double now_{};                    // [s]
+  std::string own_frame_;           // of the own odometry, empty before the first
+  std::optional<double> own_;       // time of the own navigation last accepted [s]
+  std::optional<double> answered_;  // in lockstep, the last instant answered [s]
+  std::optional<Task> next_task_;   // in lockstep, of an instant that is still to come
+  std::vector<Told> told_;          // in lockstep, what is known from the next instant on
+  bool is_news_{};                  // own navigation has come since the last answer
+  double next_record_{};            // [s]
+  std::string reported_;            // state and reason last reported
+  Diagnosis diagnosis_;             // last looked at
+  Steady::time_point looked_, diagnosed_, warned_;
+  std::int64_t refused_{};
+  std::atomic<std::int64_t> alarms_{0};
+  std::atomic<bool> in_charge_{false};
+};
+
+}  // namespace fairway::bridge
