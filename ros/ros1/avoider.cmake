@@ -59,6 +59,7 @@ if(FAIRWAY_TESTS)
   add_executable(ros1_test avoider_clock_test.cpp avoider_gate_test.cpp avoider_settings_test.cpp avoider_watchdog_test.cpp cola2/adapter_test.cpp)
   set_target_properties(ros1_test PROPERTIES CXX_STANDARD 17)
   target_link_libraries(ros1_test PRIVATE fairway_ros1_avoider fairway_options GTest::gtest GTest::gtest_main)
+  target_compile_definitions(ros1_test PRIVATE FAIRWAY_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   gtest_discover_tests(ros1_test DISCOVERY_TIMEOUT 60)
 endif()
 

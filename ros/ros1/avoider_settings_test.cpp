@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <functional>
+#include <iterator>
 #include <stdexcept>
 
 namespace fairway::ros1 {
@@ -96,6 +99,13 @@ TEST(AvoiderSettings, refuse_to_wait_for_odometry_that_nobody_sends) {
   parameters["lockstep"] = true;
   parameters["input"] = "team_record";
   EXPECT_NE(what([&] { read_avoider_settings(parameters, "robot3"); }).find("lockstep"), std::string::npos);
+}
+
+TEST(AvoiderSettings, are_all_on_their_page) {
+  std::ifstream file{FAIRWAY_SOURCE_DIR "/docs/ros_avoider.md"};
+  const std::string page{std::istreambuf_iterator<char>{file}, {}};
+  for (const std::string& name : read_avoider_settings(XmlRpcValue{}, "robot3").host.also_known)
+    EXPECT_NE(page.find("`" + name + "`"), std::string::npos) << name;
 }
 
 }  // namespace

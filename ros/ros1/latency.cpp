@@ -30,6 +30,7 @@ constexpr double depth_m = 10.0;
 struct Sent {
   ros::Time stamp;
   Steady::time_point at;
+  std::size_t number{};  ///< of all that were sent
   bool is_answered{true};
 };
 
@@ -147,8 +148,8 @@ class Latency {
     nav_msgs::Odometry odometry =
         ros1::odometry_of(vehicle.motion(ros::Time::now().toSec()), bridge::Frame::ned, "world", "vehicle");
     odometry.header.stamp = ros::Time::now();
-    vehicle.sent[vehicle.next++ % vehicle.sent.size()] = {odometry.header.stamp, Steady::now(), false};
-    ++sent_;
+    vehicle.sent[vehicle.next++ % vehicle.sent.size()] = {odometry.header.stamp, Steady::now(), sent_++,
+                                                          false};
     vehicle.odometry.publish(odometry);
   }
 
@@ -159,7 +160,7 @@ class Latency {
     for (Sent& sent : vehicle.sent) {
       if (sent.is_answered || sent.stamp != command.header.stamp) continue;
       sent.is_answered = true;
-      if (++answered_ > warm_up_) latencies_.push_back(std::chrono::duration<double>(now - sent.at).count());
+      if (sent.number >= warm_up_) latencies_.push_back(std::chrono::duration<double>(now - sent.at).count());
     }
   }
 
@@ -178,7 +179,7 @@ class Latency {
   bool at_once_;
   std::vector<Played> fleet_;
   std::vector<double> latencies_;  // [s]
-  std::size_t sent_{}, answered_{};
+  std::size_t sent_{};
 };
 
 }  // namespace
