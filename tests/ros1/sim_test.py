@@ -79,7 +79,7 @@ def test_odometry_is_that_of_the_plain_run_at_every_instant(graph, tmp_path, fra
     truths = {name: Heard(f"/{name}/ground_truth", Odometry) for name in VEHICLES}
     clock = Heard("/clock", Clock)
     sim = graph.simulator(
-        HEAD_ON, autonomous=True, frame=frame, speed=20, wait_for_subscribers=1, overrides="duration_s=40"
+        HEAD_ON, autonomous=True, frame=frame, speed=5, wait_for_subscribers=1, overrides="duration_s=40"
     )
     sim.result(60)
     instants = sorted({time for time, _ in rows})
