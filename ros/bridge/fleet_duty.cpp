@@ -18,7 +18,7 @@ double seconds_between(std::chrono::steady_clock::time_point from, std::chrono::
   return std::chrono::duration<double>(to - from).count();
 }
 
-const char* words_of(Alert alert) {
+const char* word_of(Alert alert) {
   constexpr std::array words{"clear", "detected", "collided"};
   return words[static_cast<std::size_t>(alert)];
 }
@@ -201,7 +201,7 @@ std::string FleetDuty::state_json() const {
                         {"phase", vehicle.phase},
                         {"wants_command", vehicle.wants_command},
                         {"holding", vehicle.holding},
-                        {"alert", words_of(vehicle.alert)}});
+                        {"alert", word_of(vehicle.alert)}});
   }
   return nlohmann::json{{"scenario", fleet_.name()},
                         {"time_s", fleet_.time()},

@@ -7,25 +7,25 @@
 namespace fairway::bridge {
 namespace {
 
-using Colour = std::array<float, 4>;
+using Rgba = std::array<float, 4>;
 
 constexpr double trail_spacing_m = 0.25;
 constexpr std::size_t longest_trail = 2000;
 
 // the colours of fairway view: of vehicles, and of their spheres
-constexpr std::array<Colour, 8> series{{{0.00F, 0.40F, 0.72F, 1.0F},
-                                        {0.84F, 0.37F, 0.00F, 1.0F},
-                                        {0.00F, 0.57F, 0.42F, 1.0F},
-                                        {0.69F, 0.28F, 0.56F, 1.0F},
-                                        {0.11F, 0.14F, 0.40F, 1.0F},
-                                        {0.48F, 0.12F, 0.12F, 1.0F},
-                                        {0.49F, 0.30F, 0.94F, 1.0F},
-                                        {0.78F, 0.64F, 0.08F, 1.0F}}};
+constexpr std::array<Rgba, 8> vehicle_colours{{{0.00F, 0.40F, 0.72F, 1.0F},
+                                               {0.84F, 0.37F, 0.00F, 1.0F},
+                                               {0.00F, 0.57F, 0.42F, 1.0F},
+                                               {0.69F, 0.28F, 0.56F, 1.0F},
+                                               {0.11F, 0.14F, 0.40F, 1.0F},
+                                               {0.48F, 0.12F, 0.12F, 1.0F},
+                                               {0.49F, 0.30F, 0.94F, 1.0F},
+                                               {0.78F, 0.64F, 0.08F, 1.0F}}};
 
-Colour alert_colour(Alert alert, float alpha) {
-  constexpr std::array<Colour, 3> colours{
+Rgba alert_colour(Alert alert, float alpha) {
+  constexpr std::array<Rgba, 3> colours{
       {{0.04F, 0.48F, 0.32F, 1}, {0.85F, 0.48F, 0.00F, 1}, {0.70F, 0.15F, 0.12F, 1}}};
-  Colour colour = colours[static_cast<std::size_t>(alert)];
+  Rgba colour = colours[static_cast<std::size_t>(alert)];
   colour[3] = alpha;
   return colour;
 }
@@ -40,7 +40,7 @@ Triple forward(const Quaternion& q) {
   return {1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)};
 }
 
-Mark sphere(const char* meaning, const Triple& centre, double diameter, const Colour& colour) {
+Mark ball(const char* meaning, const Triple& centre, double diameter, const Rgba& colour) {
   return {Mark::Kind::sphere, meaning, {centre}, diameter / 2, colour};
 }
 
@@ -64,7 +64,7 @@ std::vector<Mark> FleetMarks::draw(const FleetHost& fleet) const {
   for (std::size_t i = 0; i < fleet.size(); ++i) {
     const FleetVehicle& vehicle = fleet.vehicle(i);
     const Triple& here = vehicle.truth.position_n;
-    const Colour& own = series[i % series.size()];
+    const Rgba& own = vehicle_colours[i % vehicle_colours.size()];
     const Triple ahead = forward(vehicle.truth.q_nb);
     const double half = std::fmax(vehicle.length_m, 0.5) / 2;
     marks.push_back({Mark::Kind::line,
@@ -73,10 +73,10 @@ std::vector<Mark> FleetMarks::draw(const FleetHost& fleet) const {
                       {here[0] + half * ahead[0], here[1] + half * ahead[1], here[2] + half * ahead[2]}},
                      0,
                      own});
-    marks.push_back(sphere("detection", here, fleet.crit_dist_m(), alert_colour(vehicle.alert, 0.10F)));
-    marks.push_back(sphere("safety", here, fleet.safety_distance_m(), alert_colour(vehicle.alert, 0.40F)));
+    marks.push_back(ball("detection", here, fleet.crit_dist_m(), alert_colour(vehicle.alert, 0.10F)));
+    marks.push_back(ball("safety", here, fleet.safety_distance_m(), alert_colour(vehicle.alert, 0.40F)));
     if (trails_[i].size() > 1) marks.push_back({Mark::Kind::line, "trail", trails_[i], 0, own});
-    if (vehicle.goal_n) marks.push_back(sphere("goal", *vehicle.goal_n, 0.6, own));
+    if (vehicle.goal_n) marks.push_back(ball("goal", *vehicle.goal_n, 0.6, own));
   }
   return marks;
 }

@@ -119,7 +119,7 @@ bool set_known(const std::array<Known<Into>, n>& known, Into& settings, Name nam
 }
 
 template <class Into, std::size_t n>
-std::string words_of(const std::array<Known<Into>, n>& known) {
+std::string listing(const std::array<Known<Into>, n>& known) {
   std::string words;
   for (const Known<Into>& one : known) {
     const std::string name = one.name;
@@ -165,11 +165,12 @@ std::string topic_name(const std::string& vehicle) {
   const auto is_plain = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
   };
-  std::replace_if(name.begin(), name.end(), [&](char c) { return !is_plain(c); }, '_');
+  std::replace_if(
+      name.begin(), name.end(), [&](char c) { return !is_plain(c); }, '_');
   return name;
 }
 
-std::string avoider_node_words() { return words_of(avoider_settings_known); }
-std::string fleet_node_words() { return words_of(fleet_settings_known); }
+std::string avoider_node_words() { return listing(avoider_settings_known); }
+std::string fleet_node_words() { return listing(fleet_settings_known); }
 
 }  // namespace fairway::bridge

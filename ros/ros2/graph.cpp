@@ -96,7 +96,7 @@ bool loopback_of_environment() {
 }
 
 std::string resolved(const GraphOptions& options, const std::string& topic) {
-  const std::string full = expanded(options, topic);
+  std::string full = expanded(options, topic);
   for (const auto& [from, to] : options.remaps)
     if (expanded(options, from) == full) return expanded(options, to);
   return full;

@@ -20,6 +20,7 @@ namespace fairway::ros2 {
 template <class Message>
 const dds_topic_descriptor_t& descriptor();
 
+// NOLINTBEGIN(bugprone-macro-parentheses): a name is declared
 #define FAIRWAY_ROS2_MESSAGE(package, Name)                 \
   using Name = package##_msg_dds__##Name##_;                \
   template <>                                               \
@@ -63,5 +64,6 @@ FAIRWAY_ROS2_MESSAGE(rmw_dds_common, Gid)
 FAIRWAY_ROS2_MESSAGE(rmw_dds_common, NodeEntitiesInfo)
 FAIRWAY_ROS2_MESSAGE(rmw_dds_common, ParticipantEntitiesInfo)
 #undef FAIRWAY_ROS2_MESSAGE
+// NOLINTEND(bugprone-macro-parentheses)
 
 }  // namespace fairway::ros2

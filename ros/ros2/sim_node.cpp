@@ -7,7 +7,7 @@
 namespace fairway::ros2 {
 namespace {
 
-const std::string world = "world";
+constexpr const char* world = "world";
 constexpr std::int32_t fleet_depth =
     100;  // a second or more, of what a listener on a busy machine may be behind
 constexpr Qos fleet_qos{true, false, fleet_depth};
