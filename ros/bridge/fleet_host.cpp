@@ -20,14 +20,14 @@
 namespace fairway::bridge {
 namespace {
 
-Triple plain_of(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+Triple triple_of(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
-Motion plain_of(const VehicleState& x, double time) {
+Motion motion_of(const VehicleState& x, double time) {
   return {time,
-          plain_of(x.p_n),
+          triple_of(x.p_n),
           {x.q_nb.w(), x.q_nb.x(), x.q_nb.y(), x.q_nb.z()},
-          plain_of(x.v_b),
-          plain_of(x.omega_b)};
+          triple_of(x.v_b),
+          triple_of(x.omega_b)};
 }
 
 /// Below everything that a vehicle is sent to, so that a wall is seen beside all of them. [m]
@@ -54,7 +54,7 @@ Mark mark_of(const ObstacleSpec& spec, double time, double depth) {
   switch (spec.kind) {
     case Obstacle::Kind::sphere:
       mark.kind = Mark::Kind::sphere;
-      mark.points = {plain_of(spec.position + time * spec.velocity)};
+      mark.points = {triple_of(spec.position + time * spec.velocity)};
       mark.radius = spec.radius;
       break;
     case Obstacle::Kind::segment:
@@ -162,13 +162,13 @@ void FleetHost::Self::watch(std::size_t index) {
   const Phase phase = agent.mission.phase();
   const Leg* leg = agent.mission.leg();
   FleetVehicle& vehicle = vehicles[index];
-  vehicle.truth = plain_of(agent.vehicle.state(), simulation.time());
-  vehicle.estimate = plain_of(agent.estimate, simulation.time());
+  vehicle.truth = motion_of(agent.vehicle.state(), simulation.time());
+  vehicle.estimate = motion_of(agent.estimate, simulation.time());
   vehicle.phase = enum_name(phase);
   vehicle.wants_command = is_avoiding(phase);
   vehicle.alert = static_cast<Alert>(events.film.alerts()[index]);
   vehicle.goal_n.reset();
-  if (vehicle.wants_command) vehicle.goal_n = plain_of(leg->position);
+  if (vehicle.wants_command) vehicle.goal_n = triple_of(leg->position);
   vehicle.goal_speed_mps = vehicle.wants_command ? leg->speed_mps : 0.0;
   if (autonomous) return;
 
