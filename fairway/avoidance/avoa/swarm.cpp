@@ -67,7 +67,7 @@ Candidate Swarm::search(const VelocitySpace& space, const Metric& metric, const 
   Moves moves{space, settings, rng};
   Candidate best = first;
   particles_.clear();
-  particles_.reserve(static_cast<std::size_t>(settings.particles));  // at once, not when the first one is needed
+  particles_.reserve(static_cast<std::size_t>(settings.particles));  // whether or not they are needed now
   if (best.cost <= settings.accepted_cost || space.feasible().empty()) return best;
 
   particles_.resize(static_cast<std::size_t>(settings.particles));
