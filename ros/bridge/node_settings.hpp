@@ -48,7 +48,8 @@ AvoiderNodeSettings avoider_node_settings(const Settings& settings, const std::s
 /// value of the scenario, as of `fairway run --set PATH=`.
 FleetNodeSettings fleet_node_settings(const Settings& settings);
 
-/// A vehicle's name as topics and frames have it: every character but letters, digits and `_` replaced by `_`.
+/// A vehicle's name as topics and frames have it: every character but letters, digits and `_` replaced by
+/// `_`.
 std::string topic_name(const std::string& vehicle);
 
 /// The names, for a program's help: one per line, with what they are.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A recording as an independent viewer of MCAP shows it, photographed:
-//   node picture.mjs RECORDING SECONDS PICTURE.png
-// The viewer and the recording are served on the loopback address to a browser that shows nobody anything.
+//   node picture.mjs RECORDING SECONDS END PICTURE.png
+// SECONDS is the moment that is shown, END when the run ends. The viewer and the recording are served on the loopback address to a browser that shows nobody anything.
 import { readFileSync, writeFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { createRequire } from 'node:module';
@@ -10,9 +10,9 @@ import { fileURLToPath } from 'node:url';
 
 const here = fileURLToPath(new URL('.', import.meta.url));
 const { chromium } = createRequire(join(here, '../../viewer/package.json'))('playwright-core');
-const [recording, seconds, picture] = process.argv.slice(2);
+const [recording, seconds, end, picture] = process.argv.slice(2);
 if (picture === undefined) {
-  console.error('node picture.mjs RECORDING SECONDS PICTURE.png');
+  console.error('node picture.mjs RECORDING SECONDS END PICTURE.png');
   process.exit(2);
 }
 
@@ -41,12 +41,24 @@ const server = createServer((request, answer) => {
 });
 await new Promise((ready) => server.listen(0, '127.0.0.1', ready));
 
-/** Waits until the picture stands still, and gives it. */
+/** The processor draws it: that may take long. */
+const picture_of = (page) => page.screenshot({ type: 'png', timeout: 300_000, clip: { x: 0, y: 28, width: 1440, height: 872 } });
+
+/** It draws when something happens, and else sleeps. */
+let pointer = [700, 400];
+async function wake(page) {
+  for (let i = 0; i < 10; ++i) {
+    await page.mouse.move(pointer[0] + i % 2, pointer[1]);
+    await page.waitForTimeout(100);
+  }
+}
+
+/** Waits until the picture stands still, and gives it; without the bar on top, which shows how late it is. */
 async function settle(page) {
-  let last = await page.screenshot({ type: 'png' });
-  for (let tries = 0; tries < 30; ++tries) {
-    await page.waitForTimeout(1500);
-    const now = await page.screenshot({ type: 'png' });
+  let last = await picture_of(page);
+  for (let tries = 0; tries < 10; ++tries) {
+    await wake(page);
+    const now = await picture_of(page);
     if (now.equals(last)) break;
     last = now;
   }
@@ -55,13 +67,13 @@ async function settle(page) {
 
 /** A click as slow as the pictures come, repeated where it was lost between two of them. */
 async function press(page, x, y) {
-  await page.mouse.move(x - 3, y);
-  await page.mouse.move(x, y);
+  pointer = [x, y];
   const before = await settle(page);
   for (let tries = 0; tries < 3; ++tries) {
     await page.mouse.down();
-    await page.waitForTimeout(700);
+    await page.waitForTimeout(500);
     await page.mouse.up();
+    await page.waitForTimeout(500);
     const after = await settle(page);
     if (!after.equals(before)) return;
   }
@@ -84,19 +96,13 @@ async function show_vehicles(page) {
   await settle(page);
   await press(page, 19, 248);  // what is in it
   await press(page, 37, 272);
-  await page.mouse.move(104, 518);
+  pointer = [104, 518];
+  await wake(page);
   await page.mouse.wheel(0, 2000);
   await settle(page);
   await press(page, 88, 616);  // tf
   await press(page, 1419, 548);  // shown as
   await press(page, 1343, 806);  // axes
-  await page.keyboard.press('Escape');
-  await page.mouse.move(660, 420);
-  for (let i = 0; i < 6; ++i) {
-    await page.mouse.wheel(0, 100);
-    await page.waitForTimeout(400);
-  }
-  await settle(page);
 }
 
 const browser = await chromium.launch({
@@ -108,11 +114,9 @@ try {
   page.on('pageerror', (error) => console.error(error.message));
   await page.goto(`http://127.0.0.1:${server.address().port}/`);
   const { recording_id: id } = await page.evaluate(() => window.opened);
-  // it reads on in the background, a piece for each of the few pictures that it draws
-  await page.waitForFunction(([of, time]) => {
-    const range = window.viewer.get_time_range(of, window.viewer.get_active_timeline(of));
-    return range !== null && range.max >= time * 1e9;
-  }, [id, Number(seconds)], { timeout: 600_000, polling: 1000 });
+  // it reads on in the background, a piece for each picture that it draws
+  const read_until = () => page.evaluate((of) => window.viewer.get_time_range(of, window.viewer.get_active_timeline(of))?.max ?? 0, id);
+  while (await read_until() < Number(end) * 1e9) await wake(page);
   await page.evaluate(([of, time]) => {
     window.viewer.set_playing(of, false);
     window.viewer.set_current_time(of, window.viewer.get_active_timeline(of), time * 1e9);
@@ -120,7 +124,7 @@ try {
   await show_vehicles(page);
   await page.evaluate(() => window.viewer.override_panel_state('selection', 'hidden'));
   await settle(page);
-  writeFileSync(picture, await page.screenshot({ type: 'png' }));
+  writeFileSync(picture, await picture_of(page));
 } finally {
   await browser.close();
   server.close();
