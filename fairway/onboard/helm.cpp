@@ -146,14 +146,13 @@ void Helm::hold_because(HelmState state, std::string_view reason) noexcept {
 
 void Helm::see_health() noexcept {
   const OnboardPolicy& policy = setup_.policy;
+  const bool has_begun = own_watch_.last().has_value();
   const double age = own_watch_.age(now_);
-  if (!own_watch_.last()) {
-    health_ = Health::good;
-  } else if (age > policy.own_lost_s) {
+  if (has_begun && age > policy.own_lost_s) {
     health_ = Health::lost;
-  } else if (age > policy.own_stale_s) {
+  } else if (has_begun && age > policy.own_stale_s) {
     health_ = std::max(health_, Health::stale);
-  } else if (now_ - own_watch_.good_since() >= policy.recovery_s) {
+  } else if (!has_begun || now_ - own_watch_.good_since() >= policy.recovery_s) {
     health_ = Health::good;
   }
 }
