@@ -126,11 +126,13 @@ def photograph_rviz(stage, recording):
     save(ImageGrab.grab(xdisplay=DISPLAY), "rviz")
     clock.resume()
     stage.wait(lambda: sim.poll() is not None, 180, "the end of the run")
+    return clock.time
 
 
-def photograph_recording(folder, recording):
+def photograph_recording(folder, recording, end):
     picture = os.path.join(folder, "viewer.png")
-    subprocess.run(["node", str(ROOT / "tools/mcap_viewer/picture.mjs"), recording, str(MOMENT_S), picture], check=True)
+    program = ROOT / "tools/mcap_viewer/picture.mjs"
+    subprocess.run(["node", str(program), recording, str(MOMENT_S), str(end - 1.0), picture], check=True)
     save(Image.open(picture), "mcap_viewer")
 
 
@@ -139,10 +141,10 @@ def main():
         recording = os.path.join(folder, "fleet.mcap")
         stage = Stage(folder)
         try:
-            photograph_rviz(stage, recording)
+            end = photograph_rviz(stage, recording)
         finally:
             stage.end()
-        photograph_recording(folder, recording)
+        photograph_recording(folder, recording, end)
 
 
 if __name__ == "__main__":

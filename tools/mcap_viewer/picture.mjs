@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A recording as an independent viewer of MCAP shows it, photographed:
 //   node picture.mjs RECORDING SECONDS END PICTURE.png
-// SECONDS is the moment that is shown, END when the run ends. The viewer and the recording are served on the loopback address to a browser that shows nobody anything.
+// SECONDS is the moment that is shown, END when the run ends. The viewer and the recording are served on the loopback
+// address to a browser that shows nobody anything.
 import { readFileSync, writeFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { createRequire } from 'node:module';
@@ -47,7 +48,7 @@ const picture_of = (page) => page.screenshot({ type: 'png', timeout: 300_000, cl
 /** It draws when something happens, and else sleeps. */
 let pointer = [700, 400];
 async function wake(page) {
-  for (let i = 0; i < 10; ++i) {
+  for (let i = 0; i < 3; ++i) {
     await page.mouse.move(pointer[0] + i % 2, pointer[1]);
     await page.waitForTimeout(100);
   }
@@ -56,7 +57,7 @@ async function wake(page) {
 /** Waits until the picture stands still, and gives it; without the bar on top, which shows how late it is. */
 async function settle(page) {
   let last = await picture_of(page);
-  for (let tries = 0; tries < 10; ++tries) {
+  for (let tries = 0; tries < 6; ++tries) {
     await wake(page);
     const now = await picture_of(page);
     if (now.equals(last)) break;
@@ -115,7 +116,8 @@ try {
   await page.goto(`http://127.0.0.1:${server.address().port}/`);
   const { recording_id: id } = await page.evaluate(() => window.opened);
   // it reads on in the background, a piece for each picture that it draws
-  const read_until = () => page.evaluate((of) => window.viewer.get_time_range(of, window.viewer.get_active_timeline(of))?.max ?? 0, id);
+  const read_until = () => page.evaluate(
+    (of) => window.viewer.get_time_range(of, window.viewer.get_active_timeline(of))?.max ?? 0, id);
   while (await read_until() < Number(end) * 1e9) await wake(page);
   await page.evaluate(([of, time]) => {
     window.viewer.set_playing(of, false);
@@ -124,7 +126,7 @@ try {
   await show_vehicles(page);
   await page.evaluate(() => window.viewer.override_panel_state('selection', 'hidden'));
   await settle(page);
-  writeFileSync(picture, await picture_of(page));
+  writeFileSync(picture, await page.screenshot({ type: 'png', timeout: 300_000 }));
 } finally {
   await browser.close();
   server.close();
