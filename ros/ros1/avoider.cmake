@@ -40,8 +40,7 @@ add_library(fairway_ros_messages INTERFACE)
 add_dependencies(fairway_ros_messages fairway_ros_services)
 target_include_directories(fairway_ros_messages SYSTEM INTERFACE ${fairway_ros_headers})
 
-add_library(fairway_ros1_avoider STATIC avoider_node.cpp avoider_orders.cpp avoider_report.cpp avoider_settings.cpp
-                                        avoider_watchdog.cpp)
+add_library(fairway_ros1_avoider STATIC avoider_node.cpp avoider_orders.cpp avoider_report.cpp avoider_settings.cpp)
 set_target_properties(fairway_ros1_avoider PROPERTIES CXX_STANDARD 17)
 target_link_libraries(fairway_ros1_avoider PUBLIC fairway_ros1 fairway_ros_messages nlohmann_json::nlohmann_json Threads::Threads
                       PRIVATE fairway_options)
@@ -56,7 +55,7 @@ if(cola2_msgs_FOUND)
 endif()
 
 if(FAIRWAY_TESTS)
-  add_executable(ros1_test avoider_clock_test.cpp avoider_gate_test.cpp avoider_settings_test.cpp avoider_watchdog_test.cpp cola2/adapter_test.cpp)
+  add_executable(ros1_test avoider_clock_test.cpp avoider_gate_test.cpp avoider_settings_test.cpp cola2/adapter_test.cpp)
   set_target_properties(ros1_test PROPERTIES CXX_STANDARD 17)
   target_link_libraries(ros1_test PRIVATE fairway_ros1_avoider fairway_options GTest::gtest GTest::gtest_main)
   target_compile_definitions(ros1_test PRIVATE FAIRWAY_SOURCE_DIR="${PROJECT_SOURCE_DIR}")

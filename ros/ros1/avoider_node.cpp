@@ -8,8 +8,8 @@
 #include <cctype>
 #include <string>
 
+#include "ros/bridge/watchdog.hpp"
 #include "ros/ros1/avoider_report.hpp"
-#include "ros/ros1/avoider_watchdog.hpp"
 #include "ros/ros1/conversions.hpp"
 
 namespace fairway::ros1 {
@@ -115,7 +115,8 @@ std::vector<std::string> AvoiderNode::services() const {
 }
 
 void AvoiderNode::run() {
-  AvoiderWatchdog watchdog{host_.watchdog_period(), [this](double stood_still) { raise_alarm(stood_still); }};
+  bridge::Watchdog watchdog{host_.watchdog_period(),
+                            [this](double stood_still) { raise_alarm(stood_still); }};
   while (ros::ok()) {
     queue_.callAvailable(ros::WallDuration{idle_s});
     mates_queue_.callAvailable();
