@@ -10,43 +10,7 @@ import fairway
 from fairway.gym import HAS_GYMNASIUM, FleetEnv, FleetVectorEnv
 
 from conftest import ROOT
-
-CROSSING = ROOT / "scenarios" / "crossing.yaml"
-SWAP = ROOT / "scenarios" / "swap_8.yaml"
-CUBE = ROOT / "scenarios" / "cube20_4.yaml"
-OBSTACLES = ROOT / "scenarios" / "static_obstacles.yaml"
-
-
-def follow(env, choose, seed=1, steps=100_000):
-    """An episode: everything that it showed."""
-    shown = [env.reset(seed=seed)]
-    for _ in range(steps):
-        shown.append(env.step(choose(env)))
-        if shown[-1][2] or shown[-1][3]:
-            return shown
-    return shown
-
-
-def straight(env):
-    """At full speed to the goal, whoever is in the way."""
-    goal = np.atleast_2d(env.core.observations[0])[:, 6:9]
-    actions = goal / np.maximum(np.linalg.norm(goal, axis=1, keepdims=True), 1e-9)
-    return actions.reshape(env.action_space.shape).astype(np.float32)
-
-
-def same(a, b):
-    """To the bit, NaN being itself."""
-    if isinstance(a, dict):
-        assert a.keys() == b.keys()
-        for key in a:
-            same(a[key], b[key])
-    elif isinstance(a, tuple):
-        assert len(a) == len(b)
-        for x, y in zip(a, b):
-            same(x, y)
-    else:
-        assert np.asarray(a).dtype == np.asarray(b).dtype
-        assert np.array_equal(np.asarray(a), np.asarray(b), equal_nan=np.asarray(a).dtype.kind == "f"), (a, b)
+from episodes import CROSSING, CUBE, OBSTACLES, SWAP, actions_of, follow, same, straight
 
 
 # ---- what gymnasium.utils.env_checker looks at
@@ -313,74 +277,6 @@ def test_others_may_have_algorithms_of_python_whose_exceptions_surface():
             many.step(np.zeros((3, 3)))
     many.reset(seed=1)
     many.step(np.zeros((3, 3)))
-
-
-# ---- many at once
-
-def actions_of(seed, shape, steps):
-    return np.random.default_rng(seed).uniform(-1, 1, (steps, *shape)).astype(np.float32)
-
-
-@pytest.mark.parametrize("learner", [None, "north_bound"])
-def test_many_environments_show_what_each_shows_alone_on_any_number_of_threads(learner):
-    short = dict(learner=learner, overrides={"duration_s": 3.0})
-    vectors = [FleetVectorEnv(CROSSING, 5, threads=threads, **short) for threads in (1, 2, 7)]
-    alone = [FleetEnv(CROSSING, **short) for _ in range(5)]
-    first = [env.reset(seed=11) for env in vectors]
-    for shown in first[1:]:
-        same(shown, first[0])
-    for i, env in enumerate(alone):
-        observation, info = env.reset(seed=11 + i)
-        same(observation, first[0][0][i])
-        assert info["seed"] == first[0][1]["seed"][i] == 11 + i
-    over, ends = [False] * 5, 0
-    for actions in actions_of(0, vectors[0].action_space.shape, 150):
-        shown = [env.step(actions) for env in vectors]
-        for other in shown[1:]:
-            same(other, shown[0])
-        for i, env in enumerate(alone):
-            if over[i]:  # the step after the end begins anew, whatever was asked
-                observation, info = env.reset()
-                result = (observation, 0.0, False, False, info)
-            else:
-                result = env.step(actions[i])
-            for one, many in zip(result[:4], shown[0][:4]):
-                same(np.asarray(one), np.asarray(many[i]))
-            over[i] = result[2] or result[3]
-            ends += over[i]
-            if over[i]:
-                assert shown[0][4]["_measures"][i]
-                same(result[4]["measures"]["energy_j"], shown[0][4]["measures"]["energy_j"][i])
-    assert ends >= 10
-
-
-def test_a_vector_has_batched_spaces_and_resets_by_mask():
-    env = FleetVectorEnv(CROSSING, 3, "north_bound")
-    observations, infos = env.reset(seed=[4, 9, 4])
-    assert env.observation_space.contains(observations) and env.action_space.contains(env.action_space.sample())
-    assert env.single_observation_space.contains(observations[0]) and observations.shape == (3, 21)
-    same(observations[0], observations[2])
-    for _ in range(5):
-        observations, rewards, terminated, truncated, infos = env.step(env.action_space.sample())
-    assert rewards.shape == terminated.shape == truncated.shape == (3,)
-    assert rewards.dtype == np.float64 and terminated.dtype == truncated.dtype == bool
-    again, infos = env.reset(seed=[4, 9, 4], options={"reset_mask": np.array([True, False, False])})
-    assert infos["time_s"].tolist() == [0.0, 0.25, 0.25]
-    assert not np.array_equal(again[0], observations[0]) and np.array_equal(again[1:], observations[1:])
-    with pytest.raises(fairway.InputError, match="one seed for each of 3"):
-        env.reset(seed=[1, 2])
-    assert FleetVectorEnv(CROSSING, 2).reset()[0].shape == (2, 2, 21)
-    env.close()
-
-
-def test_copies_may_be_kept_and_views_are_overwritten():
-    kept = FleetVectorEnv(CROSSING, 2)
-    view = FleetVectorEnv(CROSSING, 2, copy=False)
-    first_kept, first_view = kept.reset(seed=1)[0], view.reset(seed=1)[0]
-    for actions in actions_of(0, kept.action_space.shape, 3):
-        last, last_view = kept.step(actions)[0], view.step(actions)[0]
-    assert not np.array_equal(first_kept, last)
-    assert np.shares_memory(first_view, last_view) and np.array_equal(first_view, last)
 
 
 def test_a_picture_is_drawn_where_asked_for():
