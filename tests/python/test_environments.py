@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Environments: what Gymnasium's checker would look at, and that they are the run which the command makes."""
 
-import time
-
 import numpy as np
 import pytest
 
@@ -10,7 +8,7 @@ import fairway
 from fairway.gym import HAS_GYMNASIUM, FleetEnv, FleetVectorEnv
 
 from conftest import ROOT
-from episodes import CROSSING, CUBE, OBSTACLES, SWAP, actions_of, follow, same, straight
+from episodes import CROSSING, CUBE, OBSTACLES, SWAP, follow, same, straight
 
 
 # ---- what gymnasium.utils.env_checker looks at
@@ -296,28 +294,3 @@ def test_gymnasiums_own_checker_finds_nothing():
     from gymnasium.utils.env_checker import check_env
     check_env(FleetEnv(CROSSING, learner="north_bound"), skip_render_check=True)
     check_env(FleetEnv(CROSSING), skip_render_check=True)
-
-
-# ---- how fast
-
-def rate(env, shape, vehicles, seconds=0.6):
-    env.reset(seed=1)
-    actions = actions_of(0, shape, 1)[0]
-    steps, begin = 0, time.process_time()  # what others do on the same core does not count
-    while time.process_time() - begin < seconds:
-        result = env.step(actions)
-        steps += 1
-        if not isinstance(env, FleetVectorEnv) and (result[2] or result[3]):
-            env.reset()
-    return steps * vehicles / (time.process_time() - begin)
-
-
-@pytest.mark.parametrize("model", ["kinematic", "sparus2"])
-def test_steps_are_fast(model):
-    """In time of the processor. What is measured: docs/python_environments.md; the floor is for slow machines."""
-    options = dict(overrides={"vehicles[*].model": model}, end_on_collision=False)
-    one = FleetEnv(SWAP, **options)
-    many = FleetVectorEnv(SWAP, 32, threads=1, copy=False, **options)
-    rates = rate(one, one.action_space.shape, 8), rate(many, many.action_space.shape, 32 * 8)
-    print(f"{model}: {rates[0]:.0f} alone, {rates[1]:.0f} in a vector of 32 [vehicle-steps/s on one core]")
-    assert min(rates) > 50_000
