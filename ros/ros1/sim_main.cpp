@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "ros/ros1/sim_node.hpp"
+#include "ros/ros1/sim_settings.hpp"
 
 int main(int argc, char** argv) {
   try {

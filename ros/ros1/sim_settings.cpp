@@ -10,6 +10,7 @@
 namespace fairway::ros1 {
 namespace {
 
+using bridge::FleetNodeSettings;
 using XmlRpc::XmlRpcValue;
 
 bridge::Settings overrides_in(const std::string& name, const XmlRpcValue& value) {
@@ -25,10 +26,10 @@ bridge::Settings overrides_in(const std::string& name, const XmlRpcValue& value)
 
 struct SimParameter {
   const char* name;
-  void (*set)(SimSettings&, const std::string& name, const XmlRpcValue& value);
+  void (*set)(FleetNodeSettings&, const std::string& name, const XmlRpcValue& value);
 };
 
-using S = SimSettings;
+using S = FleetNodeSettings;
 using Name = const std::string&;
 using Value = const XmlRpcValue&;
 constexpr std::array sim_parameters{
@@ -52,7 +53,7 @@ constexpr std::array sim_parameters{
     SimParameter{"until_done", [](S& s, Name n, Value v) { s.until_done = truth_in(n, v); }},
 };
 
-void set_parameter(SimSettings& settings, const std::string& name, const XmlRpcValue& value) {
+void set_parameter(FleetNodeSettings& settings, const std::string& name, const XmlRpcValue& value) {
   std::vector<std::string_view> known;
   for (const SimParameter& parameter : sim_parameters) {
     if (name == parameter.name) return parameter.set(settings, name, value);
@@ -63,8 +64,8 @@ void set_parameter(SimSettings& settings, const std::string& name, const XmlRpcV
 
 }  // namespace
 
-SimSettings read_sim_settings(const XmlRpcValue& parameters) {
-  SimSettings settings;
+bridge::FleetNodeSettings read_sim_settings(const XmlRpcValue& parameters) {
+  bridge::FleetNodeSettings settings;
   XmlRpcValue given = parameters;
   if (given.getType() == XmlRpcValue::TypeStruct) {
     for (auto& [name, value] : given) set_parameter(settings, name, value);
