@@ -12,14 +12,20 @@ namespace fairway {
 /// equal avoiders shown the same situations give the same commands for ever.
 class Avoider {
  public:
+  /// Throws InputError for a parameter outside its range.
   template <AvoidanceAlgorithm A>
   explicit Avoider(A algorithm, Rng rng = Rng{0})
-      : self_{std::make_unique<Model<A>>(std::move(algorithm))}, rng_{rng} {}
+      : self_{std::make_unique<Model<A>>(std::move(algorithm))}, rng_{rng} {
+    check_params(static_cast<const Model<A>&>(*self_).algorithm.params);
+  }
 
-  /// `wrapper` around `inner`. Wrappers nest.
+  /// `wrapper` around `inner`. Wrappers nest. Throws InputError likewise.
   template <AvoidanceWrapper W>
   Avoider(W wrapper, Avoider inner, Rng rng = Rng{0})
-      : self_{std::make_unique<Wrapped<W>>(std::move(wrapper), std::move(inner))}, rng_{rng} {}
+      : self_{std::make_unique<Wrapped<W>>(std::move(wrapper), std::move(inner))}, rng_{rng} {
+    if constexpr (requires(const W& w) { check_params(w.params); })
+      check_params(static_cast<const Wrapped<W>&>(*self_).wrapper.params);
+  }
 
   Avoider(const Avoider& other) : self_{other.self_->clone()}, rng_{other.rng_} {}
   Avoider(Avoider&&) noexcept = default;
@@ -33,12 +39,14 @@ class Avoider {
   const AlgorithmInfo& info() const { return self_->info(); }
 
   /// Decides, then holds the decision to the limits, so that no algorithm has to. A situation that is
-  /// not usable (NaN, no period) is answered with zero velocity and Mode::infeasible. Never throws.
+  /// not usable (NaN, no period) is answered with zero velocity, Mode::infeasible and a note that says what
+  /// is wrong with it. Never throws.
   [[nodiscard]] Command decide(const Situation& situation, Sketch* sketch = nullptr) noexcept {
-    if (!is_usable(situation)) return {.mode = Mode::infeasible};
+    if (const std::string_view trouble = why_unusable(situation); !trouble.empty())
+      return {.mode = Mode::infeasible, .note = trouble};
     Context context{rng_, sketch};
     Command command = self_->decide(situation, context);
-    if (!is_finite(command)) return {.mode = Mode::infeasible};
+    if (!is_finite(command)) return {.mode = Mode::infeasible, .note = "the method's answer is not finite"};
     command.velocity = within(situation, command.velocity);
     return command;
   }

@@ -33,15 +33,25 @@ bool is_usable(const Obstacle& obstacle) {
 
 }  // namespace
 
-bool is_usable(const Situation& s) noexcept {
-  return s.period > 0.0 && std::isfinite(s.period) && is_finite(s.own.position) &&
-         is_finite(s.own.velocity) && std::isfinite(s.own.yaw) && std::isfinite(s.own.yaw_rate) &&
-         is_length(s.own.radius) && is_finite(s.goal.position) &&
-         (!s.goal.velocity || is_finite(*s.goal.velocity)) && is_length(s.goal.cruise_speed) &&
-         s.limits.max_speed >= 0.0 && s.limits.max_climb_rate >= 0.0 &&
-         s.limits.min_depth <= s.limits.max_depth &&
-         std::ranges::all_of(s.tracks, [](const Track& t) { return is_usable(t); }) &&
-         std::ranges::all_of(s.obstacles, [](const Obstacle& o) { return is_usable(o); });
+std::string_view why_unusable(const Situation& s) noexcept {
+  if (!(s.period > 0.0) || !std::isfinite(s.period)) return "the period is not a positive number";
+  if (!is_finite(s.own.position)) return "the own position is not finite";
+  if (!is_finite(s.own.velocity)) return "the own velocity is not finite";
+  if (!std::isfinite(s.own.yaw) || !std::isfinite(s.own.yaw_rate))
+    return "the own yaw or its rate is not finite";
+  if (!is_length(s.own.radius)) return "the own radius is not a length";
+  if (!is_finite(s.goal.position)) return "the goal's position is not finite";
+  if (s.goal.velocity && !is_finite(*s.goal.velocity)) return "the goal's velocity is not finite";
+  if (!is_length(s.goal.cruise_speed)) return "the cruise speed is not a speed";
+  if (!(s.limits.max_speed >= 0.0)) return "the speed limit is not a speed";
+  if (!(s.limits.max_climb_rate >= 0.0)) return "the limit of climbing is not a speed";
+  if (!(s.limits.min_depth <= s.limits.max_depth)) return "the ceiling is not above the floor";
+  if (!is_length(s.limits.min_speed)) return "the least speed is not a speed";
+  if (!std::ranges::all_of(s.tracks, [](const Track& t) { return is_usable(t); }))
+    return "a track has a number that is not finite, or no radius";
+  if (!std::ranges::all_of(s.obstacles, [](const Obstacle& o) { return is_usable(o); }))
+    return "an obstacle has a number that is not finite, or no extent";
+  return {};
 }
 
 }  // namespace fairway

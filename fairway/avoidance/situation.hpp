@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string_view>
 
 #include "fairway/core/ids.hpp"
 #include "fairway/core/limits.hpp"
@@ -70,8 +71,11 @@ struct Situation {
   }
 };
 
-/// True if no number in the situation is NaN or infinite where it must not be, the period is
-/// positive and no radius negative. `Avoider` answers anything else with `Mode::infeasible`.
-bool is_usable(const Situation& situation) noexcept;
+/// What of the situation cannot be decided on, in a few words: a number that is NaN or infinite where it
+/// must not be, a period that is not positive, a negative radius. Empty if it is usable. `Avoider` answers
+/// anything else with `Mode::infeasible` and these words as its note. O(tracks + vertices of obstacles).
+std::string_view why_unusable(const Situation& situation) noexcept;
+
+inline bool is_usable(const Situation& situation) noexcept { return why_unusable(situation).empty(); }
 
 }  // namespace fairway

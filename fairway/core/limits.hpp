@@ -16,6 +16,11 @@ struct Limits {
   double min_depth{-none};        ///< ceiling: no command leads above it [m]
   double max_depth{none};         ///< floor: no command leads below it [m]
 
+  // what the vehicle cannot do, whatever it is told; by default it can do all of it
+  double min_speed{0.0};  ///< through the water; slower than this it does not steer [m/s]
+  bool sternway{true};    ///< it can go astern
+  bool sway{true};        ///< it can go sideways
+
   friend bool operator==(const Limits&, const Limits&) = default;
 };
 

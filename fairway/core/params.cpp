@@ -59,6 +59,12 @@ void assign(bool& target, std::string_view name, Range, const ParamValue& value)
   target = *given;
 }
 
+void check(double value, std::string_view name, Range range) { number_in(name, range, value, false); }
+
+void check(int value, std::string_view name, Range range) {
+  number_in(name, range, static_cast<double>(value), true);
+}
+
 std::size_t chosen_index(std::string_view name, std::span<const char* const> choices,
                          const ParamValue& value) {
   const std::string* given = std::get_if<std::string>(&value);

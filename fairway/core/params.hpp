@@ -256,6 +256,34 @@ P params_of(const ParamValues& values, P params = {}, bool optional = false) {
   return params;
 }
 
+namespace detail {
+
+void check(double value, std::string_view name, Range range);
+void check(int value, std::string_view name, Range range);
+inline void check(bool, std::string_view, Range) {}
+
+template <class E>
+  requires std::is_enum_v<E>
+void check(E value, std::string_view name, Range) {
+  check(static_cast<int>(value), name, {0.0, static_cast<double>(EnumNames<E>::names.size() - 1)});
+}
+
+}  // namespace detail
+
+/// Throws InputError, as set_param() does, if a value is outside its range: for parameters that were put
+/// together in C++.
+template <Reflected P>
+void check_params(const P& params) {
+  for_each_field<P>([&](const auto& f) {
+    const auto& member = params.*(f.member);
+    if constexpr (detail::is_list<std::remove_cvref_t<decltype(member)>>) {
+      for (const auto& item : member) check_params(item);
+    } else {
+      detail::check(member, f.name, f.range);
+    }
+  });
+}
+
 /// `values`, with those of `over` in place of the same names.
 ParamValues merged(ParamValues values, const ParamValues& over);
 

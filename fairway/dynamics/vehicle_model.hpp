@@ -43,6 +43,7 @@ struct VehicleInfo {
   std::string_view name;  ///< as written in a scenario: "sparus2"
   std::string_view title;
   std::string_view source;
+  bool floats = false;  ///< it lives on the surface, and is simulated there alone
 };
 
 /// A vehicle's equations: constants only. x' = f(x, u, water); nothing here knows a time step, so

@@ -15,7 +15,8 @@ class Otter {
   static constexpr VehicleInfo info{
       .name = "otter",
       .title = "Maritime Robotics Otter USV, propeller speeds",
-      .source = "Fossen, MSS toolbox, otter.m (2026); fairway/dynamics/otter/README.md"};
+      .source = "Fossen, MSS toolbox, otter.m (2026); fairway/dynamics/otter/README.md",
+      .floats = true};
   using Params = OtterParams;
 
   /// Throws InputError if the boat has no positive metacentric height under its payload.
@@ -51,7 +52,8 @@ class OtterByThrust {
  public:
   static constexpr VehicleInfo info{.name = "otter_by_thrust",
                                     .title = "Maritime Robotics Otter USV, thrusts",
-                                    .source = Otter::info.source};
+                                    .source = Otter::info.source,
+                                    .floats = true};
   using Params = OtterParams;
 
   /// Throws InputError if the boat has no positive metacentric height under its payload.

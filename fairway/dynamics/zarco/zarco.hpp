@@ -19,7 +19,8 @@ class Zarco {
                                     .title = "Zarco surface catamaran",
                                     .source =
                                         "estimates within the limits of campos2019; "
-                                        "fairway/dynamics/zarco/README.md"};
+                                        "fairway/dynamics/zarco/README.md",
+                                    .floats = true};
 
   struct Params {
     double mass_kg{50.0};

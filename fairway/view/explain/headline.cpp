@@ -110,7 +110,7 @@ std::string reason_words(const Scenario& scenario, const FoundDecision& found, c
                          std::span<const StrokeFacts> strokes) {
   const Command& command = found.decision->command();
   const Situation& situation = found.decision->situation();
-  if (!is_usable(situation)) return ": what it was shown makes no sense (NaN, or no period)";
+  if (!is_usable(situation)) return ": " + std::string(why_unusable(situation));
   if (!command.note.empty()) return ": " + std::string(command.note);
   // what was drawn is of the velocity that it would have had
   if (command.mode == Mode::hold) return "; " + nearest_words(scenario, facts, command.mode);
