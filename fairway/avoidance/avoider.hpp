@@ -38,17 +38,17 @@ class Avoider {
 
   const AlgorithmInfo& info() const { return self_->info(); }
 
-  /// Decides, then holds the decision to the limits, so that no algorithm has to. A situation that is
-  /// not usable (NaN, no period) is answered with zero velocity, Mode::infeasible and a note that says what
-  /// is wrong with it. Never throws.
+  /// Decides, then holds the decision to the limits, so that no algorithm has to. What the vehicle cannot
+  /// carry out of it (see `shortfall`) stands in the note unless the method says something itself, and what
+  /// was to avoid somebody so is Mode::infeasible. A situation that is not usable (NaN, no period) is
+  /// answered with zero velocity, Mode::infeasible and a note that says what is wrong with it. Never throws.
   [[nodiscard]] Command decide(const Situation& situation, Sketch* sketch = nullptr) noexcept {
     if (const std::string_view trouble = why_unusable(situation); !trouble.empty())
       return {.mode = Mode::infeasible, .note = trouble};
     Context context{rng_, sketch};
     Command command = self_->decide(situation, context);
     if (!is_finite(command)) return {.mode = Mode::infeasible, .note = "the method's answer is not finite"};
-    command.velocity = within(situation, command.velocity);
-    return command;
+    return held(situation, command);
   }
 
   /// Decides and takes it back: memory and randomness are as before, but what deciding has allocated is kept.
@@ -90,8 +90,8 @@ class Avoider {
   template <AvoidanceWrapper W>
   struct Wrapped;
 
-  /// `v` within speed and climb limits, and not through floor or ceiling before the next decision.
-  static Vec3 within(const Situation& s, Vec3 v) noexcept;
+  /// `command` held to what the vehicle may do, and judged by what it can.
+  static Command held(const Situation& s, Command command) noexcept;
 
   std::unique_ptr<Interface> self_;
   Rng rng_;

@@ -17,7 +17,7 @@ enum class Mode : std::uint8_t {
   cruise,      ///< nothing in the way
   avoid,       ///< deviating from the preferred velocity, or someone close enough that it might
   hold,        ///< waiting on purpose: keep the present position
-  infeasible,  ///< no safe choice was found, or the input made no sense; the velocity is the least bad one
+  infeasible,  ///< no safe choice that the vehicle can carry out, or no sense in the input; the least bad one
 };
 
 template <>

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "fairway/avoidance/ability.hpp"
 #include "fairway/avoidance/avoa/circular_regions.hpp"
 #include "fairway/avoidance/avoa/picture.hpp"
 
@@ -36,7 +37,9 @@ avoa::KinematicZone kinematic_zone(const Avoa::Params& p, const Limits& limits, 
           .turn_gain = p.turn_gain_hz,
           .max_turn_rate = limit_or(limits.max_turn_rate, p.max_turn_rate_radps),
           .thruster_speed = p.thruster_speed_mps,
-          .max_speed = max_speed};
+          .max_speed = max_speed,
+          .min_speed = limits.min_speed,
+          .only_ahead = only_goes_ahead(limits)};
 }
 
 avoa::Swarm::Settings swarm_settings(const Avoa::Params& p) {

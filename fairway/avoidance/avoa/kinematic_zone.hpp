@@ -9,7 +9,8 @@
 namespace fairway::avoa {
 
 /// The velocities that two thrusters side by side cannot make, PZ^K (campos2019, eqs. 3-5): the turn rate
-/// omega that leads to a heading is k |theta|, at most `max_turn_rate`.
+/// omega that leads to a heading is k |theta|, at most `max_turn_rate`. And, of a vehicle that cannot stop,
+/// those that are too slow for it or, without sternway, abaft its beam.
 struct KinematicZone {
   double alpha{};           ///< thruster speed per speed [-]
   double beta{};            ///< thruster speed per turn rate [m]
@@ -17,10 +18,13 @@ struct KinematicZone {
   double max_turn_rate{};   ///< [rad/s]
   double thruster_speed{};  ///< v_max^t [m/s]
   double max_speed{};       ///< v_max [m/s]
+  double min_speed{};       ///< [m/s]
+  bool only_ahead{};
 
   bool contains(const PolarVelocity& v) const {
     const double omega = std::min(turn_gain * std::abs(v.heading), max_turn_rate);
     // the outer thruster, v_1 to starboard and v_2 to port, is the faster one
+    if (v.speed < min_speed || (only_ahead && std::abs(v.heading) > 0.5 * pi)) return true;
     return v.speed > max_speed || alpha * v.speed + beta * omega > thruster_speed;
   }
 

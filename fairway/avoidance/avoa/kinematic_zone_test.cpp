@@ -29,6 +29,16 @@ TEST(KinematicZone, TheOuterThrusterLimitsTheSpeedInATurnToEitherSide) {
   }
 }
 
+TEST(KinematicZone, OfWhoCannotStopHoldsWhatIsTooSlowOrAbaftTheBeam) {
+  KinematicZone torpedo = zarco;
+  torpedo.thruster_speed = 100.0;
+  torpedo.min_speed = 1.0;
+  torpedo.only_ahead = true;
+  EXPECT_TRUE(torpedo.contains({0.99, 0.0}));
+  EXPECT_FALSE(torpedo.contains({1.01, 1.5}));
+  EXPECT_TRUE(torpedo.contains({1.01, -1.6}));
+}
+
 TEST(KinematicZone, BeyondTheLargestTurnRateTheHeadingDoesNotMatter) {
   // v + 3 * 0.3751 <= 1.5
   for (const double heading : {0.8, -2.0, pi}) {

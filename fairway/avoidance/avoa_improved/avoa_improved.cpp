@@ -6,6 +6,7 @@
 #include <cmath>
 #include <span>
 
+#include "fairway/avoidance/ability.hpp"
 #include "fairway/avoidance/avoa/metric.hpp"
 #include "fairway/avoidance/avoa_improved/outlook.hpp"
 #include "fairway/avoidance/avoa_improved/wish.hpp"
@@ -56,20 +57,21 @@ double greatest_speed(const Situation& s) {
 /// The commands that there are to choose from, the one nearest to the wish first.
 class Choices {
  public:
-  Choices(const Params& params, const Wish& wish, double yaw, double fastest)
+  Choices(const Params& params, const Wish& wish, const Situation& s, double fastest)
       : metric_{{.speed = wish.speed, .heading = 0.0},
                 fastest,
                 params.speed_weight_ratio,
                 params.heading_weight_ratio,
                 params.danger_weight_ratio} {
-    list_speeds(params, wish, fastest);
+    list_speeds(params, wish, s.limits, fastest);
     // the desired heading, then away from it to both sides in turn, and last the present one
     for (int i = 0; i < params.heading_count; ++i) {
       const int steps_away = (i + 1) / 2;
       const double away = 2.0 * pi / params.heading_count * steps_away;
-      add(wish.heading, i % 2 == 1 ? away : -away, static_cast<std::size_t>(i));
+      add(wish.heading, i % 2 == 1 ? away : -away, static_cast<std::size_t>(i), s);
     }
-    add(wish.heading, wrap_angle(yaw - wish.heading), static_cast<std::size_t>(params.heading_count));
+    add(wish.heading, wrap_angle(s.own.yaw - wish.heading), static_cast<std::size_t>(params.heading_count),
+        s);
     const auto rank = [](const Candidate& a, const Candidate& b) {
       return a.cost != b.cost ? a.cost < b.cost : a.index < b.index;
     };
@@ -92,9 +94,10 @@ class Choices {
     double after;
   };
 
-  void list_speeds(const Params& params, const Wish& wish, double fastest) {
+  void list_speeds(const Params& params, const Wish& wish, const Limits& limits, double fastest) {
     const auto list = [&](double now, double after) {
-      if (now != wish.speed || after != wish.speed) speeds_[speed_count_++] = {now, after};
+      const bool is_new = now != wish.speed || after != wish.speed;
+      if (is_new && std::abs(now) >= limits.min_speed) speeds_[speed_count_++] = {now, after};
     };
     speeds_[speed_count_++] = {wish.speed, wish.speed};
     for (int i = params.speed_count; i > 0; --i) {
@@ -104,17 +107,20 @@ class Choices {
     if (!params.turn_aware) return;
     list(0.0, 0.0);
     list(0.0, wish.speed_after);
-    if (params.astern_mps <= 0.0) return;
+    if (params.astern_mps <= 0.0 || !limits.sternway) return;
     const double astern = -std::fmin(params.astern_mps, fastest);
     list(astern, astern);
     list(astern, wish.speed_after);
   }
 
-  void add(double desired, double offset, std::size_t heading_index) {
+  void add(double desired, double offset, std::size_t heading_index, const Situation& s) {
+    const double off_the_bow = std::abs(wrap_angle(desired + offset - s.own.yaw));
+    if (only_goes_ahead(s.limits) && off_the_bow >= 0.5 * pi) return;
     for (std::size_t k = 0; k < speed_count_; ++k) {
       const double cost = metric_({.speed = speeds_[k].now, .heading = offset}, 0.0);
-      all_[count_] = {cost, {speeds_[k].now, desired + offset, heading_index, speeds_[k].after}, count_};
-      ++count_;
+      all_[count_++] = {cost,
+                        {speeds_[k].now, desired + offset, heading_index, speeds_[k].after},
+                        heading_index * most_speeds + k};
     }
   }
 
@@ -204,7 +210,7 @@ Command decision(const Params& params, const Situation& s, AvoaImproved::Memory&
     return {.velocity = s.preferred_velocity(), .mode = Mode::cruise};
 
   // the best of them
-  const Choices choices{params, wish, s.own.yaw, fastest};
+  const Choices choices{params, wish, s, fastest};
   const Choice choice = choose(choices, outlook);
   Command command = command_for(params, s, wish, choice);
   if (sketch != nullptr) draw(*sketch, s, outlook, choice, command);

@@ -79,11 +79,13 @@ void go_round(const AvoaImproved::Params& params, const Situation& s, std::span<
   if (sketch != nullptr) draw_way(*way, s.own.position.z(), *sketch);
 }
 
-/// At full speed up to a quarter of `turn_first` off the heading, standing from there on.
-void turn_first(double turn_first, double yaw, Wish& wish) {
-  const double off = std::abs(wrap_angle(wish.heading - yaw)) / turn_first;
+/// At full speed up to a quarter of `turn_first` off the heading, from there on standing, or as slow as it
+/// can go.
+void turn_first(double turn_first, const Situation& s, Wish& wish) {
+  const double off = std::abs(wrap_angle(wish.heading - s.own.yaw)) / turn_first;
   if (off <= 0.25) return;
-  wish.speed *= std::fmax(0.0, 1.0 - off) / 0.75;
+  const double slower = wish.speed * (std::fmax(0.0, 1.0 - off) / 0.75);
+  wish.speed = std::fmax(slower, std::fmin(s.limits.min_speed, wish.speed));
   wish.is_preferred = false;
 }
 
@@ -111,7 +113,7 @@ Wish wish_of(const AvoaImproved::Params& params, const Situation& s, std::span<c
   wish.heading = std::atan2(preferred.y(), preferred.x());
 
   if (params.memory) go_round(params, s, moving, memory, wish, sketch);
-  if (params.turn_aware) turn_first(params.turn_first_rad, s.own.yaw, wish);
+  if (params.turn_aware) turn_first(params.turn_first_rad, s, wish);
   return wish;
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "fairway/avoidance/ability.hpp"
 #include "fairway/avoidance/safety_filter/barrier.hpp"
 #include "fairway/core/angles.hpp"
 
@@ -16,8 +17,8 @@ using Params = SafetyFilter::Params;
 /// What is further down the list is not looked at.
 constexpr std::size_t max_hazards = 256;
 
-/// Eight sides of an octagon, and both ways of two axes.
-constexpr std::size_t max_bounds = 12;
+/// Eight sides of an octagon, both ways of two axes, and way ahead.
+constexpr std::size_t max_bounds = 13;
 
 /// A share of sideways motion below this is none: the sidestep is to starboard.
 constexpr double collinear = 1e-6;
@@ -70,8 +71,18 @@ Request request_of_forces(const Params& params, const Ownship& own, const Onboar
   return request;
 }
 
-/// a = (v_d - v) / T, within an octagon inside the circle of the greatest acceleration, and within the forces
-/// of axes that have an actuator: along one that has none the vehicle turns.
+/// Who can neither stop nor go astern keeps its least speed ahead, as far as the acceleration and the speed
+/// limit let it.
+void bound_by_way(Request& request, const Params& params, const Situation& s) {
+  const Vec2 bow = axis_of(s.own, 0);
+  const double ahead = bow.dot(s.own.velocity.head<2>());
+  const double within_reach = ahead + params.response_s * std::cos(pi / 8) * s.limits.max_acceleration;
+  const double kept = std::min({s.limits.min_speed, s.limits.max_speed, within_reach});
+  request.bound(bow, (kept - ahead) / params.response_s);
+}
+
+/// a = (v_d - v) / T, within an octagon inside the circle of the greatest acceleration, within the forces of
+/// axes that have an actuator, since along one that has none the vehicle turns, and ahead for who must.
 Request request_of_velocities(const Params& params, const Situation& s, const Vec3& wanted) {
   const Vec2 v = s.own.velocity.head<2>();
   Request request{.nominal = wanted.head<2>() / params.response_s,
@@ -84,6 +95,7 @@ Request request_of_velocities(const Params& params, const Situation& s, const Ve
   for (int axis = 0; has_masses(s.model) && axis < 2; ++axis)
     if (s.model->least[axis] < s.model->greatest[axis])
       bound_by_forces(request, params, s.own, *s.model, axis);
+  if (only_goes_ahead(s.limits)) bound_by_way(request, params, s);
   return request;
 }
 

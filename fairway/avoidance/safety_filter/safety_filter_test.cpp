@@ -44,6 +44,25 @@ Obstacle sphere(double north, double east, double radius) {
   return {.kind = Obstacle::Kind::sphere, .position = {north, east, 0.0}, .radius = radius};
 }
 
+TEST(SafetyFilter, WhoCannotStopKeepsItsWayAheadInWhateverItIsLedInto) {
+  int changed = 0;
+  for (std::uint64_t i = 0; i < 300; ++i) {
+    Encounter e = encounters::congested(static_cast<int>(i % 6), Rng{3}.stream("torpedo", i));
+    Situation& s = e.situation;
+    s.own.velocity = 1.2 * Vec3{std::cos(s.own.yaw), std::sin(s.own.yaw), 0.0};
+    s.goal.position.z() = s.own.position.z();
+    s.limits = {.max_speed = 1.5, .min_speed = 1.0, .sternway = false, .sway = false};
+    if (i % 2 == 0) s.limits.max_acceleration = 0.3;
+    const Command asked{.velocity = s.preferred_velocity()};
+    const Command answer = around(asked).decide(e);
+    if (answer.velocity == asked.velocity) continue;
+    const Vec3 bow{std::cos(s.own.yaw), std::sin(s.own.yaw), 0.0};
+    EXPECT_GT(answer.velocity.dot(bow), 1.0 - 1e-6) << i;
+    ++changed;
+  }
+  EXPECT_GT(changed, 50);
+}
+
 struct Passage {
   double clearance = 1e9;  ///< between own sphere and every surface [m]
   double arrival = -1.0;   ///< first within 1 m of the goal [s]

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fairway/avoidance/ability.hpp"
 #include "fairway/core/angles.hpp"
 
 namespace fairway::velocity_obstacle {
@@ -11,8 +12,10 @@ namespace fairway::velocity_obstacle {
 ReachableSet::ReachableSet(const Ownship& own, const Limits& limits, double interval) noexcept
     : bow_{std::cos(own.yaw), std::sin(own.yaw)},
       max_speed_{limits.max_speed},
+      min_speed_{std::min(limits.min_speed, limits.max_speed)},
       max_change_{limits.max_acceleration * interval},
       turns_freely_{limits.max_turn_rate * interval >= pi},
+      only_ahead_{only_goes_ahead(limits)},
       middle_{own.velocity.head<2>()} {
   if (!turns_freely_) {
     turn_cosine_ = std::cos(limits.max_turn_rate * interval);
@@ -26,6 +29,15 @@ ReachableSet::ReachableSet(const Ownship& own, const Limits& limits, double inte
   }
   const double speed = middle_.norm();
   if (speed > max_speed_) middle_ *= max_speed_ / speed;
+  if (!makes_way(middle_, 0.0)) {
+    const double ahead = middle_.dot(bow_);
+    const bool keeps_course = speed > 0.0 && (!only_ahead_ || ahead >= 0.0);
+    middle_ = min_speed_ * (keeps_course ? Vec2{middle_ / speed} : bow_);
+  }
+}
+
+bool ReachableSet::makes_way(const Vec2& v, double slack) const noexcept {
+  return v.norm() >= min_speed_ - slack && (!only_ahead_ || v.dot(bow_) >= -slack);
 }
 
 bool ReachableSet::is_within_turn(const Vec2& v, double slack) const noexcept {
@@ -37,7 +49,7 @@ bool ReachableSet::is_within_turn(const Vec2& v, double slack) const noexcept {
 
 bool ReachableSet::contains(const Vec2& v, double slack) const noexcept {
   return v.norm() <= max_speed_ + slack && (v - middle_).norm() <= max_change_ + slack &&
-         is_within_turn(v, slack);
+         is_within_turn(v, slack) && makes_way(v, slack);
 }
 
 std::size_t ReachableSet::boundaries(std::span<Boundary, max_boundaries> out) const noexcept {
@@ -48,6 +60,8 @@ std::size_t ReachableSet::boundaries(std::span<Boundary, max_boundaries> out) co
     out[count++] = Boundary::line(Vec2::Zero(), turned(bow_, turn_cosine_, -turn_sine_));
     out[count++] = Boundary::line(Vec2::Zero(), turned(bow_, turn_cosine_, turn_sine_));
   }
+  if (min_speed_ > 0.0) out[count++] = Boundary::circle(Vec2::Zero(), min_speed_);
+  if (only_ahead_) out[count++] = Boundary::line(Vec2::Zero(), starboard_of(bow_));
   return count;
 }
 

@@ -56,5 +56,32 @@ TEST(ReachableSet, WhoIsTooFastOrGoesAsideCanAlwaysDoSomething) {
   }
 }
 
+TEST(ReachableSet, WhoCannotStopKeepsItsLeastSpeedAndGoesNotAbaftItsBeam) {
+  const Limits torpedo{.max_speed = 1.5, .min_speed = 0.8, .sternway = false};
+  const ReachableSet reachable(northbound, torpedo, 1.0);
+  EXPECT_TRUE(reachable.contains({0.81, 0.0}, 0.0));
+  EXPECT_FALSE(reachable.contains({0.79, 0.0}, 0.0));
+  EXPECT_FALSE(reachable.contains({0.0, 0.0}, 0.0));
+  EXPECT_TRUE(reachable.contains({0.01, -1.0}, 0.0));
+  EXPECT_FALSE(reachable.contains({-0.01, -1.0}, 0.0));
+  for (const Vec2& drifting : {Vec2{-1.0, 0.3}, Vec2{0.0, 0.0}, Vec2{0.1, 0.1}, Vec2{-2.0, 0.0}}) {
+    const Ownship own{.velocity = {drifting.x(), drifting.y(), 0.0}};
+    const ReachableSet from_there(own,
+                                  {.max_speed = 1.5,
+                                   .max_acceleration = 0.1,
+                                   .max_turn_rate = 0.1,
+                                   .min_speed = 0.8,
+                                   .sternway = false},
+                                  1.0);
+    EXPECT_TRUE(from_there.contains(from_there.middle(), 1e-12)) << drifting.transpose();
+  }
+}
+
+TEST(ReachableSet, OfWhoIsNotAllowedItsLeastSpeedIsTheSpeedLimit) {
+  const ReachableSet reachable(northbound, {.max_speed = 0.5, .min_speed = 0.8}, 1.0);
+  EXPECT_TRUE(reachable.contains({0.5, 0.0}, 1e-12));
+  EXPECT_FALSE(reachable.contains({0.4, 0.0}, 1e-12));
+}
+
 }  // namespace
 }  // namespace fairway::velocity_obstacle

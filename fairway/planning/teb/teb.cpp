@@ -50,6 +50,13 @@ Teb::Line line_to(const Vec2& goal, const Situation& s, const std::optional<Teb:
   return {.from = seen_from_above(s.own.position), .to = goal};
 }
 
+/// The speeds that the band may have are those that the vehicle can have: without sternway none astern, and
+/// where there is a least speed, none below it.
+TebParams within(TebParams params, const Limits& limits) {
+  if (!limits.sternway) params.max_vel_x_backwards_mps = -std::min(limits.min_speed, params.max_vel_x_mps);
+  return params;
+}
+
 /// As far along the line as is looked ahead from its point nearest to own ship.
 Vec2 end_ahead(const TebParams& params, const Teb::Line& line, const Vec2& own) {
   const Vec2 way = line.to - line.from;
@@ -201,7 +208,8 @@ Command Teb::decide(const Situation& s, Memory& memory, Context& context) const 
       memory.bands.clear();
       return {};
     }
-    const Task task = task_of(params, s, *memory.line);
+    const TebParams able = within(params, s.limits);
+    const Task task = task_of(able, s, *memory.line);
     plan(task, memory.bands, context.rng);
     if (context.sketch != nullptr) draw(s, memory.bands, *context.sketch);
     const Band& band = memory.bands.front();
