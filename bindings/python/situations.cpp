@@ -20,6 +20,8 @@ void give_priority(T& vehicle, const py::dict& given) {
 void check_limits(Limits& limits, const py::dict&) {
   if (limits.min_depth > limits.max_depth)
     throw InputError("Limits: min_depth is below max_depth; depth counts downwards");
+  if (!(limits.min_speed >= 0.0 && limits.min_speed < Limits::none))
+    throw InputError("Limits.min_speed: expected a finite number that is not negative");
 }
 
 void check_obstacle(ObstacleSpec& obstacle, const py::dict&) {
@@ -162,6 +164,10 @@ void bind_goal_and_limits(py::module_& m) {
       .field("max_turn_rate", &Limits::max_turn_rate, "[rad/s]; likewise")
       .field("min_depth", &Limits::min_depth, "ceiling: no command leads above it [m]")
       .field("max_depth", &Limits::max_depth, "floor: no command leads below it [m]")
+      .field("min_speed", &Limits::min_speed,
+             "through the water; slower than this the vehicle does not steer [m/s]")
+      .field("sternway", &Limits::sternway, "whether it can go astern")
+      .field("sway", &Limits::sway, "whether it can go sideways")
       .finish(check_limits);
 
   ValueClass<OnboardModel>(

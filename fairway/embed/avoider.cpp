@@ -67,7 +67,10 @@ fairway::Limits converted(const Limits& limits) {
           .max_acceleration = limits.max_acceleration,
           .max_turn_rate = limits.max_turn_rate,
           .min_depth = limits.min_depth,
-          .max_depth = limits.max_depth};
+          .max_depth = limits.max_depth,
+          .min_speed = limits.min_speed,
+          .sternway = limits.sternway,
+          .sway = limits.sway};
 }
 
 fairway::OnboardModel converted(const OnboardModel& model) {

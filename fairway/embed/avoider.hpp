@@ -87,6 +87,9 @@ struct Limits {
   double max_turn_rate{unlimited};     ///< [rad/s]
   double min_depth{-unlimited};        ///< ceiling: no command leads above it [m]
   double max_depth{unlimited};         ///< floor: no command leads below it [m]
+  double min_speed{0.0};               ///< through the water; slower than this it does not steer [m/s]
+  bool sternway{true};                 ///< it can go astern
+  bool sway{true};                     ///< it can go sideways
 };
 
 /// How the vehicle answers to forces, one axis at a time: m nu' = tau - (d_l + d_q |nu|) nu - g, least <= tau

@@ -49,6 +49,9 @@ struct Scene {
     if (i % 5 == 0)
       s.limits = {.max_speed = 1.5, .max_climb_rate = 0.3, .max_acceleration = 0.2, .max_turn_rate = 0.4};
     if (i % 7 == 0) s.limits.max_depth = s.own.position.z() + 0.01;
+    if (i % 11 == 0) s.limits.min_speed = 0.5;
+    s.limits.sternway = i % 13 != 0;
+    s.limits.sway = i % 6 != 0;
     for (fairway::Track& t : e.tracks) {
       if (rng.uniform(0.0, 1.0) < 0.3) t.destination = t.position + 10.0 * encounters::direction(rng);
       t.reacts = rng.uniform(0.0, 1.0) < 0.8;

@@ -30,7 +30,13 @@ Block<Limits> limits_block() {
       {key("min_depth_m", &Limits::min_depth, number_unless(-none, from_to(-12000.0, 12000.0)),
            "No command leads above it."),
        key("max_depth_m", &Limits::max_depth, number_unless(none, from_to(-12000.0, 12000.0)),
-           "No command leads below it.")});
+           "No command leads below it."),
+       key("min_speed_mps", &Limits::min_speed, number_unless(0.0, from_to(0.0, 100.0)),
+           "Through the water; it cannot go slower, nor stop. Default: the model's; a smaller one changes "
+           "nothing."),
+       key("sternway", &Limits::sternway, flag_unless(true),
+           "Whether it can go astern. Default: as the model; true gives it nothing that the model has not."),
+       key("sway", &Limits::sway, flag_unless(true), "Whether it can go sideways; likewise.")});
 }
 
 Form<Limits> limits() {

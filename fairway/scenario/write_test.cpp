@@ -131,6 +131,10 @@ VehicleSpec vehicle(Rng& rng, std::uint32_t id) {
   if (rng.index(2) == 0) limits.max_turn_rate = rng.uniform(0, 9);
   if (rng.index(2) == 0) limits.min_depth = awkward(rng, 0, 9);
   if (rng.index(2) == 0) limits.max_depth = 10.0 + awkward(rng, 0, 9);
+  Rng abilities = rng.stream("abilities", id);
+  if (abilities.index(2) == 0) limits.min_speed = awkward(abilities, 0, 9);
+  limits.sternway = abilities.index(2) == 0;
+  limits.sway = abilities.index(2) == 0;
   for (std::uint64_t i = rng.index(5); i > 0; --i) made.mission.push_back(leg(rng));
   return made;
 }
@@ -178,7 +182,8 @@ class Dump {
       const Limits& l = v.limits;
       add(std::uint64_t{v.id}, v.name, v.model, v.avoider, v.steering, v.position, v.yaw, v.speed,
           v.start_delay_s, v.radius_m, static_cast<std::uint64_t>(v.priority), l.max_speed, l.max_climb_rate,
-          l.max_acceleration, l.max_turn_rate, l.min_depth, l.max_depth);
+          l.max_acceleration, l.max_turn_rate, l.min_depth, l.max_depth, l.min_speed,
+          std::uint64_t{l.sternway}, std::uint64_t{l.sway});
       for (const Leg& leg : v.mission) {
         add(static_cast<std::uint64_t>(leg.kind), leg.position, leg.from, leg.speed_mps, leg.box_m,
             leg.arrival_m, leg.duration_s);

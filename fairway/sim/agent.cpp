@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/sim/agent.hpp"
 
+#include "fairway/control/vehicle_limits.hpp"
+
 namespace fairway {
 namespace {
 
@@ -38,11 +40,6 @@ AllocationMethod allocation_of(const VehicleSpec& spec) {
     if (!spec.allocation.name.empty()) set_param(params, "method", spec.allocation.name);
     return params_of(spec.allocation.params, params).method;
   });
-}
-
-/// Whether the thrusters push sideways.
-bool can_sway(const Propulsion& propulsion) {
-  return propulsion.effectiveness.row(1).norm() > 1e-6 * propulsion.effectiveness.norm();
 }
 
 SteeringParams steering_of(const VehicleSpec& spec, const Vehicle& vehicle) {
@@ -84,6 +81,18 @@ Exchange make_exchange(const Scenario& scenario) {
   });
 }
 
+std::vector<Limits> limits_in_force(const Scenario& scenario, const VehicleCatalog& vehicles) {
+  std::vector<Limits> limits;
+  for (const VehicleSpec& spec : scenario.vehicles) {
+    try {
+      limits.push_back(narrowed(spec.limits, vehicles.make(spec.model.name, spec.model.params)));
+    } catch (const InputError&) {
+      limits.push_back(spec.limits);
+    }
+  }
+  return limits;
+}
+
 Agent make_agent(const VehicleSpec& spec, const Scenario& scenario, const Catalogs& catalogs) {
   const Rng rng{scenario.seed};
   const auto drawn_for = [&](std::string_view user) { return rng.stream(user, spec.id); };
@@ -103,7 +112,7 @@ Agent make_agent(const VehicleSpec& spec, const Scenario& scenario, const Catalo
       .radius = spec.radius_m,
       .start_delay = spec.start_delay_s,
       .cooperative = spec.cooperative,
-      .limits = spec.limits,
+      .limits = narrowed(spec.limits, vehicle),
       .steering = steering,
       .model = onboard_model(vehicle),
       .vehicle = vehicle,

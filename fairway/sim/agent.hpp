@@ -62,6 +62,10 @@ struct Agent {
 /// parameter.
 Agent make_agent(const VehicleSpec& spec, const Scenario& scenario, const Catalogs& catalogs);
 
+/// What each vehicle of a scenario may and can do, as its agent is told. A model that the catalog does not
+/// know or refuses is taken to be able to do anything: whoever simulates it refuses it.
+std::vector<Limits> limits_in_force(const Scenario& scenario, const VehicleCatalog& vehicles);
+
 /// What the vehicles of a scenario hear of each other. Throws InputError likewise.
 Exchange make_exchange(const Scenario& scenario);
 

@@ -99,6 +99,7 @@ Diagnosis diagnosis_of(const Helm& helm, double now) {
   say("state", enum_name(order.state));
   say("reason", std::string(order.reason));
   say("mode", enum_name(order.command.mode));
+  say("note", std::string(order.command.note));
   say("method", std::string(helm.algorithm().title));
   say("decision_count", std::to_string(report.decisions));
   say("infeasible_count", std::to_string(report.infeasible));

@@ -94,6 +94,21 @@ TEST(AvoiderHost, WithoutAScenarioSettingsSayEverything) {
   EXPECT_NEAR(std::hypot(order.velocity_n[0], order.velocity_n[1], order.velocity_n[2]), 0.7, 1e-9);
 }
 
+TEST(AvoiderHost, WhatTheVehicleCannotDoIsSaidByTheModelOrTheSettings) {
+  const auto note_towards_astern = [](Settings settings) {
+    settings.insert(settings.end(), {{"algorithm", "direct"}, {"max_speed_mps", "1.5"}});
+    AvoiderHost host{named(settings)};
+    host.own_motion(northward(0), 0);
+    EXPECT_TRUE(host.go_to({-100, 0, 0}, 1.5));
+    host.update(0);
+    return value(host.diagnosis(0), "note");
+  };
+  EXPECT_THAT(note_towards_astern({{"model", "remus100"}}), testing::HasSubstr("astern"));
+  EXPECT_THAT(note_towards_astern({{"min_speed_mps", "1"}, {"sternway", "false"}}),
+              testing::HasSubstr("astern"));
+  EXPECT_EQ(note_towards_astern({}), "");
+}
+
 TEST(AvoiderHost, TheModelChoosesTheSteering) {
   // across the wanted course Sparus turns on the spot; a vehicle of unknown dynamics turns while it goes
   for (const auto& [model, surge] :
@@ -112,6 +127,7 @@ TEST(AvoiderHost, WhatIsWrongIsSaidInOneLineWithTheNearestName) {
       {{.scenario = "no_such.yaml", .vehicle = "robot0", .settings = {}, .seed = {}}, "no_such.yaml"},
       {named({{"algoritm", "apf"}}), "algoritm: unknown setting; did you mean algorithm?"},
       {named({{"algorithm", "orca3"}}), "did you mean orca3d?"},
+      {named({{"sternway", "no"}}), "sternway: is \"no\"; expected true or false"},
       {named({{"params.time_horizn_s", "5"}}), "did you mean time_horizon_s?"},
       {named({{"params.time_horizon_s", "long"}}), "is \"long\"; expected a number"},
       {named({{"policy.own_stal_s", "1"}}),

@@ -61,6 +61,17 @@ Setting number(std::string_view name, double lo, double hi, Target target, doubl
           }};
 }
 
+bool flag_of(std::string_view name, const std::string& text) {
+  if (text != "true" && text != "false")
+    throw InputError({}, std::string(name), "is \"" + text + "\"; expected true or false");
+  return text == "true";
+}
+
+template <class Target>
+Setting flag(std::string_view name, Target target) {
+  return {name, [=](Draft& draft, const std::string& text) { target(draft) = flag_of(name, text); }};
+}
+
 /// Parameters that the algorithm in the scenario had and the one in its place has too are kept.
 void choose_algorithm(Draft& draft, const std::string& name) {
   Choice& avoider = draft.vehicle().avoider;
@@ -101,6 +112,9 @@ const std::vector<Setting>& settings() {
           [](Draft& d) -> double& { return d.vehicle().limits.max_turn_rate; }, radians(1.0)),
       number("min_depth_m", -1e4, 1e5, [](Draft& d) -> double& { return d.vehicle().limits.min_depth; }),
       number("max_depth_m", -1e4, 1e5, [](Draft& d) -> double& { return d.vehicle().limits.max_depth; }),
+      number("min_speed_mps", 0.0, 1e3, [](Draft& d) -> double& { return d.vehicle().limits.min_speed; }),
+      flag("sternway", [](Draft& d) -> bool& { return d.vehicle().limits.sternway; }),
+      flag("sway", [](Draft& d) -> bool& { return d.vehicle().limits.sway; }),
   };
   return all;
 }
@@ -141,10 +155,8 @@ void set_mate(Draft& draft, const std::string& setting, const std::string& text)
     mate.priority = whole_of(setting, text, -2147483648.0);
   } else if (what == "id") {
     mate.id = VehicleId{static_cast<std::uint32_t>(whole_of(setting, text, 0))};
-  } else if (what == "reacts" && (text == "true" || text == "false")) {
-    mate.reacts = text == "true";
   } else if (what == "reacts") {
-    throw InputError({}, setting, "is \"" + text + "\"; expected true or false");
+    mate.reacts = flag_of(setting, text);
   } else {
     throw InputError(
         {}, setting,

@@ -120,6 +120,7 @@ def test_notes_without_end_do_not_fill_the_memory():
         (lambda: fw.Ownship(yaw="n", position=[0, 0, 0]), "Ownship.yaw: expected a number, got 'n'"),
         (lambda: fw.Goal([1, 2, 3]), "Goal: cruise_speed is missing"),
         (lambda: fw.Command(mode="hodl"), 'Command.mode: unknown "hodl"; did you mean hold?'),
+        (lambda: fw.Limits(min_speed=-1), "Limits.min_speed: expected a finite number that is not negative"),
         (lambda: fw.Limits(min_depth=9, max_depth=1), "Limits: min_depth is below max_depth; depth counts downwards"),
         (lambda: fw.Obstacle.sphere([0, 0, 0], -1), "Obstacle.radius: expected a number that is not negative"),
         (lambda: fw.Obstacle.polygon([(0, 0), (1, 1)]), "Obstacle.vertices: expected at least three, got 2"),

@@ -122,6 +122,9 @@ class Limits(_Value):
         max_turn_rate: float = ...,
         min_depth: float = ...,
         max_depth: float = ...,
+        min_speed: float = ...,
+        sternway: bool = ...,
+        sway: bool = ...,
     ) -> None: ...
     max_speed: Final[float]
     max_climb_rate: Final[float]
@@ -129,6 +132,9 @@ class Limits(_Value):
     max_turn_rate: Final[float]
     min_depth: Final[float]
     max_depth: Final[float]
+    min_speed: Final[float]
+    sternway: Final[bool]
+    sway: Final[bool]
 
 class OnboardModel(_Value):
     def __init__(

@@ -41,14 +41,17 @@ Ownship read_own(const JsonAt& at) {
 }
 
 Limits read_limits(const JsonAt& at) {
-  at.expect_keys(
-      {"max_speed", "max_climb_rate", "max_acceleration", "max_turn_rate", "min_depth", "max_depth"});
+  at.expect_keys({"max_speed", "max_climb_rate", "max_acceleration", "max_turn_rate", "min_depth",
+                  "max_depth", "min_speed", "sternway", "sway"});
   Limits limits{.max_speed = at.at("max_speed").not_negative()};
   if (const auto given = at.find("max_climb_rate")) limits.max_climb_rate = given->not_negative();
   if (const auto given = at.find("max_acceleration")) limits.max_acceleration = given->not_negative();
   if (const auto given = at.find("max_turn_rate")) limits.max_turn_rate = given->not_negative();
   if (const auto given = at.find("min_depth")) limits.min_depth = given->number();
   if (const auto given = at.find("max_depth")) limits.max_depth = given->number();
+  if (const auto given = at.find("min_speed")) limits.min_speed = given->not_negative();
+  if (const auto given = at.find("sternway")) limits.sternway = given->flag();
+  if (const auto given = at.find("sway")) limits.sway = given->flag();
   if (limits.min_depth > limits.max_depth) at.refuse("min_depth is below max_depth; depth counts downwards");
   return limits;
 }

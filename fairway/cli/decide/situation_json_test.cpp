@@ -13,7 +13,7 @@ constexpr std::string_view full = R"({"time":2.5,"period":0.1,
  "own":{"id":3,"position":[1,2,3],"velocity":[0.5,0,-0.1],"yaw":0.25,"radius":1.5,"priority":-7},
  "goal":{"position":[10,20,30],"cruise_speed":0.4},"preferred_velocity":[0.1,0.2,0.3],
  "limits":{"max_speed":0.5,"max_climb_rate":0.2,"max_acceleration":0.3,"max_turn_rate":0.4,
-  "min_depth":1,"max_depth":90},
+  "min_depth":1,"max_depth":90,"min_speed":0.25,"sternway":false,"sway":false},
  "params":{"time_horizon_s":5,"full":true,"kind":"fast"},
  "tracks":[{"id":9,"position":[5,2,3],"velocity":[0,0,0],"radius":1},
            {"id":8,"position":[1,4,3],"velocity":[0,1,0],"radius":2,
@@ -39,7 +39,7 @@ TEST(SituationJsonTest, EveryKeyArrivesWhereItBelongs) {
   EXPECT_EQ(s.goal.position, Vec3(10, 20, 30));
   EXPECT_EQ(s.goal.cruise_speed, 0.4);
   EXPECT_EQ(s.goal.velocity, Vec3(0.1, 0.2, 0.3));
-  EXPECT_EQ(s.limits, (Limits{0.5, 0.2, 0.3, 0.4, 1, 90}));
+  EXPECT_EQ(s.limits, (Limits{0.5, 0.2, 0.3, 0.4, 1, 90, 0.25, false, false}));
   EXPECT_EQ(request.params,
             (ParamValues{{"time_horizon_s", 5.0}, {"full", true}, {"kind", std::string("fast")}}));
 

@@ -56,7 +56,8 @@ struct PlainSituation {
     situation.goal = {plain(s.goal.position), plain(s.goal.velocity.value_or(Vec3::Zero())),
                       s.goal.cruise_speed, s.goal.velocity.has_value()};
     situation.limits = {s.limits.max_speed,     s.limits.max_climb_rate, s.limits.max_acceleration,
-                        s.limits.max_turn_rate, s.limits.min_depth,      s.limits.max_depth};
+                        s.limits.max_turn_rate, s.limits.min_depth,      s.limits.max_depth,
+                        s.limits.min_speed,     s.limits.sternway,       s.limits.sway};
     situation.time = s.time;
     situation.period = s.period;
     if (s.model != nullptr) {
