@@ -8,11 +8,12 @@
 
 namespace fairway {
 
-RunMetrics metrics_for(const Scenario& scenario) {
+RunMetrics metrics_for(const Scenario& scenario, const VehicleCatalog& vehicles) {
   Surroundings surroundings;
   for (const ObstacleSpec& spec : scenario.obstacles)
     surroundings.obstacles.push_back({spec.view(), spec.velocity});
   for (const VehicleSpec& spec : scenario.vehicles) surroundings.radii.push_back(spec.radius_m);
+  surroundings.limits = limits_in_force(scenario, vehicles);
   return RunMetrics{{scenario.exam.crit_dist_m, scenario.exam.safety_distance_m}, std::move(surroundings)};
 }
 
@@ -35,7 +36,7 @@ std::vector<FrameSink*> sinks_of(std::initializer_list<FrameSink*> own, std::spa
 
 std::vector<Measure> measure_run(const Scenario& scenario, const Catalogs& catalogs,
                                  const std::atomic<bool>* stop, std::span<FrameSink* const> more) {
-  RunMetrics metrics = metrics_for(scenario);
+  RunMetrics metrics = metrics_for(scenario, catalogs.vehicles);
   run_into(scenario, catalogs, sinks_of({&metrics}, more), stop);
   return metrics.measures();
 }

@@ -12,8 +12,9 @@
 
 namespace fairway {
 
-/// Every metric, with the scenario's counting rules and obstacles. The scenario must outlive it.
-RunMetrics metrics_for(const Scenario& scenario);
+/// Every metric, with the scenario's counting rules and obstacles, and what its vehicles can do. The scenario
+/// must outlive it.
+RunMetrics metrics_for(const Scenario& scenario, const VehicleCatalog& vehicles = builtin_vehicles());
 
 /// Runs a scenario into `sinks`, showing its thoughts if one of them wants them. Throws as measure_run().
 void run_into(const Scenario& scenario, const Catalogs& catalogs, std::span<FrameSink* const> sinks,

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fairway/avoidance/ability.hpp"
+
 namespace fairway {
 namespace {
 
@@ -29,6 +31,9 @@ const std::vector<QuantityInfo>& FleetMetric::quantities() {
       {"energy_j", true, "drawn by the actuators while under way"},
       {"hold_time_s", true, "time waiting on purpose while under way"},
       {"infeasible_count", true, "decisions that found no safe choice"},
+      {"unattainable_time_s", true,
+       "time under way in which the command was beyond the vehicle: slower than it can go, or astern or "
+       "sideways where it cannot"},
   };
   return all;
 }
@@ -48,6 +53,12 @@ void FleetMetric::see(const Frame& frame) {
   see_pairs(frame);
 }
 
+bool FleetMetric::is_beyond(const VehicleFrame& vehicle, std::size_t index) const {
+  if (index >= surroundings_.limits.size()) return false;
+  const double yaw = yaw_of(vehicle.state.q_nb);
+  return shortfall(surroundings_.limits[index], vehicle.command, yaw) != Shortfall::none;
+}
+
 void FleetMetric::see_vehicle(const Frame& frame, std::size_t index) {
   const VehicleFrame& vehicle = frame.vehicles[index];
   Own& own = own_[index];
@@ -55,6 +66,7 @@ void FleetMetric::see_vehicle(const Frame& frame, std::size_t index) {
     own.energy += vehicle.power * frame.period;
     if (vehicle.command.mode == Mode::hold) own.hold_time += frame.period;
     if (vehicle.command.mode == Mode::infeasible) ++own.infeasible;
+    if (is_beyond(vehicle, index)) own.unattainable_time += frame.period;
   }
   for (const DriftingObstacle& obstacle : surroundings_.obstacles) {
     own.clearance =
@@ -102,6 +114,7 @@ void FleetMetric::report(std::vector<Measure>& measures) const {
     measures.push_back({"energy_j", vehicle, own_[i].energy});
     measures.push_back({"hold_time_s", vehicle, own_[i].hold_time});
     measures.push_back({"infeasible_count", vehicle, static_cast<double>(own_[i].infeasible)});
+    measures.push_back({"unattainable_time_s", vehicle, own_[i].unattainable_time});
   }
 }
 

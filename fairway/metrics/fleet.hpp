@@ -4,6 +4,7 @@
 #include <limits>
 #include <vector>
 
+#include "fairway/core/limits.hpp"
 #include "fairway/core/shapes.hpp"
 #include "fairway/metrics/metric.hpp"
 
@@ -13,9 +14,11 @@ namespace fairway {
 struct Surroundings {
   std::vector<DriftingObstacle> obstacles;  ///< whoever owns their vertices outlives the metrics
   std::vector<double> radii;                ///< of the vehicles' spheres, by index [m]; 0 where not given
+  std::vector<Limits> limits;  ///< of the vehicles, by index; able to do anything where not given
 };
 
-/// What raja2024 does not measure: pair events, separation, makespan, arrivals, energy, holding. Counted
+/// What raja2024 does not measure: pair events, separation, makespan, arrivals, energy, holding, what
+/// was commanded in vain. Counted
 /// from the first tick in which anyone is under way; vehicles that are still deploying are left out.
 class FleetMetric final : public Metric {
  public:
@@ -30,12 +33,14 @@ class FleetMetric final : public Metric {
   struct Own {
     double energy{};
     double hold_time{};
+    double unattainable_time{};
     double nearest2{std::numeric_limits<double>::infinity()};
     double clearance{std::numeric_limits<double>::infinity()};
     int infeasible{};
     bool arrived{};
   };
 
+  bool is_beyond(const VehicleFrame& vehicle, std::size_t index) const;
   void see_vehicle(const Frame& frame, std::size_t index);
   void see_pairs(const Frame& frame);
 

@@ -39,6 +39,33 @@ class Script {
   Tick tick_{0};
 };
 
+TEST(FleetMetric, CommandsBeyondAVehicleCountForAsLongAsItIsUnderWayByThem) {
+  Surroundings surroundings;
+  surroundings.limits = {{.min_speed = 1.0, .sternway = false, .sway = false}, {}};
+  RunMetrics metrics{{6.0, 3.0}, surroundings};
+  std::array<VehicleFrame, 2> vehicles{};
+  std::int64_t tick = 0;
+  const auto see = [&](const Vec3& velocity, Phase phase) {
+    for (VehicleFrame& vehicle : vehicles) {
+      vehicle.phase = phase;
+      vehicle.command.velocity = velocity;
+    }
+    metrics.write({Tick{tick}, 0.5 * static_cast<double>(tick), 0.5, vehicles});
+    ++tick;
+  };
+  see({-1.5, 0, 0}, Phase::waiting);    // nobody avoids yet
+  see({1.5, 0, 0}, Phase::under_way);   // as it can
+  see({-1.5, 0, 0}, Phase::under_way);  // astern
+  see({0.5, 0, 0}, Phase::under_way);   // too slow
+  see({0, 0, 0}, Phase::arrived);
+
+  std::vector<double> seconds;
+  for (const Measure& m : metrics.measures()) {
+    if (m.quantity == "unattainable_time_s") seconds.push_back(m.value);
+  }
+  EXPECT_EQ(seconds, (std::vector<double>{1.0, 0.0}));
+}
+
 TEST(EncounterMetric, AnEncounterCountsOnceAsTheNeighbourLeavesForEachOfTheTwo) {
   Script s;
   s.pair(10).pair(5).pair(4).pair(5).pair(7);
