@@ -5,6 +5,8 @@
 #include <bit>
 #include <cstring>
 
+#include "fairway/avoidance/ability.hpp"
+
 namespace fairway {
 namespace {
 
@@ -22,7 +24,7 @@ struct ColumnShape {
 constexpr std::size_t frame_columns = 2;
 
 /// In the order in which append() writes them.
-std::array<ColumnShape, 12> column_shapes(std::size_t current_depths) {
+std::array<ColumnShape, 13> column_shapes(std::size_t current_depths) {
   return {{{"time_s", "f64", Per::frame, 1},
            {"current_mps", "f32", Per::frame, 2 * current_depths},
            {"position_m", "f64", Per::vehicle, 3},
@@ -34,7 +36,8 @@ std::array<ColumnShape, 12> column_shapes(std::size_t current_depths) {
            {"power_w", "f32", Per::vehicle, 1},
            {"mode", "u8", Per::vehicle, 1},
            {"phase", "u8", Per::vehicle, 1},
-           {"alert", "u8", Per::vehicle, 1}}};
+           {"alert", "u8", Per::vehicle, 1},
+           {"shortfall", "u8", Per::vehicle, 1}}};
 }
 
 std::size_t bytes_of(const ColumnShape& shape) {
@@ -57,6 +60,12 @@ void put_floats(std::string& out, const Vec3& v) {
 
 void put_quaternion(std::string& out, const Eigen::Quaterniond& q) {
   for (const double x : {q.w(), q.x(), q.y(), q.z()}) put_float(out, x);
+}
+
+/// Of a command that a vehicle is under way by.
+Shortfall shortfall_of(const VehicleFrame& vehicle, const Limits& limits) {
+  if (!is_avoiding(vehicle.phase)) return Shortfall::none;
+  return shortfall(limits, vehicle.command, yaw_of(vehicle.state.q_nb));
 }
 
 }  // namespace
@@ -98,6 +107,7 @@ void FilmColumns::append(const Frame& frame, const FrameExtras& extras) {
     put_raw(next(), static_cast<std::uint8_t>(vehicle.command.mode));
     put_raw(next(), static_cast<std::uint8_t>(vehicle.phase));
     put_raw(next(), extras.alerts[i]);
+    put_raw(next(), static_cast<std::uint8_t>(shortfall_of(vehicle, extras.limits[i])));
   }
   ++size_;
 }

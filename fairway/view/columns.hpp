@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "fairway/core/limits.hpp"
 #include "fairway/record/frame.hpp"
 
 namespace fairway {
@@ -16,6 +17,7 @@ namespace fairway {
 struct FrameExtras {
   std::span<const Vec3> currents;        ///< at each of the film's depths [m/s, NED]
   std::span<const std::uint8_t> alerts;  ///< of each vehicle, as the page numbers them
+  std::span<const Limits> limits;        ///< of each vehicle
 };
 
 /// The numbers of a film, a column after the other, each frame after frame, little-endian. Memory is the

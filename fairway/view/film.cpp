@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "fairway/sim/agent.hpp"
 #include "fairway/view/columns.hpp"
 #include "fairway/view/film_bytes.hpp"
 #include "fairway/view/film_events.hpp"
@@ -18,17 +19,21 @@ namespace fairway {
 struct Film::Contents {
   Contents(const Scenario& scenario, const FilmLimits& its_limits)
       : limits{its_limits},
+        vehicle_limits{limits_in_force(scenario, builtin_vehicles())},
         water{scenario},
         events{{scenario.exam.crit_dist_m, scenario.exam.safety_distance_m}, scenario.vehicles.size()},
         thoughts{scenario.vehicles.size(), limits.thought_bytes},
         columns{scenario.vehicles.size(), current_depths(scenario.water).size()},
         stride{limits.every} {}
 
-  void keep(const Frame& frame) { columns.append(frame, {water.currents(), events.alerts()}); }
+  void keep(const Frame& frame) {
+    columns.append(frame, {water.currents(), events.alerts(), vehicle_limits});
+  }
   void remember(const Frame& frame);
   void thin();
 
   FilmLimits limits;
+  std::vector<Limits> vehicle_limits;
   FilmWater water;
   FilmEvents events;
   FilmThoughts thoughts;

@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "fairway/experiment/measure_run.hpp"
 #include "fairway/metrics/encounters.hpp"
 #include "fairway/view/film_water.hpp"
 #include "fairway/view/testing/unpack.hpp"
@@ -68,7 +69,7 @@ TEST(Film, GivesBackWhatTheFramesSaidPositionsAndTimesToTheBit) {
   ASSERT_GT(film.size(), 100u);
   EXPECT_EQ(film.size(), witness.values["time_s"].size());
   for (const auto& [name, values] : witness.values) EXPECT_TRUE(columns[name] == values) << name;
-  EXPECT_EQ(witness.values.size() + 2, columns.size()) << "all but currents and alerts";
+  EXPECT_EQ(witness.values.size() + 3, columns.size()) << "all but currents, alerts and shortfalls";
   EXPECT_EQ(film.notice(), "");
 }
 
@@ -151,6 +152,24 @@ TEST(Film, KeepsTheLastFrameWhateverItsStrideAndOnce) {
     const std::vector<double> times = all_columns(film, scenario)["time_s"];
     EXPECT_EQ(times.back(), witness.values["time_s"].back()) << every;
     EXPECT_EQ(std::ranges::adjacent_find(times, std::greater_equal{}), times.end()) << every;
+  }
+}
+
+TEST(Film, ShowsWhatOfACommandIsBeyondTheVehicleAsTheMetricCountsIt) {
+  const Scenario scenario = shipped("remus_crossing", {{"vehicles[0].start.yaw_deg", "180"}});
+  Film film{scenario};
+  RunMetrics metrics = metrics_for(scenario);
+  run_scenario_into(scenario, {&film, &metrics});
+  const std::vector<double> shown = all_columns(film, scenario)["shortfall"];
+  for (std::size_t vehicle = 0; vehicle < 2; ++vehicle) {
+    double seconds = 0.0;
+    for (std::size_t i = vehicle; i < shown.size(); i += 2) seconds += shown[i] > 0.0 ? scenario.step_s : 0.0;
+    const std::vector<Measure> all = metrics.measures();
+    const auto measured = std::ranges::find_if(all, [&](const Measure& m) {
+      return m.quantity == "unattainable_time_s" && m.vehicle == static_cast<int>(vehicle);
+    });
+    EXPECT_NEAR(measured->value, seconds, 1e-9) << vehicle;
+    EXPECT_EQ(seconds > 5.0, vehicle == 0) << seconds;
   }
 }
 

@@ -106,6 +106,27 @@ async function numbers_are_those_of_the_film(view, expect) {
   }
 }
 
+async function what_a_vehicle_cannot_do_is_said(view, expect) {
+  const words = ['', 'commanded slower than it can go', 'commanded astern, which it cannot go', 'commanded sideways, which it cannot go'];
+  const frames = await view.page.evaluate(() => {
+    const { film } = window.fairway;
+    const found = new Map();
+    for (let i = 0; i < film.count; ++i) {
+      for (let v = 0; v < film.vehicles; ++v) {
+        const kind = film.value('shortfall', i, v);
+        if (!found.has(kind)) found.set(kind, { i, v, kind });
+      }
+    }
+    return [...found.values()];
+  });
+  for (const { i, v, kind } of frames) {
+    await view.seek_frame(i);
+    const card = view.page.locator('.vehicle').nth(v).locator('.shortfall');
+    expect(await card.textContent() === words[kind] && await card.isVisible() === (kind > 0),
+      `frame ${i}, vehicle ${v}: shortfall ${kind} is said as "${await card.textContent()}"`);
+  }
+}
+
 async function it_plays(view, expect) {
   await view.seek_frame(0);
   await view.page.keyboard.press('ArrowUp');
@@ -288,7 +309,7 @@ async function downloads_are_complete(view, expect) {
 
 export const checks = [
   controls_have_names, vehicles_are_where_they_should_be, spheres_surround_vehicles, alerts_change_at_their_frame, numbers_are_those_of_the_film,
-  it_plays, it_ends_and_begins_again, keys_and_scrubber_move_time, choosing_changes_the_picture, cameras_and_layers_change_the_picture,
+  what_a_vehicle_cannot_do_is_said, it_plays, it_ends_and_begins_again, keys_and_scrubber_move_time, choosing_changes_the_picture, cameras_and_layers_change_the_picture,
   the_theme_changes_the_picture, it_fits_a_phone, downloads_are_complete,
 ];
 /** In the other theme: what depends on it. */

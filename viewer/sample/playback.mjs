@@ -27,6 +27,7 @@ const columns = [
   { name: 'mode', type: 'u8', per: 'vehicle', width: 1 },
   { name: 'phase', type: 'u8', per: 'vehicle', width: 1 },
   { name: 'alert', type: 'u8', per: 'vehicle', width: 1 },
+  { name: 'shortfall', type: 'u8', per: 'vehicle', width: 1 },
 ];
 
 // Everyone crosses a circle to the opposite side; those who float stay at the surface.
@@ -68,6 +69,7 @@ for (let i = 0; i < frames; ++i) {
     values.mode.push(alert > 0 ? 1 : 0);
     values.phase.push(2);
     values.alert.push(alert);
+    values.shortfall.push(shapes[id] === 'torpedo' && alert > 0 ? 2 : 0);
   }
 }
 const arrays = { f64: Float64Array, f32: Float32Array, u8: Uint8Array };

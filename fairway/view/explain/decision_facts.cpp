@@ -100,7 +100,8 @@ DecisionFacts facts_of(const Situation& situation, const Command& command) {
                       .goal_bearing = bearing_from_bow(to_goal, situation.own.yaw),
                       .neighbours = {},
                       .obstacles = {},
-                      .binding = {}};
+                      .binding = {},
+                      .shortfall = shortfall(situation.limits, command, situation.own.yaw)};
   facts.binding = binding_limits(situation, facts.preferred, command.velocity);
   facts.deviation = deviation_of(facts.preferred, command.velocity);
   for (const Track& track : situation.tracks) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "fairway/avoidance/ability.hpp"
 #include "fairway/avoidance/command.hpp"
 #include "fairway/avoidance/situation.hpp"
 
@@ -68,6 +69,7 @@ struct DecisionFacts {
   std::vector<NeighbourFacts> neighbours;  ///< nearest first, as in the situation
   std::vector<ObstacleFacts> obstacles;    ///< nearest first
   std::vector<std::string> binding;        ///< limits that the command is at, in words
+  Shortfall shortfall{};                   ///< of the vehicle, against the command
 };
 
 /// O(neighbours + obstacles).

@@ -86,7 +86,18 @@ ExplanationSection command_section(const KeptDecision& decision, const DecisionF
   if (!command.note.empty()) lines.push_back(fmt::format("It says: {}.", command.note));
   lines.push_back(facts.binding.empty() ? "No limit binds."
                                         : fmt::format("At its limits: {}.", fmt::join(facts.binding, "; ")));
+  if (facts.shortfall != Shortfall::none)
+    lines.push_back(fmt::format("Beyond the vehicle: {}.", words_of(facts.shortfall)));
   return section;
+}
+
+/// "go slower than 0.94 m/s, go astern, go sideways".
+std::string inability_words(const Limits& limits) {
+  std::vector<std::string> all;
+  if (limits.min_speed > 0.0) all.push_back(fmt::format("go slower than {:.3f} m/s", limits.min_speed));
+  if (!limits.sternway) all.emplace_back("go astern");
+  if (!limits.sway) all.emplace_back("go sideways");
+  return fmt::format("{}", fmt::join(all, ", "));
 }
 
 ExplanationSection own_section(const Situation& s, const DecisionFacts& facts) {
@@ -100,6 +111,8 @@ ExplanationSection own_section(const Situation& s, const DecisionFacts& facts) {
                               bearing_words(facts.goal_bearing), s.goal.cruise_speed));
   lines.push_back(fmt::format("Decides every {}; radius {} m; priority {}.", time_words(s.period),
                               number_text(s.own.radius), s.own.priority));
+  if (const std::string inability = inability_words(s.limits); !inability.empty())
+    lines.push_back(fmt::format("The vehicle cannot {}.", inability));
   return section;
 }
 

@@ -103,7 +103,10 @@ json limits_json(const Limits& limits) {
           {"max_acceleration_mps2", exact(limits.max_acceleration)},
           {"max_turn_rate_radps", exact(limits.max_turn_rate)},
           {"min_depth_m", exact(limits.min_depth)},
-          {"max_depth_m", exact(limits.max_depth)}};
+          {"max_depth_m", exact(limits.max_depth)},
+          {"min_speed_mps", exact(limits.min_speed)},
+          {"sternway", limits.sternway},
+          {"sway", limits.sway}};
 }
 
 json stroke_json(const Stroke& stroke, const Vec3& preferred, const Vec3& commanded) {
@@ -157,6 +160,7 @@ json decision_json(const Scenario& scenario, const KeptDecision& decision) {
             {"upwards_mps", exact(facts.deviation.climb)},
             {"starboard_rad", exact(facts.deviation.turn)}}},
           {"binding", facts.binding},
+          {"shortfall", enum_name(facts.shortfall)},
           {"neighbours", std::move(neighbours)},
           {"obstacles", std::move(obstacles)},
           {"strokes", std::move(strokes)}};

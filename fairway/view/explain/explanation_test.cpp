@@ -32,7 +32,7 @@ class HeadOn : public ::testing::Test {
                       .period = 0.1,
                       .own = {.velocity = {0.5, 0, 0}, .priority = 0},
                       .goal = {.position = {40, 0, 0}, .cruise_speed = 0.5},
-                      .limits = {.max_speed = 0.5},
+                      .limits = limits,
                       .tracks = tracks};
     FoundDecision found{.tick = Tick{100}, .time = 10, .phase = Phase::under_way};
     found.decision.emplace(s, command);
@@ -46,6 +46,7 @@ class HeadOn : public ::testing::Test {
   }
 
   Scenario scenario;
+  Limits limits{.max_speed = 0.5};
   std::vector<Track> tracks{
       {.id = TrackId{1}, .position = {20, 0, 0}, .velocity = {-0.5, 0, 0}, .priority = 1}};
 };
@@ -82,6 +83,24 @@ TEST_F(HeadOn, IsToldByTheApproachWhereNothingWasDrawn) {
 TEST_F(HeadOn, IsToldByTheWordsOfTheMethodFirst) {
   EXPECT_EQ(explained({.mode = Mode::infeasible, .note = "no way was found"}).headline,
             "auv finds no safe velocity and stops: no way was found.");
+}
+
+TEST_F(HeadOn, SaysWhatIsBeyondTheVehicle) {
+  limits = {.max_speed = 1.5, .min_speed = 0.4, .sternway = false, .sway = false};
+  const FoundDecision found = answered({.velocity = {-1.5, 0, 0}, .mode = Mode::infeasible});
+  const Explanation told = explain(scenario, found, builtin_avoiders());
+  EXPECT_THAT(section_of(told, "Command").lines,
+              Contains("Beyond the vehicle: commanded astern, which the vehicle cannot go: it has to turn "
+                       "round first."));
+  EXPECT_THAT(section_of(told, "Own state, as believed on board").lines,
+              Contains("The vehicle cannot go slower than 0.400 m/s, go astern, go sideways."));
+  const nlohmann::json document = exact_json(scenario, found, told);
+  EXPECT_EQ(document["decision"]["shortfall"], "astern");
+  EXPECT_EQ(document["decision"]["limits"]["min_speed_mps"], 0.4);
+  EXPECT_EQ(document["decision"]["limits"]["sternway"], false);
+
+  const Explanation as_it_can = explained({.velocity = {0.5, 0, 0}});
+  EXPECT_THAT(section_of(as_it_can, "Command").lines, Not(Contains(StartsWith("Beyond"))));
 }
 
 TEST_F(HeadOn, SaysForWhomItMayWait) {

@@ -23,6 +23,7 @@ const needed: Record<string, { type: ColumnType; per: ColumnSpec['per']; width: 
   mode: { type: 'u8', per: 'vehicle', width: 1 },
   phase: { type: 'u8', per: 'vehicle', width: 1 },
   alert: { type: 'u8', per: 'vehicle', width: 1 },
+  shortfall: { type: 'u8', per: 'vehicle', width: 1 },
 };
 
 function positive(at: Reader): number {

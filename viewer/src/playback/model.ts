@@ -162,3 +162,5 @@ export const modes = ['cruise', 'avoid', 'hold', 'infeasible'] as const;
 export const phases = ['deploying', 'waiting', 'under_way', 'stuck', 'arrived'] as const;
 /** As the metric sees a vehicle: nobody near; somebody detected; a collision, until that one has left. */
 export const alerts = ['clear', 'detected', 'collided'] as const;
+/** What of a command is beyond the vehicle. */
+export const shortfalls = ['none', 'too_slow', 'astern', 'sideways'] as const;

@@ -3,7 +3,7 @@
 import { series_colour } from '../common/colour';
 import { fixed } from '../common/format';
 import type { Film } from './film';
-import { alerts, modes, phases, type RunEvent, type Scene } from './model';
+import { alerts, modes, phases, shortfalls, type RunEvent, type Scene } from './model';
 
 /** Decimals of times [s] and positions [m]. */
 const digits = 3;
@@ -25,6 +25,13 @@ const words = (code: string | undefined): string => (code ?? 'unknown').replace(
 export const phase_text = (film: Film, index: number, vehicle: number): string => words(phases[film.value('phase', index, vehicle)]);
 export const mode_text = (film: Film, index: number, vehicle: number): string => words(modes[film.value('mode', index, vehicle)]);
 export const alert_text = (film: Film, index: number, vehicle: number): string => words(alerts[film.value('alert', index, vehicle)]);
+
+const beyond: Record<(typeof shortfalls)[number], string> = {
+  none: '', too_slow: 'slower than it can go', astern: 'astern, which it cannot go', sideways: 'sideways, which it cannot go',
+};
+/** What it is commanded and cannot carry out; empty if it can. */
+export const shortfall_text = (film: Film, index: number, vehicle: number): string =>
+  beyond[shortfalls[film.value('shortfall', index, vehicle)] ?? 'none'];
 
 /** What happened, for a list or a tip. */
 export function event_text(event: RunEvent, scene: Scene): string {

@@ -7,7 +7,7 @@ import type { Film, Moment } from './film';
 import { icon_button } from './icons';
 import type { Scene } from './model';
 import type { Panel } from './panel';
-import { alert_text, goal_distance, mode_text, phase_text, position_texts, seconds, vehicle_colour } from './printed';
+import { alert_text, goal_distance, mode_text, phase_text, position_texts, seconds, shortfall_text, vehicle_colour } from './printed';
 
 /** Of more vehicles than these, only the chosen ones show their numbers. */
 const most_in_full = 4;
@@ -32,6 +32,7 @@ function make_card(vehicle: number, scene: Scene, film: Film, choice: Choice, br
   const spec = scene.vehicles[vehicle]!;
   const dot = h('span', { class: 'alert-dot' });
   const status = h('span', { class: 'status' });
+  const shortfall = h('span', { class: 'shortfall', hidden: true });
   const places = ['n', 'e', 'd'].map((axis) => value_row(axis, ''));
   const speed = value_row('speed', 'm/s');
   const goal = value_row('to goal', 'm');
@@ -43,6 +44,7 @@ function make_card(vehicle: number, scene: Scene, film: Film, choice: Choice, br
   h('span', { class: 'who' }, swatch(vehicle_colour(vehicle)), h('span', { class: 'name' }, spec.name), dot, status),
   h('span', { class: 'what' }, [spec.model, spec.avoider === '' ? 'no avoidance' : spec.avoider,
     spec.cooperative ? '' : 'not cooperative'].filter((word) => word !== '').join(' · ')),
+  shortfall,
   h('span', { class: 'values place' }, ...places.map(({ row }) => row), h('i', {}, 'm')),
   h('span', { class: 'values' }, speed.row, goal.row));
   const follow = icon_button('follow', `Follow ${spec.name}`, vehicle < 9 ? String(vehicle + 1) : '', () => choice.follow(vehicle));
@@ -60,6 +62,9 @@ function make_card(vehicle: number, scene: Scene, film: Film, choice: Choice, br
         status.textContent = now;
         dot.dataset['alert'] = alert;
       }
+      const beyond = shortfall_text(film, index, vehicle);
+      shortfall.hidden = beyond === '';
+      set_text(shortfall, beyond === '' ? '' : `commanded ${beyond}`);
       if (brief && !shown) return;
       position_texts(film, index, vehicle).forEach((text, k) => set_text(places[k]!.value, text));
       set_text(speed.value, fixed(film.length('velocity_mps', index, vehicle), 3));
