@@ -34,10 +34,15 @@ class FleetMetric final : public Metric {
     double clearance{std::numeric_limits<double>::infinity()};
     int infeasible{};
     bool arrived{};
+    Occasion nearest_at;        ///< when `nearest2` was so
+    Occasion clearance_at;      ///< likewise `clearance`
+    Occasion first_infeasible;  ///< the first of `infeasible`
   };
 
   void see_vehicle(const Frame& frame, std::size_t index);
+  void see_obstacles(const Frame& frame, std::size_t index);
   void see_pairs(const Frame& frame);
+  Occasion not_arrived() const;  ///< the first vehicle that did not arrive
 
   double safety_distance_;
   Surroundings surroundings_;
@@ -45,6 +50,7 @@ class FleetMetric final : public Metric {
   double start_time_{};
   double last_arrival_{};
   int pair_events_{};
+  Occasion first_pair_event_;
   std::vector<Own> own_;
   std::vector<bool> touching_;  ///< by pair, row-major
 };
