@@ -1,71 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // The laws that every avoider obeys. They run over the whole catalog, so a new algorithm is held to them
 // by the line that lists it.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
+#include "tests/laws.hpp"
 
 #include <algorithm>
 #include <limits>
 #include <string>
 #include <vector>
 
-#include "fairway/avoidance/catalog.hpp"
 #include "fairway/avoidance/drawing.hpp"
-#include "fairway/avoidance/testing/encounters.hpp"
 #include "fairway/core/testing/allocations.hpp"
 
-namespace fairway {
+namespace fairway::laws {
 namespace {
-
-using encounters::Encounter;
-
-std::vector<std::string> everybody() {
-  std::vector<std::string> names;
-  const Catalog catalog = builtin_avoiders();
-  for (const Catalog::Entry& entry : catalog.entries()) names.emplace_back(entry.info.name);
-  names.emplace_back("apf+stop_and_wait");
-  names.emplace_back("orca3d+stop_and_wait");
-  names.emplace_back("orca3d+safety_filter");
-  names.emplace_back("wall_following+safety_filter");
-  for (const char* name : {"apf+inflate", "orca3d+inflate"}) names.emplace_back(name);
-  return names;
-}
-
-/// One law for one avoider.
-class Laws : public testing::TestWithParam<std::string> {
- protected:
-  Avoider avoider() const { return builtin_avoiders().make(GetParam(), {}, Rng{7}); }
-
-  bool has(bool AlgorithmInfo::*property) const {
-    const Catalog catalog = builtin_avoiders();
-    const std::string name = GetParam().substr(0, GetParam().find('+'));
-    return catalog.find(name).info.*property;
-  }
-
-  /// Algorithms of the horizontal plane are shown scenes in it.
-  Encounter suited(Encounter e) const {
-    if (!has(&AlgorithmInfo::planar)) return e;
-    const double depth = e.situation.own.position.z();
-    e.situation.own.velocity.z() = 0.0;
-    e.situation.goal.position.z() = depth;
-    for (Track& t : e.tracks) {
-      t.position.z() = depth;
-      t.velocity.z() = 0.0;
-    }
-    return e.sorted();
-  }
-
-  /// Calls `law(avoider, encounter)` in 600 swarms of 0 to 19, half of them without room to pass.
-  template <class Law>
-  void everywhere(Law law) const {
-    for (std::uint64_t i = 0; i < 600; ++i) {
-      SCOPED_TRACE("swarm " + std::to_string(i));
-      const Rng rng = Rng{42}.stream("swarm", i);
-      const int count = static_cast<int>(i / 2 % 20);
-      law(avoider(), suited(i % 2 == 0 ? encounters::crowd(count, rng) : encounters::congested(count, rng)));
-    }
-  }
-};
 
 /// How far two answers to the same question may differ by rounding [m/s].
 constexpr double same = 1e-6;
@@ -93,16 +40,42 @@ TEST_P(Laws, CommandsAreFiniteAndWithinTheLimits) {
   });
 }
 
+/// Nobody else, and heading for the goal.
+Encounter alone(Encounter e) {
+  e.tracks.clear();
+  e.obstacles.clear();
+  const Vec3 preferred = e.situation.preferred_velocity();
+  e.situation.own.yaw = std::atan2(preferred.y(), preferred.x());
+  return e;
+}
+
 TEST_P(Laws, AloneItGoesWhereItWasGoing) {
-  const bool heads_for_it = has(&AlgorithmInfo::steers_by_heading);
+  if (has(&AlgorithmInfo::allocates)) GTEST_SKIP() << "a plan begins at rest";
   everywhere([&](Avoider avoider, Encounter e) {
-    e.tracks.clear();
+    e = alone(e);
     const Vec3 preferred = e.situation.preferred_velocity();
-    if (heads_for_it) e.situation.own.yaw = std::atan2(preferred.y(), preferred.x());
     const Command command = avoider.decide(e);
     EXPECT_EQ(command.mode, Mode::cruise);
     EXPECT_LT((command.velocity - preferred).norm(), 1e-15);
   });
+}
+
+TEST_P(Laws, AloneAPlanIsTheStraightWay) {
+  if (!has(&AlgorithmInfo::allocates)) GTEST_SKIP() << "goes there at once, which is a law of its own";
+  for (std::uint64_t i = 0; i < 6; ++i) {
+    SCOPED_TRACE(i);
+    Avoider avoider = this->avoider();
+    Encounter e = alone(suited(encounters::crowd(0, Rng{42}.stream("alone", i))));
+    const Vec3 start = e.situation.own.position, goal = e.situation.goal.position;
+    for (int step = 0; step < 300; ++step) {
+      const Command command = avoider.decide(e);
+      ASSERT_EQ(command.mode, Mode::cruise) << step;
+      follow(e, command);
+    }
+    const Vec3 gone = e.situation.own.position - start, ahead = unit(Vec3{goal - start});
+    EXPECT_GT(gone.dot(ahead), std::fmin(5.0, 0.8 * (goal - start).norm()));
+    EXPECT_LT((gone - gone.dot(ahead) * ahead).norm(), 0.02);  // measured 0.006 of teb
+  }
 }
 
 TEST_P(Laws, InSteadyStateDecidingDoesNotAllocate) {
@@ -151,10 +124,12 @@ TEST_P(Laws, InACongestedSceneItDrawsSomethingThatMakesSense) {
 }
 
 TEST_P(Laws, TheOriginOfTheFrameDoesNotMatter) {
-  everywhere([](Avoider avoider, const Encounter& here) {
+  // a search for the minimum of a sum of squares magnifies rounding: measured 0.007 m/s of teb
+  const double allowed = has(&AlgorithmInfo::allocates) ? 0.02 : same;
+  everywhere([&](Avoider avoider, const Encounter& here) {
     const Encounter there = encounters::shifted(here, {512.0, -256.0, 32.0});
     Avoider twin = avoider;
-    EXPECT_LT((avoider.decide(here).velocity - twin.decide(there).velocity).norm(), same);
+    EXPECT_LT((avoider.decide(here).velocity - twin.decide(there).velocity).norm(), allowed);
   });
 }
 
@@ -211,6 +186,7 @@ TEST_P(Laws, WhoWantsToStayMayStayOrGiveWay) {
     e.situation.goal.velocity = Vec3::Zero();
     EXPECT_TRUE(is_finite(avoider.decide(e).velocity));
     e.tracks.clear();
+    e.obstacles.clear();
     EXPECT_EQ(avoider.decide(e).velocity, Vec3(0.0, 0.0, 0.0));
     e.situation.goal.velocity.reset();
     e.situation.goal.position = e.situation.own.position;
@@ -266,79 +242,15 @@ TEST_P(Laws, NonsenseIsAnsweredWithAStandstillAndInfeasible) {
       },
       [](Encounter& e) { e.obstacles = {{.kind = Obstacle::Kind::polygon}}; },
   };
-  const Command standstill{.velocity = Vec3::Zero(), .mode = Mode::infeasible};
   for (std::size_t i = 0; i < spoilers.size(); ++i) {
     Encounter e = encounters::crowd(5, Rng{1});
     spoilers[i](e);
     Avoider avoider = this->avoider();
-    EXPECT_EQ(avoider.decide(e), standstill) << "spoiler " << i;
+    const Command command = avoider.decide(e);
+    EXPECT_FALSE(command.note.empty()) << "spoiler " << i << ": it says what is wrong";
+    EXPECT_EQ(command, (Command{.mode = Mode::infeasible, .note = command.note})) << "spoiler " << i;
   }
-}
-
-INSTANTIATE_TEST_SUITE_P(OfTheCatalog, Laws, testing::ValuesIn(everybody()), [](const auto& instance) {
-  std::string name = instance.param;
-  for (char& c : name) {
-    if (c == '+') c = '_';
-  }
-  return name;
-});
-
-/// What `action` was refused with.
-template <class Action>
-std::string refusal(Action action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "accepted";
-}
-
-TEST(Catalog, RefusesAnUnknownAlgorithmAndNamesTheNearest) {
-  const Catalog catalog = builtin_avoiders();
-  EXPECT_THAT(refusal([&] { (void)catalog.make("orca_3d"); }), testing::HasSubstr("did you mean orca3d?"));
-  EXPECT_THAT(refusal([&] { (void)catalog.make("apf+stop_and_wit"); }), testing::HasSubstr("stop_and_wait"));
-  EXPECT_THAT(refusal([&] { (void)catalog.make("apf+orca3d"); }), testing::HasSubstr("wraps nothing"));
-}
-
-TEST(Catalog, RefusesAnUnknownParameterAndNamesTheNearest) {
-  const Catalog catalog = builtin_avoiders();
-  EXPECT_THAT(refusal([&] {
-                (void)catalog.make("orca3d", {{"time_horizon", 5.0}});
-              }),
-              testing::HasSubstr("time_horizon: unknown parameter of orca3d; did you mean time_horizon_s?"));
-  EXPECT_THAT(refusal([&] {
-                (void)catalog.make("apf", {{"w2_rato", 5.0}});
-              }),
-              testing::HasSubstr("did you mean w2_ratio?"));
-}
-
-TEST(Catalog, RefusesAValueOutOfRangeAndSaysWhatIsAccepted) {
-  const Catalog catalog = builtin_avoiders();
-  EXPECT_THAT(refusal([&] {
-                (void)catalog.make("orca3d", {{"responsibility_ratio", 1.5}});
-              }),
-              testing::AllOf(testing::HasSubstr("1.5"), testing::HasSubstr("[0, 1]")));
-  EXPECT_THAT(refusal([&] {
-                (void)catalog.make("orca3d", {{"max_neighbours_count", 2.5}});
-              }),
-              testing::HasSubstr("a whole number"));
-  EXPECT_THAT(refusal([&] {
-                (void)catalog.make("apf", {{"speed_law", std::string("fast")}});
-              }),
-              testing::HasSubstr("one of clamped, bang_bang"));
-}
-
-TEST(Catalog, KnowsWrappersByTheirShortNames) {
-  EXPECT_EQ(builtin_avoiders().make("apf+saw").info().name, "stop_and_wait");
-  EXPECT_EQ(builtin_avoiders().make("apf+cbf").info().name, "safety_filter");
-}
-
-TEST(Catalog, ListsTheParametersOfAllLayersOnce) {
-  const std::vector<ParamInfo> params = builtin_avoiders().params("apf+stop_and_wait");
-  EXPECT_EQ(std::ranges::count(params, std::string("crit_dist_m"), &ParamInfo::name), 1);
-  EXPECT_EQ(std::ranges::count(params, std::string("w2_ratio"), &ParamInfo::name), 1);
 }
 
 }  // namespace
-}  // namespace fairway
+}  // namespace fairway::laws

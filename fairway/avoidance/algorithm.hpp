@@ -28,7 +28,18 @@ struct AlgorithmInfo {
   bool isotropic = true;           ///< turning the scene about the vertical turns the answer
   bool handed = false;             ///< prefers a side: the mirrored scene need not have the mirrored answer
   bool steers_by_heading = false;  ///< reckons with the turn: goes straight for the goal once it heads for it
+
+  // what is none of its business: it decides the same without it. A wrapper says it of its own part
+  bool ignores_obstacles = false;  ///< spheres, walls and polygons
+  bool ignores_movers = false;     ///< tracks: vehicles and what drifts
 };
+
+/// "ignores obstacles and whatever moves"; empty for whoever ignores nothing.
+constexpr std::string_view ignorance_of(const AlgorithmInfo& info) {
+  if (info.ignores_obstacles && info.ignores_movers) return "ignores obstacles and whatever moves";
+  if (info.ignores_obstacles) return "ignores obstacles";
+  return info.ignores_movers ? "ignores whatever moves" : "";
+}
 
 /// For algorithms that remember nothing.
 struct NoMemory {

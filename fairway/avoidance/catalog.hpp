@@ -76,6 +76,10 @@ class Catalog {
   /// The parameters of "inner+wrapper", each name once. Throws InputError as make().
   std::vector<ParamInfo> params(std::string_view name) const;
 
+  /// Whether every layer of "inner+wrapper" ignores it: what one of them sees, the whole avoids. `what` is
+  /// `&AlgorithmInfo::ignores_obstacles` or `ignores_movers`. Throws InputError as make().
+  bool ignores(std::string_view name, bool AlgorithmInfo::*what) const;
+
   /// Throws InputError with the nearest known name.
   const Entry& find(std::string_view name) const;
 

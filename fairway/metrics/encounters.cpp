@@ -41,6 +41,8 @@ bool EncounterMetric::update_contacts(const Frame& frame, std::size_t index) {
       anyone = true;
       const bool collided = distance2 <= rules_.safety_distance_m * rules_.safety_distance_m;
       contact = std::max(contact, collided ? Contact::collided : Contact::near);
+      if (collided && count.first_collision.other == Occasion::none)
+        count.first_collision = {.other = static_cast<int>(j), .time = frame.time};
     } else if (contact != Contact::none) {
       ++(contact == Contact::collided ? count.collisions : count.avoided);
       contact = Contact::none;
@@ -86,7 +88,8 @@ void EncounterMetric::report(std::vector<Measure>& measures) const {
     measures.push_back({"navigation_time_s", vehicle, count.navigation_time});
     measures.push_back({"avoidance_time_s", vehicle, count.avoidance_time});
     measures.push_back({"avoided_count", vehicle, static_cast<double>(count.avoided)});
-    measures.push_back({"collision_count", vehicle, static_cast<double>(count.collisions)});
+    const Occasion collision = count.collisions > 0 ? count.first_collision : Occasion{};
+    measures.push_back({"collision_count", vehicle, static_cast<double>(count.collisions), collision});
     measures.push_back({"distance_m", vehicle, count.distance});
     measures.push_back({"stuck_count", vehicle, count.stuck ? 1.0 : 0.0});
     measures.push_back({"start_distance_m", vehicle, count.start_distance});

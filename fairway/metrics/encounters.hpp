@@ -47,6 +47,7 @@ class EncounterMetric final : public Metric {
     int collisions{};
     Vec3 last_position = Vec3::Zero();
     std::vector<Contact> contacts;  ///< by index of the other vehicle
+    Occasion first_collision;
   };
 
   void see(const Frame& frame, std::size_t index);

@@ -65,15 +65,27 @@ void FleetMetric::see_vehicle(const Frame& frame, std::size_t index) {
   if (is_avoiding(vehicle.phase)) {
     own.energy += vehicle.power * frame.period;
     if (vehicle.command.mode == Mode::hold) own.hold_time += frame.period;
-    if (vehicle.command.mode == Mode::infeasible) ++own.infeasible;
-    if (is_beyond(vehicle, index)) own.unattainable_time += frame.period;
+    if (vehicle.command.mode == Mode::infeasible && ++own.infeasible == 1)
+      own.first_infeasible.time = frame.time;
+    if (is_beyond(vehicle, index)) {
+      if (own.unattainable_time == 0.0) own.first_unattainable.time = frame.time;
+      own.unattainable_time += frame.period;
+    }
   }
-  for (const DriftingObstacle& obstacle : surroundings_.obstacles) {
-    own.clearance =
-        std::fmin(own.clearance, nearest_point(obstacle.at(frame.time), vehicle.state.p_n).distance);
-  }
+  see_obstacles(frame, index);
   if (vehicle.phase != Phase::arrived || !own.arrived) last_arrival_ = frame.time;
   own.arrived = vehicle.phase == Phase::arrived;
+}
+
+void FleetMetric::see_obstacles(const Frame& frame, std::size_t index) {
+  Own& own = own_[index];
+  for (std::size_t k = 0; k < surroundings_.obstacles.size(); ++k) {
+    const Obstacle obstacle = surroundings_.obstacles[k].at(frame.time);
+    const double clearance = nearest_point(obstacle, frame.vehicles[index].state.p_n).distance;
+    if (!(clearance < own.clearance)) continue;
+    own.clearance = clearance;
+    own.clearance_at = {.obstacle = static_cast<int>(k), .time = frame.time};
+  }
 }
 
 void FleetMetric::see_pairs(const Frame& frame) {
@@ -83,38 +95,56 @@ void FleetMetric::see_pairs(const Frame& frame) {
     for (std::size_t j = i + 1; j < n; ++j) {
       if (!takes_part(frame.vehicles[j])) continue;
       const double distance2 = (frame.vehicles[i].state.p_n - frame.vehicles[j].state.p_n).squaredNorm();
-      own_[i].nearest2 = std::fmin(own_[i].nearest2, distance2);
-      own_[j].nearest2 = std::fmin(own_[j].nearest2, distance2);
+      for (const auto& [one, other] : {std::pair{i, j}, std::pair{j, i}}) {
+        if (!(distance2 < own_[one].nearest2)) continue;
+        own_[one].nearest2 = distance2;
+        own_[one].nearest_at = {.other = static_cast<int>(other), .time = frame.time};
+      }
 
       const bool touching = distance2 <= safety_distance_ * safety_distance_;
-      if (touching && !touching_[i * n + j]) ++pair_events_;
+      if (touching && !touching_[i * n + j] && ++pair_events_ == 1)
+        first_pair_event_ = {static_cast<int>(i), static_cast<int>(j), Occasion::none, frame.time};
       touching_[i * n + j] = touching;
     }
   }
 }
 
+Occasion FleetMetric::not_arrived() const {
+  const auto first = std::ranges::find(own_, false, &Own::arrived);
+  if (first == own_.end()) return {};
+  return {.vehicle = static_cast<int>(first - own_.begin())};
+}
+
 void FleetMetric::report(std::vector<Measure>& measures) const {
   double nearest2 = std::numeric_limits<double>::infinity();
+  Occasion nearest_at;
   int arrived = 0;
-  for (const Own& own : own_) {
-    nearest2 = std::fmin(nearest2, own.nearest2);
-    arrived += own.arrived ? 1 : 0;
-  }
-  measures.push_back({"pair_collision_count", Measure::fleet, static_cast<double>(pair_events_)});
-  measures.push_back({"min_separation_m", Measure::fleet, std::sqrt(nearest2)});
-  measures.push_back({"makespan_s", Measure::fleet, started_ ? last_arrival_ - start_time_ : 0.0});
-  measures.push_back(
-      {"arrived_ratio", Measure::fleet, own_.empty() ? 0.0 : arrived / static_cast<double>(own_.size())});
   for (std::size_t i = 0; i < own_.size(); ++i) {
+    arrived += own_[i].arrived ? 1 : 0;
+    if (!(own_[i].nearest2 < nearest2)) continue;
+    nearest2 = own_[i].nearest2;
+    nearest_at = own_[i].nearest_at;
+    nearest_at.vehicle = static_cast<int>(i);
+  }
+  measures.push_back(
+      {"pair_collision_count", Measure::fleet, static_cast<double>(pair_events_), first_pair_event_});
+  measures.push_back({"min_separation_m", Measure::fleet, std::sqrt(nearest2), nearest_at});
+  measures.push_back(
+      {"makespan_s", Measure::fleet, started_ ? last_arrival_ - start_time_ : 0.0, not_arrived()});
+  measures.push_back({"arrived_ratio", Measure::fleet,
+                      own_.empty() ? 0.0 : arrived / static_cast<double>(own_.size()), not_arrived()});
+  for (std::size_t i = 0; i < own_.size(); ++i) {
+    const Own& own = own_[i];
     const int vehicle = static_cast<int>(i);
-    measures.push_back({"nearest_m", vehicle, std::sqrt(own_[i].nearest2)});
-    measures.push_back({"obstacle_clearance_m", vehicle, own_[i].clearance});
+    measures.push_back({"nearest_m", vehicle, std::sqrt(own.nearest2), own.nearest_at});
+    measures.push_back({"obstacle_clearance_m", vehicle, own.clearance, own.clearance_at});
     const double radius = i < surroundings_.radii.size() ? surroundings_.radii[i] : 0.0;
-    measures.push_back({"footprint_clearance_m", vehicle, own_[i].clearance - radius});
-    measures.push_back({"energy_j", vehicle, own_[i].energy});
-    measures.push_back({"hold_time_s", vehicle, own_[i].hold_time});
-    measures.push_back({"infeasible_count", vehicle, static_cast<double>(own_[i].infeasible)});
-    measures.push_back({"unattainable_time_s", vehicle, own_[i].unattainable_time});
+    measures.push_back({"footprint_clearance_m", vehicle, own.clearance - radius, own.clearance_at});
+    measures.push_back({"energy_j", vehicle, own.energy});
+    measures.push_back({"hold_time_s", vehicle, own.hold_time});
+    measures.push_back(
+        {"infeasible_count", vehicle, static_cast<double>(own.infeasible), own.first_infeasible});
+    measures.push_back({"unattainable_time_s", vehicle, own.unattainable_time, own.first_unattainable});
   }
 }
 

@@ -38,11 +38,17 @@ class FleetMetric final : public Metric {
     double clearance{std::numeric_limits<double>::infinity()};
     int infeasible{};
     bool arrived{};
+    Occasion nearest_at;          ///< when `nearest2` was so
+    Occasion clearance_at;        ///< likewise `clearance`
+    Occasion first_infeasible;    ///< the first of `infeasible`
+    Occasion first_unattainable;  ///< likewise of `unattainable_time`
   };
 
   bool is_beyond(const VehicleFrame& vehicle, std::size_t index) const;
   void see_vehicle(const Frame& frame, std::size_t index);
+  void see_obstacles(const Frame& frame, std::size_t index);
   void see_pairs(const Frame& frame);
+  Occasion not_arrived() const;  ///< the first vehicle that did not arrive
 
   double safety_distance_;
   Surroundings surroundings_;
@@ -50,6 +56,7 @@ class FleetMetric final : public Metric {
   double start_time_{};
   double last_arrival_{};
   int pair_events_{};
+  Occasion first_pair_event_;
   std::vector<Own> own_;
   std::vector<bool> touching_;  ///< by pair, row-major
 };

@@ -27,11 +27,15 @@ class Script {
   }
 
   double value(const std::string& quantity, int vehicle = Measure::fleet) const {
+    return measure(quantity, vehicle).value;
+  }
+
+  Measure measure(const std::string& quantity, int vehicle = Measure::fleet) const {
     for (const Measure& m : metrics_.measures()) {
-      if (m.quantity == quantity && m.vehicle == vehicle) return m.value;
+      if (m.quantity == quantity && m.vehicle == vehicle) return m;
     }
     ADD_FAILURE() << "no " << quantity;
-    return std::nan("");
+    return {.quantity = quantity, .value = std::nan("")};
   }
 
  private:
@@ -157,6 +161,18 @@ TEST(FleetMetric, MakespanEndsWithTheLastArrival) {
   EXPECT_EQ(s.value("arrived_ratio"), 1.0);
 }
 
+/// The first of the measures of `quantity`.
+Measure measure_of(const RunMetrics& metrics, std::string_view quantity) {
+  for (const Measure& m : metrics.measures()) {
+    if (m.quantity == quantity) return m;
+  }
+  return {.quantity = "none", .value = std::nan("")};
+}
+
+double measured(const RunMetrics& metrics, std::string_view quantity) {
+  return measure_of(metrics, quantity).value;
+}
+
 TEST(FleetMetric, ClearanceIsNegativeInsideAnObstacle) {
   const Obstacle ball{.kind = Obstacle::Kind::sphere, .position = {4, 0, 0}, .radius = 3};
   RunMetrics metrics{{6, 3}, {.obstacles = {{.start = ball}}, .radii = {0.5}}};
@@ -166,16 +182,11 @@ TEST(FleetMetric, ClearanceIsNegativeInsideAnObstacle) {
     vehicles[0].state.p_n = {x, 0, 0};
     metrics.write({Tick{0}, 0.0, 1.0, vehicles});
   }
-  for (const Measure& m : metrics.measures()) {
-    if (m.quantity == "obstacle_clearance_m") {
-      EXPECT_NEAR(m.value, -1.0, 1e-12);
-    }
-  }
+  EXPECT_NEAR(measured(metrics, "obstacle_clearance_m"), -1.0, 1e-12);
+  EXPECT_NEAR(measured(metrics, "footprint_clearance_m"), -1.5, 1e-12);
 }
 
 TEST(Metrics, EveryQuantityIsDescribedAndNothingElseIsReported) {
-  Script s;
-  s.pair(20);
   RunMetrics metrics{{6, 3}};
   std::array<VehicleFrame, 1> one{};
   metrics.write({Tick{0}, 0.0, 1.0, one});
@@ -186,13 +197,8 @@ TEST(Metrics, EveryQuantityIsDescribedAndNothingElseIsReported) {
     });
     EXPECT_TRUE(known) << m.quantity;
   }
-}
-
-double measured(const RunMetrics& metrics, std::string_view quantity) {
-  for (const Measure& m : metrics.measures()) {
-    if (m.quantity == quantity) return m.value;
-  }
-  return std::nan("");
+  // of one vehicle there is one measure of each
+  EXPECT_EQ(metrics.measures().size(), quantities.size());
 }
 
 TEST(FleetMetric, ClearanceFollowsAnObstacleThatDrifts) {
@@ -242,13 +248,76 @@ TEST(SmoothnessMetric, TurnsAndChangesOfSpeedAddUpWhileUnderWay) {
   see(2, -3.0, 1.5, Phase::under_way);  // through south: 0.283 rad
   see(3, 3.0, 0.75, Phase::under_way);
   see(4, 0.0, 0.0, Phase::arrived);  // nor does this
-  double turned = 0.0, changed = 0.0;
-  for (const Measure& m : metrics.measures()) {
-    if (m.quantity == "heading_change_rad") turned = m.value;
-    if (m.quantity == "speed_change_mps") changed = m.value;
+  EXPECT_NEAR(measured(metrics, "heading_change_rad"), 2 * (2 * pi - 6.0), 1e-12);
+  EXPECT_NEAR(measured(metrics, "speed_change_mps"), 1.25, 1e-12);
+}
+
+// ---- who, with whom and when
+
+TEST(Occasion, OfACollisionIsItsFirstInstantWithWhomItWas) {
+  RunMetrics metrics{{6, 3}};
+  const auto see = [&](int tick, double first, double second) {
+    std::array<VehicleFrame, 3> vehicles{};
+    for (VehicleFrame& vehicle : vehicles) vehicle.phase = Phase::under_way;
+    vehicles[1].state.p_n = {first, 0, 0};
+    vehicles[2].state.p_n = {0, second, 0};
+    metrics.write({Tick{tick}, 1.0 * tick, 1.0, vehicles});
+  };
+  see(0, 20, 20);
+  see(1, 20, 2.5);  // the first: with 2
+  see(2, 1, 2);     // then with 1 too, nearer
+  see(3, 20, 20);
+  const Measure own = measure_of(metrics, "collision_count");
+  EXPECT_EQ(own.value, 2.0);
+  EXPECT_EQ(own.occasion.other, 2);
+  EXPECT_EQ(own.occasion.time, 1.0);
+  const Measure pair = measure_of(metrics, "pair_collision_count");
+  EXPECT_EQ(pair.occasion.vehicle, 0);
+  EXPECT_EQ(pair.occasion.other, 2);
+  EXPECT_EQ(pair.occasion.time, 1.0);
+  const Measure least = measure_of(metrics, "min_separation_m");
+  EXPECT_EQ(least.value, 1.0);
+  EXPECT_EQ(least.occasion.vehicle, 0);
+  EXPECT_EQ(least.occasion.other, 1);
+  EXPECT_EQ(least.occasion.time, 2.0);
+  EXPECT_EQ(measure_of(metrics, "nearest_m").occasion.other, 1);
+}
+
+TEST(Occasion, OfWhatDidNotHappenIsNone) {
+  Script s;
+  s.pair(20);
+  const Measure none = s.measure("collision_count", 0);
+  EXPECT_EQ(none.occasion.other, Occasion::none);
+  EXPECT_TRUE(std::isnan(none.occasion.time));
+  EXPECT_TRUE(std::isnan(s.measure("pair_collision_count").occasion.time));
+}
+
+TEST(Occasion, OfAClearanceIsTheObstacleAndTheInstantOfTheLeast) {
+  const auto ball = [](double x) {
+    return DriftingObstacle{.start = {.kind = Obstacle::Kind::sphere, .position = {x, 0, 0}, .radius = 1}};
+  };
+  RunMetrics metrics{{6, 3}, {.obstacles = {ball(-50), ball(10)}, .radii = {1.0}}};
+  std::array<VehicleFrame, 1> vehicles{};
+  vehicles[0].phase = Phase::under_way;
+  for (const int tick : {0, 1, 2, 3}) {
+    vehicles[0].state.p_n = {tick == 2 ? 8.0 : 0.0, 0, 0};
+    vehicles[0].command.mode = tick > 0 ? Mode::infeasible : Mode::cruise;
+    metrics.write({Tick{tick}, 1.0 * tick, 1.0, vehicles});
   }
-  EXPECT_NEAR(turned, 2 * (2 * pi - 6.0), 1e-12);
-  EXPECT_NEAR(changed, 1.25, 1e-12);
+  for (const char* quantity : {"obstacle_clearance_m", "footprint_clearance_m"}) {
+    EXPECT_EQ(measure_of(metrics, quantity).occasion.obstacle, 1) << quantity;
+    EXPECT_EQ(measure_of(metrics, quantity).occasion.time, 2.0) << quantity;
+  }
+  EXPECT_EQ(measure_of(metrics, "infeasible_count").occasion.time, 1.0);
+}
+
+TEST(Occasion, OfArrivalsIsTheFirstWhoDidNotArrive) {
+  Script s;
+  s.pair(20).pair(20, Phase::arrived);
+  EXPECT_EQ(s.measure("arrived_ratio").occasion.vehicle, 1);
+  EXPECT_EQ(s.measure("makespan_s").occasion.vehicle, 1);
+  s.pair(20, Phase::arrived, Phase::arrived);
+  EXPECT_EQ(s.measure("arrived_ratio").occasion.vehicle, Occasion::none);
 }
 
 }  // namespace

@@ -183,7 +183,9 @@ TEST(SonarWatch, CoincidentWithEverythingNothingIsNotANumber) {
   for (int i = 0; i < 4; ++i) waters.movers.push_back(ball({0, 0, 0}, i));
   waters.heard = {{.from = VehicleId{1}}, {.from = VehicleId{2}}};
   Lookout lookout = sonar_lookout({{"min_range_m", 0.0}});
-  for (const Track& track : report_after(lookout, waters, 100).tracks) {
+  const auto tracks = report_after(lookout, waters, 100).tracks;
+  EXPECT_FALSE(tracks.empty());
+  for (const Track& track : tracks) {
     EXPECT_TRUE(is_finite(track.position));
     EXPECT_TRUE(track.position_covariance.allFinite());
   }

@@ -80,6 +80,7 @@ TEST(Avoa, ABuoyAheadIsLeftOnTheSideOnWhichItLies) {
 
 TEST(Avoa, AnswersAVelocityThatKeepsClearForTheWindow) {
   Rng rng{4};
+  int answered = 0, avoiding = 0;
   for (int i = 0; i < 200; ++i) {
     Encounter e = zarco();
     for (int k = 0; k < 6; ++k) e.obstacles.push_back(buoy(rng.uniform(2, 12), rng.uniform(-6, 6)));
@@ -87,6 +88,8 @@ TEST(Avoa, AnswersAVelocityThatKeepsClearForTheWindow) {
                                   {rng.uniform(-0.6, 0.6), rng.uniform(-0.6, 0.6), 0}, 0.75)};
     const Command command = decide(e);
     if (command.mode == Mode::infeasible) continue;
+    ++answered;
+    avoiding += command.mode == Mode::avoid ? 1 : 0;
     for (double t = 0.0; t < 40.0; t += 0.25) {
       const double time = 0.2 * t;
       const Vec3 own = time * command.velocity;
@@ -97,6 +100,8 @@ TEST(Avoa, AnswersAVelocityThatKeepsClearForTheWindow) {
       EXPECT_GT((t1.position + time * t1.velocity - own).norm(), 1.75 - doubt);
     }
   }
+  EXPECT_GT(answered, 150);
+  EXPECT_GT(avoiding, 100);
 }
 
 TEST(Avoa, PrefersWhatIsFartherFromDanger) {

@@ -57,9 +57,11 @@ TEST(Swarm, OfTenInTwentyIterationsFindsItLessOften) {
 TEST(Swarm, AnswersAndEndsWithFeasibleVelocities) {
   VelocitySpace space;
   Swarm swarm;
+  int searched = 0;
   for (std::uint64_t scene = 0; scene < 200; ++scene) {
     fill(space, 12, Rng{10}.stream("space", scene));
     if (space.feasible().empty()) continue;
+    ++searched;
     Rng rng{scene};
     const Candidate best = swarm.search(space, metric_for(any_desired(Rng{scene})), nobody, settings, rng);
     const int cell = space.grid().cell_at(best.velocity.cartesian());
@@ -72,6 +74,7 @@ TEST(Swarm, AnswersAndEndsWithFeasibleVelocities) {
       EXPECT_GE(particle.best_cost, best.cost);
     }
   }
+  EXPECT_GT(searched, 150);
 }
 
 TEST(Swarm, IsNotAskedIfTheDesiredVelocityIsAccepted) {

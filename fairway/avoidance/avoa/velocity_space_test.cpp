@@ -70,14 +70,18 @@ TEST(CheapestCell, IsTheFirstOfTheBest) {
   const Metric metric{{1.0, 0.5}, 1.5, 0.4, 0.2, 0.4};
   const Candidate nobody{.cost = std::numeric_limits<double>::infinity()};
   const Candidate best = cheapest_cell(space, metric, nobody);
+  ASSERT_FALSE(space.feasible().empty());
+  bool found = false;
   for (const std::int32_t cell : space.feasible()) {
     const double cost = metric(space.velocity(cell), space.danger(cell));
     EXPECT_GE(cost, best.cost);
     if (cost == best.cost) {
       EXPECT_EQ(best.velocity.heading, space.velocity(cell).heading);
+      found = true;
       break;
     }
   }
+  EXPECT_TRUE(found);
 
   const Candidate as_good{{1.0, 0.5}, best.cost};
   EXPECT_EQ(cheapest_cell(space, metric, as_good).velocity.heading, 0.5);

@@ -12,6 +12,8 @@ struct Direct {
       .name = "direct",
       .title = "Straight to the goal, avoiding nobody",
       .source = "Baseline; no paper.",
+      .ignores_obstacles = true,
+      .ignores_movers = true,
   };
 
   using Params = NoParams;

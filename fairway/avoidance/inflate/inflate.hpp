@@ -16,6 +16,8 @@ struct Inflate {
       .name = "inflate",
       .title = "Grow the spheres of others by what is uncertain of where they are",
       .source = "chi distribution of the norm of a Gaussian error",
+      .ignores_obstacles = true,  // it shows others larger, and leaves it to the inner avoider what to do
+      .ignores_movers = true,
   };
 
   struct Params {

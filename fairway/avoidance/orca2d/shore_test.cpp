@@ -56,16 +56,15 @@ TEST(OrcaShore, NearestToAReflexCornerIsInsideAndNearestToAConvexOneIsNot) {
 TEST(OrcaShore, TellsConvexFromReflexCorners) {
   const std::vector<Obstacle> obstacles{polygon(step)};
   const Vec2 own{1.0, 4.0};
-  for (const Landmark& landmark : seen(obstacles, own)) {
-    const Wall wall = wall_at(obstacles[0], landmark, own);
-    if (landmark.edge == 3) {  // (2, 6) to (2, 2)
-      EXPECT_TRUE(wall.starboard.is_convex);
-      EXPECT_FALSE(wall.port.is_convex);
-      EXPECT_EQ(wall.port.p, Vec2(1.0, -2.0));
-      EXPECT_EQ(wall.port.beyond, Vec2(-1.0, 0.0));
-      EXPECT_EQ(wall.starboard.beyond, Vec2(1.0, 0.0));
-    }
-  }
+  const auto landmarks = seen(obstacles, own);
+  const auto third = std::ranges::find(landmarks, 3U, &Landmark::edge);  // (2, 6) to (2, 2)
+  ASSERT_NE(third, landmarks.end());
+  const Wall wall = wall_at(obstacles[0], *third, own);
+  EXPECT_TRUE(wall.starboard.is_convex);
+  EXPECT_FALSE(wall.port.is_convex);
+  EXPECT_EQ(wall.port.p, Vec2(1.0, -2.0));
+  EXPECT_EQ(wall.port.beyond, Vec2(-1.0, 0.0));
+  EXPECT_EQ(wall.starboard.beyond, Vec2(1.0, 0.0));
 }
 
 TEST(OrcaShore, AWallThatStandsFreeIsSeenFromBothSides) {

@@ -6,6 +6,9 @@
 namespace fairway {
 namespace {
 
+/// A nearest point this near to an end of a wall is that end, whichever way the last bits fell [m].
+constexpr double rounding = 1e-9;
+
 /// Fills a span with the hazards in range.
 class Lookout {
  public:
@@ -25,7 +28,8 @@ class Lookout {
       see_fixed(obstacle.position, obstacle.radius, false);
     } else if (obstacle.kind == Obstacle::Kind::segment) {
       const Vec3 point = nearest_point(obstacle, own_.position).point;
-      see_fixed(point, 0.0, point != obstacle.from && point != obstacle.to);
+      const auto is_at = [&](const Vec3& end) { return (point - end).squaredNorm() < rounding * rounding; };
+      see_fixed(point, 0.0, !is_at(obstacle.from) && !is_at(obstacle.to));
     } else {
       see_polygon(obstacle);
     }

@@ -13,6 +13,7 @@ struct StopAndWait {
       .name = "stop_and_wait",
       .title = "Stop and wait for vehicles of higher priority",
       .source = "raja2024, section III-D",
+      .ignores_obstacles = true,
   };
 
   struct Params {

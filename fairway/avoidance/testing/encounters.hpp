@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -22,12 +23,19 @@ struct Encounter {
   std::vector<Track> tracks;
   std::vector<Obstacle> obstacles;
   Situation situation;
+  std::vector<std::shared_ptr<const std::vector<Vec3>>> corners;  ///< what polygons show; shared with copies
 
   operator Situation() const {  // NOLINT(google-explicit-constructor): read as a situation
     Situation s = situation;
     s.tracks = tracks;
     s.obstacles = obstacles;
     return s;
+  }
+
+  /// A prism; the vertices counter-clockwise, n as x and e as y.
+  void add_polygon(std::vector<Vec3> vertices) {
+    corners.push_back(std::make_shared<const std::vector<Vec3>>(std::move(vertices)));
+    obstacles.push_back({.kind = Obstacle::Kind::polygon, .vertices = *corners.back()});
   }
 
   /// Tracks nearest first, equal ranges by id, as every Situation has them.
@@ -104,6 +112,32 @@ inline Encounter crowd(int count, Rng rng) { return swarm(count, 3.0, 15.0, rng)
 /// No room: hulls (R = 2 m) nearly touch or overlap, and often no velocity is safe.
 inline Encounter congested(int count, Rng rng) { return swarm(count, 1.8, 4.0, rng); }
 
+/// Room to pass, among what does not give way: half of a crowd drifts, and there are two rocks, a quay and a
+/// pier, 2 m or more from own ship at its depth.
+inline Encounter harbour(int count, Rng rng) {
+  Encounter e = crowd(count, rng);
+  for (Track& t : e.tracks) t.reacts = number(t.id) % 2 == 0;
+  const auto spot = [&](double nearest, Vec3& abeam) {
+    const double bearing = rng.uniform(-pi, pi);
+    const Vec3 out{std::cos(bearing), std::sin(bearing), 0.0};
+    abeam = {-out.y(), out.x(), 0.0};
+    return Vec3{e.situation.own.position + rng.uniform(nearest, nearest + 8.0) * out};
+  };
+  Vec3 abeam;
+  for (int i = 0; i < 2; ++i) {
+    const double radius = rng.uniform(0.5, 2.0);
+    e.obstacles.push_back(
+        {.kind = Obstacle::Kind::sphere, .position = spot(2.0 + radius, abeam), .radius = radius});
+  }
+  const Vec3 quay = spot(2.0, abeam);
+  e.obstacles.push_back(
+      {.kind = Obstacle::Kind::segment, .from = quay - 3.0 * abeam, .to = quay + 4.7 * abeam});
+  const Vec3 pier = spot(4.0, abeam);  // its corners are 1.5 m from its middle
+  e.add_polygon(
+      {pier + Vec3{1.5, 0, 0}, pier + Vec3{0, 1.5, 0}, pier - Vec3{1.5, 0, 0}, pier - Vec3{0, 1.5, 0}});
+  return e;
+}
+
 /// The cubes of raja2024: vehicle `own` of `count` (2 to 8) at a vertex of a cube of edge `edge` [m], all
 /// making 0.5 m/s for the opposite vertex, safety radius 3 m, `progress` (0 to 1) of the way gone.
 inline Encounter cube_centre(int count = 8, int own = 0, double edge = 20.0, double progress = 0.3) {
@@ -145,6 +179,20 @@ inline void carry_out(Encounter& e, const Command& command) {
   e.sorted();
 }
 
+/// Changes every point of what does not move; `mirrors` where that turns left into right.
+template <class Change>
+void change_obstacles(Encounter& e, Change change, bool mirrors = false) {
+  for (Obstacle& o : e.obstacles) {
+    for (Vec3* point : {&o.position, &o.from, &o.to}) *point = change(*point);
+    if (o.vertices.empty()) continue;
+    std::vector<Vec3> vertices(o.vertices.size());
+    std::ranges::transform(o.vertices, vertices.begin(), change);
+    if (mirrors) std::ranges::reverse(vertices);  // still counter-clockwise
+    e.corners.push_back(std::make_shared<const std::vector<Vec3>>(std::move(vertices)));
+    o.vertices = *e.corners.back();
+  }
+}
+
 /// The same scene elsewhere.
 inline Encounter shifted(Encounter e, const Vec3& by) {
   e.situation.own.position += by;
@@ -152,11 +200,7 @@ inline Encounter shifted(Encounter e, const Vec3& by) {
   e.situation.limits.min_depth += by.z();
   e.situation.limits.max_depth += by.z();
   for (Track& t : e.tracks) t.position += by;
-  for (Obstacle& o : e.obstacles) {
-    o.position += by;
-    o.from += by;
-    o.to += by;
-  }
+  change_obstacles(e, [&](const Vec3& p) -> Vec3 { return p + by; });
   return e;
 }
 
@@ -174,11 +218,7 @@ inline Encounter turned(Encounter e, double angle) {
     t.velocity = turn * t.velocity;
     t.yaw = wrap_angle(t.yaw + angle);
   }
-  for (Obstacle& o : e.obstacles) {
-    o.position = turn * o.position;
-    o.from = turn * o.from;
-    o.to = turn * o.to;
-  }
+  change_obstacles(e, [&](const Vec3& p) -> Vec3 { return turn * p; });
   return e;
 }
 
@@ -197,11 +237,12 @@ inline Encounter mirrored(Encounter e) {
     flip(t.velocity);
     t.yaw = -t.yaw;
   }
-  for (Obstacle& o : e.obstacles) {
-    flip(o.position);
-    flip(o.from);
-    flip(o.to);
-  }
+  change_obstacles(
+      e,
+      [](const Vec3& p) -> Vec3 {
+        return {p.x(), -p.y(), p.z()};
+      },
+      true);
   return e;
 }
 

@@ -104,6 +104,7 @@ TEST(VelocityObstacle, WithoutAHorizonItIsThePrintedAngles) {
 
 TEST(VelocityObstacle, EndsNowhereButAtItsBoundaries) {
   // along a line of velocities the sign of the depth changes only where one of them is met
+  int changes = 0;
   for (std::uint64_t i = 0; i < 2000; ++i) {
     Rng rng = Rng{3}.stream("boundary", i);
     const Solid solid = i % 2 == 0 ? any_disc(rng) : any_wall(rng);
@@ -112,6 +113,7 @@ TEST(VelocityObstacle, EndsNowhereButAtItsBoundaries) {
     Vec2 in = rng.uniform(0.0, 2.0) * any_direction(rng);
     Vec2 out = rng.uniform(0.0, 2.0) * any_direction(rng);
     if ((vo.depth(in) > 0.0) == (vo.depth(out) > 0.0)) continue;
+    ++changes;
     if (vo.depth(in) < 0.0) std::swap(in, out);
     for (int halving = 0; halving < 60; ++halving) {
       const Vec2 middle = 0.5 * (in + out);
@@ -125,24 +127,29 @@ TEST(VelocityObstacle, EndsNowhereButAtItsBoundaries) {
     }
     EXPECT_LT(nearest_one, 1e-9) << i;
   }
+  EXPECT_GT(changes, 300);
 }
 
 TEST(VelocityObstacle, UrgencyIsTheInverseOfTheTimeToContact) {
   const VelocityObstacle ahead(disc({8.0, 0.0}, 2.0), five_seconds);
   EXPECT_NEAR(ahead.urgency({2.0, 0.0}), 1.0 / 3.0, 1e-15);
   EXPECT_EQ(ahead.urgency({-1.0, 0.0}), 0.0);
+  int meeting = 0, passing = 0;
   for (std::uint64_t i = 0; i < 5000; ++i) {
     Rng rng = Rng{4}.stream("urgency", i);
     const Solid solid = i % 2 == 0 ? any_disc(rng) : any_wall(rng);
     const Vec2 v = rng.uniform(0.05, 2.0) * any_direction(rng);
     const double urgency = VelocityObstacle(solid, five_seconds).urgency(v);
     const Vec2 w = v - solid.velocity;
+    (urgency > 0.0 ? meeting : passing) += 1;
     if (urgency == 0.0) {
       EXPECT_GT(closest_approach(solid, w, 1e4), solid.radius - 1e-6) << i;
     } else if (urgency > 1e-3) {
       EXPECT_NEAR(closest_approach(solid, w, 1.0 / urgency), solid.radius, 1e-6) << i;
     }
   }
+  EXPECT_GT(meeting, 500);
+  EXPECT_GT(passing, 500);
 }
 
 TEST(VelocityObstacle, ReciprocalIsItsPrintedDefinition) {
@@ -163,6 +170,7 @@ TEST(VelocityObstacle, ReciprocalIsItsPrintedDefinition) {
 
 TEST(VelocityObstacle, HybridTakesTheLegOfEach) {
   // the legs are lines that VO and RVO have too: its apex is on both
+  int cuts = 0;
   for (std::uint64_t i = 0; i < 5000; ++i) {
     Rng rng = Rng{6}.stream("hrvo", i);
     const Solid solid = any_disc(rng);
@@ -183,8 +191,10 @@ TEST(VelocityObstacle, HybridTakesTheLegOfEach) {
     EXPECT_NEAR(rvo.depth(cut), 0.0, 1e-12);
     if ((cut - hrvo.apex()).dot(kept) > 0.0) {
       EXPECT_NEAR(hrvo.depth(cut), 0.0, 1e-9 * scale) << i;
+      ++cuts;
     }
   }
+  EXPECT_GT(cuts, 1000);
 }
 
 TEST(VelocityObstacle, HeadToHeadTheHybridPassesToStarboard) {

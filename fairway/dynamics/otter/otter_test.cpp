@@ -31,6 +31,7 @@ TEST(Otter, MassMatrixIsThePublishedOne) {
 
 TEST(Otter, PropellersTurnWithinThePublishedLimits) {
   const Otter otter{{}};
+  ASSERT_EQ(otter.actuators().size(), 2U);
   for (const ActuatorInfo& propeller : otter.actuators()) {
     EXPECT_NEAR(propeller.range.lo, -101.74, 5e-3);
     EXPECT_NEAR(propeller.range.hi, 103.93, 5e-3);

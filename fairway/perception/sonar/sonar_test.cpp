@@ -38,7 +38,9 @@ TEST(Sonar, AtZeroRangeNothingIsNotANumber) {
       {.kind = Obstacle::Kind::segment, .from = {0, 0, 0}, .to = {0, 0, 0}},
       {.kind = Obstacle::Kind::segment, .from = {-1, 0, 0}, .to = {1, 0, 0}}};
   for (const double radius : {0.0, 1.0}) {
-    for (const Echo& echo : echoes_of(params, {}, {ball({0, 0, 0}, radius)}, obstacles)) {
+    const auto echoes = echoes_of(params, {}, {ball({0, 0, 0}, radius)}, obstacles);
+    EXPECT_FALSE(echoes.empty());
+    for (const Echo& echo : echoes) {
       EXPECT_TRUE(std::isfinite(echo.bearing));
       EXPECT_GE(echo.range, 0.0);
     }
@@ -117,6 +119,7 @@ TEST(Sonar, FalseEchoesDoNotShiftTheNoiseOfTrueOnes) {
   const auto without = echoes_of(params, {}, {ball({30, 0, 0}, 3)});
   params.false_echoes_count = 5.0;
   const auto with = echoes_of(params, {}, {ball({30, 0, 0}, 3)});
+  ASSERT_FALSE(without.empty());
   EXPECT_GT(with.size(), without.size());
   for (const Echo& echo : without) EXPECT_NE(std::ranges::find(with, echo), with.end());
 }

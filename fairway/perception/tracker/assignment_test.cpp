@@ -82,7 +82,9 @@ TEST(Assignment, ADetourOfAllIsFoundWhereGreedWouldFail) {
 TEST(Assignment, WithoutOffersNobodyIsPaired) {
   Assignment assignment{3, 2};
   assignment.begin(3, 2);
-  for (const auto& pair : assignment.solve()) EXPECT_FALSE(pair);
+  const auto pairs = assignment.solve();
+  EXPECT_EQ(pairs.size(), 3U);
+  for (const auto& pair : pairs) EXPECT_FALSE(pair);
   assignment.begin(0, 2);
   EXPECT_TRUE(assignment.solve().empty());
 }

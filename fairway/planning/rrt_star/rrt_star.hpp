@@ -27,6 +27,7 @@ struct RrtStar {
       .planar = true,
       .allocates = true,
       .isotropic = false,
+      .ignores_movers = true,
   };
 
   struct Params : PlanParams, TrackingParams {

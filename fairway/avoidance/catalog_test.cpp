@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/avoidance/catalog.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace fairway {
+namespace {
+
+/// What `action` was refused with.
+template <class Action>
+std::string refusal(Action action) {
+  try {
+    action();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(Catalog, RefusesAnUnknownAlgorithmAndNamesTheNearest) {
+  const Catalog catalog = builtin_avoiders();
+  EXPECT_THAT(refusal([&] { (void)catalog.make("orca_3d"); }), testing::HasSubstr("did you mean orca3d?"));
+  EXPECT_THAT(refusal([&] { (void)catalog.make("apf+stop_and_wit"); }), testing::HasSubstr("stop_and_wait"));
+  EXPECT_THAT(refusal([&] { (void)catalog.make("apf+orca3d"); }), testing::HasSubstr("wraps nothing"));
+}
+
+TEST(Catalog, RefusesAnUnknownParameterAndNamesTheNearest) {
+  const Catalog catalog = builtin_avoiders();
+  EXPECT_THAT(refusal([&] {
+                (void)catalog.make("orca3d", {{"time_horizon", 5.0}});
+              }),
+              testing::HasSubstr("time_horizon: unknown parameter of orca3d; did you mean time_horizon_s?"));
+  EXPECT_THAT(refusal([&] {
+                (void)catalog.make("apf", {{"w2_rato", 5.0}});
+              }),
+              testing::HasSubstr("did you mean w2_ratio?"));
+}
+
+TEST(Catalog, RefusesAValueOutOfRangeAndSaysWhatIsAccepted) {
+  const Catalog catalog = builtin_avoiders();
+  EXPECT_THAT(refusal([&] {
+                (void)catalog.make("orca3d", {{"responsibility_ratio", 1.5}});
+              }),
+              testing::AllOf(testing::HasSubstr("1.5"), testing::HasSubstr("[0, 1]")));
+  EXPECT_THAT(refusal([&] {
+                (void)catalog.make("orca3d", {{"max_neighbours_count", 2.5}});
+              }),
+              testing::HasSubstr("a whole number"));
+  EXPECT_THAT(refusal([&] {
+                (void)catalog.make("apf", {{"speed_law", std::string("fast")}});
+              }),
+              testing::HasSubstr("one of clamped, bang_bang"));
+}
+
+TEST(Catalog, KnowsWrappersByTheirShortNames) {
+  EXPECT_EQ(builtin_avoiders().make("apf+saw").info().name, "stop_and_wait");
+  EXPECT_EQ(builtin_avoiders().make("apf+cbf").info().name, "safety_filter");
+}
+
+TEST(Catalog, ListsTheParametersOfAllLayersOnce) {
+  const std::vector<ParamInfo> params = builtin_avoiders().params("apf+stop_and_wait");
+  EXPECT_EQ(std::ranges::count(params, std::string("crit_dist_m"), &ParamInfo::name), 1);
+  EXPECT_EQ(std::ranges::count(params, std::string("w2_ratio"), &ParamInfo::name), 1);
+}
+
+}  // namespace
+}  // namespace fairway
