@@ -73,12 +73,23 @@ void check_motion(const Scenario& scenario, std::size_t index, const Agent& agen
               limit->step_s);
 }
 
-/// At rest and as fast as it can, in still water.
+/// How any vehicle moves now and then, in all directions but ahead: as in a turn, or a small sea.
+constexpr double swaying_mps = 0.2;
+constexpr double swaying_radps = 0.2;
+
+/// At rest, as it sways and turns, and as fast as it can, in still water.
 void check_own_motion(const Scenario& scenario, std::size_t index, const Agent& agent) {
   const Water still{.density = scenario.water.density_kgpm3};
   VehicleState rest;
   rest.p_n.z() = scenario.vehicles[index].position.z();
   check_motion(scenario, index, agent, rest, agent.vehicle.actuator_state(), still, "at rest");
+
+  // what is damped by the square of its motion is not damped at rest
+  VehicleState swayed = rest;
+  swayed.v_b = {0.0, swaying_mps, swaying_mps};
+  swayed.omega_b = Vec3::Constant(swaying_radps);
+  check_motion(scenario, index, agent, swayed, agent.vehicle.actuator_state(), still,
+               "as it sways and turns");
 
   Vehicle vehicle = agent.vehicle;
   Autopilot autopilot = agent.autopilot;

@@ -91,6 +91,62 @@ TEST(Stability, AModeThatGrowsByItselfIsTheVehiclesBusiness) {
   EXPECT_FALSE(step_limit(vehicle, {}, vehicle.actuator_state(), {}, 1.0));
 }
 
+/// The longest step up to 1 s of a vehicle at rest and at full speed ahead.
+double longest_step(const Vehicle& vehicle, const VehicleState& steady, const ActuatorValues& ahead) {
+  double longest = 1.0;
+  if (const auto limit = step_limit(vehicle, {}, vehicle.actuator_state(), {}, longest))
+    longest = limit->step_s;
+  if (const auto limit = step_limit(vehicle, steady, ahead, {}, longest)) longest = limit->step_s;
+  return longest;
+}
+
+/// Lets the autopilot hold a surge for `duration` [s] in steps of `h`.
+void hold(Vehicle& vehicle, Autopilot& autopilot, double surge, double duration, double h) {
+  for (double t = 0.0; t < duration; t += h) {
+    const VehicleState& x = vehicle.state();
+    vehicle.step(autopilot.control({.surge_mps = surge}, x.v_b, x.omega_b, h, x.q_nb), {}, h);
+  }
+}
+
+double velocity_between(const Vehicle& a, const Vehicle& b) {
+  return (a.state().v_b - b.state().v_b).norm() + (a.state().omega_b - b.state().omega_b).norm();
+}
+
+TEST(Stability, NoVehiclesControllersAreWhatALongStepBreaksFirst) {
+  const VehicleCatalog catalog = builtin_vehicles();
+  for (const VehicleCatalog::Entry& entry : catalog.entries()) {
+    if (entry.info.name == "otter") continue;  // driven by propeller speeds: no autopilot
+    const Vehicle vehicle = entry.make({});
+    const Autopilot autopilot{vehicle};
+    Vehicle full = vehicle;
+    Autopilot pushing = autopilot;
+    full.set_actuator_state(pushing.control({.surge_mps = 1e3}, Vec3::Zero(), Vec3::Zero(), 0.05));
+    const auto steady = steady_state(vehicle, {}, full.actuator_state(), {});
+    ASSERT_TRUE(steady) << entry.info.name;
+    const double h = 0.95 * longest_step(vehicle, *steady, full.actuator_state());
+    for (const double share : {0.0, 0.5}) {
+      const double surge = share * steady->v_b.x();
+      Vehicle a = vehicle;
+      Autopilot pilot_a = autopilot;
+      a.set_state({.v_b = {surge, 0, 0}});
+      hold(a, pilot_a, surge, 120.0, h);
+      EXPECT_NEAR(a.state().v_b.x(), surge, 0.01) << entry.info.name << " at " << h << " s";
+
+      // a disturbance does not grow; a controller that is too slow for its step doubles it in seconds
+      Vehicle b = a;
+      Autopilot pilot_b = pilot_a;
+      VehicleState disturbed = b.state();
+      disturbed.v_b += Vec3::Constant(1e-4);
+      disturbed.omega_b += Vec3::Constant(1e-4);
+      b.set_state(disturbed);
+      const double first = velocity_between(a, b);
+      hold(a, pilot_a, surge, 60.0, h);
+      hold(b, pilot_b, surge, 60.0, h);
+      EXPECT_LT(velocity_between(a, b), 20.0 * first) << entry.info.name << " at " << h << " s, " << surge;
+    }
+  }
+}
+
 TEST(Stability, ASteadyStateIsWhereABoatComesToAtFullThrust) {
   // zarco: 2 x 55 N against 20 u + 20 u^2: u = (-20 + sqrt(400 + 80 x 110)) / 40 = 1.898 m/s
   const Vehicle vehicle = builtin_vehicles().make("zarco");

@@ -117,16 +117,20 @@ std::optional<StepLimit> step_limit(const Vehicle& vehicle, const VehicleState& 
 
 std::optional<VehicleState> steady_state(const Vehicle& vehicle, VehicleState x, const ActuatorValues& u,
                                          const Water& water) {
+  constexpr double first_step = 0.25, longest_step = 10.0;
   const Motion motion{vehicle, u, water};
-  double h = 0.25;
-  for (int i = 0; i < 16; ++i) {
-    const Jacobian A = motion.jacobian(x);
-    const Deviation moved =
-        (Jacobian::Identity() - h * A).partialPivLu().solve(h * motion.rate(x, Deviation::Zero()));
+  double h = first_step;
+  Deviation rate = motion.rate(x, Deviation::Zero());
+  for (int i = 0; i < 20; ++i) {
+    const Deviation moved = (Jacobian::Identity() - h * motion.jacobian(x)).partialPivLu().solve(h * rate);
     if (!moved.allFinite()) return {};
     x = deviated(x, moved);
     if (!why_impossible(x).empty()) return {};
-    h = std::fmin(1.6 * h, 10.0);
+
+    // where accelerations are limited, A says nothing of what lies ahead, and long steps lead beyond it
+    const double before = rate.tail<6>().norm();
+    rate = motion.rate(x, Deviation::Zero());
+    h = rate.tail<6>().norm() < 0.99 * before ? std::fmin(1.6 * h, longest_step) : first_step;
   }
   return x;
 }

@@ -33,7 +33,7 @@ std::optional<StepLimit> step_limit(const Vehicle& vehicle, const VehicleState& 
 
 /// Where the vehicle comes to from `x` with its actuators held at `u`, in some 100 s: its steady motion,
 /// where it has one. Nothing if it leaves what is possible. By linearly implicit Euler steps of growing
-/// length, which no fast mode disturbs; 16 of them, 13 derivatives each.
+/// length, which no fast mode disturbs; 20 of them, 25 derivatives each.
 std::optional<VehicleState> steady_state(const Vehicle& vehicle, VehicleState x, const ActuatorValues& u,
                                          const Water& water);
 

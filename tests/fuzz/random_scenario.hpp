@@ -162,7 +162,9 @@ class RandomScenario {
 
   std::string vehicle() {
     const auto entries = catalogs_.vehicles.entries();
-    const auto& model = entries[rng_.index(entries.size())];
+    const auto& drawn = entries[rng_.index(entries.size())];
+    // no autopilot drives propeller speeds
+    const auto& model = drawn.info.name == "otter" ? catalogs_.vehicles.find("otter_by_thrust") : drawn;
     const double depth = model.info.floats ? 0.0 : rng_.uniform(1.0, 20.0);
     std::string text = "  - model: {name: " + std::string(model.info.name) +
                        params(model.params, chance(0.4) ? 0.1 : 0.0) + "}\n";
