@@ -27,8 +27,9 @@ struct ReplayFlags {
 
 /// Whether the run was whole, as `fairway run --json` says it; "diverged" is here a line.
 void add_outcome(const std::string& broke, nlohmann::json& document) {
+  constexpr std::string_view prefix = "diverged: ";
   document["outcome"] = broke.empty() ? "finished" : "diverged";
-  if (!broke.empty()) document["diverged"] = broke;
+  if (!broke.empty()) document["diverged"] = broke.substr(broke.starts_with(prefix) ? prefix.size() : 0);
 }
 
 /// Simulates the recorded scenario again beside the recording.

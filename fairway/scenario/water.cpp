@@ -221,6 +221,12 @@ Form<GaussMarkovCurrentSpec> gauss_markov() {
   form.read = [read = form.read](const Value& value) {
     const Spec spec = read(value);
     if (spec.min_speed_mps > spec.max_speed_mps) value.refuse("min_speed_mps is above max_speed_mps");
+    const double reached = spec.mean_speed_mps + 3.0 * spec.deviation_mps;
+    if (reached > fastest_flow && spec.max_speed_mps == unlimited)
+      value.refuse(
+          fmt::format("mean_speed_mps and three times deviation_mps come to {} m/s; expected at most {}, or "
+                      "a max_speed_mps",
+                      number_text(reached), number_text(fastest_flow)));
     if (spec.mean_speed_mps < spec.min_speed_mps || spec.mean_speed_mps > spec.max_speed_mps)
       value.refuse(fmt::format("mean_speed_mps is {}, not in [{}, {}] of min_speed_mps and max_speed_mps",
                                number_text(spec.mean_speed_mps), number_text(spec.min_speed_mps),

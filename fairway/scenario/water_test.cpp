@@ -205,6 +205,13 @@ TEST(WaterTest, BadCurrentsAreRefusedWithTheirPlace) {
               HasSubstr("mean_speed_mps is 0.3, not in [0, 0.2] of min_speed_mps and max_speed_mps"));
   EXPECT_THAT(water_refusal(wandering + "0.1, correlation_time_s: 0}}}"),
               HasSubstr("correlation_time_s: expected a number in (0, 1e+07], got 0"));
+  EXPECT_EQ(
+      water_refusal("{current: {gauss_markov: {mean_speed_mps: 5, deviation_mps: 2}}}"),
+      "f.yaml:3:33: water.current.gauss_markov: mean_speed_mps and three times deviation_mps come to 11 m/s; "
+      "expected at most 10, or a max_speed_mps");
+  EXPECT_EQ(
+      water_refusal("{current: {gauss_markov: {mean_speed_mps: 5, deviation_mps: 2, max_speed_mps: 8}}}"),
+      "");
   EXPECT_EQ(water_refusal("{current_mps: [1, 0, 0], current: {}}"),
             "f.yaml:3:33: water.current: given before as current_mps; keep one");
   EXPECT_THAT(water_refusal("{current: [1, 0, 0]}"),

@@ -2,6 +2,7 @@
 #include "fairway/sim/feasibility.hpp"
 
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -63,22 +64,43 @@ double rounded_down(double value) {
              "): " + reason + "; at most " + number_text(rounded_down(longest)) + " would do");
 }
 
+/// Steps are this share of what the linearised motion allows: waves, turns and a hard start quicken it. An
+/// otter_by_thrust breaks at 0.82 of it where it is dropped into waves of 0.5 m.
+constexpr double margin = 0.75;
+
 void check_motion(const Scenario& scenario, std::size_t index, const Agent& agent, const VehicleState& x,
                   const ActuatorValues& u, const Water& water, std::string_view when) {
-  const std::optional<StepLimit> limit = step_limit(agent.vehicle, x, u, water, scenario.step_s);
+  const std::optional<StepLimit> limit = step_limit(agent.vehicle, x, u, water, scenario.step_s / margin);
   if (!limit) return;
   refuse_step(scenario, index,
               "its " + std::string(limit->mode.axis) + " mode " + std::string(when) + ", " +
                   text_of(limit->mode) + ", would grow",
-              limit->step_s);
+              margin * limit->step_s);
+}
+
+/// Of the currents of a scenario together, all but never exceeded [m/s].
+double fastest_current(const WaterSpec& water) {
+  double speed = water.current_n.norm();
+  if (const auto& sheared = water.current.sheared) {
+    double fastest = 0.0;
+    for (const ProfilePoint& point : sheared->profile)
+      fastest = std::fmax(fastest, std::abs(point.speed_mps));
+    speed += fastest;
+  }
+  if (const auto& wandering = water.current.gauss_markov) {
+    const double reached = std::abs(wandering->mean_speed_mps) + 3.0 * wandering->deviation_mps;
+    speed += std::fmin(reached, std::fmax(std::abs(wandering->min_speed_mps), wandering->max_speed_mps));
+  }
+  return speed;
 }
 
 /// How any vehicle moves now and then, in all directions but ahead: as in a turn, or a small sea.
 constexpr double swaying_mps = 0.2;
 constexpr double swaying_radps = 0.2;
 
-/// At rest, as it sways and turns, and as fast as it can, in still water.
-void check_own_motion(const Scenario& scenario, std::size_t index, const Agent& agent) {
+/// Looks at it at rest, as it sways and turns, and as fast as it can, in still water, and tells how fast that
+/// is; infinite where nobody knows.
+double check_own_motion(const Scenario& scenario, std::size_t index, const Agent& agent) {
   const Water still{.density = scenario.water.density_kgpm3};
   VehicleState rest;
   rest.p_n.z() = scenario.vehicles[index].position.z();
@@ -86,7 +108,7 @@ void check_own_motion(const Scenario& scenario, std::size_t index, const Agent& 
 
   // what is damped by the square of its motion is not damped at rest
   VehicleState swayed = rest;
-  swayed.v_b = {0.0, swaying_mps, swaying_mps};
+  swayed.v_b = {0.0, std::fmax(swaying_mps, fastest_current(scenario.water)), swaying_mps};
   swayed.omega_b = Vec3::Constant(swaying_radps);
   check_motion(scenario, index, agent, swayed, agent.vehicle.actuator_state(), still,
                "as it sways and turns");
@@ -96,14 +118,33 @@ void check_own_motion(const Scenario& scenario, std::size_t index, const Agent& 
   vehicle.set_actuator_state(
       autopilot.control({.surge_mps = 1e3}, Vec3::Zero(), Vec3::Zero(), scenario.step_s));
   const ActuatorValues& ahead = vehicle.actuator_state();
-  if (const auto steady = steady_state(vehicle, rest, ahead, still))
-    check_motion(scenario, index, agent, *steady, ahead, still, "at full speed");
+  const std::optional<VehicleState> steady = steady_state(vehicle, rest, ahead, still);
+  if (!steady) return std::numeric_limits<double>::infinity();
+  check_motion(scenario, index, agent, *steady, ahead, still, "at full speed");
+  return steady->v_b.norm();
+}
+
+/// A hull's forces are known about as fast as it goes by itself; far beyond, its model may do anything.
+constexpr double model_reach_ratio = 2.0;
+constexpr double model_reach_mps = 3.0;  // at least
+
+void check_speed(const Scenario& scenario, std::size_t index, const Agent& agent, double fastest) {
+  if (agent.vehicle.propulsion() == nullptr && agent.vehicle.fin_drive() == nullptr) return;
+  const VehicleSpec& spec = scenario.vehicles[index];
+  const double current = fastest_current(scenario.water);
+  const double reach = std::fmax(model_reach_mps, model_reach_ratio * fastest);
+  if (std::abs(spec.speed) + current <= reach) return;
+  refuse(spec.start_where, vehicle_path(index) + ".start",
+         spec.model.name + " starts at " + number_text(spec.speed) + " m/s in currents of up to " +
+             number_text(current) + " m/s; its model holds up to " + number_text(rounded_down(reach)) +
+             " m/s through the water together");
 }
 
 /// What was looked at already.
 struct Judged {
   const Choice* model{};
-  double speed{};  // through the water, at the start
+  double fastest{};  // ahead through the water
+  double speed{};    // through the water, at the start
 };
 
 bool same_model(const Choice& a, const Choice& b) { return a.name == b.name && a.params == b.params; }
@@ -120,9 +161,10 @@ void check_steps(const Scenario& scenario, std::span<const Agent> agents, const 
     auto seen = judged.begin();
     while (seen != judged.end() && !same_model(*seen->model, model)) ++seen;
     if (seen == judged.end()) {
-      check_own_motion(scenario, i, agent);
-      seen = judged.insert(seen, Judged{&model, 0.0});
+      const double fastest = check_own_motion(scenario, i, agent);
+      seen = judged.insert(seen, Judged{&model, fastest, 0.0});
     }
+    check_speed(scenario, i, agent, seen->fastest);
     if (speed <= seen->speed) continue;
     seen->speed = speed;
     check_motion(scenario, i, agent, x, agent.vehicle.actuator_state(), water, "at its start");

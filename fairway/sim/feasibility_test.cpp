@@ -62,6 +62,21 @@ TEST(Feasibility, AStepThatIsTooLongForABoatIsRefusedAndTheOneThatIsNamedWouldDo
   EXPECT_NE(refusal(yaml, {{"step_s", number_text(1.1 * std::stod(longest))}}), "");
 }
 
+TEST(Feasibility, AHullIsRefusedWhereTheWaterIsFarFasterThanItself) {
+  // a boat that goes 3.09 m/s by itself
+  const std::string yaml = boat("[0, 0, 0]", "[9, 0, 0]");
+  EXPECT_EQ(refusal(yaml, {{"vehicles[0].start.speed_mps", "6"}}), "");
+  EXPECT_EQ(refusal(yaml, {{"water", "{current_mps: [3, 0, 0]}"}, {"vehicles[0].start.speed_mps", "-3"}}),
+            "");
+  EXPECT_EQ(
+      refusal(yaml, {{"water", "{current_mps: [8, 0, 0]}"}}),
+      "f.yaml:6:23: vehicles[0].start: otter_by_thrust starts at 0 m/s in currents of up to 8 m/s; its model "
+      "holds up to 6.1 m/s through the water together");
+  EXPECT_THAT(refusal(yaml, {{"vehicles[0].start.speed_mps", "-50"}}), HasSubstr("starts at -50 m/s"));
+  // a vehicle without forces has no such limit
+  EXPECT_EQ(refusal(yaml, {{"vehicles[0].model", "kinematic"}, {"water", "{current_mps: [8, 0, 0]}"}}), "");
+}
+
 TEST(Feasibility, EveryScenarioThatComesWithFairwayIsAccepted) {
   int count = 0;
   for (const auto& file : std::filesystem::directory_iterator{FAIRWAY_SOURCE_DIR "/scenarios"}) {
