@@ -51,32 +51,46 @@ void check_depths(const VehicleSpec& spec, std::size_t index, const VehicleInfo&
 
 /// The largest number of two digits that is not above it.
 double rounded_down(double value) {
-  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
-  return std::floor(value / unit * (1.0 + 1e-12)) * unit;
-}
-
-[[noreturn]] void refuse_step(const Scenario& scenario, std::size_t index, const std::string& reason,
-                              double longest) {
-  const VehicleSpec& spec = scenario.vehicles[index];
-  const bool is_written = !scenario.step_where.file.empty();
-  refuse(is_written ? scenario.step_where : spec.model.where, "step_s",
-         number_text(scenario.step_s) + " is too long for " + spec.name + " (" + spec.model.name +
-             "): " + reason + "; at most " + number_text(rounded_down(longest)) + " would do");
+  const double scale = std::pow(10.0, 1.0 - std::floor(std::log10(value)));
+  return std::floor(value * scale * (1.0 + 1e-12)) / scale;
 }
 
 /// Steps are this share of what the linearised motion allows: waves, turns and a hard start quicken it. An
 /// otter_by_thrust breaks at 0.82 of it where it is dropped into waves of 0.5 m.
 constexpr double margin = 0.75;
 
-void check_motion(const Scenario& scenario, std::size_t index, const Agent& agent, const VehicleState& x,
-                  const ActuatorValues& u, const Water& water, std::string_view when) {
-  const std::optional<StepLimit> limit = step_limit(agent.vehicle, x, u, water, scenario.step_s / margin);
-  if (!limit) return;
-  refuse_step(scenario, index,
-              "its " + std::string(limit->mode.axis) + " mode " + std::string(when) + ", " +
-                  text_of(limit->mode) + ", would grow",
-              margin * limit->step_s);
-}
+/// The shortest of the steps that a vehicle's motions allow, where the scenario's is too long.
+class ShortestStep {
+ public:
+  ShortestStep(const Scenario& scenario, std::size_t index, const Agent& agent)
+      : scenario_{scenario}, spec_{scenario.vehicles[index]}, agent_{agent} {}
+
+  void hold_against(const VehicleState& x, const ActuatorValues& u, const Water& water,
+                    std::string_view when) {
+    const double step = limit_ ? limit_->step_s : scenario_.step_s / margin;
+    const std::optional<StepLimit> limit = step_limit(agent_.vehicle, x, u, water, step);
+    if (!limit) return;
+    limit_ = limit;
+    when_ = when;
+  }
+
+  void refuse_if_too_long() const {
+    if (!limit_) return;
+    const bool is_written = !scenario_.step_where.file.empty();
+    refuse(is_written ? scenario_.step_where : spec_.model.where, "step_s",
+           number_text(scenario_.step_s) + " is too long for " + spec_.name + " (" + spec_.model.name +
+               "): its " + std::string(limit_->mode.axis) + " mode " + std::string(when_) + ", " +
+               text_of(limit_->mode) + ", would grow; at most " +
+               number_text(rounded_down(margin * limit_->step_s)) + " would do");
+  }
+
+ private:
+  const Scenario& scenario_;
+  const VehicleSpec& spec_;
+  const Agent& agent_;
+  std::optional<StepLimit> limit_;
+  std::string_view when_;
+};
 
 /// Of the currents of a scenario together, all but never exceeded [m/s].
 double fastest_current(const WaterSpec& water) {
@@ -100,18 +114,17 @@ constexpr double swaying_radps = 0.2;
 
 /// Looks at it at rest, as it sways and turns, and as fast as it can, in still water, and tells how fast that
 /// is; infinite where nobody knows.
-double check_own_motion(const Scenario& scenario, std::size_t index, const Agent& agent) {
+double look_at_own_motion(const Scenario& scenario, const Agent& agent, ShortestStep& shortest) {
   const Water still{.density = scenario.water.density_kgpm3};
   VehicleState rest;
-  rest.p_n.z() = scenario.vehicles[index].position.z();
-  check_motion(scenario, index, agent, rest, agent.vehicle.actuator_state(), still, "at rest");
+  rest.p_n.z() = agent.vehicle.state().p_n.z();
+  shortest.hold_against(rest, agent.vehicle.actuator_state(), still, "at rest");
 
   // what is damped by the square of its motion is not damped at rest
   VehicleState swayed = rest;
   swayed.v_b = {0.0, std::fmax(swaying_mps, fastest_current(scenario.water)), swaying_mps};
   swayed.omega_b = Vec3::Constant(swaying_radps);
-  check_motion(scenario, index, agent, swayed, agent.vehicle.actuator_state(), still,
-               "as it sways and turns");
+  shortest.hold_against(swayed, agent.vehicle.actuator_state(), still, "as it sways and turns");
 
   Vehicle vehicle = agent.vehicle;
   Autopilot autopilot = agent.autopilot;
@@ -120,7 +133,7 @@ double check_own_motion(const Scenario& scenario, std::size_t index, const Agent
   const ActuatorValues& ahead = vehicle.actuator_state();
   const std::optional<VehicleState> steady = steady_state(vehicle, rest, ahead, still);
   if (!steady) return std::numeric_limits<double>::infinity();
-  check_motion(scenario, index, agent, *steady, ahead, still, "at full speed");
+  shortest.hold_against(*steady, ahead, still, "at full speed");
   return steady->v_b.norm();
 }
 
@@ -158,16 +171,17 @@ void check_steps(const Scenario& scenario, std::span<const Agent> agents, const 
     const Water water = sea.water_at(x.p_n, 0.0);
     const double speed = (x.v_n() - water.current_n).norm();
 
+    ShortestStep shortest{scenario, i, agent};
     auto seen = judged.begin();
     while (seen != judged.end() && !same_model(*seen->model, model)) ++seen;
     if (seen == judged.end()) {
-      const double fastest = check_own_motion(scenario, i, agent);
+      const double fastest = look_at_own_motion(scenario, agent, shortest);
       seen = judged.insert(seen, Judged{&model, fastest, 0.0});
     }
     check_speed(scenario, i, agent, seen->fastest);
-    if (speed <= seen->speed) continue;
-    seen->speed = speed;
-    check_motion(scenario, i, agent, x, agent.vehicle.actuator_state(), water, "at its start");
+    if (speed > seen->speed) shortest.hold_against(x, agent.vehicle.actuator_state(), water, "at its start");
+    seen->speed = std::fmax(seen->speed, speed);
+    shortest.refuse_if_too_long();
   }
 }
 
