@@ -13,6 +13,7 @@
 #include "bindings/python/values.hpp"
 #include "fairway/experiment/executor.hpp"
 #include "fairway/experiment/measure_run.hpp"
+#include "fairway/sim/divergence.hpp"
 
 namespace fairway::python {
 namespace {
@@ -33,6 +34,7 @@ struct BatchRun {
   std::uint64_t seed{};
   std::vector<Measure> measures;
   std::string failure;  ///< in words
+  bool diverged{};      ///< that is the failure
   py::object raised;    ///< by an algorithm in Python; touched with the interpreter's lock alone
 };
 
@@ -64,6 +66,9 @@ void make_user_run(const ScenarioText& scenario, const py::object& algorithms, c
     if (failed) std::rethrow_exception(failed);
   } catch (const RunAbandoned&) {
     throw;
+  } catch (const RunDiverged& error) {
+    run.diverged = true;
+    run.failure = error.what();
   } catch (py::error_already_set& error) {
     run.raised = exception_of(error);
     run.failure = error.what();
@@ -79,6 +84,9 @@ void make_plain_run(const ScenarioText& scenario, const Catalogs& catalogs, cons
     run.measures = measure_run(scenario.drawn(run.seed), catalogs, &stop);
   } catch (const RunAbandoned&) {
     throw;
+  } catch (const RunDiverged& error) {
+    run.diverged = true;
+    run.failure = error.what();
   } catch (const std::exception& error) {
     run.failure = error.what();
   }
@@ -141,7 +149,7 @@ void make_all(const std::vector<ScenarioText>& scenarios, const py::object& algo
 Batch batch_of(const std::vector<ScenarioText>& scenarios, std::vector<BatchRun> runs, double wall_s) {
   Batch batch{.wall_s = wall_s};
   for (const ScenarioText& text : scenarios) batch.names.push_back(text.scenario().name);
-  const py::object input_error = py::module_::import("fairway._core").attr("InputError");
+  const py::module_ core = py::module_::import("fairway._core");
   std::vector<std::int64_t> scenario;
   std::vector<std::uint64_t> seed;
   std::vector<std::vector<Measure>> measures;
@@ -149,8 +157,9 @@ Batch batch_of(const std::vector<ScenarioText>& scenarios, std::vector<BatchRun>
     scenario.push_back(static_cast<std::int64_t>(runs[i].scenario));
     seed.push_back(runs[i].seed);
     measures.push_back(std::move(runs[i].measures));
-    if (!runs[i].failure.empty())
-      batch.failures[py::int_(i)] = runs[i].raised ? runs[i].raised : input_error(runs[i].failure);
+    if (runs[i].failure.empty()) continue;
+    const py::object kind = core.attr(runs[i].diverged ? "RunDiverged" : "InputError");
+    batch.failures[py::int_(i)] = runs[i].raised ? runs[i].raised : kind(runs[i].failure);
   }
   const auto count = static_cast<py::ssize_t>(runs.size());
   batch.columns = measure_columns(measures);

@@ -189,7 +189,8 @@ void FleetEnvironment::advance() {
 void FleetEnvironment::pass_tick() {
   try {
     simulation_->act(sinks_);
-  } catch (...) {  // a user's algorithm ended it
+    simulation_->refuse_divergence();
+  } catch (...) {  // a user's algorithm ended it, or it broke
     terminated_ = true;
     throw;
   }

@@ -11,6 +11,7 @@
 #include "fairway/experiment/recording_info.hpp"
 #include "fairway/record/csv.hpp"
 #include "fairway/record/recording.hpp"
+#include "fairway/sim/divergence.hpp"
 
 namespace fairway::python {
 namespace {
@@ -43,6 +44,7 @@ class ReadRecording {
   /// As the run was measured.
   std::vector<Measure> measures() const {
     const Scenario scenario = recorded_scenario(recording_, file_);
+    if (!recording_.divergence().empty()) throw RunDiverged{recording_.divergence()};
     RunMetrics metrics = metrics_for(scenario);
     recording_.play(metrics);
     return metrics.measures();
@@ -108,6 +110,9 @@ void bind_recordings(py::module_& m) {
           },
           "of the vehicles, by index")
       .def_property_readonly(
+          "divergence", [](const R& r) { return r.recording().divergence(); },
+          "how the run broke behind the last frame, in a line; empty if it is whole")
+      .def_property_readonly(
           "perception", [](const R& r) { return r.info().perception; }, "tracks are kept, too")
       .def_property_readonly(
           "sketches", [](const R& r) { return r.info().sketches; }, "drawings are kept, too")
@@ -120,7 +125,7 @@ void bind_recordings(py::module_& m) {
   recording.def_property_readonly("trajectories", &R::trajectories, "Trajectories: all of these arrays")
       .def_property_readonly(
           "fleet", [](const R& r) { return fleet_dict(r.measures()); },
-          "measured again from its frames, as Run.fleet")
+          "measured again from its frames, as Run.fleet; raises RunDiverged where the run broke")
       .def_property_readonly(
           "vehicles", [](const R& r) { return vehicle_dicts(r.measures(), r.names()); },
           "likewise, as Run.vehicles")

@@ -70,7 +70,12 @@ std::vector<std::pair<std::string, std::string>> simulate(const Scenario& scenar
     sinks.push_back(writer.get());
   }
   const Clock::time_point begin = Clock::now();
-  simulation.run(sinks);
+  try {
+    simulation.run(sinks);
+  } catch (const RunDiverged& broke) {
+    if (writer) writer->close(broke.what());
+    throw;
+  }
   if (writer) writer->close();
   run.wall_s = std::chrono::duration<double>(Clock::now() - begin).count();
   run.simulated_s = simulation.time();
@@ -140,9 +145,8 @@ void bind_runs(py::module_& m) {
       "to "
       "write, with what vehicles perceived and what methods draw if asked. trajectories: keep what moved, as "
       "arrays. "
-      "The interpreter's lock is released; Ctrl-C ends it. Raises InputError, and whatever an algorithm in "
-      "Python "
-      "raises.");
+      "The interpreter's lock is released; Ctrl-C ends it. Raises InputError, RunDiverged, when what was "
+      "recorded ends before the run broke, and whatever an algorithm in Python raises.");
   bind_batch(m);
 }
 

@@ -7,6 +7,7 @@
 
 #include "bindings/python/bindings.hpp"
 #include "fairway/core/text.hpp"
+#include "fairway/sim/divergence.hpp"
 
 namespace fairway::python {
 namespace {
@@ -102,6 +103,8 @@ void bind_errors(py::module_& m) {
       "Input that cannot be used: a file, a name, a value. One line that says where, what was expected and, "
       "for a "
       "name, the nearest that there is.";
+  py::register_exception<RunDiverged>(m, "RunDiverged", PyExc_RuntimeError).doc() =
+      "A run that broke: which vehicle, when, and what left what is finite and possible. It has no results.";
 }
 
 }  // namespace fairway::python

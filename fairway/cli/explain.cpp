@@ -92,7 +92,7 @@ int explain(const ExplainFlags& flags, const Program& program) {
     return interrupted;
   }
 
-  film.finish();
+  film.finish(recording.divergence());
   const Explanation explanation = fairway::explain(scenario, *found, catalogs.avoiders);
   if (!flags.page.empty()) {
     write_explanation(flags.page, scenario, recording, film, explanation, program.typed);
@@ -101,6 +101,7 @@ int explain(const ExplainFlags& flags, const Program& program) {
     std::cout << exact_json(scenario, *found, explanation).dump(2) << "\n";
   } else {
     print(explanation);
+    if (!recording.divergence().empty()) std::cout << "\nthe run later " << recording.divergence() << "\n";
     if (!flags.page.empty()) std::cout << "\npage: " << flags.page << "\n";
   }
   return found->difference ? expectation_failed : ok;

@@ -43,7 +43,8 @@ RunOutcome run_live(const Scenario& scenario, const RecordingChoice& recording, 
   RunOutcome outcome = run_scenario(scenario, recording, stop, &watch);
   run.finish();
   if (outcome.complete && !choice.until_done) {
-    std::cerr << "live: the run is over and stays to be seen; Ctrl-C ends it\n";
+    const std::string how = outcome.divergence ? divergence_text(scenario, outcome) : "the run is over";
+    std::cerr << "live: " << how << "; it stays to be seen; Ctrl-C ends it\n";
     wait_for(*stop);
   }
   return outcome;

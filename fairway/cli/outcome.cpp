@@ -51,7 +51,14 @@ void print_vehicles(const Scenario& scenario, const std::vector<Measure>& measur
 
 json document_of(const Scenario& scenario, const RunOutcome& outcome,
                  const std::vector<Judgement>& judgements) {
-  json document{{"scenario", scenario.name}, {"seed", scenario.seed}, {"simulated_s", outcome.simulated_s}};
+  json document{{"scenario", scenario.name},
+                {"seed", scenario.seed},
+                {"simulated_s", outcome.simulated_s},
+                {"outcome", outcome.divergence ? "diverged" : "finished"}};
+  if (const auto& broke = outcome.divergence) {
+    document["diverged"] = {
+        {"vehicle", scenario.vehicles[broke->vehicle].name}, {"time_s", broke->time}, {"why", broke->why}};
+  }
   for (const VehicleSpec& vehicle : scenario.vehicles)
     document["vehicles"].push_back({{"name", vehicle.name}});
   for (const Measure& measure : outcome.measures) {
@@ -79,7 +86,11 @@ void print(const Scenario& scenario, const RunOutcome& outcome, const std::vecto
   for (const Measure& m : outcome.measures) {
     if (m.vehicle == Measure::fleet) out << fmt::format("  {:<24} {:.6g}\n", m.quantity, m.value);
   }
-  print_vehicles(scenario, outcome.measures, out);
+  if (outcome.divergence) {
+    out << "  " << divergence_text(scenario, outcome) << "\n";
+  } else {
+    print_vehicles(scenario, outcome.measures, out);
+  }
   for (const auto& [vehicle, note] : outcome.notes) out << "  " << vehicle << ": " << note << "\n";
   if (outcome.decisions.count > 0) {
     out << fmt::format("  decisions: {}, mean {:.2f} us, worst {:.1f} us (on this machine)\n",

@@ -13,6 +13,7 @@
 
 #include "fairway/core/text.hpp"
 #include "fairway/experiment/version.hpp"
+#include "fairway/sim/divergence.hpp"
 
 namespace fairway::cli {
 namespace {
@@ -99,6 +100,10 @@ int run_command(int argc, const char* const* argv) {
     std::cout.flush();
     std::cerr << "fairway: " << error.what() << "\n";
     return bad_input;
+  } catch (const RunDiverged& error) {
+    std::cout.flush();
+    std::cerr << "fairway: " << error.what() << "\n";
+    return expectation_failed;
   } catch (const std::exception& error) {
     std::cout.flush();
     std::cerr << "fairway: internal error: " << error.what() << "\n";

@@ -25,6 +25,13 @@ struct ReplayFlags {
   bool json{false};
 };
 
+/// Whether the run was whole, as `fairway run --json` says it; "diverged" is here a line.
+void add_outcome(const std::string& broke, nlohmann::json& document) {
+  constexpr std::string_view prefix = "diverged: ";
+  document["outcome"] = broke.empty() ? "finished" : "diverged";
+  if (!broke.empty()) document["diverged"] = broke.substr(broke.starts_with(prefix) ? prefix.size() : 0);
+}
+
 /// Simulates the recorded scenario again beside the recording.
 int verify(const Recording& recording, const std::string& name, bool as_json) {
   const Scenario scenario = recorded_scenario(recording, name);
@@ -32,15 +39,14 @@ int verify(const Recording& recording, const std::string& name, bool as_json) {
   const std::array<FrameSink*, 1> sinks{&checker};
   Simulation simulation{scenario, builtin_catalogs()};
   simulation.show_thoughts(recording.info().sketches);
-  simulation.run(sinks);
+  while (!simulation.is_done()) simulation.step(sinks);
+  const std::string& broke = recording.divergence();
   if (as_json) {
-    std::cout << nlohmann::json{{"recording", name},
-                                {"same", checker.same()},
-                                {"verdict", checker.describe()}}
-                     .dump(2)
-              << "\n";
+    nlohmann::json document{{"recording", name}, {"same", checker.same()}, {"verdict", checker.describe()}};
+    add_outcome(broke, document);
+    std::cout << document.dump(2) << "\n";
   } else {
-    std::cout << name << ": " << checker.describe() << "\n";
+    std::cout << name << ": " << checker.describe() << (broke.empty() ? "" : "; " + broke) << "\n";
   }
   return checker.same() ? ok : expectation_failed;
 }
@@ -59,25 +65,31 @@ void export_to(const std::string& file, const Recording& recording, Export write
   if (!out) throw InputError(file + ": cannot be written");
 }
 
-/// What is in the recording, from its frames alone.
-void summarise(const Recording& recording, const std::string& name, bool as_json) {
+/// What is in the recording, from its frames alone; of a run that broke no measures.
+int summarise(const Recording& recording, const std::string& name, bool as_json) {
   const RecordingInfo& info = recording.info();
   const Scenario scenario = recorded_scenario(recording, name);
+  const std::string& broke = recording.divergence();
   RunMetrics metrics = metrics_for(scenario);
-  recording.play(metrics);
+  if (broke.empty()) recording.play(metrics);
   nlohmann::json document{
       {"recording", name},       {"scenario", info.scenario_name}, {"seed", info.seed},
       {"version", info.version}, {"frames", recording.size()},     {"vehicles", info.vehicles.size()},
       {"period_s", info.period}, {"perception", info.perception},  {"sketches", info.sketches}};
-  for (const Measure& m : metrics.measures()) {
-    if (m.vehicle == Measure::fleet && std::isfinite(m.value)) document[m.quantity] = m.value;
+  add_outcome(broke, document);
+  if (broke.empty()) {
+    for (const Measure& m : metrics.measures()) {
+      if (m.vehicle == Measure::fleet && std::isfinite(m.value)) document[m.quantity] = m.value;
+    }
   }
+  const int code = broke.empty() ? ok : expectation_failed;
   if (as_json) {
     std::cout << document.dump(2) << "\n";
-    return;
+    return code;
   }
   for (const auto& [key, value] : document.items())
     std::cout << key << ": " << (value.is_string() ? value.get<std::string>() : value.dump()) << "\n";
+  return code;
 }
 
 }  // namespace
@@ -101,8 +113,7 @@ void add_replay(CLI::App& app, Program& program) {
       export_to(flags->echoes, recording, export_echoes_csv);
       if (flags->verify) return verify(recording, flags->recording, flags->json);
       const bool exported = !(flags->csv + flags->tracks + flags->echoes).empty();
-      if (!exported) summarise(recording, flags->recording, flags->json);
-      return ok;
+      return exported ? ok : summarise(recording, flags->recording, flags->json);
     };
   });
 }

@@ -41,7 +41,7 @@ int run(const RunOptions& options, const Program& program) {
     print(scenario, outcome, judgements, std::cout);
   }
   const bool all_kept = std::ranges::all_of(judgements, &Judgement::kept);
-  return all_kept ? ok : expectation_failed;
+  return all_kept && !outcome.divergence ? ok : expectation_failed;
 }
 
 void add_live(CLI::App& verb, LiveChoice& choice) {
@@ -59,7 +59,10 @@ void add_live(CLI::App& verb, LiveChoice& choice) {
 
 void add_run(CLI::App& app, Program& program) {
   CLI::App* verb = app.add_subcommand("run", "Run one scenario; record it if asked");
-  verb->footer("Example: fairway run scenarios/cube20_8.yaml --algorithm orca3d --seed 3 --out cube.mcap");
+  verb->footer(
+      "Example: fairway run scenarios/cube20_8.yaml --algorithm orca3d --seed 3 --out cube.mcap\n"
+      "Exit code 1 if an expectation is not kept, and if the run diverges: then it has no results, and the\n"
+      "recording ends before that.");
   auto options = std::make_shared<RunOptions>();
   verb->add_option("scenario", options->file, "scenario file")->required();
   verb->add_option("--algorithm", options->algorithm, "for every vehicle, instead of the file's");

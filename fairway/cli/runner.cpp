@@ -63,15 +63,21 @@ RunOutcome run_scenario(const Scenario& scenario, const RecordingChoice& recordi
     outcome.complete = may_go_on(simulation.time(), watch, stop);
     if (outcome.complete) simulation.step(sinks);
   }
-  if (writer && outcome.complete) writer->close();
+  outcome.divergence = simulation.divergence();
+  if (writer && outcome.complete) writer->close(divergence_text(scenario, outcome));
   outcome.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  outcome.measures = metrics.measures();
+  if (!outcome.divergence) outcome.measures = metrics.measures();
   outcome.decisions = simulation.decision_times();
   for (const Agent& agent : simulation.agents()) {
     if (!agent.note.empty()) outcome.notes.emplace_back(agent.name, std::string(agent.note));
   }
   outcome.simulated_s = simulation.time();
   return outcome;
+}
+
+std::string divergence_text(const Scenario& scenario, const RunOutcome& outcome) {
+  if (!outcome.divergence) return {};
+  return text_of(*outcome.divergence, scenario.vehicles[outcome.divergence->vehicle].name);
 }
 
 void check_expectations(const Scenario& scenario) {

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,7 +22,8 @@ struct RunOutcome {
   std::vector<std::pair<std::string, std::string>> notes;  ///< what an avoider said last, by vehicle
   double simulated_s{};
   double wall_s{};
-  bool complete{true};  ///< false if stopped
+  bool complete{true};                   ///< false if stopped
+  std::optional<Divergence> divergence;  ///< how the run broke: there are no measures then
 };
 
 /// Where a run is recorded, and what of it.
@@ -42,6 +44,9 @@ struct Watch {
 RunOutcome run_scenario(const Scenario& scenario, const RecordingChoice& recording,
                         const std::atomic<bool>* stop, const Watch* watch = nullptr);
 
+/// "diverged: otter0 at 3.2 s: its speed is beyond 200 m/s", or empty for a run that is whole.
+std::string divergence_text(const Scenario& scenario, const RunOutcome& outcome);
+
 /// An expectation and what came of it.
 struct Judgement {
   Expectation expectation;
@@ -53,7 +58,7 @@ struct Judgement {
 /// Throws InputError for a metric that does not exist.
 void check_expectations(const Scenario& scenario);
 
-/// Holds a run to what its scenario expects.
+/// Holds a run to what its scenario expects. What was not measured is not kept.
 std::vector<Judgement> judge(const Scenario& scenario, const std::vector<Measure>& measures);
 
 /// "collision_count = 2, expected 0".

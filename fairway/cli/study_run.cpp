@@ -13,6 +13,7 @@
 #include "fairway/experiment/digest.hpp"
 #include "fairway/experiment/recording_info.hpp"
 #include "fairway/experiment/version.hpp"
+#include "fairway/sim/divergence.hpp"
 #include "fairway/studies/study_runs.hpp"
 #include "fairway/view/playback.hpp"
 
@@ -50,7 +51,13 @@ std::vector<Measure> make_shown(const ShownRun& run, const KeptRun& kept) {
   }
   if (!kept.playback.empty()) sinks.push_back(&film.emplace(run.scenario));
 
-  std::vector<Measure> measures = run.make(sinks);
+  std::vector<Measure> measures;
+  try {
+    measures = run.make(sinks);
+  } catch (const RunDiverged& broke) {
+    if (writer) writer->close(broke.what());
+    throw;
+  }
   if (writer) writer->close();
   if (film) film->finish();
   if (film) write_playback_of(run, *film, kept.playback.string());

@@ -32,6 +32,12 @@ int test(const std::string& directory, bool as_json, const std::atomic<bool>* st
     check_expectations(scenario);
     const RunOutcome outcome = run_scenario(scenario, {}, stop);
     if (!outcome.complete) return interrupted;
+    if (outcome.divergence) {
+      ++failed;
+      const std::string text = divergence_text(scenario, outcome);
+      if (!as_json) std::cout << fmt::format("FAILED {:<36} {}\n", file, text);
+      document.push_back({{"file", file}, {"metric", "outcome"}, {"diverged", text}, {"kept", false}});
+    }
     for (const Judgement& judgement : judge(scenario, outcome.measures)) {
       ++(judgement.kept ? passed : failed);
       if (!as_json)

@@ -163,7 +163,7 @@ int view(const ViewOptions& options, const Program& program) {
     std::cerr << "fairway: interrupted\n";
     return interrupted;
   }
-  film.finish();
+  film.finish(recording.divergence());
   check_window(recording, options, film);
   write_playback(options.out,
                  playback_document(scenario, {info.version, program.typed, info.period, {}}, &film));

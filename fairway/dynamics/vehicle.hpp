@@ -60,6 +60,11 @@ class Vehicle {
   /// Moves the vehicle with the actuators held where they are.
   void drift(const Water& water, double h) noexcept { self_->advance(state_, actuators_, water, h); }
 
+  /// How fast `x` would change with the actuators at `u`: the model's equations, of any state.
+  StateRate rate(const VehicleState& x, const ActuatorValues& u, const Water& water) const noexcept {
+    return self_->rate(x, u, water);
+  }
+
   /// Drawn by the actuators at their present state [W].
   double power() const noexcept { return self_->power(actuators_); }
 
@@ -74,6 +79,7 @@ class Vehicle {
     virtual const Propulsion* propulsion() const = 0;
     virtual const FinDrive* fin_drive() const = 0;
     virtual void advance(VehicleState&, const ActuatorValues&, const Water&, double h) const noexcept = 0;
+    virtual StateRate rate(const VehicleState&, const ActuatorValues&, const Water&) const noexcept = 0;
     virtual double power(const ActuatorValues&) const noexcept = 0;
     virtual std::unique_ptr<Interface> clone() const = 0;
   };
@@ -94,6 +100,10 @@ class Vehicle {
     void advance(VehicleState& x, const ActuatorValues& u, const Water& water,
                  double h) const noexcept override {
       x = rk4(model, x, u, water, h);
+    }
+    StateRate rate(const VehicleState& x, const ActuatorValues& u,
+                   const Water& water) const noexcept override {
+      return model.derivative(x, u, water);
     }
     double power(const ActuatorValues& u) const noexcept override { return model.power(u); }
     std::unique_ptr<Interface> clone() const override { return std::make_unique<Model>(*this); }

@@ -26,6 +26,7 @@ void run_into(const Scenario& scenario, const Catalogs& catalogs, std::span<Fram
     if (stop != nullptr && stop->load(std::memory_order_relaxed)) throw RunAbandoned{};
     simulation.step(sinks);
   }
+  simulation.refuse_divergence();
 }
 
 std::vector<FrameSink*> sinks_of(std::initializer_list<FrameSink*> own, std::span<FrameSink* const> more) {

@@ -24,7 +24,7 @@ void run_into(const Scenario& scenario, const Catalogs& catalogs, std::span<Fram
 std::vector<FrameSink*> sinks_of(std::initializer_list<FrameSink*> own, std::span<FrameSink* const> more);
 
 /// Runs a scenario and measures it; `more` sinks see the same frames. Throws RunAbandoned as soon as `stop`
-/// is true, InputError for what the catalogs do not accept.
+/// is true, RunDiverged if it breaks, InputError for what the catalogs do not accept or cannot be simulated.
 std::vector<Measure> measure_run(const Scenario& scenario, const Catalogs& catalogs,
                                  const std::atomic<bool>* stop = nullptr,
                                  std::span<FrameSink* const> more = {});

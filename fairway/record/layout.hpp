@@ -21,6 +21,7 @@ inline constexpr std::string_view body_frame = "base_link_fsd";  ///< behind "<v
 
 inline constexpr std::string_view run_metadata = "fairway";      ///< before the frames
 inline constexpr std::string_view end_metadata = "fairway.end";  ///< behind them
+inline constexpr std::string_view divergence = "diverged";       ///< its entry where the run broke
 inline constexpr std::string_view scenario_attachment = "scenario.yaml";
 
 }  // namespace fairway::layout

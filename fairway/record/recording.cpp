@@ -91,6 +91,8 @@ Recording Recording::parse(ByteView bytes, const std::string& file) {
     recording.run_hash_ = number_entry<std::uint64_t>(end, "run_hash");
     if (info.perception) recording.run_perception_hash_ = number_entry<std::uint64_t>(end, "perception_hash");
     recording.run_frame_count_ = number_entry<std::uint64_t>(end, "run_frame_count");
+    if (const auto broke = end.find(std::string(layout::divergence)); broke != end.end())
+      recording.divergence_ = broke->second;
     if (number_entry<std::uint64_t>(end, "frame_count") != recording.size()) damaged("frames are missing");
     return recording;
   } catch (const Malformed& error) {

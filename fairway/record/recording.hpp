@@ -37,6 +37,8 @@ class Recording {
   /// Of all frames of the run, kept or not: mix_hash() over their hashes, from 0.
   std::uint64_t run_hash() const { return run_hash_; }
   std::uint64_t run_frame_count() const { return run_frame_count_; }
+  /// How the run broke behind the last frame, in a line; empty if it is whole.
+  const std::string& divergence() const { return divergence_; }
 
   // Where info().perception says that it is recorded; else empty and 0, and no frame has tracks or echoes.
 
@@ -75,6 +77,7 @@ class Recording {
   std::int64_t stride_{1};
   std::uint64_t run_hash_{};
   std::uint64_t run_frame_count_{};
+  std::string divergence_;
   std::vector<Mark> marks_;
   std::vector<std::uint64_t> hashes_;
   std::uint64_t run_perception_hash_{};

@@ -204,12 +204,13 @@ void RecordingWriter::write_if_changed(std::uint16_t channel, std::uint64_t time
   std::swap(message_, last);
 }
 
-void RecordingWriter::close() {
+void RecordingWriter::close(std::string_view divergence) {
   if (!mcap_) return;
   McapWriter::Map end{{"frame_count", std::to_string(frames_kept_)},
                       {"run_frame_count", std::to_string(frames_seen_)},
                       {"run_hash", std::to_string(run_hash_)}};
   if (info_.perception) end.emplace_back("perception_hash", std::to_string(perception_hash_));
+  if (!divergence.empty()) end.emplace_back(layout::divergence, divergence);
   mcap_->add_metadata(layout::end_metadata, end);
   mcap_->finish();
   if (std::rename(part_of(path_).c_str(), path_.c_str()) != 0) {

@@ -53,8 +53,9 @@ class RecordingWriter : public FrameSink {
   void write(const Frame& frame) override;
   bool wants_thoughts() const override { return info_.sketches; }
 
-  /// Completes the file. Throws InputError if that fails; does nothing the second time.
-  void close();
+  /// Completes the file. `divergence` is how the run broke behind the last frame, in a line; empty if it is
+  /// whole. Throws InputError if that fails; does nothing the second time.
+  void close(std::string_view divergence = {});
 
  private:
   struct Channels {

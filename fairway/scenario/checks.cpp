@@ -35,6 +35,17 @@ void refuse_equal(std::size_t count, const KeyOf& key_of, const Refuse& refuse) 
   }
 }
 
+/// Whether each sphere overlaps each other. O(n) unless many do.
+bool all_overlap(const std::vector<VehicleSpec>& vehicles) {
+  for (std::size_t i = 1; i < vehicles.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const double distance = (vehicles[i].position - vehicles[j].position).norm();
+      if (distance >= vehicles[i].radius_m + vehicles[j].radius_m) return false;
+    }
+  }
+  return vehicles.size() > 1;
+}
+
 /// A box around a solid seen from above: most vehicles start outside, and need no closer look.
 struct Box {
   Eigen::Vector2d lo;
@@ -80,6 +91,13 @@ void check_vehicles(const Value& list, const Scenario& scenario) {
                 fmt::format("{} starts at the same place, {}; move one, or write coincident_start: true",
                             vehicle_path(a), place(vehicles[b].position)));
     });
+  }
+
+  if (!scenario.coincident_start && all_overlap(vehicles)) {
+    refuse_at(start_of(1).where, vehicle_path(1) + ".start.position_m",
+              fmt::format("the spheres of radius_m of all {} vehicles overlap where they start; move them "
+                          "apart, or write coincident_start: true",
+                          vehicles.size()));
   }
 
   for (std::size_t k = 0; k < scenario.obstacles.size(); ++k) {

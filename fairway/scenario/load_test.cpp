@@ -257,9 +257,9 @@ TEST(OverrideTest, EveryVehicleIsReachedAlsoWhereTheDefaultsSpeak) {
 
 TEST(OverrideTest, AVehicleReplacedAsAWholeStillTakesTheDefaults) {
   const Scenario s =
-      parse_scenario(crossing, "c.yaml", {{"vehicles[1]", "{start: {position_m: [1, 2, 3]}}"}});
+      parse_scenario(crossing, "c.yaml", {{"vehicles[1]", "{start: {position_m: [1, 2, 30]}}"}});
   EXPECT_EQ(s.vehicles[1].avoider.name, "orca3d");
-  EXPECT_EQ(s.vehicles[1].position, Vec3(1, 2, 3));
+  EXPECT_EQ(s.vehicles[1].position, Vec3(1, 2, 30));
 }
 
 TEST(OverrideTest, AnAngleInAnotherUnitReplacesTheDefault) {

@@ -96,6 +96,17 @@ void append_legs(const Value& list, const std::string& path, std::vector<Leg>& l
   }
 }
 
+void append_places(const Value& list, std::vector<Location>& places) {
+  for (std::size_t i = 0; i < list.tree().items.size(); ++i) {
+    const Value item = list.entry(i);
+    if (const std::string* name = run_target(item)) {
+      append_places({named_mission(item, *name), "missions." + *name, list.reading()}, places);
+    } else {
+      places.push_back(item.tree().where.location());
+    }
+  }
+}
+
 /// Depth first over `{run: …}`. The way down may be as long as there are missions, so it is kept in a
 /// vector and not on the call stack.
 void refuse_cycles(const Value& missions) {
@@ -176,6 +187,12 @@ Form<std::vector<Leg>> mission() {
           },
           .schema = Tree::map({{"type", Tree::quote("array")},
                                {"items", Tree::map({{"oneOf", Tree::list(std::move(items))}})}})};
+}
+
+std::vector<Location> places_of_legs(const Value& mission) {
+  std::vector<Location> places;
+  append_places(mission, places);
+  return places;
 }
 
 Tree missions_schema() {

@@ -76,6 +76,19 @@ Key<Scenario> format_version() {
           .schema = Tree::map({{"const", Tree::word("1")}})};
 }
 
+/// Whether it is short enough is seen by whoever knows the vehicles.
+Key<Scenario> step() {
+  Key<Scenario> entry =
+      key("step_s", &Scenario::step_s, number(above_to(0.0, 1.0)),
+          "The control period and integration step, short enough for every vehicle's fastest "
+          "motion. Default 0.05.");
+  entry.read = [read = entry.read](const Value& value, Scenario& scenario) {
+    read(value, scenario);
+    scenario.step_where = value.tree().where.location();
+  };
+  return entry;
+}
+
 Key<Scenario> missions() {
   return {.name = "missions",
           .meaning = "Missions by name, to be shared with {run: name}.",
@@ -175,8 +188,7 @@ const Block<Scenario>& scenario_block() {
       format_version(),
       key("name", &Scenario::name, name(), "As in the file's name.", Needed::yes),
       key("summary", &Scenario::summary, text(), "One line about it."),
-      key("step_s", &Scenario::step_s, number(above_to(0.0, 1.0)),
-          "The control period and integration step. Default 0.05."),
+      step(),
       key("steps_per_decision_count", &Scenario::steps_per_decision, integer(1, 10000),
           "Avoiders decide at every so many steps. Default 1."),
       key("duration_s", &Scenario::duration_s, number(above_to(0.0, 1e7)),

@@ -25,6 +25,8 @@ Form<WaterSpec> water();
 
 /// A list of legs, named missions spliced in.
 Form<std::vector<Leg>> mission();
+/// Where each leg of it was written, by the places that its readers have accepted.
+std::vector<Location> places_of_legs(const Value& mission);
 /// Checks each named mission by itself, and that none leads back to itself.
 void check_missions(const Value& missions);
 Tree missions_schema();

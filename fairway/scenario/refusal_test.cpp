@@ -103,6 +103,8 @@ TEST(RefusalTest, NumbersOutOfRangeShowTheRange) {
               HasSubstr("vehicles[0].radius_m: expected a number in [0, 1000], got -1"));
   EXPECT_THAT(refusal(with("obstacles: [{sphere: {position_m: [90, 0, 0], radius_m: 0}}]")),
               HasSubstr("expected a number in (0, 1e+06], got 0"));
+  EXPECT_THAT(refusal(with("water: {current_mps: [100, 0, 0]}")),
+              HasSubstr("water.current_mps[0]: expected a number in [-10, 10], got 100"));
   EXPECT_THAT(refusal(with("duration_s: -5")),
               HasSubstr("duration_s: expected a number in (0, 1e+07], got -5"));
 }
@@ -179,6 +181,15 @@ TEST(RefusalTest, VehiclesMustBeAbleToStart) {
       refusal(together),
       HasSubstr("vehicles[1].start.position_m: vehicles[0] starts at the same place, [1, 2, 3]; move one"));
   EXPECT_EQ(refusal(together, {{"coincident_start", "true"}}), "");
+  const std::string near =
+      "{fairway: 1, name: a, vehicles: [{model: m, avoider: a, radius_m: 2, start: {position_m: [0, 0, 3]}}, "
+      "{model: m, avoider: a, start: {position_m: [0, 2, 3]}}]}";
+  EXPECT_EQ(refusal(near),
+            "f.yaml:1:146: vehicles[1].start.position_m: the spheres of radius_m of all 2 vehicles overlap "
+            "where they "
+            "start; move them apart, or write coincident_start: true");
+  EXPECT_EQ(refusal(near, {{"coincident_start", "true"}}), "");
+  EXPECT_EQ(refusal(near, {{"vehicles[1].start.position_m[1]", "3"}}), "") << "they touch";
   EXPECT_THAT(refusal(with("obstacles: [{sphere: {position_m: [9, 8, 9], radius_m: 2}}]")),
               HasSubstr("f.yaml:8:53: vehicles[1].start.position_m: [9, 9, 9] lies inside obstacles[0]"));
   EXPECT_THAT(refusal(with("obstacles: [{polygon: {vertices_m: [[8, 8], [10, 8], [10, 10], [8, 10]]}}]")),

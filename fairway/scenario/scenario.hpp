@@ -61,6 +61,11 @@ struct VehicleSpec {
   bool cooperative{true};        ///< false: it tells nobody anything, and nobody may count on it to give way
   Limits limits;
   std::vector<Leg> mission;
+
+  // where that was written; of the file if built by a program
+  Location start_where;  ///< its position
+  Location limits_where;
+  std::vector<Location> mission_where;  ///< of each leg; may be empty
 };
 
 /// How encounters are counted.
@@ -103,6 +108,7 @@ struct Scenario {
   std::vector<ObstacleSpec> obstacles;
   std::vector<VehicleSpec> vehicles;
   std::vector<Expectation> expect;
+  Location step_where;  ///< of `step_s`; empty if it is not written
 };
 
 }  // namespace fairway

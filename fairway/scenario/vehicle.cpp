@@ -5,13 +5,31 @@
 namespace fairway::yaml {
 namespace {
 
+/// No vehicle's parameters make it faster.
+constexpr Bounds start_speeds = from_to(-50.0, 50.0);
+
+/// `entry`, which also keeps where it was written.
+template <class Keep>
+Key<VehicleSpec> placed(Key<VehicleSpec> entry, const Keep& keep) {
+  entry.read = [read = entry.read, keep](const Value& value, VehicleSpec& vehicle) {
+    read(value, vehicle);
+    keep(value, vehicle);
+  };
+  return entry;
+}
+
+Key<VehicleSpec> position() {
+  return placed(key("position_m", &VehicleSpec::position, vector(anywhere),
+                    "Where it is [n, e, d]; d is 0 for what floats.", Needed::yes),
+                [](const Value& value, VehicleSpec& v) { v.start_where = value.tree().where.location(); });
+}
+
 Block<VehicleSpec> start_block() {
   return joined<VehicleSpec>(
-      joined<VehicleSpec>({key("position_m", &VehicleSpec::position, vector(anywhere),
-                               "Where it is [n, e, d].", Needed::yes)},
+      joined<VehicleSpec>({position()},
                           angle("yaw", "_deg", "_rad", &VehicleSpec::yaw, from_to(-360.0, 360.0),
                                 "Its heading, 0 north, 90 east. Default 0.")),
-      {key("speed_mps", &VehicleSpec::speed, number(from_to(-100.0, 100.0)), "Its speed ahead. Default 0."),
+      {key("speed_mps", &VehicleSpec::speed, number(start_speeds), "Its speed ahead. Default 0."),
        key("delay_s", &VehicleSpec::start_delay_s, number(from_to(0.0, 1e7)),
            "Before its mission begins. Default 0.")});
 }
@@ -82,9 +100,12 @@ const Block<VehicleSpec>& vehicle_block() {
           "The smaller number has the right of way. Default: its id."),
       key("cooperative", &VehicleSpec::cooperative, flag_unless(true),
           "false: it tells nobody anything, and nobody may count on it to give way. Default true."),
-      key("limits", &VehicleSpec::limits, limits(),
-          "What it may do. A limit that is not given does not bind."),
-      key("mission", &VehicleSpec::mission, mission(), "Its legs, in order. It then holds its position."),
+      placed(key("limits", &VehicleSpec::limits, limits(),
+                 "What it may do. A limit that is not given does not bind."),
+             [](const Value& value, VehicleSpec& v) { v.limits_where = value.tree().where.location(); }),
+      placed(
+          key("mission", &VehicleSpec::mission, mission(), "Its legs, in order. It then holds its position."),
+          [](const Value& value, VehicleSpec& v) { v.mission_where = places_of_legs(value); }),
   };
   return block;
 }

@@ -11,7 +11,11 @@ namespace fairway::yaml {
 namespace {
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
-constexpr Bounds flow_speeds = from_to(-100.0, 100.0);
+/// The strongest tidal streams, as in Saltstraumen, run some 10 m/s.
+constexpr double fastest_flow = 10.0;
+constexpr Bounds flow_speeds = from_to(-fastest_flow, fastest_flow);
+/// A wave on deep water whose height is more than a seventh of its length breaks (Michell 1893).
+constexpr double steepest_wave = 1.0 / 7.0;
 constexpr Bounds wave_periods = from_to(0.1, 1000.0);
 constexpr Bounds depths = from_to(-12000.0, 12000.0);
 constexpr Bounds full_turn = from_to(-360.0, 360.0);
@@ -80,8 +84,17 @@ Block<Owner> direction(double Owner::*member, const std::string& of) {
                                                   "Where " + of + " to, 0 north, 90 east. Default 0."));
 }
 
+/// Throws if no wave on deep water is so high and so short: [m], [s].
+void check_steepness(const Value& value, double height, double period) {
+  const double length = 9.81 * period * period / (2.0 * pi);
+  if (height <= steepest_wave * length) return;
+  value.refuse(fmt::format(
+      "a wave that is {} m high breaks where it is {:.3g} m long, as one of {} s is; at most {:.2g} m",
+      number_text(height), length, number_text(period), steepest_wave * length));
+}
+
 Form<WaveSpec> wave() {
-  return block_form(
+  Form<WaveSpec> form = block_form(
       joined<WaveSpec>(joined<WaveSpec>({key("amplitude_m", &WaveSpec::amplitude_m,
                                              number(above_to(0.0, 100.0)), "Half its height.", Needed::yes),
                                          key("period_s", &WaveSpec::period_s, number(wave_periods),
@@ -89,6 +102,12 @@ Form<WaveSpec> wave() {
                                         direction(&WaveSpec::direction_rad, "it runs")),
                        angle("phase", "_deg", "_rad", &WaveSpec::phase_rad, full_turn,
                              "Of the elevation's cosine at the origin at the start. Default 0.")));
+  form.read = [read = form.read](const Value& value) {
+    const WaveSpec wave = read(value);
+    check_steepness(value, 2.0 * wave.amplitude_m, wave.period_s);
+    return wave;
+  };
+  return form;
 }
 
 Form<double> peakedness() {
@@ -128,6 +147,7 @@ Form<SpectrumSpec> spectrum() {
     const Tree* given = value.tree().find("peakedness_ratio");
     if (given != nullptr && spec.spectrum != SpectrumKind::jonswap)
       refuse_at(given->where, value.path() + ".peakedness_ratio", "only jonswap has one");
+    check_steepness(value, spec.significant_height_m, spec.peak_period_s);
     return spec;
   };
   return form;
@@ -185,7 +205,7 @@ Form<GaussMarkovCurrentSpec> gauss_markov() {
       joined<Spec>(
           joined<Spec>({key("mean_speed_mps", &Spec::mean_speed_mps, number(flow_speeds), "Its mean speed.",
                             Needed::yes),
-                        key("deviation_mps", &Spec::deviation_mps, number(from_to(0.0, 100.0)),
+                        key("deviation_mps", &Spec::deviation_mps, number(from_to(0.0, fastest_flow)),
                             "Standard deviation of the speed.", Needed::yes),
                         key("correlation_time_s", &Spec::correlation_time_s, number(time),
                             "Of the speed. Default 100."),
@@ -201,6 +221,12 @@ Form<GaussMarkovCurrentSpec> gauss_markov() {
   form.read = [read = form.read](const Value& value) {
     const Spec spec = read(value);
     if (spec.min_speed_mps > spec.max_speed_mps) value.refuse("min_speed_mps is above max_speed_mps");
+    const double reached = spec.mean_speed_mps + 3.0 * spec.deviation_mps;
+    if (reached > fastest_flow && spec.max_speed_mps == unlimited)
+      value.refuse(
+          fmt::format("mean_speed_mps and three times deviation_mps come to {} m/s; expected at most {}, or "
+                      "a max_speed_mps",
+                      number_text(reached), number_text(fastest_flow)));
     if (spec.mean_speed_mps < spec.min_speed_mps || spec.mean_speed_mps > spec.max_speed_mps)
       value.refuse(fmt::format("mean_speed_mps is {}, not in [{}, {}] of min_speed_mps and max_speed_mps",
                                number_text(spec.mean_speed_mps), number_text(spec.min_speed_mps),

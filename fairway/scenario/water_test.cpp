@@ -151,6 +151,12 @@ TEST(WaterTest, BadWavesAreRefusedWithTheirPlace) {
               HasSubstr("amplitude_m: expected a number in (0, 100], got -1"));
   EXPECT_THAT(water_refusal("{waves: rough}"),
               HasSubstr("water.waves: expected a list of waves, or a mapping of a spectrum, got rough"));
+  // 9.81 x 4 / (2 pi) = 6.25 m long, a seventh of it 0.89 m high
+  EXPECT_EQ(water_refusal("{waves: [{amplitude_m: 0.44, period_s: 2}]}"), "");
+  EXPECT_EQ(water_refusal("{waves: [{amplitude_m: 0.45, period_s: 2}]}"),
+            "f.yaml:3:17: water.waves[0]: a wave that is 0.9 m high breaks where it is 6.25 m long, as one "
+            "of 2 s is; "
+            "at most 0.89 m");
   std::string many;
   for (int i = 0; i < 1001; ++i) many += "{amplitude_m: 1, period_s: 3},";
   EXPECT_EQ(water_refusal("{waves: [" + many + "]}"),
@@ -174,6 +180,8 @@ TEST(WaterTest, BadSpectraAreRefusedWithTheirPlace) {
   EXPECT_THAT(water_refusal(sea + "jonswap, direction: [0, 0]}}"), HasSubstr("[0, 0] points nowhere"));
   EXPECT_THAT(water_refusal("{waves: {spectrum: jonswap, significant_height_m: 0, peak_period_s: 5}}"),
               HasSubstr("significant_height_m: expected a number in (0, 100], got 0"));
+  EXPECT_THAT(water_refusal("{waves: {spectrum: jonswap, significant_height_m: 1, peak_period_s: 2}}"),
+              HasSubstr("water.waves: a wave that is 1 m high breaks where it is 6.25 m long"));
   EXPECT_THAT(water_refusal("{waves: {spectrum: jonswap, significant_height_m: 1}}"),
               HasSubstr("water.waves: the key peak_period_s is missing"));
 }
@@ -190,13 +198,20 @@ TEST(WaterTest, BadCurrentsAreRefusedWithTheirPlace) {
 
   const std::string wandering = "{current: {gauss_markov: {mean_speed_mps: 0.3, deviation_mps: ";
   EXPECT_THAT(water_refusal(wandering + "-0.1}}}"),
-              HasSubstr("current.gauss_markov.deviation_mps: expected a number in [0, 100], got -0.1"));
+              HasSubstr("current.gauss_markov.deviation_mps: expected a number in [0, 10], got -0.1"));
   EXPECT_EQ(water_refusal(wandering + "0.1, min_speed_mps: 0.5, max_speed_mps: 0.2}}}"),
             "f.yaml:3:33: water.current.gauss_markov: min_speed_mps is above max_speed_mps");
   EXPECT_THAT(water_refusal(wandering + "0.1, max_speed_mps: 0.2}}}"),
               HasSubstr("mean_speed_mps is 0.3, not in [0, 0.2] of min_speed_mps and max_speed_mps"));
   EXPECT_THAT(water_refusal(wandering + "0.1, correlation_time_s: 0}}}"),
               HasSubstr("correlation_time_s: expected a number in (0, 1e+07], got 0"));
+  EXPECT_EQ(
+      water_refusal("{current: {gauss_markov: {mean_speed_mps: 5, deviation_mps: 2}}}"),
+      "f.yaml:3:33: water.current.gauss_markov: mean_speed_mps and three times deviation_mps come to 11 m/s; "
+      "expected at most 10, or a max_speed_mps");
+  EXPECT_EQ(
+      water_refusal("{current: {gauss_markov: {mean_speed_mps: 5, deviation_mps: 2, max_speed_mps: 8}}}"),
+      "");
   EXPECT_EQ(water_refusal("{current_mps: [1, 0, 0], current: {}}"),
             "f.yaml:3:33: water.current: given before as current_mps; keep one");
   EXPECT_THAT(water_refusal("{current: [1, 0, 0]}"),

@@ -5,6 +5,8 @@
 #include <chrono>
 #include <cmath>
 
+#include "fairway/sim/feasibility.hpp"
+
 namespace fairway {
 namespace {
 
@@ -107,6 +109,7 @@ Simulation::Simulation(const Scenario& scenario, const Catalogs& catalogs)
   rendezvous_.resize(agents_.size());
   frame_.resize(agents_.size());
   drawings_.resize(agents_.size());
+  check_feasible(scenario, agents_, sea_);
 }
 
 void Simulation::step(std::span<FrameSink* const> sinks) {
@@ -115,17 +118,34 @@ void Simulation::step(std::span<FrameSink* const> sinks) {
 }
 
 void Simulation::look() {
+  if (divergence_) return;
   locate();
   deliver();
   perceive();
 }
 
 void Simulation::act(std::span<FrameSink* const> sinks) {
+  if (divergence_) return;
   decide();
   control();
+  for (std::size_t i = 0; i < agents_.size(); ++i) {
+    notice(i, why_impossible(agents_[i].command));
+    notice(i, why_impossible(agents_[i].demand));
+  }
+  if (divergence_) return;
   record(sinks);
   move();
   tick_ = next(tick_);
+  for (std::size_t i = 0; i < agents_.size(); ++i) notice(i, why_impossible(agents_[i].vehicle.state()));
+}
+
+void Simulation::notice(std::size_t index, std::string_view impossible) {
+  if (impossible.empty() || divergence_) return;
+  divergence_ = {.vehicle = index, .tick = tick_, .time = time(), .why = impossible};
+}
+
+void Simulation::refuse_divergence() const {
+  if (divergence_) throw RunDiverged{*divergence_, agents_[divergence_->vehicle].name};
 }
 
 void Simulation::order(std::size_t index, const Command& command) {
@@ -147,10 +167,11 @@ void Simulation::release(std::size_t index) {
 
 void Simulation::run(std::span<FrameSink* const> sinks) {
   while (!is_done()) step(sinks);
+  refuse_divergence();
 }
 
 bool Simulation::is_done() const {
-  if (count(tick_) > count(last_tick_)) return true;
+  if (divergence_ || count(tick_) > count(last_tick_)) return true;
   const auto is_finished = [](const Agent& agent) {
     return agent.mission.phase() == Phase::arrived || agent.mission.phase() == Phase::stuck;
   };

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "fairway/scenario/scenario.hpp"
 #include "fairway/sim/agent.hpp"
 #include "fairway/sim/decision_observer.hpp"
+#include "fairway/sim/divergence.hpp"
 #include "fairway/world/obstacle_field.hpp"
 #include "fairway/world/sea/sea.hpp"
 
@@ -27,11 +29,13 @@ struct DecisionTimes {
 /// A run of one scenario. The same scenario gives the same bits, whatever else runs beside it.
 class Simulation {
  public:
-  /// Throws InputError, with its place in the file, for what the catalogs do not accept.
+  /// Throws InputError, with its place in the file, for what the catalogs do not accept and for what cannot
+  /// be simulated (feasibility.hpp).
   Simulation(const Scenario& scenario, const Catalogs& catalogs);
 
   /// One tick: everyone is told, sees, decides and steers on the same frozen instant, which `sinks`
-  /// then receive, and only then does anything move. Does not allocate after the first tick.
+  /// then receive, and only then does anything move. Does not allocate after the first tick. Once the run
+  /// has diverged, nothing more happens, and no sink receives anything.
   void step(std::span<FrameSink* const> sinks);
 
   /// The first half of a step: everyone is told and sees. Then situations and orders may be asked and given.
@@ -53,10 +57,15 @@ class Simulation {
   /// Its avoider is asked again.
   void release(std::size_t index);
 
-  /// True when the time is up or nobody is left under way.
+  /// True when the time is up, nobody is left under way, or the run has diverged.
   bool is_done() const;
 
-  /// Steps until done.
+  /// How the run broke, at the tick at which it did; nothing for as long as it is whole.
+  const std::optional<Divergence>& divergence() const { return divergence_; }
+  /// Throws RunDiverged if it has.
+  void refuse_divergence() const;
+
+  /// Steps until done. Throws RunDiverged.
   void run(std::span<FrameSink* const> sinks);
 
   /// Measures decisions from now on; two clock readings a decision.
@@ -82,6 +91,7 @@ class Simulation {
   void control();
   void record(std::span<FrameSink* const> sinks);
   void move();
+  void notice(std::size_t index, std::string_view impossible);
 
   bool everyone_ready(std::size_t index) const;
   bool is_deciding(const Agent& agent) const;
@@ -97,6 +107,7 @@ class Simulation {
   ObstacleField obstacles_;
 
   Tick tick_{0};
+  std::optional<Divergence> divergence_;
   std::vector<Agent> agents_;
   Mailbox mailbox_;
   Exchange exchange_;

@@ -119,8 +119,15 @@ StudyRow share_row(const Cell& cell, std::string_view quantity, std::size_t coun
 }
 
 StudyRow mean_row(const Cell& cell, std::string_view quantity) {
-  const MeanEstimate mean = estimate_mean(of_arrived(cell, quantity));
-  return cell_row(cell, quantity, mean.mean, mean.low, mean.high, "of the runs that arrived");
+  return mean_row(cell, quantity, of_arrived(cell, quantity), "of the runs that arrived");
+}
+
+StudyRow mean_row(const Cell& cell, std::string_view quantity, const std::vector<double>& values,
+                  std::string note) {
+  const MeanEstimate mean = estimate_mean(values);
+  if (const std::size_t left_out = cell.results.size() - values.size(); left_out > 0)
+    note += fmt::format("; {} of {} left out", left_out, cell.results.size());
+  return cell_row(cell, quantity, mean.mean, mean.low, mean.high, std::move(note));
 }
 
 }  // namespace fairway

@@ -79,7 +79,10 @@ StudyRow cell_row(const Cell& cell, std::string_view quantity, double measured, 
 /// The share that `count` runs are of all, with Wilson's 95 % interval.
 StudyRow share_row(const Cell& cell, std::string_view quantity, std::size_t count, std::string note);
 
-/// The mean over the runs that arrived, with its 95 % interval.
+/// The mean over the runs that arrived, with its 95 % interval; the note says how many are left out.
 StudyRow mean_row(const Cell& cell, std::string_view quantity);
+/// The mean of `values`, one of each run that has one, likewise.
+StudyRow mean_row(const Cell& cell, std::string_view quantity, const std::vector<double>& values,
+                  std::string note);
 
 }  // namespace fairway

@@ -44,6 +44,7 @@ struct Film::Contents {
   std::vector<VehicleFrame> last_vehicles;
   Frame last;  // unless it was kept
   bool last_kept{true};
+  std::string divergence;
 };
 
 void Film::Contents::remember(const Frame& frame) {
@@ -75,8 +76,9 @@ void Film::write(const Frame& frame) {
   if (!c.last_kept) c.remember(frame);
 }
 
-void Film::finish() {
+void Film::finish(std::string_view divergence) {
   Contents& c = *contents_;
+  c.divergence = divergence;
   if (!c.last_kept) c.keep(c.last);
   c.last_kept = true;
 }
@@ -112,6 +114,8 @@ nlohmann::json Film::part(std::size_t first, std::size_t most, bool compress) co
 std::string Film::notice() const {
   const Contents& c = *contents_;
   std::string text;
+  if (!c.divergence.empty())
+    text += fmt::format("The run {}. It ends before that, and has no results. ", c.divergence);
   if (c.stride > 1)
     text += fmt::format("Of {} frames one in {} is shown; colours and events are those of every frame. ",
                         c.seen, c.stride);

@@ -38,7 +38,8 @@ class Film final : public FrameSink {
   bool wants_thoughts() const override { return true; }
 
   /// No more frames come: the last one is kept too, whatever the stride, and with it what happened up to it.
-  void finish();
+  /// `divergence` is how the run broke behind it, in a line; empty if it is whole.
+  void finish(std::string_view divergence = {});
 
   /// Frames kept.
   std::size_t size() const;
@@ -53,7 +54,7 @@ class Film final : public FrameSink {
   /// of the page's document: parts that follow on each other give everything once. O(part).
   nlohmann::json part(std::size_t first, std::size_t most, bool compress) const;
 
-  /// Empty, or what had to be left out, for the reader of the page.
+  /// Empty, or how the run broke and what had to be left out, for the reader of the page.
   std::string notice() const;
 
  private:

@@ -125,7 +125,7 @@ struct FleetHost::Self {
   void watch(std::size_t index);
   void hold(std::size_t index) { simulation.order(index, Command{.mode = Mode::hold}); }
   cli::RunOutcome outcome(double wall_s) const;
-  std::vector<cli::Judgement> judgements() const { return cli::judge(scenario, metrics.measures()); }
+  std::vector<cli::Judgement> judgements() const { return cli::judge(scenario, outcome(0.0).measures); }
 
   /// The film's events as a sink of frames.
   struct Events {
@@ -153,6 +153,7 @@ struct FleetHost::Self {
 };
 
 void FleetHost::Self::look() {
+  if (simulation.divergence()) return;  // the last instant that was whole stays to be seen
   simulation.look();
   for (std::size_t i = 0; i < vehicles.size(); ++i) watch(i);
 }
@@ -182,7 +183,8 @@ void FleetHost::Self::watch(std::size_t index) {
 
 cli::RunOutcome FleetHost::Self::outcome(double wall_s) const {
   cli::RunOutcome outcome;
-  outcome.measures = metrics.measures();
+  outcome.divergence = simulation.divergence();
+  if (!outcome.divergence) outcome.measures = metrics.measures();
   if (autonomous) outcome.decisions = simulation.decision_times();
   for (const Agent& agent : simulation.agents()) {
     if (!agent.note.empty()) outcome.notes.emplace_back(agent.name, std::string(agent.note));
@@ -256,11 +258,11 @@ int FleetHost::collisions() const {
 }
 
 bool FleetHost::expectations_kept() const {
-  return std::ranges::all_of(self_->judgements(), &cli::Judgement::kept);
+  return !self_->simulation.divergence() && std::ranges::all_of(self_->judgements(), &cli::Judgement::kept);
 }
 
 void FleetHost::finish() {
-  if (self_->writer) self_->writer->close();
+  if (self_->writer) self_->writer->close(cli::divergence_text(self_->scenario, self_->outcome(0.0)));
 }
 
 }  // namespace fairway::bridge

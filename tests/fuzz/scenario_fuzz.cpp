@@ -89,7 +89,7 @@ fairway: 1
 name: "two"
 vehicles:
 - &first {model: a, avoider: b, start: {position_m: [1, 2, 3], yaw_rad: 0.1}}
-- {model: a, avoider: {algorithm: b, gain_ratio: .5, on: true}, start: {position_m: [1, 2, 4]}, id: 7}
+- {model: a, avoider: {algorithm: b, gain_ratio: .5, on: true}, start: {position_m: [1, 2, 6]}, id: 7}
 )",
     "fairway: 1\nname: |\n  long\n  text\nmissions:\n  a: &x\n  - run: b\n  b: [{run: c}]\n  c: "
     "[]\nvehicles: [{model: m, avoider: a, "

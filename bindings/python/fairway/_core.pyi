@@ -20,6 +20,7 @@ class _Algorithm(Protocol):
 _Algorithms = Mapping[str, Callable[..., _Algorithm]]
 
 class InputError(ValueError): ...
+class RunDiverged(RuntimeError): ...
 
 # ---- situations and commands: values that are never changed
 
@@ -470,6 +471,7 @@ class Recording(_Moved):
     models: Final[list[str]]
     perception: Final[bool]
     sketches: Final[bool]
+    divergence: Final[str]
     trajectories: Final[Trajectories]
     fleet: Final[dict[str, float]]
     vehicles: Final[list[dict[str, Any]]]

@@ -43,7 +43,7 @@ class Remus100 {
           field<&P::yaw_time_constant_s>({0.1, 1000}, "of yaw by linear damping alone"),
           field<&P::roll_damping_ratio>({0, 2}, "linear damping in roll, of critical"),
           field<&P::pitch_damping_ratio>({0, 2}, "linear damping in pitch, of critical"),
-          field<&P::drag_ratio>({0, 2}, "drag coefficient of the hull by its frontal area"),
+          field<&P::drag_ratio>({0.01, 2}, "drag coefficient of the hull by its frontal area"),
           field<&P::rudder_lift_ratio>({0, 10}, "lift coefficient of the rudder per radian"),
           field<&P::stern_lift_ratio>({0, 10}, "lift coefficient of the stern planes per radian"),
           field<&P::fin_time_constant_s>({0, 10}, "lag of rudder and stern planes"),

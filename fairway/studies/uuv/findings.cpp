@@ -57,8 +57,7 @@ StudyRow interval_row(const Cell& cell, std::string_view quantity, std::string n
     const double value = cell.value(i, quantity);
     if (std::isfinite(value)) values.push_back(value);
   }
-  const MeanEstimate mean = estimate_mean(values);
-  return cell_row(cell, quantity, mean.mean, mean.low, mean.high, std::move(note));
+  return mean_row(cell, quantity, values, std::move(note));
 }
 
 }  // namespace
