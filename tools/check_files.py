@@ -12,9 +12,12 @@ LONGEST = 450
 
 
 def main() -> int:
-    listed = subprocess.run(["git", "ls-files", *SOURCES], cwd=ROOT, check=True, capture_output=True, text=True)
+    listing = ["git", "ls-files", "--cached", "--others", "--exclude-standard", "--deduplicate", *SOURCES]
+    listed = subprocess.run(listing, cwd=ROOT, check=True, capture_output=True, text=True)
     failures = 0
-    for name in listed.stdout.split():
+    for name in listed.stdout.splitlines():
+        if not (ROOT / name).is_file():
+            continue  # deleted, and not committed yet
         text = (ROOT / name).read_text()
         if "SPDX-License-Identifier: Apache-2.0" not in "\n".join(text.splitlines()[:3]):
             print(f"{name}: no SPDX licence line in its first three lines")

@@ -10,7 +10,7 @@
 namespace fairway {
 namespace {
 
-constexpr double period = 0.05;
+constexpr double tick_s = 0.05;
 
 /// Every vehicle says at each tick how many ticks have gone by: its position is {tick, index, 0}.
 struct Sea {
@@ -20,7 +20,7 @@ struct Sea {
   Tick now{0};
 
   Sea(const AcousticParams& params, std::vector<Vec3> where, std::uint64_t seed = 1)
-      : channel{params, where.size(), period, Rng{seed}}, said(where.size()), places{std::move(where)} {
+      : channel{params, where.size(), tick_s, Rng{seed}}, said(where.size()), places{std::move(where)} {
     for (std::size_t i = 0; i < said.size(); ++i) said[i].from = VehicleId{static_cast<std::uint32_t>(i)};
   }
 
@@ -34,7 +34,7 @@ struct Sea {
   }
 
   void run(double duration) {
-    const Tick end{count(now) + std::llround(duration / period)};
+    const Tick end{count(now) + std::llround(duration / tick_s)};
     while (now < end) tick();
   }
 
@@ -155,7 +155,7 @@ TEST(AcousticChannel, AllOrNothingIsLostAtTheEnds) {
 /// The ticks at which 1 heard from 0 of late, at each tick.
 std::vector<Tick> history(Sea sea, double duration) {
   std::vector<Tick> ticks;
-  for (int i = 0; i < std::lround(duration / period); ++i) {
+  for (int i = 0; i < std::lround(duration / tick_s); ++i) {
     sea.tick();
     ticks.push_back(sea.heard(1, 0).sent);
   }
@@ -185,7 +185,7 @@ TEST(AcousticChannel, DrawsDoNotDependOnWhoIsInRange) {
 /// When the message that `receiver` knows of `sender` was sent, whenever it changed [ticks].
 std::vector<std::int64_t> sendings(Sea sea, double duration, std::size_t receiver, std::size_t sender) {
   std::vector<std::int64_t> ticks;
-  for (int i = 0; i < std::lround(duration / period); ++i) {
+  for (int i = 0; i < std::lround(duration / tick_s); ++i) {
     sea.tick();
     const Message& message = sea.heard(receiver, sender);
     if (message.told && (ticks.empty() || ticks.back() != count(message.sent)))
@@ -282,7 +282,7 @@ TEST(AcousticChannel, WhoTransmitsDoesNotHearMeanwhile) {
 
 TEST(AcousticChannel, WhoeverTransmitsAllTheTimeHearsNothing) {
   // a packet takes 0.9 ticks, sound 0.8: each arrives while the receiver sends its own
-  Sea sea{{.update_rate_hz = 20, .slots = false, .bit_rate_bps = 64 * 8 / (0.9 * period)}, pair(60)};
+  Sea sea{{.update_rate_hz = 20, .slots = false, .bit_rate_bps = 64 * 8 / (0.9 * tick_s)}, pair(60)};
   sea.run(10);
   EXPECT_EQ(sea.counts().received, 0);
   EXPECT_EQ(sea.counts().drowned, 2 * 198);  // the last two of 200 are on their way
@@ -362,7 +362,7 @@ TEST(AcousticChannel, AfterTheFirstTickNothingIsAllocated) {
 /// What such a choice is refused with.
 std::string refusal(const ParamValues& params, std::size_t vehicle_count = 2) {
   try {
-    (void)Exchange{"acoustic", params, vehicle_count, period, Rng{1}};
+    (void)Exchange{"acoustic", params, vehicle_count, tick_s, Rng{1}};
   } catch (const InputError& error) {
     return error.what();
   }

@@ -19,7 +19,7 @@ namespace {
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-constexpr double h = 0.05;  // [s]
+constexpr double tick_s = 0.05;  // [s]
 
 /// A REMUS 100 under way at `speed` [m/s].
 Vehicle remus_at(double speed, const ParamValues& values = {}) {
@@ -36,13 +36,13 @@ double pitch_of(const Vehicle& vehicle) { return euler_of(vehicle.state().q_nb).
 
 ActuatorValues control(FinAutopilot& autopilot, const Vehicle& vehicle, const BodyRequest& request) {
   const VehicleState& x = vehicle.state();
-  return autopilot.control(request, pitch_of(vehicle), x.v_b, x.omega_b, h);
+  return autopilot.control(request, pitch_of(vehicle), x.v_b, x.omega_b, tick_s);
 }
 
 /// Under way for `duration` [s] in still water.
 void sail_by_fins(Vehicle& vehicle, FinAutopilot& autopilot, const BodyRequest& request, double duration) {
-  const long steps = std::lround(duration / h);
-  for (long i = 0; i < steps; ++i) vehicle.step(control(autopilot, vehicle, request), {}, h);
+  const long steps = std::lround(duration / tick_s);
+  for (long i = 0; i < steps; ++i) vehicle.step(control(autopilot, vehicle, request), {}, tick_s);
 }
 
 /// Speed and yaw rate within 1 % (or 1 mrad/s), sinking within 5 mm/s.
@@ -102,11 +102,11 @@ TEST(FinAutopilot, OvershootsAStepOfYawRateAndOfSpeedByLittle) {
   sail_by_fins(vehicle, autopilot, {.surge_mps = 1.5}, 20.0);
   double fastest_turn = 0.0, fastest = 0.0;
   for (int i = 0; i < 1200; ++i) {
-    sail_by_fins(vehicle, autopilot, {.surge_mps = 1.5, .yaw_rate_radps = 0.05}, h);
+    sail_by_fins(vehicle, autopilot, {.surge_mps = 1.5, .yaw_rate_radps = 0.05}, tick_s);
     fastest_turn = std::fmax(fastest_turn, vehicle.state().omega_b.z());
   }
   for (int i = 0; i < 1200; ++i) {
-    sail_by_fins(vehicle, autopilot, {.surge_mps = 2.0}, h);
+    sail_by_fins(vehicle, autopilot, {.surge_mps = 2.0}, tick_s);
     fastest = std::fmax(fastest, vehicle.state().v_b.x());
   }
   EXPECT_LT(fastest_turn, 1.02 * 0.05);
@@ -122,7 +122,7 @@ TEST(FinAutopilot, TurnsAsFastAsTheRudderHardOverAndNoFaster) {
   // the same propeller with the rudder hard over and nobody at the helm
   Vehicle held = remus_at(1.5);
   held.set_actuator_state(vehicle.actuator_state());
-  for (int i = 0; i < 2400; ++i) held.drift({}, h);
+  for (int i = 0; i < 2400; ++i) held.drift({}, tick_s);
   EXPECT_NEAR(vehicle.state().omega_b.z(), held.state().omega_b.z(), 1e-3);
   EXPECT_NEAR(vehicle.state().omega_b.z(), 0.1453, 1e-3);  // a circle of 10 m
   EXPECT_GT(vehicle.state().v_b.head<2>().norm() / vehicle.state().omega_b.z(),
@@ -144,8 +144,8 @@ TEST(FinAutopilot, DoesNotWindUpOnWhatCannotBe) {
   const BodyRequest request{.surge_mps = 1.5, .heave_mps = 0.0, .yaw_rate_radps = 0.0};
   double apart = 0.0, backward = 0.0;
   for (int i = 0; i < 1200; ++i) {
-    sail_by_fins(vehicle, wound, request, h);
-    sail_by_fins(longer, wound_longer, request, h);
+    sail_by_fins(vehicle, wound, request, tick_s);
+    sail_by_fins(longer, wound_longer, request, tick_s);
     apart = std::fmax(apart, (vehicle.state().omega_b - longer.state().omega_b).norm());
     backward = std::fmax(backward, -vehicle.state().omega_b.z());
   }
@@ -161,11 +161,11 @@ TEST(FinAutopilot, HoldsADepthWithinTwoTenthsOfAMetreAndReachesAnother) {
     FinAutopilot autopilot = fins_of(vehicle);
     const auto keep = [&](double depth, double duration, double from) {
       double worst = 0.0, deepest = 0.0;
-      for (int i = 0; i < std::lround(duration / h); ++i) {
+      for (int i = 0; i < std::lround(duration / tick_s); ++i) {
         const double error = depth - vehicle.state().p_n.z();
         sail_by_fins(vehicle, autopilot,
-                     {.surge_mps = speed, .heave_mps = std::clamp(0.2 * error, -0.15, 0.15)}, h);
-        if (i * h >= from) worst = std::fmax(worst, std::abs(error));
+                     {.surge_mps = speed, .heave_mps = std::clamp(0.2 * error, -0.15, 0.15)}, tick_s);
+        if (i * tick_s >= from) worst = std::fmax(worst, std::abs(error));
         deepest = std::fmax(deepest, vehicle.state().p_n.z());
       }
       return std::pair{worst, deepest};
@@ -215,7 +215,7 @@ TEST(FinAutopilot, CommandsStayWithinTheLimitsAndFiniteWhateverIsAsked) {
     if (i % 11 == 0) request.heave_mps = std::numeric_limits<double>::infinity();
     if (i % 13 == 0) v_b.x() = std::nan("");
     const ActuatorValues u =
-        autopilot.control(request, i % 17 == 0 ? std::nan("") : rng.normal(), v_b, omega_b, h);
+        autopilot.control(request, i % 17 == 0 ? std::nan("") : rng.normal(), v_b, omega_b, tick_s);
     for (std::size_t k = 0; k < 3; ++k) {
       ASSERT_GE(u[static_cast<Eigen::Index>(k)], vehicle.actuators()[k].range.lo);
       ASSERT_LE(u[static_cast<Eigen::Index>(k)], vehicle.actuators()[k].range.hi);
@@ -228,8 +228,10 @@ TEST(FinAutopilot, PortAndStarboardAreMirrorImages) {
   FinAutopilot port = fins_of(vehicle), starboard = port;
   for (int i = 0; i < 100; ++i) {
     const double r = 0.01 * std::sin(0.3 * i);
-    const ActuatorValues a = port.control({1.5, 0, 0.1, -0.05}, -0.1, {1.4, -0.1, 0.02}, {0, 0.01, -r}, h);
-    const ActuatorValues b = starboard.control({1.5, 0, 0.1, 0.05}, -0.1, {1.4, 0.1, 0.02}, {0, 0.01, r}, h);
+    const ActuatorValues a =
+        port.control({1.5, 0, 0.1, -0.05}, -0.1, {1.4, -0.1, 0.02}, {0, 0.01, -r}, tick_s);
+    const ActuatorValues b =
+        starboard.control({1.5, 0, 0.1, 0.05}, -0.1, {1.4, 0.1, 0.02}, {0, 0.01, r}, tick_s);
     ASSERT_EQ(a[0], -b[0]);
     ASSERT_EQ(a[1], b[1]);
     ASSERT_EQ(a[2], b[2]);
@@ -259,9 +261,9 @@ TEST(Autopilot, DrivesAVehicleWithFinsByThem) {
   const BodyRequest request{.surge_mps = 1.4, .heave_mps = 0.1, .yaw_rate_radps = 0.02};
   for (int i = 0; i < 50; ++i) {
     const VehicleState& x = vehicle.state();
-    const ActuatorValues u = autopilot.control(request, x.v_b, x.omega_b, h, x.q_nb);
+    const ActuatorValues u = autopilot.control(request, x.v_b, x.omega_b, tick_s, x.q_nb);
     ASSERT_EQ(u, control(fins, vehicle, request));
-    vehicle.step(u, {}, h);
+    vehicle.step(u, {}, tick_s);
   }
   EXPECT_FALSE(autopilot.push(Wrench::Zero()));
 }

@@ -56,7 +56,7 @@ constexpr const char* commands_table =
 constexpr int patience_ms = 30'000;
 
 /// `{"case":"cube20_8","method":"orca3d"}`, in order.
-std::string labels_json(const Labels& labels) {
+std::string labels_as_json(const Labels& labels) {
   nlohmann::ordered_json object = nlohmann::ordered_json::object();
   for (const auto& [name, value] : labels) object[name] = value;
   return object.dump();
@@ -223,7 +223,7 @@ void Store::Contents::put(const RunRecord& record) {
   }
   std::string labels;
   try {
-    labels = labels_json(spec.labels);
+    labels = labels_as_json(spec.labels);
   } catch (const nlohmann::json::exception&) {
     throw std::invalid_argument("labels that are not UTF-8");
   }

@@ -3,19 +3,16 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
-
 #include "fairway/onboard/testing/fixes.hpp"
 
 namespace fairway {
 namespace {
 
+using fixes::infinity;
+using fixes::nan;
 using fixes::north;
 using fixes::on_course;
 using enum FixVerdict;
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 const OnboardPolicy policy;
 

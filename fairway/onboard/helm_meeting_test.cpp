@@ -12,7 +12,7 @@
 namespace fairway {
 namespace {
 
-constexpr double h = 0.1;  // between fixes [s]
+using fixes::h;
 
 /// What each tells the other at an instant, if anything: `from` is 0 or 1.
 using Words = std::function<std::optional<Fix>(std::size_t from, const Fix& truth)>;

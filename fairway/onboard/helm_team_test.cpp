@@ -3,20 +3,18 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <limits>
 
 #include "fairway/onboard/testing/fixes.hpp"
 
 namespace fairway {
 namespace {
 
+using fixes::h;
 using fixes::helm_of;
+using fixes::infinity;
 using fixes::on_course;
 using fixes::setup;
 using fixes::under_way;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double h = 0.1;  // between fixes [s]
 
 TEST(HelmInATeam, ANeighbourIsPredictedByItsVelocityAndGrowsWhenItIsStale) {
   Helm helm = under_way(0.0);

@@ -11,14 +11,13 @@
 namespace fairway {
 namespace {
 
+using fixes::h;
 using fixes::helm_of;
+using fixes::infinity;
+using fixes::nan;
 using fixes::on_course;
 using fixes::setup;
 using fixes::under_way;
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double h = 0.1;  // between fixes [s]
 
 bool is_zero(const BodyRequest& r) {
   return r.surge_mps == 0.0 && r.sway_mps == 0.0 && r.heave_mps == 0.0 && r.yaw_rate_radps == 0.0;

@@ -173,18 +173,18 @@ TEST(LoadTest, ParametersKeepTheirTypes) {
 }
 
 /// A document with one vehicle, whose start and other keys are given.
-std::string with(const std::string& document, const std::string& vehicle = "",
-                 const std::string& start = "") {
+std::string scenario_with(const std::string& document, const std::string& vehicle = "",
+                          const std::string& start = "") {
   return "fairway: 1\nname: a\n" + document +
          "\nvehicles:\n  - model: m\n    avoider: direct\n    start: {position_m: [0, 0, 0]" + start + "}\n" +
          (vehicle.empty() ? "" : "    " + vehicle + "\n");
 }
 
 TEST(DistributionTest, EachDrawsFromTheStreamOfItsPath) {
-  const Scenario s =
-      parse_scenario(with("seed: 9\nexam: {crit_dist_m: {uniform: [5, 8]}}",
-                          "radius_m: {normal: [2, 0.5]}\n    limits: {max_speed_mps: {uniform: [1, 2]}}"),
-                     "a");
+  const Scenario s = parse_scenario(
+      scenario_with("seed: 9\nexam: {crit_dist_m: {uniform: [5, 8]}}",
+                    "radius_m: {normal: [2, 0.5]}\n    limits: {max_speed_mps: {uniform: [1, 2]}}"),
+      "a");
   EXPECT_EQ(s.exam.crit_dist_m, Rng{9}.stream("exam.crit_dist_m").uniform(5, 8));
   EXPECT_EQ(s.vehicles[0].radius_m, 2 + 0.5 * Rng{9}.stream("vehicles[0].radius_m").normal());
   EXPECT_EQ(s.vehicles[0].limits.max_speed, Rng{9}.stream("vehicles[0].limits.max_speed_mps").uniform(1, 2));
@@ -208,8 +208,9 @@ TEST(DistributionTest, DefaultsAreDrawnAnewForEachVehicle) {
 
 TEST(DistributionTest, OnlyTheAcceptedPartOfABellIsDrawn) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
-    EXPECT_GE(parse_scenario(with("", "radius_m: {normal: [0, 1]}"), "a", {}, seed).vehicles[0].radius_m,
-              0.0);
+    EXPECT_GE(
+        parse_scenario(scenario_with("", "radius_m: {normal: [0, 1]}"), "a", {}, seed).vehicles[0].radius_m,
+        0.0);
   }
 }
 
@@ -263,7 +264,8 @@ TEST(OverrideTest, AVehicleReplacedAsAWholeStillTakesTheDefaults) {
 }
 
 TEST(OverrideTest, AnAngleInAnotherUnitReplacesTheDefault) {
-  const Scenario s = parse_scenario(with("defaults: {start: {yaw_deg: 90}}", "", ", yaw_rad: 1"), "a");
+  const Scenario s =
+      parse_scenario(scenario_with("defaults: {start: {yaw_deg: 90}}", "", ", yaw_rad: 1"), "a");
   EXPECT_EQ(s.vehicles[0].yaw, 1.0);
 }
 

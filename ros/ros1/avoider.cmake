@@ -42,6 +42,7 @@ target_include_directories(fairway_ros_messages SYSTEM INTERFACE ${fairway_ros_h
 
 add_library(fairway_ros1_avoider STATIC avoider_node.cpp avoider_orders.cpp avoider_report.cpp avoider_settings.cpp)
 set_target_properties(fairway_ros1_avoider PROPERTIES CXX_STANDARD 17)
+fairway_unity(fairway_ros1_avoider)
 target_link_libraries(fairway_ros1_avoider PUBLIC fairway_ros1 fairway_ros_messages nlohmann_json::nlohmann_json Threads::Threads
                       PRIVATE fairway_options)
 fairway_ros1_program(fairway_avoider avoider_main.cpp LINKS fairway_ros1_avoider)
@@ -55,11 +56,10 @@ if(cola2_msgs_FOUND)
 endif()
 
 if(FAIRWAY_TESTS)
-  add_executable(ros1_test avoider_clock_test.cpp avoider_gate_test.cpp avoider_settings_test.cpp cola2/adapter_test.cpp)
+  fairway_test_program(ros1_test SOURCES avoider_clock_test.cpp avoider_gate_test.cpp avoider_settings_test.cpp cola2/adapter_test.cpp
+                       LINKS fairway_ros1_avoider)
   set_target_properties(ros1_test PROPERTIES CXX_STANDARD 17)
-  target_link_libraries(ros1_test PRIVATE fairway_ros1_avoider fairway_options GTest::gtest GTest::gtest_main)
-  target_compile_definitions(ros1_test PRIVATE FAIRWAY_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-  gtest_discover_tests(ros1_test DISCOVERY_TIMEOUT 60)
+  fairway_unity(ros1_test)
 endif()
 
 install(DIRECTORY ${fairway_ros_headers}/fairway_ros DESTINATION include COMPONENT ros1)

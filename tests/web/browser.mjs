@@ -73,7 +73,7 @@ export class Browser {
         const address = request.url();
         if (!/^(file|data|blob):/.test(address) && !allowed.includes(new URL(address).origin)) complain(`network request: ${address}`);
       });
-      page.setDefaultTimeout(8000);
+      page.setDefaultTimeout(30_000);  // of a machine that is half as fast and busy besides
       page.setDefaultNavigationTimeout(60_000);
       await page.goto(url);
       await page.waitForSelector('main');

@@ -3,15 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include "fairway/avoidance/avoa/testing/random_spaces.hpp"
+
 namespace fairway::avoa {
 namespace {
-
-constexpr KinematicZone zarco{.alpha = 1.0,
-                              .beta = 3.0,
-                              .turn_gain = 0.5,
-                              .max_turn_rate = 0.3751,
-                              .thruster_speed = 1.5,
-                              .max_speed = 1.5};
 
 TEST(KinematicZone, StraightAheadEndsAtTheLargestSpeed) {
   EXPECT_FALSE(zarco.contains({1.5, 0.0}));

@@ -8,17 +8,17 @@
 namespace fairway::avoa_improved {
 namespace {
 
-constexpr Helm helm{.turn_gain = 1.0,
-                    .max_turn_rate = 0.3751,
-                    .max_turn_acceleration = 0.5,
-                    .max_acceleration = 0.5,
-                    .response = 0.5};
+constexpr Helm boat_helm{.turn_gain = 1.0,
+                         .max_turn_rate = 0.3751,
+                         .max_turn_acceleration = 0.5,
+                         .max_acceleration = 0.5,
+                         .response = 0.5};
 
 TEST(AvoaImprovedDrift, LearnsTheCurrentOnOneHeading) {
   Unicycle boat{.current = {-0.1, 0.15}};
   Drift drift;
   for (int k = 0; k < 100; ++k) {
-    drift.observe(boat.velocity(), {std::cos(boat.yaw), std::sin(boat.yaw)}, helm, 0.2, 3.0);
+    drift.observe(boat.velocity(), {std::cos(boat.yaw), std::sin(boat.yaw)}, boat_helm, 0.2, 3.0);
     const Command ahead{.velocity = {k < 50 ? 1.2 : 0.4, 0.0, 0.0}};
     drift.command(ahead.velocity.x());
     boat.sail(ahead, 0.2);
@@ -30,7 +30,7 @@ TEST(AvoaImprovedDrift, IsNoneForAVesselThatDoesAsItIsSteered) {
   Unicycle boat;
   Drift drift;
   for (int k = 0; k < 100; ++k) {
-    drift.observe(boat.velocity(), {std::cos(boat.yaw), std::sin(boat.yaw)}, helm, 0.2, 3.0);
+    drift.observe(boat.velocity(), {std::cos(boat.yaw), std::sin(boat.yaw)}, boat_helm, 0.2, 3.0);
     const Command turning{.velocity = {0.0, k < 50 ? 1.2 : 0.3, 0.0}};
     drift.command(turning.velocity.y());
     boat.sail(turning, 0.2);

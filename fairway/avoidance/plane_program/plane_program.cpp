@@ -11,7 +11,7 @@ namespace {
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// Violations below this share of the greatest number in the program are rounding.
-constexpr double rounding = 1e-14;
+constexpr double rounding_share = 1e-14;
 
 /// Below this sine two lines are parallel, and below this difference two normals are one.
 constexpr double parallel = 1e-12;
@@ -147,14 +147,15 @@ double minimise_violation(const PlaneProgram& program, std::size_t first, const 
   double level = 0.0;
   for (std::size_t i = first; i < program.half_planes.size(); ++i) {
     const HalfPlane& worst = program.half_planes[i];
-    if (worst.violation(x) <= level + rounding * scale) continue;
+    if (worst.violation(x) <= level + rounding_share * scale) continue;
     const auto made = [&](std::size_t j) {
       return j < program.hard_count ? program.half_planes[j] : bisector(program.half_planes[j], worst);
     };
     for (std::size_t j = 0; j < std::min(i, bounds.size()); ++j) bounds[j] = made(j);
     const auto at = [&](std::size_t j) { return j < bounds.size() ? bounds[j] : made(j); };
     Vec2 better;
-    if (Incremental{at, radius, rounding * scale}.solve(i, {wanted, worst.normal}, better) == i) x = better;
+    if (Incremental{at, radius, rounding_share * scale}.solve(i, {wanted, worst.normal}, better) == i)
+      x = better;
     level = std::max(0.0, worst.violation(x));
   }
   return level;
@@ -168,8 +169,8 @@ PlaneChoice nearest_in_plane(const PlaneProgram& program, const Vec2& wanted) no
   const auto as_given = [&](std::size_t i) { return all[i]; };
 
   Vec2 x;
-  const std::size_t failed =
-      Incremental{as_given, program.max_length, rounding * scale}.solve(all.size(), {.wanted = wanted}, x);
+  const std::size_t failed = Incremental{as_given, program.max_length, rounding_share * scale}.solve(
+      all.size(), {.wanted = wanted}, x);
   if (failed == all.size()) return {x, 0.0};
   if (failed < program.hard_count)
     return nearest_in_plane({all.first(program.hard_count), 0, program.max_length}, wanted);
@@ -180,8 +181,9 @@ PlaneChoice nearest_in_plane(const PlaneProgram& program, const Vec2& wanted) no
     return i < program.hard_count ? all[i] : HalfPlane{all[i].normal, all[i].offset - level};
   };
   Vec2 nearest;
-  const std::size_t kept_count = Incremental{moved_back, program.max_length, 10.0 * rounding * scale}.solve(
-      all.size(), {.wanted = wanted}, nearest);
+  const std::size_t kept_count =
+      Incremental{moved_back, program.max_length, 10.0 * rounding_share * scale}.solve(
+          all.size(), {.wanted = wanted}, nearest);
   if (kept_count == all.size()) x = nearest;
   const double violation = largest_violation(all.subspan(program.hard_count), x);
   return {x, violation > kept * scale ? violation : 0.0};

@@ -92,7 +92,7 @@ TEST(SafetyFilterOfForces, TooStiffForTheForcesItCountsWhatCannotBeKept) {
 }
 
 /// Answers with the forces it was made with.
-struct Always {
+struct AlwaysForces {
   static constexpr AlgorithmInfo info{.name = "always"};
   using Params = NoParams;
   using Memory = NoMemory;
@@ -104,7 +104,7 @@ struct Always {
 Command filtered(const Course& course, const transport::State& x, const OnboardModel& model) {
   Wrench wrench;
   wrench << 600.0, -50.0, 7.0, 8.0, 9.0, 123.0;
-  Avoider avoider{SafetyFilter{{}}, Avoider{Always{{}, wrench}}};
+  Avoider avoider{SafetyFilter{{}}, Avoider{AlwaysForces{{}, wrench}}};
   return avoider.decide(course.situation(x, 0.0, model));
 }
 

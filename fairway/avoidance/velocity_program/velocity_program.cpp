@@ -8,7 +8,7 @@
 namespace fairway {
 namespace {
 
-using HalfSpaces = std::span<const HalfSpace>;
+using HalfSpaceView = std::span<const HalfSpace>;
 
 /// Violations below this fraction of the greatest speed are rounding. A hundred times what a scalar
 /// product rounds, so that a test that passes and the cut that follows it cannot contradict each other.
@@ -125,7 +125,7 @@ bool cut(const Disc& disc, const HalfSpace& h, Chord& chord) {
 
 /// The one-dimensional program: shortens a chord to what all half-spaces allow. Each gives way by the
 /// tolerance, so that rounding does not make a single point infeasible.
-bool shorten(Chord& chord, HalfSpaces half_spaces, double tolerance) {
+bool shorten(Chord& chord, HalfSpaceView half_spaces, double tolerance) {
   for (const HalfSpace& h : half_spaces) {
     const double slope = h.normal.dot(chord.direction);
     const double missing = h.violation(chord.middle) - tolerance;
@@ -143,7 +143,7 @@ bool shorten(Chord& chord, HalfSpaces half_spaces, double tolerance) {
 
 /// The two-dimensional program, on the boundary of `plane`. `v` is left alone if there is no answer.
 template <class Objective>
-bool solve_on_plane(const HalfSpace& plane, HalfSpaces half_spaces, const Ball& ball,
+bool solve_on_plane(const HalfSpace& plane, HalfSpaceView half_spaces, const Ball& ball,
                     const Objective& objective, Vec3& v) {
   Disc disc;
   if (!cut(ball, plane, disc)) return false;
@@ -164,7 +164,7 @@ bool solve_on_plane(const HalfSpace& plane, HalfSpaces half_spaces, const Ball& 
 /// The three-dimensional program. Returns the index of the first half-space that cannot be kept
 /// together with those before it, `v` being the optimum among those, or else their number.
 template <class Objective>
-std::size_t solve_in_space(HalfSpaces half_spaces, const Ball& ball, const Objective& objective, Vec3& v) {
+std::size_t solve_in_space(HalfSpaceView half_spaces, const Ball& ball, const Objective& objective, Vec3& v) {
   v = objective.in(ball);
   for (std::size_t i = 0; i < half_spaces.size(); ++i) {
     if (half_spaces[i].violation(v) <= ball.tolerance) continue;
@@ -173,7 +173,7 @@ std::size_t solve_in_space(HalfSpaces half_spaces, const Ball& ball, const Objec
   return half_spaces.size();
 }
 
-double worst_violation(HalfSpaces half_spaces, const Vec3& v) {
+double worst_violation(HalfSpaceView half_spaces, const Vec3& v) {
   double worst = 0.0;
   for (const HalfSpace& h : half_spaces) worst = std::max(worst, h.violation(v));
   return worst;
@@ -181,7 +181,8 @@ double worst_violation(HalfSpaces half_spaces, const Vec3& v) {
 
 /// The four-dimensional program: of the velocities whose largest violation is least, the one nearest to
 /// `preferred`. On entry `v` is the answer for the first `kept` half-spaces.
-void minimise_violation(HalfSpaces half_spaces, std::size_t kept, const Vec3& preferred, Ball ball, Vec3& v) {
+void minimise_violation(HalfSpaceView half_spaces, std::size_t kept, const Vec3& preferred, Ball ball,
+                        Vec3& v) {
   std::array<HalfSpace, max_half_spaces> bisectors;
   double level = 0.0;
   for (std::size_t i = kept; i < half_spaces.size(); ++i) {
@@ -203,7 +204,7 @@ void minimise_violation(HalfSpaces half_spaces, std::size_t kept, const Vec3& pr
     bisectors[count++] = {-worst.normal, -worst.offset};  // no violation is less than none
 
     Vec3 better;
-    const HalfSpaces earlier{bisectors.data(), count};
+    const HalfSpaceView earlier{bisectors.data(), count};
     const FarthestAlong objective{worst.normal, {preferred}};
     if (solve_in_space(earlier, ball, objective, better) == count) v = better;
     level = std::max(level, worst.violation(v));
@@ -212,7 +213,7 @@ void minimise_violation(HalfSpaces half_spaces, std::size_t kept, const Vec3& pr
 
 }  // namespace
 
-VelocityChoice nearest_velocity(HalfSpaces half_spaces, const Vec3& preferred, double max_speed) noexcept {
+VelocityChoice nearest_velocity(HalfSpaceView half_spaces, const Vec3& preferred, double max_speed) noexcept {
   half_spaces = half_spaces.first(std::min(half_spaces.size(), max_half_spaces));
   const Ball ball{max_speed, rounding * max_speed};
 

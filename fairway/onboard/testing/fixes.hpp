@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <limits>
+
 #include "fairway/avoidance/catalog.hpp"
 #include "fairway/onboard/helm.hpp"
 
 namespace fairway::fixes {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double h = 0.1;  ///< between fixes [s]
 
 /// Level, heading north, going so fast along its heading.
 inline Fix north(double time, const Vec3& position, double speed = 0.5) {

@@ -8,7 +8,7 @@
 namespace fairway::teb {
 namespace {
 
-const TebParams params;  // dt_ref 0.3 s, hysteresis 0.1 s, 0.4 m/s, 0.3 rad/s
+const TebParams teb_params;  // dt_ref 0.3 s, hysteresis 0.1 s, 0.4 m/s, 0.3 rad/s
 
 Band band_of(std::vector<double> times) {
   Band band;
@@ -27,7 +27,7 @@ std::vector<double> times_of(const Band& band) {
 
 TEST(Band, AlongALineTakesTheTimeOfTheSpeedLimit) {
   const std::vector<Vec2> path{{0, 0}, {2, 0}, {2, 1}};
-  const Band band = band_along(params, path, {{0, 0}, 0.0}, {{2, 1}, pi / 2});
+  const Band band = band_along(teb_params, path, {{0, 0}, 0.0}, {{2, 1}, pi / 2});
   EXPECT_EQ(band.position(0), Vec2(0, 0));
   EXPECT_EQ(band.position(band.size() - 1), Vec2(2, 1));
   EXPECT_EQ(band.pose(band.size() - 1).heading, pi / 2);
@@ -37,9 +37,9 @@ TEST(Band, AlongALineTakesTheTimeOfTheSpeedLimit) {
 
 TEST(Band, HasAtLeastThreePosesHoweverShortTheWay) {
   const std::vector<Vec2> path{{0, 0}, {0.01, 0}};
-  EXPECT_EQ(band_along(params, path, {{0, 0}, 0.0}, {{0.01, 0}, 0.0}).size(), 3U);
+  EXPECT_EQ(band_along(teb_params, path, {{0, 0}, 0.0}, {{0.01, 0}, 0.0}).size(), 3U);
   const std::vector<Vec2> point{{1, 1}, {1, 1}};
-  const Band band = band_along(params, point, {{1, 1}, 0.0}, {{1, 1}, 0.0});
+  const Band band = band_along(teb_params, point, {{1, 1}, 0.0}, {{1, 1}, 0.0});
   for (const double time : times_of(band)) EXPECT_GT(time, 0.0);
 }
 
@@ -47,7 +47,7 @@ TEST(Band, ResizingHalvesWhatIsLongerThanTwiceTheReference) {
   Band band = band_of({0.3, 0.7, 0.3});
   band.knots[1][heading_of] = 3.0;
   band.knots[2][heading_of] = -3.0;
-  resize(params, band);
+  resize(teb_params, band);
   EXPECT_EQ(times_of(band), (std::vector{0.3, 0.35, 0.35, 0.3}));
   EXPECT_EQ(band.position(2), Vec2(1.5, 0.0));
   EXPECT_NEAR(std::abs(wrap_angle(band.pose(2).heading)), pi, 1e-12) << "the short way round";
@@ -55,7 +55,7 @@ TEST(Band, ResizingHalvesWhatIsLongerThanTwiceTheReference) {
 
 TEST(Band, ResizingHandsOnWhatIsOverTheReference) {
   Band band = band_of({0.3, 0.45, 0.2, 0.3});
-  resize(params, band);
+  resize(teb_params, band);
   ASSERT_EQ(band.size(), 5U);
   EXPECT_NEAR(band.time(1), 0.3, 1e-12);
   EXPECT_NEAR(band.time(2), 0.35, 1e-12);
@@ -64,7 +64,7 @@ TEST(Band, ResizingHandsOnWhatIsOverTheReference) {
 
 TEST(Band, ResizingMergesWhatIsShort) {
   Band band = band_of({0.3, 0.09, 0.09, 0.09, 0.3, 0.05});
-  resize(params, band);
+  resize(teb_params, band);
   ASSERT_EQ(band.size(), 4U);
   EXPECT_NEAR(band.time(1), 0.27, 1e-12);
   EXPECT_NEAR(band.time(2), 0.35, 1e-12);
@@ -86,13 +86,13 @@ TEST(Band, ResizingKeepsTheDurationAndTheEnds) {
 
 TEST(Band, ResizingMergesATimeThatIsNotPositive) {
   Band band = band_of({0.3, -0.1, 0.4, 0.3});
-  resize(params, band);
+  resize(teb_params, band);
   for (const double time : times_of(band)) EXPECT_GT(time, 0.0);
 }
 
 TEST(Band, AdvancingDropsThePosesThatWerePassed) {
   Band band = band_of({0.3, 0.3, 0.3, 0.3, 0.3, 0.3});
-  advance(params, band, {{2.1, 0.1}, 0.2}, {{6.5, 0.0}, 0.1});
+  advance(teb_params, band, {{2.1, 0.1}, 0.2}, {{6.5, 0.0}, 0.1});
   ASSERT_EQ(band.size(), 5U);
   EXPECT_EQ(band.position(0), Vec2(2.1, 0.1));
   EXPECT_EQ(band.pose(0).heading, 0.2);
@@ -102,15 +102,15 @@ TEST(Band, AdvancingDropsThePosesThatWerePassed) {
 
 TEST(Band, AdvancingLeavesTheLeastNumberOfPoses) {
   Band band = band_of({0.3, 0.3, 0.3});
-  advance(params, band, {{2.9, 0.0}, 0.0}, {{3.0, 0.0}, 0.0});
+  advance(teb_params, band, {{2.9, 0.0}, 0.0}, {{3.0, 0.0}, 0.0});
   EXPECT_EQ(band.size(), 3U);
 }
 
 TEST(Band, LeadsElsewhereWhenItsEndMovedOrTurned) {
   const Band band = band_of({0.3, 0.3, 0.3});  // ends at (3, 0), heading north
-  EXPECT_TRUE(still_leads_to(params, band, {{3.9, 0.0}, 0.7}));
-  EXPECT_FALSE(still_leads_to(params, band, {{4.1, 0.0}, 0.0}));
-  EXPECT_FALSE(still_leads_to(params, band, {{3.0, 0.0}, -0.8}));
+  EXPECT_TRUE(still_leads_to(teb_params, band, {{3.9, 0.0}, 0.7}));
+  EXPECT_FALSE(still_leads_to(teb_params, band, {{4.1, 0.0}, 0.0}));
+  EXPECT_FALSE(still_leads_to(teb_params, band, {{3.0, 0.0}, -0.8}));
 }
 
 }  // namespace
