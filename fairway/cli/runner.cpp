@@ -63,7 +63,7 @@ RunOutcome run_scenario(const Scenario& scenario, const RecordingChoice& recordi
     outcome.complete = may_go_on(simulation.time(), watch, stop);
     if (outcome.complete) simulation.step(sinks);
   }
-  if (writer && outcome.complete) writer->close();
+  if (writer) writer->close(!outcome.complete);
   outcome.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   outcome.measures = metrics.measures();
   outcome.decisions = simulation.decision_times();

@@ -38,6 +38,9 @@ class Recording {
   std::uint64_t run_hash() const { return run_hash_; }
   std::uint64_t run_frame_count() const { return run_frame_count_; }
 
+  /// The run was stopped before its end: what it would have come to is not recorded.
+  bool stopped() const { return stopped_; }
+
   // Where info().perception says that it is recorded; else empty and 0, and no frame has tracks or echoes.
 
   /// perception_hash() of each frame.
@@ -75,6 +78,7 @@ class Recording {
   std::int64_t stride_{1};
   std::uint64_t run_hash_{};
   std::uint64_t run_frame_count_{};
+  bool stopped_{};
   std::vector<Mark> marks_;
   std::vector<std::uint64_t> hashes_;
   std::uint64_t run_perception_hash_{};
