@@ -151,10 +151,16 @@ TEST(KillAtWriteTest, AStoreIsWholeOrNotThereWhereverAWriteIsCut) { die_at_every
 
 TEST(KillAtWriteTest, TheJournalOfADeletedStoreDoesNotGetIntoTheNextOfItsName) {
   const std::string expected = whole_store();
+  // its pages are others than those of the next
+  const TemporaryFolder other;
+  const auto records = sample::records(400);
+  Store::open(other.file("large.db")).put(std::span(records).subspan(runs));
+  const std::string large = sample::bytes_of(other.file("large.db"));
   int journals = 0;
   for (int n = 1, code = died; code == died; ++n) {
     const TemporaryFolder folder;
     const std::string file = folder.file("results.db");
+    sample::write_bytes(file, large);
     code = store_and_die(file, n, false);
     if (sample::bytes_of(file + "-journal").empty()) continue;
     ++journals;
