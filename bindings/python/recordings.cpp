@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <fstream>
+#include <array>
 #include <sstream>
 
 #include "bindings/python/bindings.hpp"
@@ -7,6 +7,7 @@
 #include "bindings/python/scenarios.hpp"
 #include "bindings/python/trajectories.hpp"
 #include "bindings/python/values.hpp"
+#include "fairway/core/output_file.hpp"
 #include "fairway/experiment/measure_run.hpp"
 #include "fairway/experiment/recording_info.hpp"
 #include "fairway/record/csv.hpp"
@@ -65,10 +66,11 @@ py::object csv(const ReadRecording& self, const py::object& file,
     return py::str(text.str());
   }
   const std::string path = path_of(file);
-  std::ofstream out{path, std::ios::binary};
-  write(self.recording(), out);
-  out.close();
-  if (!out) throw InputError(path + ": cannot be written");
+  const std::array outputs{Output{"file", path, recording_table}};
+  check_outputs(outputs, std::array{self.file()}, false);
+  OutputFile out{path};
+  write(self.recording(), out.stream());
+  out.commit();
   return py::none();
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <array>
 #include <chrono>
 #include <memory>
 #include <optional>
@@ -73,7 +74,7 @@ std::vector<std::pair<std::string, std::string>> simulate(const Scenario& scenar
   try {
     simulation.run(sinks);
   } catch (const RunDiverged& broke) {
-    if (writer) writer->close(broke.what());
+    if (writer) writer->close({.divergence = broke.what()});
     throw;
   }
   if (writer) writer->close();
@@ -137,7 +138,10 @@ void bind_runs(py::module_& m) {
                                .sketches = sketches};
         if ((perception || sketches) && choice.record.empty())
           throw InputError("run: perception and sketches say what is recorded; record is missing");
-        return run_one(scenario_of(scenario).scenario(), algorithms, choice);
+        const ScenarioText text = scenario_of(scenario);
+        check_outputs(std::array{Output{"record", choice.record, recording_file}}, std::array{text.file()},
+                      false);
+        return run_one(text.scenario(), algorithms, choice);
       },
       py::arg("scenario"), py::arg("algorithms") = py::none(), py::arg("record") = py::none(),
       py::arg("trajectories") = false, py::arg("perception") = false, py::arg("sketches") = false,

@@ -24,6 +24,9 @@ class ScenarioText {
 
   const Scenario& scenario() const { return scenario_; }
 
+  /// As it was given; a made-up name for text.
+  const std::string& file() const { return file_; }
+
   /// The case of this seed. Throws InputError where a value drawn does not fit. Needs nothing of Python; safe
   /// to call from several threads.
   Scenario drawn(std::uint64_t seed) const;

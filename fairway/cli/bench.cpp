@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "fairway/avoidance/testing/encounters.hpp"
+#include "fairway/cli/numbers.hpp"
 #include "fairway/cli/program.hpp"
 #include "fairway/core/angles.hpp"
 #include "fairway/sim/simulation.hpp"
@@ -121,7 +122,7 @@ void add_bench(CLI::App& app, Program& program) {
   auto as_json = std::make_shared<bool>(false);
   verb->add_option("--seconds", *budget, "per figure; each is the median of its repetitions")
       ->capture_default_str()
-      ->check(CLI::Range(0.01, 60.0));
+      ->transform(finite_number(0.01, 60.0));
   verb->add_flag("--json", *as_json, "print JSON");
   verb->callback([=, &program] { program.chosen = [=] { return bench(*budget, *as_json); }; });
 }

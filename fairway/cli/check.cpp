@@ -3,6 +3,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "fairway/cli/numbers.hpp"
 #include "fairway/cli/program.hpp"
 #include "fairway/cli/runner.hpp"
 #include "fairway/sim/simulation.hpp"
@@ -19,7 +20,7 @@ void add_check(CLI::App& app, Program& program) {
   auto schema = std::make_shared<bool>(false);
   verb->add_option("files", *files, "scenario files");
   verb->add_option("--set", *settings, "path=value, over what the file says");
-  verb->add_option("--seed", *seed, "instead of the file's");
+  verb->add_option("--seed", *seed, "instead of the file's")->transform(whole_number<std::uint64_t>());
   verb->add_flag("--schema", *schema, "print the JSON schema of scenario files instead");
   verb->add_flag("--json", *json, "print JSON");
   verb->callback([=, &program] {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "fairway/cli/numbers.hpp"
 #include "fairway/cli/program.hpp"
 #include "fairway/experiment/store.hpp"
 
@@ -26,7 +27,7 @@ void add_compare(CLI::App& app, Program& program) {
   verb->add_option("--quantity", options->quantities, "quantities; all if none is named");
   verb->add_option("--confidence", options->confidence, "of each interval")
       ->capture_default_str()
-      ->check(CLI::Range(0.5, 0.9999));
+      ->transform(finite_number(0.5, 0.9999));
   verb->add_flag("--csv", *csv, "print every measure of every run as CSV instead");
   verb->add_flag("--json", *json, "print JSON");
   verb->callback([=, &program] {

@@ -6,6 +6,8 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "fairway/cli/numbers.hpp"
+#include "fairway/cli/outputs.hpp"
 #include "fairway/cli/program.hpp"
 #include "fairway/core/text.hpp"
 #include "fairway/experiment/recording_info.hpp"
@@ -71,7 +73,8 @@ void write_explanation(const std::string& path, const Scenario& scenario, const 
   write_playback(path, playback_document(scenario, info, &film));
 }
 
-int explain(const ExplainFlags& flags, const Program& program) {
+int explain(const ExplainFlags& flags, const Outputs& outputs, const Program& program) {
+  outputs.judge({flags.recording});
   const Recording recording = Recording::read(flags.recording);
   const Instant instant{vehicle_called(recording.info(), flags.vehicle), frame_at(recording, flags.time)};
   const Scenario scenario = recorded_scenario(recording, flags.recording);
@@ -121,10 +124,14 @@ void add_explain(CLI::App& app, Program& program) {
   verb->add_option("--vehicle", flags->vehicle, "its name, id or index")->required();
   verb->add_option("--time", flags->time,
                    "s since the start; the last recorded frame at or before it is taken")
-      ->required();
-  verb->add_option("--out", flags->page, "HTML page of the 30 s before and after, with what was thought");
+      ->required()
+      ->transform(finite_number());
+  auto outputs = std::make_shared<Outputs>(*verb);
+  outputs->add("--out", flags->page, playback_file,
+               "write an HTML page of the 30 s before and after, with what was thought");
   verb->add_flag("--json", flags->json, "print JSON, every number exact");
-  verb->callback([=, &program] { program.chosen = [=, &program] { return explain(*flags, program); }; });
+  verb->callback(
+      [=, &program] { program.chosen = [=, &program] { return explain(*flags, *outputs, program); }; });
 }
 
 }  // namespace fairway::cli

@@ -4,11 +4,9 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <cmath>
 #include <iostream>
 #include <thread>
 
-#include "fairway/core/error.hpp"
 #include "fairway/experiment/version.hpp"
 #include "fairway/view/live/live_server.hpp"
 
@@ -23,9 +21,6 @@ void wait_for(const std::atomic<bool>& stop) {
 
 RunOutcome run_live(const Scenario& scenario, const RecordingChoice& recording, const LiveChoice& choice,
                     const std::string& typed, std::ostream& out, const std::atomic<bool>* stop) {
-  if (!std::isfinite(choice.speed) || choice.speed < 0.0) {
-    throw InputError(fmt::format("--speed {}: expected a number from 0", choice.speed));
-  }
   const Simulation accepted{scenario, builtin_catalogs()};  // or it says here what is wrong with the scenario
   LiveRun run{scenario, {.speed = choice.speed, .paused = choice.paused}};
   LiveServer server{choice.port};

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "fairway/cli/outputs.hpp"
 #include "fairway/cli/program.hpp"
+#include "fairway/core/output_file.hpp"
 #include "fairway/experiment/measure_run.hpp"
 #include "fairway/experiment/recording_info.hpp"
 #include "fairway/metrics/run_metrics.hpp"
@@ -39,7 +40,7 @@ int verify(const Recording& recording, const std::string& name, bool as_json) {
   const std::array<FrameSink*, 1> sinks{&checker};
   Simulation simulation{scenario, builtin_catalogs()};
   simulation.show_thoughts(recording.info().sketches);
-  while (!simulation.is_done()) simulation.step(sinks);
+  while (!simulation.is_done() && !checker.is_over()) simulation.step(sinks);
   const std::string& broke = recording.divergence();
   if (as_json) {
     nlohmann::json document{{"recording", name}, {"same", checker.same()}, {"verdict", checker.describe()}};
@@ -59,10 +60,9 @@ void export_to(const std::string& file, const Recording& recording, Export write
     write(recording, std::cout);
     return;
   }
-  std::ofstream out{file, std::ios::binary};
-  write(recording, out);
-  out.close();
-  if (!out) throw InputError(file + ": cannot be written");
+  OutputFile out{file};
+  write(recording, out.stream());
+  out.commit();
 }
 
 /// What is in the recording, from its frames alone; of a run that broke no measures.
@@ -72,10 +72,11 @@ int summarise(const Recording& recording, const std::string& name, bool as_json)
   const std::string& broke = recording.divergence();
   RunMetrics metrics = metrics_for(scenario);
   if (broke.empty()) recording.play(metrics);
-  nlohmann::json document{
-      {"recording", name},       {"scenario", info.scenario_name}, {"seed", info.seed},
-      {"version", info.version}, {"frames", recording.size()},     {"vehicles", info.vehicles.size()},
-      {"period_s", info.period}, {"perception", info.perception},  {"sketches", info.sketches}};
+  nlohmann::json document{{"recording", name},          {"scenario", info.scenario_name},
+                          {"seed", info.seed},          {"version", info.version},
+                          {"frames", recording.size()}, {"vehicles", info.vehicles.size()},
+                          {"period_s", info.period},    {"perception", info.perception},
+                          {"sketches", info.sketches},  {"stopped", recording.stopped()}};
   add_outcome(broke, document);
   if (broke.empty()) {
     for (const Measure& m : metrics.measures()) {
@@ -101,12 +102,14 @@ void add_replay(CLI::App& app, Program& program) {
   auto flags = std::make_shared<ReplayFlags>();
   verb->add_option("recording", flags->recording, "MCAP file written by `fairway run --out`")->required();
   verb->add_flag("--verify", flags->verify, "run it again: same bits, or exit code 1");
-  verb->add_option("--csv", flags->csv, "export the frames to this file; - for standard output");
-  verb->add_option("--tracks", flags->tracks, "export what was perceived of others to this file");
-  verb->add_option("--echoes", flags->echoes, "export the echoes of sonars to this file");
+  auto outputs = std::make_shared<Outputs>(*verb);
+  outputs->add("--csv", flags->csv, recording_table, "write the frames as CSV; - for standard output");
+  outputs->add("--tracks", flags->tracks, recording_table, "write what was perceived of others as CSV");
+  outputs->add("--echoes", flags->echoes, recording_table, "write the echoes of sonars as CSV");
   verb->add_flag("--json", flags->json, "print JSON");
   verb->callback([=, &program] {
     program.chosen = [=] {
+      outputs->judge({flags->recording});
       const Recording recording = Recording::read(flags->recording);
       export_to(flags->csv, recording, export_csv);
       export_to(flags->tracks, recording, export_tracks_csv);

@@ -2,6 +2,7 @@
 #include <iostream>
 #include <memory>
 
+#include "fairway/cli/outputs.hpp"
 #include "fairway/cli/program.hpp"
 #include "fairway/experiment/store.hpp"
 #include "fairway/report/page.hpp"
@@ -17,11 +18,13 @@ void add_report(CLI::App& app, Program& program) {
   auto by = std::make_shared<std::string>("method");
   auto json = std::make_shared<bool>(false);
   verb->add_option("results", *results, "results store")->required();
-  verb->add_option("--out", *out, "page to write")->capture_default_str();
+  auto outputs = std::make_shared<Outputs>(*verb);
+  outputs->add("--out", *out, report_file, "write the page here")->capture_default_str();
   verb->add_option("--by", *by, "label whose values are compared")->capture_default_str();
   verb->add_flag("--json", *json, "print the page's document as JSON instead of writing the page");
   verb->callback([=, &program] {
     program.chosen = [=, &program] {
+      if (!*json) outputs->judge({*results});
       const std::vector<RunRecord> records = Store::open_existing(*results).all();
       const nlohmann::json page = results_page(records, *results, *by, program.typed);
       if (*json) {

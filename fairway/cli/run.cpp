@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "fairway/cli/live.hpp"
+#include "fairway/cli/numbers.hpp"
 #include "fairway/cli/outcome.hpp"
+#include "fairway/cli/outputs.hpp"
 #include "fairway/cli/program.hpp"
 #include "fairway/cli/runner.hpp"
+#include "fairway/record/recording_writer.hpp"
 
 namespace fairway::cli {
 namespace {
@@ -22,7 +27,15 @@ struct RunOptions {
   bool json{false};
 };
 
-int run(const RunOptions& options, const Program& program) {
+void print_interrupted(const RunOptions& options, double time) {
+  std::cerr << fmt::format("fairway: interrupted at {:.6g} s", time);
+  if (!options.recording.file.empty())
+    std::cerr << "; " << options.recording.file << " holds the run until then";
+  std::cerr << "\n";
+}
+
+int run(const RunOptions& options, const Outputs& outputs, const Program& program) {
+  outputs.judge({options.file});
   Scenario scenario = load_scenario(options.file, overrides_of(options.settings), options.seed);
   if (!options.algorithm.empty()) set_algorithm(scenario, options.algorithm);
   check_expectations(scenario);
@@ -31,7 +44,7 @@ int run(const RunOptions& options, const Program& program) {
                                             options.json ? std::cerr : std::cout, program.stop)
                                  : run_scenario(scenario, options.recording, program.stop);
   if (!outcome.complete) {
-    std::cerr << "fairway: interrupted\n";
+    print_interrupted(options, outcome.simulated_s);
     return interrupted;
   }
   const std::vector<Judgement> judgements = judge(scenario, outcome.measures);
@@ -48,9 +61,11 @@ void add_live(CLI::App& verb, LiveChoice& choice) {
   CLI::Option* live = verb.add_flag("--live", choice.asked,
                                     "show it in a browser on this machine as it is made, until Ctrl-C");
   verb.add_option("--port", choice.port, "of that page; 0: any that is free")
-      ->check(CLI::Range(0, 65535))
+      ->transform(whole_number<std::uint16_t>())
       ->needs(live);
-  verb.add_option("--speed", choice.speed, "of the clock, 1 by default; 0: as fast as it can")->needs(live);
+  verb.add_option("--speed", choice.speed, "of the clock, 1 by default; 0: as fast as it can")
+      ->transform(finite_number(0.0))
+      ->needs(live);
   verb.add_flag("--paused", choice.paused, "begin paused")->needs(live);
   verb.add_flag("--until-done", choice.until_done, "end with the run")->needs(live);
 }
@@ -67,8 +82,11 @@ void add_run(CLI::App& app, Program& program) {
   verb->add_option("scenario", options->file, "scenario file")->required();
   verb->add_option("--algorithm", options->algorithm, "for every vehicle, instead of the file's");
   verb->add_option("--set", options->settings, "path=value, over what the file says");
-  verb->add_option("--seed", options->seed, "instead of the file's");
-  CLI::Option* out = verb->add_option("--out", options->recording.file, "record the run to this MCAP file");
+  verb->add_option("--seed", options->seed, "instead of the file's")
+      ->transform(whole_number<std::uint64_t>());
+  auto outputs = std::make_shared<Outputs>(*verb);
+  CLI::Option* out =
+      outputs->add("--out", options->recording.file, recording_file, "record the run to this MCAP file");
   verb->add_flag("--perception", options->recording.perception,
                  "record what each vehicle perceived too: tracks and echoes")
       ->needs(out);
@@ -77,7 +95,8 @@ void add_run(CLI::App& app, Program& program) {
       ->needs(out);
   add_live(*verb, options->live);
   verb->add_flag("--json", options->json, "print JSON");
-  verb->callback([=, &program] { program.chosen = [=, &program] { return run(*options, program); }; });
+  verb->callback(
+      [=, &program] { program.chosen = [=, &program] { return run(*options, *outputs, program); }; });
 }
 
 }  // namespace fairway::cli

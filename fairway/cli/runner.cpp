@@ -64,7 +64,7 @@ RunOutcome run_scenario(const Scenario& scenario, const RecordingChoice& recordi
     if (outcome.complete) simulation.step(sinks);
   }
   outcome.divergence = simulation.divergence();
-  if (writer && outcome.complete) writer->close(divergence_text(scenario, outcome));
+  if (writer) writer->close({.divergence = divergence_text(scenario, outcome), .stopped = !outcome.complete});
   outcome.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   if (!outcome.divergence) outcome.measures = metrics.measures();
   outcome.decisions = simulation.decision_times();

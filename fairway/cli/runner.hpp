@@ -40,7 +40,7 @@ struct Watch {
       ready;  ///< called before the first step, when nothing of the input can be wrong any more
 };
 
-/// Runs a scenario, and records it. A run that is stopped leaves no recording.
+/// Runs a scenario, and records it, up to where it is stopped.
 RunOutcome run_scenario(const Scenario& scenario, const RecordingChoice& recording,
                         const std::atomic<bool>* stop, const Watch* watch = nullptr);
 

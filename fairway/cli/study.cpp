@@ -2,15 +2,19 @@
 #include "fairway/studies/study.hpp"
 
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <optional>
 
+#include "fairway/cli/numbers.hpp"
+#include "fairway/cli/outputs.hpp"
 #include "fairway/cli/program.hpp"
 #include "fairway/cli/study_run.hpp"
+#include "fairway/core/output_file.hpp"
 #include "fairway/experiment/executor.hpp"
+#include "fairway/record/recording_writer.hpp"
 #include "fairway/report/page.hpp"
+#include "fairway/view/playback.hpp"
 
 namespace fairway::cli {
 namespace {
@@ -47,11 +51,15 @@ nlohmann::json page_under(const Overrides& overrides, nlohmann::json page) {
   return page;
 }
 
-void write_file(const std::filesystem::path& path, const std::string& text) {
-  std::ofstream file{path, std::ios::binary};
-  file << text;
-  file.close();
-  if (!file) throw InputError(path.string() + ": cannot be written");
+constexpr FileKind rows_file{.name = "the rows of a study", .begins = "{", .holds = "\"rows\": ["};
+
+/// What is written into the folder of a study that is run whole.
+std::vector<Output> files_in(const std::filesystem::path& directory) {
+  const auto file = [&](const char* name, const FileKind& kind) {
+    return Output{"--out", (directory / name).string(), kind};
+  };
+  return {file("results.sqlite", store_file), file("results.csv", store_table), file("rows.json", rows_file),
+          file("report.html", report_file)};
 }
 
 std::filesystem::path prepared(const std::string& out, const std::string& name, const char* part) {
@@ -65,11 +73,10 @@ std::filesystem::path prepared(const std::string& out, const std::string& name, 
 /// Leaves results.csv, rows.json and report.html beside the store.
 void write_results(const std::filesystem::path& directory, const Study& study, const StudyResult& result,
                    const Overrides& overrides, const Store& store) {
-  std::ofstream csv{directory / "results.csv", std::ios::binary};
-  store.export_csv(csv);
-  csv.close();
-  if (!csv) throw InputError((directory / "results.csv").string() + ": cannot be written");
-  write_file(directory / "rows.json", document_of(study, result, overrides).dump(1) + "\n");
+  OutputFile csv{(directory / "results.csv").string()};
+  store.export_csv(csv.stream());
+  csv.commit();
+  write_file((directory / "rows.json").string(), document_of(study, result, overrides).dump(1) + "\n");
   write_page(page_under(overrides, result.page).dump(), (directory / "report.html").string());
 }
 
@@ -85,12 +92,13 @@ void keep_playback(const std::filesystem::path& directory, const ShownRun& run) 
 }
 
 /// `study --only`: one run, its measures, and what is to be kept of it.
-int show_only(const Study& study, const StudyFlags& flags, const Program& program) {
+int show_only(const Study& study, const StudyFlags& flags, const Outputs& outputs, const Program& program) {
   const std::filesystem::path directory =
       flags.out.empty() ? "" : prepared(flags.out, std::string(study.name), "runs").parent_path();
   const auto show = [&](const ShownRun& run) {
     const KeptRun kept{.recording = flags.record,
                        .playback = flags.out.empty() ? "" : directory / playback_path(run.spec)};
+    outputs.judge({}, {{"--out", kept.playback.string(), playback_file}});
     print_shown(run, make_shown(run, kept), flags.json);
     if (!kept.playback.empty() && !flags.json)
       std::cout << "playback: " << std::filesystem::absolute(kept.playback).string() << "\n";
@@ -108,13 +116,15 @@ int show_only(const Study& study, const StudyFlags& flags, const Program& progra
   return ok;
 }
 
-int run_study(const Study& study, const StudyFlags& flags, const Program& program) {
+int run_study(const Study& study, const StudyFlags& flags, const Outputs& outputs, const Program& program) {
   const std::string name{study.name};
   std::optional<Store> store;
   std::filesystem::path directory;
   if (!flags.out.empty()) {
     directory = prepared(flags.out, name, "runs").parent_path();
-    store.emplace(Store::open((directory / "results.sqlite").string()));
+    outputs.judge({}, files_in(directory));
+    store.emplace(Store::open((directory / "results.sqlite").string(),
+                              outputs.force() ? Store::Foreign::replace : Store::Foreign::refuse));
   }
   const Overrides overrides = overrides_of(flags.overrides);
   Progress progress{name};
@@ -164,25 +174,29 @@ void add_study(CLI::App& app, Program& program) {
       "results");
   auto flags = std::make_shared<StudyFlags>();
   verb->add_option("names", flags->names, "as `fairway list studies` shows them")->required();
-  verb->add_option("--jobs", flags->jobs, "threads; 0 = as many as the machine has")->capture_default_str();
+  verb->add_option("--jobs", flags->jobs, "threads; 0 = as many as the machine has")
+      ->transform(whole_number(0U, max_jobs))
+      ->capture_default_str();
   verb->add_option("--seeds", flags->seeds, "variations per cell beyond what was published; 0 = none")
       ->capture_default_str()
-      ->check(CLI::Range(0, 100000));
-  verb->add_option("--out", flags->out, "folder for results, rows and the report");
+      ->transform(whole_number(0, 100000));
+  verb->add_option("--out", flags->out, "write results, rows and the report into this folder")
+      ->type_name("FOLDER");
   verb->add_flag("--json", flags->json, "print the rows as JSON");
   verb->add_option("--set", flags->overrides, "path=value, put into every scenario of the study");
   CLI::Option* only = verb->add_option(
       "--only", flags->only,
       "make this run alone and print its measures: a name as reports show it, or its beginning");
-  verb->add_option("--record", flags->record, "record that run to this MCAP file")->needs(only);
+  auto outputs = std::make_shared<Outputs>(*verb);
+  outputs->add("--record", flags->record, recording_file, "record that run to this MCAP file")->needs(only);
   verb->callback([=, &program] {
     program.chosen = [=, &program] {
       std::vector<const Study*> studies;
       for (const std::string& name : flags->names) studies.push_back(&find_study(name));
       if (!flags->only.empty() && studies.size() > 1) throw InputError("--only is of one study");
-      if (!flags->only.empty()) return show_only(*studies.front(), *flags, program);
+      if (!flags->only.empty()) return show_only(*studies.front(), *flags, *outputs, program);
       for (const Study* study : studies) {
-        if (const int code = run_study(*study, *flags, program); code != ok) return code;
+        if (const int code = run_study(*study, *flags, *outputs, program); code != ok) return code;
       }
       return ok;
     };

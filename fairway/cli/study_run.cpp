@@ -55,7 +55,7 @@ std::vector<Measure> make_shown(const ShownRun& run, const KeptRun& kept) {
   try {
     measures = run.make(sinks);
   } catch (const RunDiverged& broke) {
-    if (writer) writer->close(broke.what());
+    if (writer) writer->close({.divergence = broke.what()});
     throw;
   }
   if (writer) writer->close();

@@ -4,6 +4,8 @@
 #include <iostream>
 #include <memory>
 
+#include "fairway/cli/numbers.hpp"
+#include "fairway/cli/outputs.hpp"
 #include "fairway/cli/program.hpp"
 #include "fairway/experiment/campaign.hpp"
 #include "fairway/experiment/compare.hpp"
@@ -21,11 +23,20 @@ struct SweepFlags {
   bool json{false};
 };
 
-int sweep(const SweepFlags& flags, const std::atomic<bool>* stop) {
+/// The store that --out names, or one in memory.
+Store store_for(const SweepFlags& flags, const Outputs& outputs, const Campaign& campaign) {
+  if (flags.out.empty()) return Store::in_memory();
+  std::vector<std::string> inputs{flags.campaign};
+  for (const CampaignScenario& scenario : campaign.scenarios) inputs.push_back(scenario.file);
+  outputs.judge(inputs);
+  return Store::open(flags.out, outputs.force() ? Store::Foreign::replace : Store::Foreign::refuse);
+}
+
+int sweep(const SweepFlags& flags, const Outputs& outputs, const std::atomic<bool>* stop) {
   const Catalogs catalogs = builtin_catalogs();
   const auto check = [&](const Scenario& scenario) { Simulation{scenario, catalogs}; };
   const Campaign campaign = load_campaign(flags.campaign, check, flags.jobs);
-  Store store = flags.out.empty() ? Store::in_memory() : Store::open(flags.out);
+  Store store = store_for(flags, outputs, campaign);
   Progress progress{campaign.name};
   const ExecutorReport report = run_campaign(
       campaign, [&](const Scenario& scenario) { return measure_run(scenario, catalogs, stop); }, store,
@@ -53,11 +64,15 @@ void add_sweep(CLI::App& app, Program& program) {
   verb->footer("Example: fairway sweep campaigns/methods.yaml --out methods.sqlite");
   auto flags = std::make_shared<SweepFlags>();
   verb->add_option("campaign", flags->campaign, "campaign file")->required();
-  verb->add_option("--out", flags->out, "results store; continued if it is there");
-  verb->add_option("--jobs", flags->jobs, "threads; 0 = as many as the machine has")->capture_default_str();
+  auto outputs = std::make_shared<Outputs>(*verb);
+  outputs->add("--out", flags->out, store_file, "results store to write; continued if it is there");
+  verb->add_option("--jobs", flags->jobs, "threads; 0 = as many as the machine has")
+      ->transform(whole_number(0U, max_jobs))
+      ->capture_default_str();
   verb->add_flag("--retry-failures", flags->retry, "make failed runs again");
   verb->add_flag("--json", flags->json, "print the comparison as JSON");
-  verb->callback([=, &program] { program.chosen = [=, &program] { return sweep(*flags, program.stop); }; });
+  verb->callback(
+      [=, &program] { program.chosen = [=, &program] { return sweep(*flags, *outputs, program.stop); }; });
 }
 
 }  // namespace fairway::cli

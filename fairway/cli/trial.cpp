@@ -2,13 +2,14 @@
 #include "fairway/sim/trial.hpp"
 
 #include <cstdio>
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "fairway/cli/outputs.hpp"
 #include "fairway/cli/program.hpp"
+#include "fairway/core/output_file.hpp"
 
 namespace fairway::cli {
 namespace {
@@ -19,7 +20,8 @@ struct TrialFlags {
   bool json{false};
 };
 
-int trial(const TrialFlags& flags) {
+int trial(const TrialFlags& flags, const Outputs& outputs) {
+  outputs.judge({flags.inputs});
   std::istringstream inputs{read_text(flags.inputs)};
   std::ostringstream states;
   run_trial(builtin_vehicles(), flags.vehicle, inputs, flags.inputs, states, settings_of(flags.settings));
@@ -27,10 +29,7 @@ int trial(const TrialFlags& flags) {
     std::cout << states.str();
     return ok;
   }
-  std::ofstream file{flags.out, std::ios::binary};
-  file << states.str();
-  file.close();
-  if (!file) throw InputError(flags.out + ": cannot be written");
+  write_file(flags.out, states.str());
   if (flags.json) std::cout << nlohmann::json{{"vehicle", flags.vehicle}, {"out", flags.out}}.dump() << "\n";
   return ok;
 }
@@ -46,11 +45,13 @@ void add_trial(CLI::App& app, Program& program) {
   auto flags = std::make_shared<TrialFlags>();
   verb->add_option("vehicle", flags->vehicle, "as `fairway list vehicles` shows it")->required();
   verb->add_option("--inputs", flags->inputs, "CSV; - for standard input")->required();
-  verb->add_option("--out", flags->out, "CSV to write; - for standard output")->required();
+  auto outputs = std::make_shared<Outputs>(*verb);
+  outputs->add("--out", flags->out, trial_table, "write the states as CSV; - for standard output")
+      ->required();
   verb->add_option("--set", flags->settings,
                    "state.*, current.*, actuator_dynamics, step_s or a vehicle's parameter");
   verb->add_flag("--json", flags->json, "print JSON");
-  verb->callback([=, &program] { program.chosen = [=] { return trial(*flags); }; });
+  verb->callback([=, &program] { program.chosen = [=] { return trial(*flags, *outputs); }; });
 }
 
 }  // namespace fairway::cli

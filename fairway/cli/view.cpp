@@ -11,6 +11,8 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "fairway/cli/numbers.hpp"
+#include "fairway/cli/outputs.hpp"
 #include "fairway/cli/program.hpp"
 #include "fairway/experiment/recording_info.hpp"
 #include "fairway/record/hash_checker.hpp"
@@ -64,16 +66,10 @@ std::string page_beside(const std::string& recording) {
                                      : recording + ".html";
 }
 
-/// Everything that is wrong with the flags by themselves.
+/// What is wrong with the flags together.
 void check_view_options(const ViewOptions& options) {
-  if (!(options.from_s >= 0.0))
-    throw InputError(fmt::format("--from {}: expected seconds, 0 or more", options.from_s));
   if (!(options.to_s >= options.from_s))
     throw InputError(fmt::format("--to {}: expected seconds, {} or more", options.to_s, options.from_s));
-  if (options.every < 1) throw InputError(fmt::format("--every {}: expected 1 or more", options.every));
-  std::error_code none;
-  if (std::filesystem::equivalent(options.recording, options.out, none))
-    throw InputError(options.out + ": is the recording itself; expected another file for --out");
 }
 
 FilmLimits film_limits_of(const ViewOptions& options) {
@@ -108,7 +104,7 @@ bool show_again(const Recording& recording, const Scenario& scenario, const std:
   HashChecker checker{recording};
   const std::array<FrameSink*, 2> sinks{&checker, &film};
   Percentage progress{recording.run_frame_count()};
-  while (!simulation.is_done()) {
+  while (!simulation.is_done() && !checker.is_over()) {
     if (is_stopped(stop)) return false;
     simulation.step(sinks);
     if (checker.first_mismatch()) break;
@@ -132,14 +128,14 @@ void check_window(const Recording& recording, const ViewOptions& options, const 
                                recording.frame(recording.size() - 1).time));
 }
 
-void print_view(const ViewOptions& options, const Film& film) {
+void print_view(const ViewOptions& options, const Film& film, std::size_t bytes) {
   const std::string page = std::filesystem::absolute(options.out).lexically_normal().string();
   if (options.json) {
     std::cout << nlohmann::json{{"recording", options.recording},
                                 {"playback", page},
                                 {"frames", film.size()},
                                 {"stride", film.stride()},
-                                {"bytes", std::filesystem::file_size(options.out)},
+                                {"bytes", bytes},
                                 {"sketches", film.has_sketches()},
                                 {"notice", film.notice()}}
                      .dump(2)
@@ -150,8 +146,9 @@ void print_view(const ViewOptions& options, const Film& film) {
   if (const std::string notice = film.notice(); !notice.empty()) std::cout << notice << "\n";
 }
 
-int view(const ViewOptions& options, const Program& program) {
+int view(const ViewOptions& options, const Outputs& outputs, const Program& program) {
   check_view_options(options);
+  outputs.judge({options.recording});
   const Recording recording = Recording::read(options.recording);
   const RecordingInfo& info = recording.info();
   const Scenario scenario = recorded_scenario(recording, options.recording);
@@ -165,9 +162,9 @@ int view(const ViewOptions& options, const Program& program) {
   }
   film.finish(recording.divergence());
   check_window(recording, options, film);
-  write_playback(options.out,
-                 playback_document(scenario, {info.version, program.typed, info.period, {}}, &film));
-  print_view(options, film);
+  const std::size_t bytes = write_playback(
+      options.out, playback_document(scenario, {info.version, program.typed, info.period, {}}, &film));
+  print_view(options, film, bytes);
   return ok;
 }
 
@@ -179,19 +176,22 @@ void add_view(CLI::App& app, Program& program) {
   verb->footer("Example: fairway view cube.mcap --sketch --out cube.html");
   auto options = std::make_shared<ViewOptions>();
   verb->add_option("recording", options->recording, "MCAP file written by `fairway run --out`")->required();
-  verb->add_option("--out", options->out, "page to write; beside the recording, as .html, unless given");
+  auto outputs = std::make_shared<Outputs>(*verb);
+  outputs->add("--out", options->out, playback_file,
+               "write the page here; beside the recording, as .html, unless given");
   verb->add_flag(
       "--sketch", options->sketch,
       "show what each method drew of its thinking; simulates the run again where that is not recorded");
-  verb->add_option("--from", options->from_s, "leave out what is earlier [s]");
-  verb->add_option("--to", options->to_s, "leave out what is later [s]");
-  verb->add_option("--every", options->every, "show one frame in so many")->capture_default_str();
+  verb->add_option("--from", options->from_s, "leave out what is earlier [s]")->transform(finite_number(0.0));
+  verb->add_option("--to", options->to_s, "leave out what is later [s]")->transform(finite_number(0.0));
+  verb->add_option("--every", options->every, "show one frame in so many")
+      ->transform(whole_number(std::int64_t{1}))
+      ->capture_default_str();
   verb->add_flag("--json", options->json, "print JSON");
   verb->callback([=, &program] {
     program.chosen = [=, &program] {
-      ViewOptions chosen = *options;
-      if (chosen.out.empty()) chosen.out = page_beside(chosen.recording);
-      return view(chosen, program);
+      if (options->out.empty()) options->out = page_beside(options->recording);
+      return view(*options, *outputs, program);
     };
   });
 }

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "fairway/core/error.hpp"
+#include "fairway/core/output_file.hpp"
 #include "fairway/experiment/labels.hpp"
 #include "fairway/experiment/lock_file.hpp"
 #include "fairway/experiment/sqlite.hpp"
@@ -89,10 +90,45 @@ void check(const RunRecord& record) {
   }
 }
 
-void refuse_folder(const std::string& path) {
+void refuse_what_is_no_file(const std::string& path) {
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored))
     throw InputError(path + ": is a folder, not a results store");
+  if (std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored))
+    throw InputError(path + ": is no plain file, and so cannot hold a results store");
+}
+
+/// All that a store has before its first run.
+void begin(Database& database) {
+  Transaction transaction{database, Transaction::Kind::write};
+  database.execute(schema);
+  database.execute(commands_table);
+  Statement note{database, "INSERT INTO meta(name, value) VALUES (?, ?)"};
+  note.bind(1, "fairway_version").bind(2, fairway_version).run();
+  note.bind(1, "results_epoch").bind(2, std::to_string(results_epoch)).run();
+  transaction.commit();
+}
+
+/// An empty store in the place of whatever is at `path`, by one rename. Whoever calls it holds the lock.
+void make_store(const std::string& path) {
+  OutputFile file{path};
+  {
+    Database database{file.part(), Database::Access::existing, patience_ms};
+    database.execute("PRAGMA journal_mode = MEMORY");  // nobody rolls a temporary file back
+    begin(database);
+  }
+  // a journal that the file before left behind would be rolled back into the new one
+  std::error_code ignored;
+  const std::string followed = std::filesystem::weakly_canonical(path, ignored).string();
+  for (const char* beside : {"-journal", "-wal", "-shm"}) std::filesystem::remove(followed + beside, ignored);
+  file.commit();
+}
+
+/// Nothing that is kept is there: no file, or an empty one.
+bool is_nothing(const std::string& path) {
+  std::error_code missing;
+  const auto size = std::filesystem::file_size(path, missing);
+  return missing || size == 0;
 }
 
 /// A row's id by its unique text, made when it is new. Remembers those it has seen.
@@ -178,20 +214,15 @@ struct Store::Contents {
            bool for_writing)
       : lock{std::move(taken)}, database{path, access, patience_ms}, writable{for_writing} {}
 
-  void begin_or_check(bool may_begin);
+  void check_origin();
+  void prepare();
   void put(const RunRecord& record);
 };
 
 /// Refuses what is no store of ours before a byte of it is changed.
-void Store::Contents::begin_or_check(bool may_begin) {
+void Store::Contents::check_origin() {
   if (database.integer("PRAGMA page_count") == 0) {
-    if (!may_begin) database.refuse("is not a results store: the file is empty");
-    Transaction transaction{database, Transaction::Kind::write};
-    database.execute(schema);
-    Statement note{database, "INSERT INTO meta(name, value) VALUES (?, ?)"};
-    note.bind(1, "fairway_version").bind(2, fairway_version).run();
-    note.bind(1, "results_epoch").bind(2, std::to_string(results_epoch)).run();
-    transaction.commit();
+    database.refuse("is not a results store: the file is empty");
   } else if (database.integer("PRAGMA application_id") != application_id) {
     database.refuse("is a SQLite database, but not a results store of fairway");
   } else if (const auto version = database.integer("PRAGMA user_version"); version != schema_version) {
@@ -206,6 +237,9 @@ void Store::Contents::begin_or_check(bool may_begin) {
                       "); restore a copy, or delete it and run again");
     }
   }
+}
+
+void Store::Contents::prepare() {
   sql.emplace(database);
   if (!writable) return;
   database.execute(commands_table);
@@ -245,26 +279,30 @@ Store::Store(Store&&) noexcept = default;
 Store& Store::operator=(Store&&) noexcept = default;
 Store::~Store() = default;
 
-Store Store::open(const std::string& path) {
+Store Store::open(const std::string& path, Foreign foreign) {
   if (path.empty()) throw InputError("a results store needs a file name");
-  refuse_folder(path);
+  refuse_what_is_no_file(path);
   auto lock = std::make_unique<LockFile>(path);
-  auto contents = std::make_unique<Contents>(path, Database::Access::create, std::move(lock), true);
-  contents->begin_or_check(true);
+  if (is_nothing(path) || (foreign == Foreign::replace && !is_of_kind(path, store_file))) make_store(path);
+  auto contents = std::make_unique<Contents>(path, Database::Access::existing, std::move(lock), true);
+  contents->check_origin();
+  contents->prepare();
   return Store{std::move(contents)};
 }
 
 Store Store::open_existing(const std::string& path) {
-  refuse_folder(path);
+  refuse_what_is_no_file(path);
   if (!std::filesystem::exists(path)) throw InputError(path + ": no such results store");
   auto contents = std::make_unique<Contents>(path, Database::Access::existing, nullptr, false);
-  contents->begin_or_check(false);
+  contents->check_origin();
+  contents->prepare();
   return Store{std::move(contents)};
 }
 
 Store Store::in_memory() {
   auto contents = std::make_unique<Contents>("", Database::Access::create, nullptr, true);
-  contents->begin_or_check(true);
+  begin(contents->database);
+  contents->prepare();
   return Store{std::move(contents)};
 }
 

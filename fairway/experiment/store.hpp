@@ -9,19 +9,31 @@
 #include <string_view>
 #include <vector>
 
+#include "fairway/core/output_check.hpp"
 #include "fairway/experiment/run.hpp"
 
 namespace fairway {
+
+/// A store by the first bytes of its file: SQLite, and in the header whose application it is.
+inline constexpr FileKind store_file{
+    .name = "a results store of fairway", .begins = "SQLite format 3", .holds = "fway"};
+
+/// write_csv() of a store.
+inline constexpr FileKind store_table{
+    .name = "a table of results", .begins = "", .holds = "seed,vehicle,quantity,value\n", .is_table = true};
 
 /// The results of runs in one SQLite file. A process that is killed loses at most the put() it was in,
 /// and no run is ever stored twice. One process writes at a time; others may read meanwhile.
 /// Not for use by several threads at once.
 class Store {
  public:
-  /// For writing: continues the store at `path`, or begins one. Holds `path` + ".lock" while it lives.
-  /// Throws InputError if the file is something else, damaged, of a newer version, cannot be written, or
-  /// another process writes to it.
-  static Store open(const std::string& path);
+  enum class Foreign { refuse, replace };
+
+  /// For writing: continues the store at `path`, or begins one, which appears under its name with all of its
+  /// tables. Holds `path` + ".lock" while it lives. Throws InputError if the file is damaged, of a newer
+  /// version, cannot be written, another process writes to it, or if it is something else that is not to be
+  /// replaced.
+  static Store open(const std::string& path, Foreign foreign = Foreign::refuse);
 
   /// For reading a store that is there. Throws InputError likewise.
   static Store open_existing(const std::string& path);

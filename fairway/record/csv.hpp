@@ -3,9 +3,14 @@
 
 #include <iosfwd>
 
+#include "fairway/core/output_check.hpp"
 #include "fairway/record/recording.hpp"
 
 namespace fairway {
+
+/// As all of these begin.
+inline constexpr FileKind recording_table{
+    .name = "a table of a recording", .begins = "tick,time_s,vehicle,", .holds = "", .is_table = true};
 
 /// One row per vehicle and frame, frames in order and vehicles by index within one. Columns: tick, time_s,
 /// vehicle (its name), those of quantities() in that order, then actuator_0, actuator_1, ... in the order

@@ -73,7 +73,8 @@ std::string HashChecker::describe() const {
     const RecordingInfo& info = recording_.info();
     return "the same to the bit: " + frames + " of " + frames + " recorded frames" +
            (info.perception ? ", and what was perceived" : "") +
-           (info.sketches ? ", and what was drawn" : "");
+           (info.sketches ? ", and what was drawn" : "") +
+           (recording_.stopped() ? "; the recorded run was stopped there" : "");
   }
   if (mismatch_) {
     return "differs from " + instant_text(mismatch_->tick, mismatch_->time) + ": " + mismatch_->what;

@@ -29,6 +29,9 @@ class HashChecker : public FrameSink {
   /// Never throws for a difference, so that the run goes on to its end.
   void write(const Frame& frame) override;
 
+  /// True when a run that was stopped has been followed as far as it is recorded: it is to go no further.
+  bool is_over() const { return recording_.stopped() && seen_ >= recording_.run_frame_count(); }
+
   const std::optional<Mismatch>& first_mismatch() const { return mismatch_; }
   /// Frames that were in the recording and had the same hash.
   std::size_t matched() const { return matched_; }

@@ -4,7 +4,6 @@
 #include <zstd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cstring>
 #include <limits>
 #include <new>
@@ -68,11 +67,7 @@ McapWriter::~McapWriter() = default;
 
 McapWriter::McapWriter(const std::string& path, std::string_view profile, std::string_view library,
                        std::size_t chunk_size)
-    : path_{path},
-      file_{std::fopen(path.c_str(), "wb")},
-      context_{ZSTD_createCCtx()},
-      chunk_size_{chunk_size} {
-  if (!file_) fail();
+    : file_{path}, context_{ZSTD_createCCtx()}, chunk_size_{chunk_size} {
   if (!context_) throw std::bad_alloc{};
   chunk_.reserve(chunk_size + chunk_size / 8);
   compressed_.reserve(ZSTD_compressBound(chunk_.capacity()));
@@ -87,12 +82,10 @@ McapWriter::McapWriter(const std::string& path, std::string_view profile, std::s
   emit(scratch_);
 }
 
-void McapWriter::fail() const {
-  throw InputError{{.file = path_}, "", std::string("cannot be written: ") + std::strerror(errno)};
-}
-
 void McapWriter::emit(ByteView bytes) {
-  if (std::fwrite(bytes.data(), 1, bytes.size(), file_.get()) != bytes.size()) fail();
+  file_.stream().write(reinterpret_cast<const char*>(bytes.data()),
+                       static_cast<std::streamsize>(bytes.size()));
+  file_.check();
   crc_ = crc32(bytes, crc_);
   offset_ += bytes.size();
 }
@@ -123,7 +116,7 @@ std::uint16_t McapWriter::add_schema(std::string_view name, std::string_view enc
 std::uint16_t McapWriter::add_channel(std::uint16_t schema, std::string_view topic, std::string_view encoding,
                                       const Map& metadata) {
   if (channels_.size() > std::numeric_limits<std::uint16_t>::max()) {
-    throw InputError{{.file = path_}, "", "cannot be written: MCAP has room for 65536 channels"};
+    throw InputError{{.file = file_.path()}, "", "cannot be written: MCAP has room for 65536 channels"};
   }
   const auto id = static_cast<std::uint16_t>(channels_.size());
   channels_.emplace_back();
@@ -327,9 +320,7 @@ void McapWriter::finish() {
   put(summary, crc32(summary));
   put(summary, mcap::magic);
   emit(summary);
-
-  if (std::fflush(file_.get()) != 0) fail();
-  if (std::fclose(file_.release()) != 0) fail();
+  file_.commit();
 }
 
 }  // namespace fairway

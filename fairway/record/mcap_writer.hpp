@@ -2,13 +2,13 @@
 #pragma once
 
 #include <cstdint>
-#include <cstdio>
 #include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "fairway/core/output_file.hpp"
 #include "fairway/record/bytes.hpp"
 #include "fairway/record/mcap.hpp"
 
@@ -17,14 +17,14 @@ struct ZSTD_CCtx_s;
 namespace fairway {
 
 /// Writes an MCAP file (mcap.dev/spec, major version 0): messages in zstd chunks with message indexes, and
-/// a summary section, so that readers can seek. The bytes depend on the calls alone. Between two chunks
-/// write() does not allocate once its buffers have grown. Every member throws InputError naming the file
-/// when it cannot be written.
+/// a summary section, so that readers can seek. The bytes depend on the calls alone. The file appears under
+/// its name when it is finished. Between two chunks write() does not allocate once its buffers have grown.
+/// Every member throws InputError naming the file when it cannot be written.
 class McapWriter {
  public:
   using Map = std::vector<std::pair<std::string, std::string>>;
 
-  /// Creates or empties `path`. A chunk is closed when it holds `chunk_size` bytes.
+  /// Begins the file beside `path`. A chunk is closed when it holds `chunk_size` bytes.
   McapWriter(const std::string& path, std::string_view profile, std::string_view library,
              std::size_t chunk_size = std::size_t{1} << 20U);
   ~McapWriter();
@@ -43,7 +43,7 @@ class McapWriter {
   /// `time` [ns] is both log and publish time.
   void write(std::uint16_t channel, std::uint64_t time, ByteView message);
 
-  /// Writes the rest and closes the file. Nothing may follow.
+  /// Writes the rest and puts the file in its place. Nothing may follow.
   void finish();
 
  private:
@@ -54,18 +54,13 @@ class McapWriter {
   struct FreeContext {
     void operator()(ZSTD_CCtx_s* context) const;
   };
-  struct CloseFile {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
 
   void emit(ByteView bytes);
-  [[noreturn]] void fail() const;
   void flush_chunk();
   void put_statistics(Bytes& out) const;
   static void put_map(Bytes& out, const Map& map);
 
-  std::string path_;
-  std::unique_ptr<std::FILE, CloseFile> file_;
+  OutputFile file_;
   std::unique_ptr<ZSTD_CCtx_s, FreeContext> context_;
   std::size_t chunk_size_;
   std::uint64_t offset_{};  // bytes written so far

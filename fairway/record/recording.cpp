@@ -90,6 +90,7 @@ Recording Recording::parse(ByteView bytes, const std::string& file) {
     const auto& end = metadata(mcap, layout::end_metadata);
     recording.run_hash_ = number_entry<std::uint64_t>(end, "run_hash");
     if (info.perception) recording.run_perception_hash_ = number_entry<std::uint64_t>(end, "perception_hash");
+    recording.stopped_ = says_true(end, "stopped");
     recording.run_frame_count_ = number_entry<std::uint64_t>(end, "run_frame_count");
     if (const auto broke = end.find(std::string(layout::divergence)); broke != end.end())
       recording.divergence_ = broke->second;

@@ -40,6 +40,9 @@ class Recording {
   /// How the run broke behind the last frame, in a line; empty if it is whole.
   const std::string& divergence() const { return divergence_; }
 
+  /// The run was stopped before its end: what it would have come to is not recorded.
+  bool stopped() const { return stopped_; }
+
   // Where info().perception says that it is recorded; else empty and 0, and no frame has tracks or echoes.
 
   /// perception_hash() of each frame.
@@ -78,6 +81,7 @@ class Recording {
   std::uint64_t run_hash_{};
   std::uint64_t run_frame_count_{};
   std::string divergence_;
+  bool stopped_{};
   std::vector<Mark> marks_;
   std::vector<std::uint64_t> hashes_;
   std::uint64_t run_perception_hash_{};

@@ -7,6 +7,7 @@
 #include <bit>
 #include <cfloat>
 #include <filesystem>
+#include <iterator>
 
 #include "fairway/core/error.hpp"
 #include "fairway/core/testing/allocations.hpp"
@@ -113,15 +114,18 @@ TEST(RecordingWriter, GivesTheSameBytesForTheSameRun) {
 TEST(RecordingWriter, ShowsTheFileOnlyWhenItIsComplete) {
   const TemporaryFolder folder;
   const std::string path = folder.file("run.mcap");
-  const std::string part = path + ".part";
+  const auto files = [&] {
+    return std::distance(std::filesystem::directory_iterator{folder.file(".")},
+                         std::filesystem::directory_iterator{});
+  };
   const SampleRun run;
   {
     RecordingWriter abandoned{path, run.info};
     abandoned.write(run.frame(0));
-    EXPECT_TRUE(std::filesystem::exists(part));
+    EXPECT_EQ(files(), 1);  // a temporary one
+    EXPECT_FALSE(std::filesystem::exists(path));
   }
-  EXPECT_FALSE(std::filesystem::exists(path));
-  EXPECT_FALSE(std::filesystem::exists(part));
+  EXPECT_EQ(files(), 0);
 
   RecordingWriter writer{path, run.info};
   writer.write(run.frame(0));
@@ -129,7 +133,29 @@ TEST(RecordingWriter, ShowsTheFileOnlyWhenItIsComplete) {
   writer.close();
   writer.close();
   EXPECT_TRUE(std::filesystem::exists(path));
-  EXPECT_FALSE(std::filesystem::exists(part));
+  EXPECT_EQ(files(), 1);
+  EXPECT_TRUE(is_of_kind(path, recording_file));
+}
+
+TEST(RecordingWriter, OfARunThatWasStoppedSaysSoAndIsComparedAsFarAsItGoes) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("run.mcap");
+  const SampleRun run;
+  RecordingWriter writer{path, run.info};
+  for (std::size_t i = 0; i < 3; ++i) writer.write(run.frame(i));
+  writer.close({.stopped = true});
+  const Recording recording = Recording::read(path);
+  EXPECT_TRUE(recording.stopped());
+  EXPECT_FALSE(recorded(run).stopped());
+
+  HashChecker checker{recording};
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_FALSE(checker.is_over());
+    checker.write(run.frame(i));
+  }
+  EXPECT_TRUE(checker.is_over());
+  EXPECT_TRUE(checker.same());
+  EXPECT_THAT(checker.describe(), ::testing::EndsWith("; the recorded run was stopped there"));
 }
 
 TEST(RecordingWriter, RefusesWhatItCannotWrite) {

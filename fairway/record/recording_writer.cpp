@@ -2,9 +2,6 @@
 #include "fairway/record/recording_writer.hpp"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -21,8 +18,6 @@
 namespace fairway {
 
 namespace {
-
-std::string part_of(const std::string& path) { return path + ".part"; }
 
 std::string topic_of(const std::string& vehicle, std::string_view topic) {
   return "/" + vehicle + "/" + std::string(topic);
@@ -63,18 +58,13 @@ std::vector<std::string> topic_names(const std::vector<RecordingInfo::Vehicle>& 
 RecordingWriter::RecordingWriter(std::string path, RecordingInfo info, std::int64_t stride)
     : path_{std::move(path)}, info_{std::move(info)}, stride_{stride} {
   if (stride_ < 1) throw InputError{{}, "stride", "is " + std::to_string(stride_) + "; expected 1 or more"};
-  try {
-    mcap_ = std::make_unique<McapWriter>(part_of(path_), "ros2", "fairway " + info_.version);
-    const std::vector<std::string> topics = topic_names(info_.vehicles);
-    shown_.resize(topics.size());
-    add_vehicles(topics);
-    if (info_.perception) add_perception(topics);
-    if (info_.sketches) add_sketches(topics);
-    describe_run(topics);
-  } catch (...) {
-    if (mcap_) std::remove(part_of(path_).c_str());
-    throw;
-  }
+  mcap_ = std::make_unique<McapWriter>(path_, "ros2", "fairway " + info_.version);
+  const std::vector<std::string> topics = topic_names(info_.vehicles);
+  shown_.resize(topics.size());
+  add_vehicles(topics);
+  if (info_.perception) add_perception(topics);
+  if (info_.sketches) add_sketches(topics);
+  describe_run(topics);
 }
 
 std::uint16_t RecordingWriter::add_channel(std::uint16_t schema, std::string_view topic) {
@@ -131,11 +121,7 @@ void RecordingWriter::describe_run(std::span<const std::string> topics) {
   mcap_->attach(layout::scenario_attachment, "application/yaml", info_.scenario_yaml);
 }
 
-RecordingWriter::~RecordingWriter() {
-  if (!mcap_) return;
-  mcap_.reset();
-  std::remove(part_of(path_).c_str());
-}
+RecordingWriter::~RecordingWriter() = default;
 
 void RecordingWriter::write(const Frame& frame) {
   if (!mcap_ || frame.vehicles.size() != channels_.size() || count(frame.tick) <= last_tick_) {
@@ -204,18 +190,16 @@ void RecordingWriter::write_if_changed(std::uint16_t channel, std::uint64_t time
   std::swap(message_, last);
 }
 
-void RecordingWriter::close(std::string_view divergence) {
+void RecordingWriter::close(const RunEnd& how) {
   if (!mcap_) return;
   McapWriter::Map end{{"frame_count", std::to_string(frames_kept_)},
                       {"run_frame_count", std::to_string(frames_seen_)},
                       {"run_hash", std::to_string(run_hash_)}};
   if (info_.perception) end.emplace_back("perception_hash", std::to_string(perception_hash_));
-  if (!divergence.empty()) end.emplace_back(layout::divergence, divergence);
+  if (!how.divergence.empty()) end.emplace_back(layout::divergence, how.divergence);
+  if (how.stopped) end.emplace_back("stopped", "true");
   mcap_->add_metadata(layout::end_metadata, end);
   mcap_->finish();
-  if (std::rename(part_of(path_).c_str(), path_.c_str()) != 0) {
-    throw InputError{{.file = path_}, "", std::string("cannot be written: ") + std::strerror(errno)};
-  }
   mcap_.reset();
 }
 

@@ -8,12 +8,23 @@
 #include <string_view>
 #include <vector>
 
+#include "fairway/core/output_check.hpp"
 #include "fairway/record/bytes.hpp"
 #include "fairway/record/frame.hpp"
 
 namespace fairway {
 
 class McapWriter;
+
+/// As RecordingWriter writes it.
+inline constexpr FileKind recording_file{
+    .name = "a recording of fairway", .begins = "\x89MCAP0\r\n", .holds = "fairway "};
+
+/// How a recorded run ended.
+struct RunEnd {
+  std::string divergence;  ///< how it broke behind the last frame, in a line; empty if it is whole
+  bool stopped{false};     ///< before its end
+};
 
 /// What a recording says of the run as a whole.
 struct RecordingInfo {
@@ -36,8 +47,8 @@ struct RecordingInfo {
 };
 
 /// Records a run as an MCAP file with ROS 2 messages, stamped with simulation time; README.md has the
-/// format. The same frames give the same bytes. The file appears under its name when it is complete: until
-/// then it is `path`.part, which is removed if close() is never reached.
+/// format. The same frames give the same bytes. The file appears under its name when it is closed; if close()
+/// is never reached, there is none, and a file that was there is as it was (OutputFile).
 class RecordingWriter : public FrameSink {
  public:
   /// Keeps the first frame and then every `stride`-th. Throws InputError if the file cannot be written or
@@ -53,9 +64,9 @@ class RecordingWriter : public FrameSink {
   void write(const Frame& frame) override;
   bool wants_thoughts() const override { return info_.sketches; }
 
-  /// Completes the file. `divergence` is how the run broke behind the last frame, in a line; empty if it is
-  /// whole. Throws InputError if that fails; does nothing the second time.
-  void close(std::string_view divergence = {});
+  /// Completes the file, and says in it how the run ended. Throws InputError if that fails; does nothing the
+  /// second time.
+  void close(const RunEnd& how = {});
 
  private:
   struct Channels {

@@ -3,7 +3,13 @@
 
 #include <string>
 
+#include "fairway/core/output_check.hpp"
+
 namespace fairway {
+
+/// As write_page() writes it.
+inline constexpr FileKind report_file{
+    .name = "a report of fairway", .begins = "<!doctype html>", .holds = "<title>fairway report</title>"};
 
 namespace embedded {
 
@@ -22,12 +28,7 @@ std::string filled(std::string page, const std::string& json);
 /// The report that shows `json`; viewer/README.md describes its keys.
 std::string render_page(const std::string& json);
 
-/// Writes `text` to `path`, through a temporary file beside it and a rename, so that a reader never meets
-/// half of it. Throws InputError, "`what` cannot be written", when it cannot be; then no temporary file
-/// remains and what was at `path` before is untouched.
-void write_whole(const std::string& text, const std::string& path, const std::string& what);
-
-/// Writes render_page(json) to `path`, as write_whole().
+/// Writes render_page(json) to `path`, whole or not at all (OutputFile). Throws InputError if it cannot be.
 void write_page(const std::string& json, const std::string& path);
 
 }  // namespace fairway

@@ -94,7 +94,7 @@ TEST_F(WrittenPage, IsRefusedWithTheReasonWhereItCannotBe) {
       write_page("{}", path.string());
       FAIL() << path << " was written";
     } catch (const InputError& error) {
-      EXPECT_THAT(error.what(), StartsWith(path.string() + ": the report cannot be written: "));
+      EXPECT_THAT(error.what(), StartsWith(path.string() + ": cannot be written: "));
     }
   }
   EXPECT_TRUE(fs::is_empty(folder));

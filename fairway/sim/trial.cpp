@@ -251,9 +251,6 @@ class InputReader {
 
 // ---- outputs
 
-constexpr std::string_view output_header =
-    "time_s,x_m,y_m,z_m,roll_rad,pitch_rad,yaw_rad,u_mps,v_mps,w_mps,p_radps,q_radps,r_radps\n";
-
 void append_row(std::string& text, double time, const VehicleState& x) {
   const Euler e = euler_of(x.q_nb);
   text += number_text(time);
@@ -314,7 +311,7 @@ void run_trial(const VehicleCatalog& catalog, std::string_view vehicle_name, std
   const Sea sea = sea_of(settings);
 
   // one output row per input row, written once all of them are known
-  std::string text{output_header};
+  std::string text{trial_columns};
   append_row(text, rows.front().time, vehicle.state());
   for (std::size_t i = 1; i < rows.size(); ++i) {
     hold(vehicle, rows[i - 1].values, sea, rows[i - 1].time - rows.front().time,

@@ -5,9 +5,17 @@
 #include <string>
 #include <string_view>
 
+#include "fairway/core/output_check.hpp"
 #include "fairway/dynamics/catalog.hpp"
 
 namespace fairway {
+
+inline constexpr std::string_view trial_columns =
+    "time_s,x_m,y_m,z_m,roll_rad,pitch_rad,yaw_rad,u_mps,v_mps,w_mps,p_radps,q_radps,r_radps\n";
+
+/// As run_trial() writes its outputs.
+inline constexpr FileKind trial_table{
+    .name = "a table of states by fairway trial", .begins = trial_columns, .holds = "", .is_table = true};
 
 /// An open-loop manoeuvre: actuators in, motion out, nobody at the helm.
 ///

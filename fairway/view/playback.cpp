@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/view/playback.hpp"
 
+#include "fairway/core/output_file.hpp"
 #include "fairway/report/page.hpp"
 #include "fairway/view/columns.hpp"
 #include "fairway/view/film_water.hpp"
@@ -22,9 +23,11 @@ nlohmann::json playback_document(const Scenario& scenario, const PlaybackInfo& i
           {"explanation", info.explanation}};
 }
 
-void write_playback(const std::string& path, const nlohmann::json& document) {
+std::size_t write_playback(const std::string& path, const nlohmann::json& document) {
   const std::string text = document.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-  write_whole(filled(embedded::view_template(), text), path, "the playback");
+  const std::string page = filled(embedded::view_template(), text);
+  write_file(path, page);
+  return page.size();
 }
 
 }  // namespace fairway

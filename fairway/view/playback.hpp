@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "fairway/core/output_check.hpp"
 #include "fairway/scenario/scenario.hpp"
 #include "fairway/view/film.hpp"
 
@@ -15,6 +16,10 @@ namespace embedded {
 std::string view_template();
 
 }  // namespace embedded
+
+/// As write_playback() writes it.
+inline constexpr FileKind playback_file{
+    .name = "a playback of fairway", .begins = "<!doctype html>", .holds = "<title>fairway view</title>"};
 
 /// What the page says about itself.
 struct PlaybackInfo {
@@ -28,9 +33,9 @@ struct PlaybackInfo {
 /// scenario is one that the catalogs accept. O(film).
 nlohmann::json playback_document(const Scenario& scenario, const PlaybackInfo& info, const Film* film);
 
-/// Writes the page that shows `document` to `path`, whole or not at all. Throws InputError if it cannot be
-/// written.
-void write_playback(const std::string& path, const nlohmann::json& document);
+/// Writes the page that shows `document` to `path`, whole or not at all, and says how many bytes it has.
+/// Throws InputError if it cannot be written.
+std::size_t write_playback(const std::string& path, const nlohmann::json& document);
 
 /// What stands still in a run: vehicles, obstacles, rules, water, sensors. The document's `scene`.
 nlohmann::json scene_of(const Scenario& scenario);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <sstream>
@@ -100,6 +101,8 @@ struct FleetHost::Self {
         depth{depth_of(scenario)},
         autonomous{options.autonomous} {
     const RecordingInfo info = recording_info(scenario);
+    check_outputs(std::array{Output{"record", options.record, recording_file}}, std::array{options.scenario},
+                  false);
     if (!options.record.empty()) {
       writer = std::make_unique<RecordingWriter>(options.record, info);
       sinks.push_back(writer.get());
@@ -262,7 +265,10 @@ bool FleetHost::expectations_kept() const {
 }
 
 void FleetHost::finish() {
-  if (self_->writer) self_->writer->close(cli::divergence_text(self_->scenario, self_->outcome(0.0)));
+  if (!self_->writer) return;
+  const cli::RunOutcome outcome = self_->outcome(0.0);
+  self_->writer->close(
+      {.divergence = cli::divergence_text(self_->scenario, outcome), .stopped = !self_->done});
 }
 
 }  // namespace fairway::bridge
