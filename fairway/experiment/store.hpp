@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "fairway/experiment/origin.hpp"
 #include "fairway/experiment/run.hpp"
 
 namespace fairway {
@@ -42,6 +43,10 @@ class Store {
   /// a quantity measured twice), std::logic_error on a store opened for reading, InputError if the file
   /// cannot be written.
   void put(std::span<const RunRecord> records);
+
+  /// What campaign the runs that follow are of; see note_campaign(). Throws as put() does.
+  void note(const Origin& campaign);
+  Origin origin() const;
 
   std::size_t size() const;
 
