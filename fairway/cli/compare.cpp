@@ -8,6 +8,7 @@
 #include "fairway/cli/numbers.hpp"
 #include "fairway/cli/program.hpp"
 #include "fairway/experiment/store.hpp"
+#include "fairway/experiment/stored_results.hpp"
 
 namespace fairway::cli {
 
@@ -23,7 +24,7 @@ void add_compare(CLI::App& app, Program& program) {
   verb->add_option("results", *stores, "results stores")->required();
   verb->add_option("--by", options->by, "label whose values are compared")->capture_default_str();
   verb->add_option("--baseline", options->baseline,
-                   "value that the others are compared with; the first if not given");
+                   "value that the others are compared with; the first of the campaign if not given");
   verb->add_option("--quantity", options->quantities, "quantities; all if none is named");
   verb->add_option("--confidence", options->confidence, "of each interval")
       ->capture_default_str()
@@ -32,16 +33,13 @@ void add_compare(CLI::App& app, Program& program) {
   verb->add_flag("--json", *json, "print JSON");
   verb->callback([=, &program] {
     program.chosen = [=] {
-      std::vector<RunRecord> records;
-      for (const std::string& file : *stores) {
-        std::vector<RunRecord> more = Store::open_existing(file).all();
-        std::ranges::move(more, std::back_inserter(records));
-      }
+      const StoredResults results = read_stores(*stores);
       if (*csv) {
-        write_csv(std::cout, records);
+        write_csv(std::cout, results.records);
         return ok;
       }
-      const Comparison comparison = compare(records, *options);
+      options->order = values_of(results.origin.order, options->by);
+      const Comparison comparison = compare(results.records, *options);
       std::cout << (*json ? to_json(comparison).dump(2) + "\n" : table_text(comparison));
       return ok;
     };

@@ -110,7 +110,8 @@ json describe(const std::string& name) {
       return {{"kind", "metric"},
               {"name", name},
               {"meaning", quantity.meaning},
-              {"per_vehicle", quantity.per_vehicle}};
+              {"per_vehicle", quantity.per_vehicle},
+              {"censored_by_time_limit", !quantity.complete_at_1.empty()}};
     }
   }
   if (const auto kind = described_kind("exchange", exchange_kinds(), name, known)) return *kind;

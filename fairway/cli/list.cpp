@@ -72,7 +72,8 @@ std::vector<Item> metrics() {
   for (const QuantityInfo& quantity : all_quantities()) {
     items.push_back(
         {std::string(quantity.name),
-         std::string(quantity.per_vehicle ? "per vehicle: " : "fleet: ") + std::string(quantity.meaning)});
+         std::string(quantity.per_vehicle ? "per vehicle: " : "fleet: ") + std::string(quantity.meaning) +
+             (quantity.complete_at_1.empty() ? "" : "; censored by the time limit")});
   }
   return items;
 }

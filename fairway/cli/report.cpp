@@ -4,7 +4,7 @@
 
 #include "fairway/cli/outputs.hpp"
 #include "fairway/cli/program.hpp"
-#include "fairway/experiment/store.hpp"
+#include "fairway/experiment/stored_results.hpp"
 #include "fairway/report/page.hpp"
 #include "fairway/report/results_page.hpp"
 
@@ -12,21 +12,23 @@ namespace fairway::cli {
 
 void add_report(CLI::App& app, Program& program) {
   CLI::App* verb = app.add_subcommand("report", "Stored results as one self-contained HTML page");
-  verb->footer("Example: fairway report methods.sqlite --out report.html");
-  auto results = std::make_shared<std::string>();
+  verb->footer("Example: fairway report methods.sqlite --baseline orca3d --out report.html");
+  auto stores = std::make_shared<std::vector<std::string>>();
   auto out = std::make_shared<std::string>("report.html");
-  auto by = std::make_shared<std::string>("method");
+  auto options = std::make_shared<CompareOptions>();
   auto json = std::make_shared<bool>(false);
-  verb->add_option("results", *results, "results store")->required();
+  verb->add_option("results", *stores, "results stores")->required();
   auto outputs = std::make_shared<Outputs>(*verb);
   outputs->add("--out", *out, report_file, "write the page here")->capture_default_str();
-  verb->add_option("--by", *by, "label whose values are compared")->capture_default_str();
+  verb->add_option("--by", options->by, "label whose values are compared")->capture_default_str();
+  verb->add_option("--baseline", options->baseline,
+                   "value that the others are compared with; the first of the campaign if not given");
+  verb->add_option("--quantity", options->quantities, "quantities; all if none is named");
   verb->add_flag("--json", *json, "print the page's document as JSON instead of writing the page");
   verb->callback([=, &program] {
     program.chosen = [=, &program] {
-      if (!*json) outputs->judge({*results});
-      const std::vector<RunRecord> records = Store::open_existing(*results).all();
-      const nlohmann::json page = results_page(records, *results, *by, program.typed);
+      if (!*json) outputs->judge(*stores);
+      const nlohmann::json page = results_page(read_stores(*stores), *options, program.typed);
       if (*json) {
         std::cout << page.dump(2) << "\n";
       } else {

@@ -46,7 +46,9 @@ int sweep(const SweepFlags& flags, const Outputs& outputs, const std::atomic<boo
                              report.made);
     return interrupted;
   }
-  const Comparison comparison = compare(records_of(campaign, store), {.quantities = campaign.quantities});
+  const Comparison comparison =
+      compare(records_of(campaign, store),
+              {.quantities = campaign.quantities, .order = values_of(origin_of(campaign).order, "method")});
   if (flags.json) {
     std::cout << to_json(comparison).dump(2) << "\n";
   } else {

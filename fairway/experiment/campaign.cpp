@@ -209,8 +209,15 @@ Campaign load_campaign(const std::string& file, const CheckScenario& check, unsi
   return parse_campaign(*text, file, check, jobs);
 }
 
+Origin origin_of(const Campaign& campaign) {
+  Origin origin{.campaign = campaign.name, .summary = campaign.summary};
+  for (const CampaignCell& cell : campaign.cells) add_values(origin.order, cell.labels);
+  return origin;
+}
+
 ExecutorReport run_campaign(const Campaign& campaign, const Simulate& simulate, Store& store,
                             const ExecutorOptions& options) {
+  store.note(origin_of(campaign));
   return run_missing(
       campaign.specs, [&](std::size_t i) { return simulate(campaign.scenario_of(i)); }, store, options);
 }

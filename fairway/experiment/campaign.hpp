@@ -64,7 +64,11 @@ Campaign load_campaign(const std::string& file, const CheckScenario& check = {},
 Campaign parse_campaign(std::string_view yaml, const std::string& file, const CheckScenario& check = {},
                         unsigned jobs = 1);
 
-/// Makes the runs that `store` does not have.
+/// Its name, summary and the order of its labels' values. values_of(origin.order, "method") is what compare()
+/// takes as CompareOptions::order.
+Origin origin_of(const Campaign& campaign);
+
+/// Makes the runs that `store` does not have, and notes there whose they are.
 ExecutorReport run_campaign(const Campaign& campaign, const Simulate& simulate, Store& store,
                             const ExecutorOptions& options = {});
 

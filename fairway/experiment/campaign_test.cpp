@@ -172,6 +172,15 @@ TEST_F(CampaignTest, RunsResumesAndForgetsOlderVersions) {
   EXPECT_EQ(records_of(second, store).size(), 12U);
 }
 
+TEST_F(CampaignTest, TheStoreRemembersTheOrderOfTheFile) {
+  const Campaign campaign = parse("algorithms: [orca3d, apf]\ngrid: {exam.crit_dist_m: [10, 6]}\n");
+  Store store = Store::in_memory();
+  run_campaign(campaign, simulate, store, {.jobs = 4});
+  EXPECT_EQ(store.origin().campaign, campaign.name);
+  EXPECT_EQ(values_of(store.origin().order, "method"), (std::vector<std::string>{"orca3d", "apf"}));
+  EXPECT_EQ(values_of(store.origin().order, "exam.crit_dist_m"), (std::vector<std::string>{"10", "6"}));
+}
+
 TEST_F(CampaignTest, TheScenarioIsTheOneThatWasLoaded) {
   const Campaign c = parse("");
   std::filesystem::remove(folder_.file("pair.yaml"));

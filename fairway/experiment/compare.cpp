@@ -10,6 +10,7 @@
 
 #include "fairway/core/error.hpp"
 #include "fairway/core/names.hpp"
+#include "fairway/experiment/compared_cells.hpp"
 #include "fairway/experiment/labels.hpp"
 
 namespace fairway {
@@ -22,8 +23,7 @@ struct NameBefore {
   bool operator()(const std::string& a, const std::string& b) const { return natural_order(a, b) < 0; }
 };
 
-using Seeds = std::map<std::uint64_t, const RunRecord*>;
-using Candidates = std::map<std::string, Seeds, NameBefore>;
+using Candidates = std::map<std::string, CellOfRuns, NameBefore>;
 using Groups = std::map<Labels, Candidates, LabelsBefore>;
 
 template <class Names>
@@ -39,7 +39,8 @@ Groups grouped(std::span<const RunRecord> records, const std::string& by) {
     const std::string* candidate = find_label(record.spec.labels, by);
     for (const auto& [name, value] : record.spec.labels) names.insert(name);
     if (candidate == nullptr) continue;
-    const RunRecord*& place = groups[without_label(record.spec.labels, by)][*candidate][record.spec.seed];
+    CellOfRuns& cell = groups[without_label(record.spec.labels, by)][*candidate];
+    const RunRecord*& place = cell.all[record.spec.seed];
     if (place != nullptr) {
       throw InputError(
           "two runs of " + labels_text(record.spec.labels) + " have the seed " +
@@ -50,16 +51,33 @@ Groups grouped(std::span<const RunRecord> records, const std::string& by) {
   }
   if (records.empty()) throw InputError("there are no runs to compare");
   if (groups.empty()) throw InputError("no run has the label " + by + suggest(by, names));
+  for (auto& [group, candidates] : groups) {
+    for (auto& [candidate, cell] : candidates) {
+      std::vector<const RunRecord*> runs;
+      for (const auto& [seed, run] : cell.all) runs.push_back(run);
+      cell.counted = counted_runs(runs);
+    }
+  }
   return groups;
 }
 
-std::string chosen_baseline(const Groups& groups, const CompareOptions& options) {
-  std::set<std::string, NameBefore> candidates;
+/// The values of the label: those that are named in their order, then the others.
+std::vector<std::string> candidates_of(const Groups& groups, const std::vector<std::string>& order) {
+  std::set<std::string, NameBefore> there;
   for (const auto& [group, cells] : groups) {
-    for (const auto& [candidate, seeds] : cells) candidates.insert(candidate);
+    for (const auto& [candidate, cell] : cells) there.insert(candidate);
   }
-  if (options.baseline.empty()) return *candidates.begin();
-  if (!candidates.contains(options.baseline)) {
+  std::vector<std::string> candidates;
+  for (const std::string& name : order) {
+    if (there.erase(name) > 0) candidates.push_back(name);
+  }
+  candidates.insert(candidates.end(), there.begin(), there.end());
+  return candidates;
+}
+
+std::string chosen_baseline(const std::vector<std::string>& candidates, const CompareOptions& options) {
+  if (options.baseline.empty()) return candidates.front();
+  if (std::ranges::find(candidates, options.baseline) == candidates.end()) {
     throw InputError("no run has " + options.by + "=" + options.baseline +
                      suggest(options.baseline, candidates));
   }
@@ -86,63 +104,112 @@ std::vector<std::string> chosen_quantities(std::span<const RunRecord> records,
   return options.quantities;
 }
 
-/// A run's value, to take a mean of.
-std::optional<double> finite_value_of(const RunRecord& record, const std::string& quantity) {
-  const double value = run_value(record.measures, quantity);
-  return std::isfinite(value) ? std::optional{value} : std::nullopt;
+/// The questions that some run can answer; all of them where every run failed.
+std::vector<RateQuestion> asked_rates(std::span<const RunRecord> records, const CompareOptions& options) {
+  const bool none = std::ranges::all_of(records, [](const RunRecord& r) { return r.measures.empty(); });
+  std::vector<RateQuestion> asked;
+  std::ranges::copy_if(options.rates, std::back_inserter(asked), [&](const RateQuestion& question) {
+    return none || std::ranges::any_of(records, [&](const RunRecord& record) {
+             return !std::isnan(run_value(record.measures, question.quantity));
+           });
+  });
+  return asked;
 }
 
-MeanEstimate mean_of(const Seeds& seeds, const std::string& quantity, double confidence) {
-  std::vector<double> values;
-  for (const auto& [seed, record] : seeds) {
-    if (const auto value = finite_value_of(*record, quantity)) values.push_back(*value);
-  }
-  return estimate_mean(values, confidence);
+ComparedCell cell_of(const Labels& group, const std::string& candidate, const CellOfRuns& cell) {
+  const auto failed =
+      std::ranges::count_if(cell.counted, [](const RunRecord* run) { return !run->failure.empty(); });
+  return {group, candidate, cell.counted.size(), static_cast<std::size_t>(failed),
+          cell.same() ? cell.all.size() : 0};
 }
 
-MeanEstimate difference_of(const Seeds& seeds, const Seeds* baseline, const std::string& quantity,
-                           double confidence) {
-  std::vector<double> own;
-  std::vector<double> others;
-  for (const auto& [seed, record] : seeds) {
-    if (baseline == nullptr) break;
-    const auto partner = baseline->find(seed);
-    if (partner == baseline->end()) continue;
-    const auto a = finite_value_of(*record, quantity);
-    const auto b = finite_value_of(*partner->second, quantity);
-    if (!a || !b) continue;
-    own.push_back(*a);
-    others.push_back(*b);
-  }
-  return paired_difference(own, others, confidence);
+/// What is asked of every cell of a group.
+struct Questions {
+  std::vector<std::string> quantities;
+  std::vector<std::optional<double>> limits;  ///< common_limit() of each quantity
+  std::vector<RateQuestion> rates;
+};
+
+Questions questions_of(const Candidates& cells, const std::vector<std::string>& quantities,
+                       const std::vector<RateQuestion>& rates) {
+  std::vector<const CellOfRuns*> all;
+  for (const auto& [name, cell] : cells) all.push_back(&cell);
+  Questions questions{.quantities = quantities, .limits = {}, .rates = rates};
+  for (const std::string& quantity : quantities) questions.limits.push_back(common_limit(all, quantity));
+  return questions;
 }
 
-RateEstimate rate_of(const Seeds& seeds, const RateQuestion& question, double confidence) {
-  std::size_t runs = 0;
-  std::size_t yes = 0;
-  for (const auto& [seed, record] : seeds) {
-    const double value = run_value(record->measures, question.quantity);
-    if (std::isnan(value)) continue;
-    ++runs;
-    if (value >= question.min && value <= question.max) ++yes;
+/// `baseline` is null for the baseline itself and where a group has none.
+void compare_cell(Comparison& comparison, const ComparedCell& name, const CellOfRuns& cell,
+                  const CellOfRuns* baseline, const Questions& questions) {
+  const double confidence = comparison.confidence;
+  for (std::size_t i = 0; i < questions.quantities.size(); ++i) {
+    ComparedMean mean = mean_of(cell, questions.quantities[i], questions.limits[i], confidence);
+    mean.group = name.group;
+    mean.candidate = name.candidate;
+    if (baseline != nullptr) add_difference(mean, cell, *baseline, questions.limits[i], confidence);
+    comparison.means.push_back(std::move(mean));
   }
-  return wilson_interval(yes, runs, confidence);
+  for (const RateQuestion& question : questions.rates) {
+    ComparedRate rate{name.group, name.candidate, question.name, rate_of(cell, question, confidence)};
+    if (rate.value.trials == 0) continue;
+    if (baseline != nullptr) add_difference(rate, cell, *baseline, question, confidence);
+    comparison.rates.push_back(std::move(rate));
+  }
+}
+
+std::string counted(std::size_t count, const std::string& one, const std::string& many) {
+  return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+/// "Holm over 12 comparisons: 3 methods x 4 quantities".
+std::string family_of(const Comparison& comparison) {
+  std::set<std::string> candidates, quantities, rates;
+  std::set<Labels> groups;
+  const auto note = [&](const auto& row, std::set<std::string>& names, const std::string& name) {
+    if (!row.test) return;
+    candidates.insert(row.candidate);
+    groups.insert(row.group);
+    names.insert(name);
+  };
+  for (const ComparedMean& mean : comparison.means) note(mean, quantities, mean.quantity);
+  for (const ComparedRate& rate : comparison.rates) note(rate, rates, rate.name);
+  if (comparison.tests == 0) return {};
+
+  const std::string& by = comparison.by;
+  std::string asked = counted(quantities.size(), "quantity", "quantities");
+  if (quantities.empty()) asked = counted(rates.size(), "rate", "rates");
+  if (!quantities.empty() && !rates.empty())
+    asked = "(" + asked + " and " + counted(rates.size(), "rate", "rates") + ")";
+  std::string text = "Holm over " + counted(comparison.tests, "comparison", "comparisons") + ": " +
+                     (by == "method" ? counted(candidates.size(), "method", "methods")
+                                     : counted(candidates.size(), "value of ", "values of ") + by) +
+                     " x " + asked;
+  if (groups.size() > 1) text += " x " + std::to_string(groups.size()) + " cases";
+  const std::size_t whole = candidates.size() * (quantities.size() + rates.size()) * groups.size();
+  if (whole != comparison.tests)
+    text += ", less " + std::to_string(whole - comparison.tests) + " without a pair";
+  return text;
+}
+
+/// Holm's adjustment over everything that was tested.
+void adjust(Comparison& comparison) {
+  std::vector<ComparedTest*> tests;
+  for (ComparedMean& mean : comparison.means) {
+    if (mean.test) tests.push_back(&*mean.test);
+  }
+  for (ComparedRate& rate : comparison.rates) {
+    if (rate.test) tests.push_back(&*rate.test);
+  }
+  std::vector<double> p;
+  for (const ComparedTest* test : tests) p.push_back(test->result.p);
+  const std::vector<double> adjusted = holm_adjusted(p);
+  for (std::size_t i = 0; i < tests.size(); ++i) tests[i]->p_adjusted = adjusted[i];
+  comparison.tests = tests.size();
+  comparison.family = family_of(comparison);
 }
 
 }  // namespace
-
-double run_value(std::span<const Measure> measures, std::string_view quantity) {
-  double sum = 0.0;
-  int vehicles = 0;
-  for (const Measure& m : measures) {
-    if (m.quantity != quantity) continue;
-    if (m.vehicle == Measure::fleet) return m.value;
-    if (!std::isfinite(m.value)) continue;
-    sum += m.value;
-    ++vehicles;
-  }
-  return vehicles == 0 ? std::numeric_limits<double>::quiet_NaN() : sum / vehicles;
-}
 
 std::vector<RateQuestion> usual_rates() {
   return {{.name = "collision_free_ratio", .quantity = "collision_count", .min = 0.0, .max = 0.0},
@@ -151,28 +218,26 @@ std::vector<RateQuestion> usual_rates() {
 
 Comparison compare(std::span<const RunRecord> records, const CompareOptions& options) {
   const Groups groups = grouped(records, options.by);
-  const std::string baseline = chosen_baseline(groups, options);
+  const std::vector<std::string> candidates = candidates_of(groups, options.order);
   const std::vector<std::string> quantities = chosen_quantities(records, options);
+  const std::vector<RateQuestion> rates = asked_rates(records, options);
+
+  const std::string baseline = chosen_baseline(candidates, options);
 
   Comparison comparison{.by = options.by, .baseline = baseline, .confidence = options.confidence};
-  for (const auto& [group, candidates] : groups) {
-    const auto base = candidates.find(baseline);
-    for (const auto& [candidate, seeds] : candidates) {
-      const auto failed =
-          std::count_if(seeds.begin(), seeds.end(), [](const auto& s) { return !s.second->failure.empty(); });
-      comparison.cells.push_back({group, candidate, seeds.size(), static_cast<std::size_t>(failed)});
-
-      const Seeds* other = base == candidates.end() || candidate == baseline ? nullptr : &base->second;
-      for (const std::string& quantity : quantities) {
-        comparison.means.push_back({group, candidate, quantity, mean_of(seeds, quantity, options.confidence),
-                                    difference_of(seeds, other, quantity, options.confidence)});
-      }
-      for (const RateQuestion& question : options.rates) {
-        const RateEstimate rate = rate_of(seeds, question, options.confidence);
-        if (rate.trials > 0) comparison.rates.push_back({group, candidate, question.name, rate});
-      }
+  for (const auto& [group, cells] : groups) {
+    const Questions questions = questions_of(cells, quantities, rates);
+    const auto base = cells.find(baseline);
+    for (const std::string& candidate : candidates) {
+      const auto cell = cells.find(candidate);
+      if (cell == cells.end()) continue;
+      comparison.cells.push_back(cell_of(group, candidate, cell->second));
+      const bool alone = base == cells.end() || candidate == baseline;
+      compare_cell(comparison, comparison.cells.back(), cell->second, alone ? nullptr : &base->second,
+                   questions);
     }
   }
+  adjust(comparison);
   return comparison;
 }
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "fairway/experiment/compare.hpp"
 #include "fairway/experiment/labels.hpp"
@@ -13,12 +12,19 @@ namespace {
 
 using Row = std::vector<std::string>;
 
-std::string number(double value) { return std::isfinite(value) ? fmt::format("{:.4g}", value) : "-"; }
+/// Four digits, or all before the point where that is shorter than an exponent.
+std::string number(double value) {
+  if (!std::isfinite(value)) return "-";
+  const double size = std::abs(value);
+  return size >= 1e4 && size < 1e7 ? fmt::format("{:.0f}", value) : fmt::format("{:.4g}", value);
+}
 
 std::string interval(double low, double high) {
-  if (!std::isfinite(low) || !std::isfinite(high)) return "-";
-  return fmt::format("[{:.4g}, {:.4g}]", low, high);
+  if (!std::isfinite(low) && !std::isfinite(high)) return "-";
+  return fmt::format("[{}, {}]", number(low), number(high));
 }
+
+std::string p_text(double p) { return p < 0.0001 ? "<0.0001" : fmt::format("{:.4f}", p); }
 
 /// Columns on which a display spends its width, not bytes.
 std::size_t width_of(const std::string& text) {
@@ -26,14 +32,21 @@ std::size_t width_of(const std::string& text) {
       text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
 }
 
-/// Rows under a header, the first `words` columns to the left and the rest to the right.
+/// Rows in columns, the first `words` to the left and the rest to the right. A row of one cell is a heading,
+/// which stands by itself.
 std::string aligned(const std::vector<Row>& rows, std::size_t words) {
-  std::vector<std::size_t> widths(rows.front().size());
+  std::vector<std::size_t> widths;
   for (const Row& row : rows) {
+    if (row.size() == 1) continue;
+    widths.resize(std::max(widths.size(), row.size()));
     for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], width_of(row[i]));
   }
   std::string text;
   for (const Row& row : rows) {
+    if (row.size() == 1) {
+      text.append(text.empty() ? "" : "\n").append(row.front()).append("\n");
+      continue;
+    }
     std::string line;
     for (std::size_t i = 0; i < row.size(); ++i) {
       const std::string space(widths[i] - width_of(row[i]), ' ');
@@ -45,120 +58,143 @@ std::string aligned(const std::vector<Row>& rows, std::size_t words) {
   return text;
 }
 
-/// The label columns: every name that any group has.
-Row group_names(const Comparison& comparison) {
-  Row names;
+std::string heading(const Labels& group) { return group.empty() ? "all" : labels_text(group); }
+
+/// Begins a part of the table wherever the heading changes.
+void begin_part(std::vector<Row>& rows, const std::string& part, std::string& before, const Row& columns) {
+  if (part == before) return;
+  rows.push_back({part});
+  rows.push_back(columns);
+  before = part;
+}
+
+/// The mean as it may be stated, or how far it is restricted.
+Row value_cells(const ComparedMean& m) {
+  if (!m.censored) return {number(m.value.mean), interval(m.value.low, m.value.high), number(m.median), ""};
+  const CensoredTimes& c = *m.censored;
+  return {fmt::format("{} to {}", number(c.restricted.mean), number(c.limit)),
+          interval(c.restricted.low, c.restricted.high),
+          std::isfinite(c.median.low) ? number(c.median.median) + " " + interval(c.median.low, c.median.high)
+                                      : number(c.median.median),
+          fmt::format("{}/{}", c.complete.successes, c.complete.trials)};
+}
+
+std::string means_text(const Comparison& comparison, const std::string& percent) {
+  const bool cut =
+      std::ranges::any_of(comparison.means, [](const auto& m) { return m.censored.has_value(); });
+  const bool left = std::ranges::any_of(comparison.means, [](const auto& m) { return m.left_out > 0; });
+  Row columns{comparison.by, "quantity", "runs"};
+  if (left) columns.emplace_back("left out");
+  columns.insert(columns.end(), {"mean", percent, "median"});
+  if (cut) columns.emplace_back("arrived");
+
+  std::vector<Row> rows;
+  std::string part;
+  for (const ComparedMean& m : comparison.means) {
+    begin_part(rows, heading(m.group), part, columns);
+    Row row{m.candidate, m.quantity, std::to_string(m.value.count)};
+    if (left) row.push_back(std::to_string(m.left_out));
+    Row cells = value_cells(m);
+    cells.resize(cut ? 4 : 3);
+    row.insert(row.end(), cells.begin(), cells.end());
+    rows.push_back(std::move(row));
+  }
+  return aligned(rows, 2);
+}
+
+std::string rates_text(const Comparison& comparison, const std::string& percent) {
+  const Row columns{comparison.by, "rate", "runs", "share", percent};
+  std::vector<Row> rows;
+  std::string part;
+  for (const ComparedRate& r : comparison.rates) {
+    begin_part(rows, heading(r.group), part, columns);
+    rows.push_back({r.candidate, r.name, fmt::format("{}/{}", r.value.successes, r.value.trials),
+                    number(r.value.rate), interval(r.value.low, r.value.high)});
+  }
+  return aligned(rows, 2);
+}
+
+/// A candidate against the baseline, line by line.
+Row difference_row(const std::string& name, std::size_t pairs, Row numbers, const ComparedTest& test) {
+  Row row{name, std::to_string(pairs)};
+  row.insert(row.end(), numbers.begin(), numbers.end());
+  row.insert(row.end(),
+             {p_text(test.result.p), p_text(test.p_adjusted), fmt::format("{:.2f}", test.result.effect)});
+  return row;
+}
+
+std::string differences_text(const Comparison& comparison, const std::string& percent) {
+  const Row columns{"difference", "pairs", "mean", percent, "median", percent, "p", "Holm", "effect"};
+  std::vector<Row> rows;
   for (const ComparedCell& cell : comparison.cells) {
-    for (const auto& [name, value] : cell.group) {
-      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    const auto here = [&](const auto& row) {
+      return row.test && row.candidate == cell.candidate && row.group == cell.group;
+    };
+    std::string part;
+    const std::string name =
+        fmt::format("{}: {} less {}", heading(cell.group), cell.candidate, comparison.baseline);
+    for (const ComparedMean& m : comparison.means) {
+      if (!here(m)) continue;
+      const MeanEstimate& d = m.difference;
+      const MedianEstimate& median = m.difference_median;
+      begin_part(rows, name, part, columns);
+      rows.push_back(difference_row(
+          m.quantity, d.count,
+          {number(d.mean), interval(d.low, d.high), number(median.median), interval(median.low, median.high)},
+          *m.test));
+    }
+    for (const ComparedRate& r : comparison.rates) {
+      if (!here(r)) continue;
+      const RateDifference& d = r.difference;
+      begin_part(rows, name, part, columns);
+      rows.push_back(
+          difference_row(r.name, d.pairs, {number(d.difference), interval(d.low, d.high), "", ""}, *r.test));
     }
   }
-  return names;
+  return rows.empty() ? "" : aligned(rows, 1);
 }
 
-Row beginning(const Row& names, const Labels& group, const std::string& candidate) {
-  Row row;
-  for (const std::string& name : names) {
-    const std::string* value = find_label(group, name);
-    row.push_back(value == nullptr ? "" : *value);
+std::string failures_text(const Comparison& comparison) {
+  std::vector<Row> rows;
+  for (const ComparedCell& cell : comparison.cells) {
+    if (cell.failed == 0) continue;
+    if (rows.empty()) rows.push_back({comparison.by, "failed", "runs", "of"});
+    rows.push_back(
+        {cell.candidate, std::to_string(cell.failed), std::to_string(cell.runs), heading(cell.group)});
   }
-  row.push_back(candidate);
-  return row;
+  return rows.empty() ? "" : aligned(rows, 1);
 }
 
-Row joined(Row row, const Row& more) {
-  row.insert(row.end(), more.begin(), more.end());
-  return row;
-}
-
-nlohmann::json number_json(double value) {
-  return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json();
-}
-
-nlohmann::json labels_json(const Labels& labels) {
-  nlohmann::json object = nlohmann::json::object();
-  for (const auto& [name, value] : labels) object[name] = value;
-  return object;
-}
-
-nlohmann::json mean_json(const MeanEstimate& e) {
-  return {{"runs", e.count},
-          {"mean", number_json(e.mean)},
-          {"deviation", number_json(e.deviation)},
-          {"low", number_json(e.low)},
-          {"high", number_json(e.high)}};
+/// Words in lines of at most `width`.
+std::string wrapped(const std::string& text, std::size_t width) {
+  std::string lines, line;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find(' ', begin), text.size());
+    const std::string word = text.substr(begin, end - begin);
+    if (!line.empty() && width_of(line) + 1 + width_of(word) > width) {
+      lines += line + "\n";
+      line = " ";
+    }
+    line += (line.empty() ? "" : " ") + word;
+    begin = end + 1;
+  }
+  return lines + line + "\n";
 }
 
 }  // namespace
 
 std::string table_text(const Comparison& comparison) {
-  const Row names = group_names(comparison);
   const std::string percent = fmt::format("{:.4g} %", 100.0 * comparison.confidence);
-  const Row labels = joined(names, {comparison.by});
-
-  std::vector<Row> means{joined(labels, {"quantity", "runs", "mean", percent,
-                                         fmt::format("less {}", comparison.baseline), percent, "pairs"})};
-  for (const ComparedMean& m : comparison.means) {
-    const MeanEstimate& d = m.difference;
-    means.push_back(joined(
-        beginning(names, m.group, m.candidate),
-        {m.quantity, std::to_string(m.value.count), number(m.value.mean), interval(m.value.low, m.value.high),
-         number(d.mean), interval(d.low, d.high), d.count == 0 ? "-" : std::to_string(d.count)}));
+  std::string text;
+  const std::string parts[]{means_text(comparison, percent), rates_text(comparison, percent),
+                            differences_text(comparison, percent), failures_text(comparison)};
+  for (const std::string& part : parts) {
+    if (!part.empty()) text.append(text.empty() ? "" : "\n").append(part);
   }
-  std::string text = aligned(means, labels.size() + 1);
-
-  if (!comparison.rates.empty()) {
-    std::vector<Row> rates{joined(labels, {"rate", "runs", "share", percent})};
-    for (const ComparedRate& r : comparison.rates) {
-      rates.push_back(joined(beginning(names, r.group, r.candidate),
-                             {r.name, fmt::format("{}/{}", r.value.successes, r.value.trials),
-                              number(r.value.rate), interval(r.value.low, r.value.high)}));
-    }
-    text.append("\n").append(aligned(rates, labels.size() + 1));
-  }
-
-  std::vector<Row> failures{joined(labels, {"failed", "runs"})};
-  for (const ComparedCell& cell : comparison.cells) {
-    if (cell.failed == 0) continue;
-    failures.push_back(joined(beginning(names, cell.group, cell.candidate),
-                              {std::to_string(cell.failed), std::to_string(cell.runs)}));
-  }
-  if (failures.size() > 1) text.append("\n").append(aligned(failures, labels.size()));
+  const std::vector<Remark> said = remarks(comparison);
+  if (!said.empty()) text += "\n";
+  for (const Remark& remark : said) text += wrapped((remark.warning ? "Note: " : "") + remark.text, 116);
   return text;
-}
-
-nlohmann::json to_json(const Comparison& comparison) {
-  nlohmann::json json{{"by", comparison.by},
-                      {"baseline", comparison.baseline},
-                      {"confidence", comparison.confidence},
-                      {"cells", nlohmann::json::array()},
-                      {"means", nlohmann::json::array()},
-                      {"rates", nlohmann::json::array()}};
-  for (const ComparedCell& c : comparison.cells) {
-    json["cells"].push_back({{"group", labels_json(c.group)},
-                             {comparison.by, c.candidate},
-                             {"runs", c.runs},
-                             {"failed", c.failed}});
-  }
-  for (const ComparedMean& m : comparison.means) {
-    json["means"].push_back(
-        {{"group", labels_json(m.group)},
-         {comparison.by, m.candidate},
-         {"quantity", m.quantity},
-         {"value", mean_json(m.value)},
-         {"difference", m.difference.count == 0 ? nlohmann::json() : mean_json(m.difference)}});
-  }
-  for (const ComparedRate& r : comparison.rates) {
-    json["rates"].push_back({{"group", labels_json(r.group)},
-                             {comparison.by, r.candidate},
-                             {"rate", r.name},
-                             {"successes", r.value.successes},
-                             {"runs", r.value.trials},
-                             {"share", number_json(r.value.rate)},
-                             {"low", number_json(r.value.low)},
-                             {"high", number_json(r.value.high)}});
-  }
-  return json;
 }
 
 }  // namespace fairway

@@ -18,7 +18,28 @@ std::optional<double> finite_number(std::string_view text) {
   return value;
 }
 
+void add_value(LabelValues& known, const std::string& name, const std::string& value) {
+  auto label = std::ranges::find(known, name, &LabelValues::value_type::first);
+  if (label == known.end()) label = known.insert(label, {name, {}});
+  if (std::ranges::find(label->second, value) == label->second.end()) label->second.push_back(value);
+}
+
 }  // namespace
+
+void add_values(LabelValues& known, const Labels& labels) {
+  for (const auto& [name, value] : labels) add_value(known, name, value);
+}
+
+void add_values(LabelValues& known, const LabelValues& more) {
+  for (const auto& [name, values] : more) {
+    for (const std::string& value : values) add_value(known, name, value);
+  }
+}
+
+std::vector<std::string> values_of(const LabelValues& known, std::string_view name) {
+  const auto label = std::ranges::find(known, name, &LabelValues::value_type::first);
+  return label == known.end() ? std::vector<std::string>{} : label->second;
+}
 
 const std::string* find_label(const Labels& labels, std::string_view name) {
   const auto found =

@@ -4,10 +4,22 @@
 #include <compare>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "fairway/experiment/run.hpp"
 
 namespace fairway {
+
+/// The values of each label, in the order of a campaign's file: {"method", {"orca3d", "apf"}}.
+using LabelValues = std::vector<std::pair<std::string, std::vector<std::string>>>;
+
+/// Adds what is not there yet, at the ends.
+void add_values(LabelValues& known, const Labels& labels);
+void add_values(LabelValues& known, const LabelValues& more);
+
+/// Those of the label `name`; none if it is not there.
+std::vector<std::string> values_of(const LabelValues& known, std::string_view name);
 
 /// The value of the label `name`, or null.
 const std::string* find_label(const Labels& labels, std::string_view name);

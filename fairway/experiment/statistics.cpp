@@ -17,14 +17,6 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// The probability beyond each end of a two-sided interval.
-double tail(double confidence) {
-  if (!(confidence > 0.0 && confidence < 1.0)) {
-    throw std::domain_error("a confidence of " + std::to_string(confidence) + " is not between 0 and 1");
-  }
-  return (1.0 - confidence) / 2.0;
-}
-
 RateEstimate rate_of(std::size_t successes, std::size_t trials) {
   if (successes > trials) throw std::invalid_argument("more successes than trials");
   const double rate = trials == 0 ? nan : static_cast<double>(successes) / static_cast<double>(trials);
@@ -33,8 +25,15 @@ RateEstimate rate_of(std::size_t successes, std::size_t trials) {
 
 }  // namespace
 
+double tail_of(double confidence) {
+  if (!(confidence > 0.0 && confidence < 1.0)) {
+    throw std::domain_error("a confidence of " + std::to_string(confidence) + " is not between 0 and 1");
+  }
+  return (1.0 - confidence) / 2.0;
+}
+
 MeanEstimate estimate_mean(std::span<const double> values, double confidence) {
-  const double beyond = tail(confidence);
+  const double beyond = tail_of(confidence);
   const std::size_t count = values.size();
   if (!std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); })) {
     return {.count = count, .mean = nan, .deviation = nan, .low = nan, .high = nan};
@@ -71,7 +70,7 @@ MeanEstimate paired_difference(std::span<const double> a, std::span<const double
 }
 
 RateEstimate wilson_interval(std::size_t successes, std::size_t trials, double confidence) {
-  const double z = quantile(boost::math::complement(boost::math::normal{}, tail(confidence)));
+  const double z = quantile(boost::math::complement(boost::math::normal{}, tail_of(confidence)));
   RateEstimate estimate = rate_of(successes, trials);
   if (trials == 0) return estimate;
 
@@ -88,7 +87,7 @@ RateEstimate wilson_interval(std::size_t successes, std::size_t trials, double c
 }
 
 RateEstimate exact_interval(std::size_t successes, std::size_t trials, double confidence) {
-  const double beyond = tail(confidence);
+  const double beyond = tail_of(confidence);
   RateEstimate estimate = rate_of(successes, trials);
   const auto k = static_cast<double>(successes);
   const auto n = static_cast<double>(trials);
@@ -102,7 +101,7 @@ RateEstimate exact_interval(std::size_t successes, std::size_t trials, double co
 
 CountEstimate poisson_interval(double count, double confidence) {
   if (!(count >= 0.0)) throw std::invalid_argument("a negative count");
-  const double beyond = tail(confidence);
+  const double beyond = tail_of(confidence);
   CountEstimate estimate{.count = count};
   if (count > 0.0) estimate.low = quantile(boost::math::chi_squared{2.0 * count}, beyond) / 2.0;
   estimate.high =
@@ -111,7 +110,7 @@ CountEstimate poisson_interval(double count, double confidence) {
 }
 
 double upper_bound_of_none(std::size_t trials, double confidence) {
-  const double miss = 2.0 * tail(confidence);
+  const double miss = 2.0 * tail_of(confidence);
   if (trials == 0) return 1.0;
   return -std::expm1(std::log(miss) / static_cast<double>(trials));
 }

@@ -7,6 +7,10 @@
 
 namespace fairway {
 
+/// The probability beyond each end of a two-sided interval, (1 - confidence) / 2. Throws std::domain_error if
+/// `confidence` is not in (0, 1).
+double tail_of(double confidence);
+
 /// A mean with its confidence interval. Of no values the mean is NaN; of fewer than two the deviation is
 /// NaN and the interval is the whole line, which is what is known; of equal values the interval is that
 /// value.

@@ -329,6 +329,13 @@ void Store::put(std::span<const RunRecord> records) {
   }
 }
 
+void Store::note(const Origin& campaign) {
+  if (!contents_->writable) throw std::logic_error("note() into a store opened for reading");
+  note_campaign(contents_->database, campaign);
+}
+
+Origin Store::origin() const { return read_origin(contents_->database); }
+
 std::size_t Store::size() const {
   return static_cast<std::size_t>(contents_->database.integer("SELECT count(*) FROM runs"));
 }

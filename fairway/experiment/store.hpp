@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "fairway/core/output_check.hpp"
+#include "fairway/experiment/origin.hpp"
 #include "fairway/experiment/run.hpp"
 
 namespace fairway {
@@ -54,6 +55,10 @@ class Store {
   /// a quantity measured twice), std::logic_error on a store opened for reading, InputError if the file
   /// cannot be written.
   void put(std::span<const RunRecord> records);
+
+  /// What campaign the runs that follow are of; see note_campaign(). Throws as put() does.
+  void note(const Origin& campaign);
+  Origin origin() const;
 
   std::size_t size() const;
 

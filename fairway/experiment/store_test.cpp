@@ -14,7 +14,9 @@
 #include "fairway/core/error.hpp"
 #include "fairway/experiment/labels.hpp"
 #include "fairway/experiment/sqlite.hpp"
+#include "fairway/experiment/stored_results.hpp"
 #include "fairway/experiment/testing/sample_runs.hpp"
+#include "fairway/experiment/version.hpp"
 
 namespace fairway {
 namespace {
@@ -210,6 +212,40 @@ TEST(StoreTest, HasOneWriterAndAnyNumberOfReaders) {
   writer.put(sample::records(6));
   EXPECT_EQ(reader.size(), 6U);
   EXPECT_EQ(sample::csv_of(reader), sample::csv_of(writer));
+}
+
+TEST(StoreTest, RemembersTheCampaignAndItsOrder) {
+  const TemporaryFolder folder;
+  {
+    Store store = Store::open(folder.file("results.db"));
+    EXPECT_EQ(store.origin().campaign, "");
+    store.note({.campaign = "first", .summary = "what for", .order = {{"method", {"orca3d", "apf"}}}});
+    store.note({.campaign = "second", .order = {{"case", {"bay"}}, {"method", {"vo", "apf"}}}});
+  }
+  const Origin origin = Store::open_existing(folder.file("results.db")).origin();
+  EXPECT_EQ(origin.campaign, "second");
+  EXPECT_EQ(origin.version, fairway_version);
+  EXPECT_EQ(origin.epoch, std::to_string(results_epoch));
+  EXPECT_EQ(origin.order, (LabelValues{{"case", {"bay"}}, {"method", {"vo", "apf", "orca3d"}}}));
+  EXPECT_EQ(values_of(origin.order, "method").front(), "vo");
+  EXPECT_TRUE(values_of(origin.order, "speed").empty());
+  EXPECT_THROW(Store::open_existing(folder.file("results.db")).note({}), std::logic_error);
+}
+
+TEST(StoreTest, SeveralAreReadAsOne) {
+  const TemporaryFolder folder;
+  const std::vector<RunRecord> records = sample::records(6);
+  {
+    Store one = Store::open(folder.file("one.db"));
+    one.note({.campaign = "tides", .order = {{"method", {"orca3d"}}}});
+    one.put(std::span{records}.first(4));
+    Store two = Store::open(folder.file("two.db"));
+    two.put(std::span{records}.last(4));  // two of them are in both
+  }
+  const StoredResults all = read_stores(std::vector{folder.file("one.db"), folder.file("two.db")});
+  EXPECT_EQ(all.records.size(), 6U);
+  EXPECT_EQ(all.origin.campaign, "tides, two");
+  EXPECT_EQ(values_of(all.origin.order, "method"), std::vector<std::string>{"orca3d"});
 }
 
 TEST(StoreTest, AMeasureTakesLessThanThirtyBytes) {

@@ -7,7 +7,8 @@ namespace fairway {
 
 const std::vector<QuantityInfo>& EncounterMetric::quantities() {
   static const std::vector<QuantityInfo> all{
-      {"navigation_time_s", true, "from the first tick under way until arrival, or until counted as stuck"},
+      {"navigation_time_s", true, "from the first tick under way until arrival, or until counted as stuck",
+       "arrived_ratio"},
       {"avoidance_time_s", true, "part of the navigation time with somebody within the detection distance"},
       {"avoided_count", true,
        "neighbours that came within the detection distance and left without a collision"},

@@ -21,7 +21,7 @@ const std::vector<QuantityInfo>& FleetMetric::quantities() {
        "times that the centres of two vehicles came within the safety distance"},
       {"min_separation_m", false, "least distance between the centres of any two vehicles"},
       {"makespan_s", false,
-       "from the first tick under way to the last arrival; the end of the run if not all arrive"},
+       "from the first tick under way to the last arrival; the end of the run if not all arrive", "arrived_ratio"},
       {"arrived_ratio", false, "share of the vehicles that arrived"},
       {"nearest_m", true, "least distance to any other vehicle"},
       {"obstacle_clearance_m", true,

@@ -5,197 +5,166 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <utility>
 
 #include "fairway/core/error.hpp"
-#include "fairway/experiment/compare.hpp"
 #include "fairway/experiment/labels.hpp"
 #include "fairway/experiment/version.hpp"
+#include "fairway/report/methods_text.hpp"
+#include "fairway/report/results_tables.hpp"
 #include "fairway/studies/page_blocks.hpp"
-#include "fairway/studies/run_list.hpp"
 
 namespace fairway {
 namespace {
 
 using nlohmann::json;
 
-std::string name_of(const Labels& group) { return group.empty() ? "all" : labels_text(group); }
-
-template <class T>
-std::vector<std::string> distinct(const std::vector<T>& items, auto name) {
-  std::vector<std::string> names;
+template <class T, class Name>
+auto distinct(const std::vector<T>& items, Name name) {
+  std::vector<std::decay_t<decltype(name(items.front()))>> names;
   for (const T& item : items) {
-    const std::string found = name(item);
-    if (std::ranges::find(names, found) == names.end()) names.push_back(found);
+    if (std::ranges::find(names, name(item)) == names.end()) names.push_back(name(item));
   }
   return names;
 }
 
-/// The runs of the cells, and where they stand in the document.
-class CellRuns {
- public:
-  CellRuns(std::span<const RunRecord> records, const std::string& by) : records_{records} {
-    for (const RunRecord& record : records) {
-      const Labels& labels = record.spec.labels;
-      const std::size_t place = list_.add(labels_text(labels), record.spec, "");
-      const std::string* candidate = find_label(labels, by);
-      if (candidate != nullptr) places_[{without_label(labels, by), *candidate}].push_back(place);
-    }
-  }
-
-  /// Places of the runs of a cell that was compared.
-  const std::vector<std::size_t>& of(const Labels& group, const std::string& candidate) const {
-    return places_.at({group, candidate});
-  }
-
-  const RunRecord& operator[](std::size_t place) const { return records_[place]; }
-  json document() const { return list_.document(); }
-
- private:
-  std::span<const RunRecord> records_;
-  std::map<std::pair<Labels, std::string>, std::vector<std::size_t>> places_;
-  page::RunList list_;
-};
-
-/// The values of one quantity in a run, one for each vehicle that has it.
-std::vector<double> values_in(const RunRecord& record, const std::string& quantity) {
-  std::vector<double> values;
-  for (const Measure& measure : record.measures) {
-    if (measure.quantity == quantity) values.push_back(measure.value);
-  }
-  return values;
+std::vector<Labels> groups_of(const Comparison& comparison) {
+  return distinct(comparison.cells, [](const ComparedCell& c) { return c.group; });
 }
 
-/// A box of all values of a quantity in a cell, which leads to its runs.
-json box_of(const CellRuns& runs, const ComparedCell& cell, const std::string& quantity) {
-  const std::vector<std::size_t>& places = runs.of(cell.group, cell.candidate);
-  std::vector<double> finite, shown;
-  for (const std::size_t place : places) {
-    for (const double value : values_in(runs[place], quantity)) {
-      shown.push_back(value);
-      if (std::isfinite(value)) finite.push_back(value);
-    }
-  }
-  const bool even = std::ranges::all_of(places, [&](std::size_t place) {
-    return values_in(runs[place], quantity).size() * places.size() == shown.size();
+std::vector<std::string> candidates_of(const Comparison& comparison) {
+  return distinct(comparison.cells, [](const ComparedCell& c) { return c.candidate; });
+}
+
+const ComparedMean* find(const Comparison& comparison, const Labels& group, const std::string& candidate,
+                         const std::string& quantity) {
+  const auto found = std::ranges::find_if(comparison.means, [&](const ComparedMean& m) {
+    return m.candidate == candidate && m.quantity == quantity && m.group == group;
   });
-  return page::linked(page::box(std::move(finite)), page::references(places),
-                      even ? page::shown_values(shown) : json());
+  return found == comparison.means.end() ? nullptr : &*found;
 }
 
-/// A line of a table, which leads to the runs of its cell; beside each its value.
-json line_of(json line, const CellRuns& runs, const Labels& group, const std::string& candidate,
-             const std::string& quantity) {
-  const std::vector<std::size_t>& places = runs.of(group, candidate);
-  std::vector<double> values;
-  for (const std::size_t place : places) values.push_back(run_value(runs[place].measures, quantity));
-  line["$runs"] = page::references(places);
-  if (std::ranges::any_of(values, [](double value) { return std::isfinite(value); }))
-    line["$values"] = page::shown_values(values);
-  return line;
+/// A box of the runs of a cell, one value each, which leads to them. There is none of times that were cut
+/// off.
+json box_of(const CellRuns& runs, const ComparedMean* mean) {
+  if (mean == nullptr || (mean->censored && mean->censored->cut > 0)) return nullptr;
+  const std::vector<double> values = runs.values(mean->group, mean->candidate, mean->quantity);
+  std::vector<double> finite;
+  std::ranges::copy_if(values, std::back_inserter(finite), [](double value) { return std::isfinite(value); });
+  return page::linked(page::box(std::move(finite)), page::references(runs.of(mean->group, mean->candidate)),
+                      page::shown_values(values));
 }
 
-json boxes(const CellRuns& runs, const Comparison& comparison, const std::string& quantity) {
-  const auto groups = distinct(comparison.cells, [](const ComparedCell& c) { return name_of(c.group); });
-  const auto candidates = distinct(comparison.cells, [](const ComparedCell& c) { return c.candidate; });
-  json series = json::array();
-  for (const std::string& candidate : candidates) {
+json boxes(const CellRuns& runs, const Comparison& comparison, const GroupNames& names,
+           const std::string& quantity) {
+  const std::vector<Labels> groups = groups_of(comparison);
+  json categories = json::array(), series = json::array();
+  for (const Labels& group : groups) categories.push_back(names.of(group));
+  for (const std::string& candidate : candidates_of(comparison)) {
     json row = json::array();
-    for (const std::string& group : groups) {
-      const auto cell = std::ranges::find_if(comparison.cells, [&](const ComparedCell& c) {
-        return c.candidate == candidate && name_of(c.group) == group;
-      });
-      row.push_back(cell == comparison.cells.end() ? json() : box_of(runs, *cell, quantity));
-    }
+    for (const Labels& group : groups)
+      row.push_back(box_of(runs, find(comparison, group, candidate, quantity)));
     series.push_back({{"label", candidate}, {"boxes", row}});
   }
-  return {{"kind", "boxes"},
-          {"title", quantity},
-          {"y_label", quantity},
-          {"categories", groups},
-          {"series", series}};
+  return {{"kind", "boxes"},          {"title", quantity},
+          {"y_label", quantity},      {"category_label", names.label()},
+          {"categories", categories}, {"series", series}};
 }
 
-json means_table(const Comparison& comparison, const CellRuns& runs) {
-  json rows = json::array();
-  for (const ComparedMean& mean : comparison.means) {
-    const bool paired = mean.difference.count > 0;
-    json line{{"cell", name_of(mean.group)},
-              {"candidate", mean.candidate},
-              {"quantity", mean.quantity},
-              {"mean", page::number(mean.value.mean)},
-              {"low", page::number(mean.value.low)},
-              {"high", page::number(mean.value.high)},
-              {"runs", mean.value.count},
-              {"difference", paired ? page::number(mean.difference.mean) : json()},
-              {"difference_low", paired ? page::number(mean.difference.low) : json()},
-              {"difference_high", paired ? page::number(mean.difference.high) : json()}};
-    rows.push_back(line_of(std::move(line), runs, mean.group, mean.candidate, mean.quantity));
+/// The share of runs that take longer, as steps over time up to where it is known.
+json curve_of(const ComparedMean& mean) {
+  const CensoredTimes& times = *mean.censored;
+  std::vector<double> x{0.0}, y{1.0};
+  for (const SurvivalStep& step : times.curve) {
+    if (step.time > times.limit) break;
+    x.insert(x.end(), {step.time, step.time});
+    y.insert(y.end(), {y.back(), step.share});
   }
-  const auto column = [](const char* key, std::string label, const char* type) {
-    return json{{"key", key}, {"label", std::move(label)}, {"type", type}};
-  };
-  return {{"kind", "table"},
-          {"title", "Means, and differences paired by seed"},
-          {"columns",
-           {column("cell", "Cell", "text"), column("candidate", comparison.by, "text"),
-            column("quantity", "Quantity", "text"), column("mean", "Mean", "number"),
-            column("low", "95 % from", "number"), column("high", "to", "number"),
-            column("runs", "Runs", "number"), column("difference", "Less " + comparison.baseline, "number"),
-            column("difference_low", "95 % from", "number"), column("difference_high", "to", "number")}},
-          {"rows", rows},
-          {"filter", {"cell", "candidate", "quantity"}}};
+  x.push_back(times.limit);
+  y.push_back(y.back());
+  return page::series(mean.candidate, x, y);
 }
 
-json rates_table(const Comparison& comparison, const CellRuns& runs) {
-  json rows = json::array();
-  for (const ComparedRate& rate : comparison.rates) {
-    json line{{"cell", name_of(rate.group)}, {"candidate", rate.candidate},
-              {"rate", rate.name},           {"value", page::number(rate.value.rate)},
-              {"low", rate.value.low},       {"high", rate.value.high},
-              {"runs", rate.value.trials}};
-    rows.push_back(line_of(std::move(line), runs, rate.group, rate.candidate, ""));
+/// The curves of every group in which times were cut off.
+std::vector<json> survival_curves(const Comparison& comparison, const GroupNames& names) {
+  std::vector<json> charts;
+  const auto quantities = distinct(comparison.means, [](const ComparedMean& m) { return m.quantity; });
+  for (const Labels& group : groups_of(comparison)) {
+    for (const std::string& quantity : quantities) {
+      json curves = json::array();
+      for (const std::string& candidate : candidates_of(comparison)) {
+        const ComparedMean* mean = find(comparison, group, candidate, quantity);
+        if (mean != nullptr && mean->censored) curves.push_back(curve_of(*mean));
+      }
+      if (curves.empty()) continue;
+      charts.push_back(page::lines(names.several() ? quantity + ", " + names.of(group) : quantity, quantity,
+                                   "share of runs that take longer", std::move(curves)));
+    }
   }
-  return {{"kind", "table"},
-          {"title", "Rates, with Wilson's 95 % interval"},
-          {"columns",
-           {{{"key", "cell"}, {"label", "Cell"}, {"type", "text"}},
-            {{"key", "candidate"}, {"label", comparison.by}, {"type", "text"}},
-            {{"key", "rate"}, {"label", "Rate"}, {"type", "text"}},
-            {{"key", "value"}, {"label", "Value"}, {"type", "number"}, {"digits", 3}},
-            {{"key", "low"}, {"label", "from"}, {"type", "number"}, {"digits", 3}},
-            {{"key", "high"}, {"label", "to"}, {"type", "number"}, {"digits", 3}},
-            {{"key", "runs"}, {"label", "Runs"}, {"type", "number"}}}},
-          {"rows", rows},
-          {"filter", {"cell", "candidate", "rate"}}};
+  return charts;
+}
+
+std::vector<json> charts_of(const Comparison& comparison, const CellRuns& runs, const GroupNames& names) {
+  std::vector<json> charts;
+  for (const std::string& quantity :
+       distinct(comparison.means, [](const ComparedMean& m) { return m.quantity; })) {
+    json chart = boxes(runs, comparison, names, quantity);
+    const bool any = std::ranges::any_of(chart["series"], [](const json& series) {
+      return std::ranges::any_of(series["boxes"], [](const json& box) { return !box.is_null(); });
+    });
+    if (any) charts.push_back(std::move(chart));
+  }
+  return charts;
+}
+
+/// What the reader has to beware of; the methods say the rest.
+std::vector<json> warnings(const Comparison& comparison) {
+  std::vector<json> notes;
+  for (const Remark& remark : remarks(comparison)) {
+    if (remark.warning) notes.push_back(page::note("warning", remark.text));
+  }
+  return notes;
+}
+
+json sections_of(const Comparison& comparison, const StoredResults& results, const CellRuns& runs) {
+  const GroupNames names{comparison};
+  std::vector<json> rates = warnings(comparison);
+  rates.insert(rates.begin(), rates_table(comparison, runs, names));
+  json sections = json::array();
+  sections.push_back(page::section("rates", "Rates", {}, std::move(rates)));
+  sections.push_back(
+      page::section("quantities", "Quantities", {}, {page::grid(2, charts_of(comparison, runs, names))}));
+  sections.push_back(page::section("means", "Means", {}, {means_table(comparison, runs, names)}));
+  if (std::vector<json> curves = survival_curves(comparison, names); !curves.empty()) {
+    sections.push_back(
+        page::section("cut-off", "Times that were cut off", {},
+                      {page::grid(2, std::move(curves)), censored_table(comparison, runs, names)}));
+  }
+  if (comparison.tests > 0) {
+    sections.push_back(
+        page::section("differences", "Differences", {}, {differences_table(comparison, runs, names)}));
+  }
+  sections.push_back(
+      page::section("methods", "Methods", methods_text(comparison, results.records, results.origin), {}));
+  return sections;
 }
 
 }  // namespace
 
-json results_page(std::span<const RunRecord> records, const std::string& name, const std::string& by,
-                  const std::string& command) {
-  if (records.empty()) throw InputError(name + ": the store holds no runs");
-  const Comparison comparison = compare(records, {.by = by});
-  const CellRuns runs{records, comparison.by};
-  std::vector<json> charts;
-  for (const std::string& quantity :
-       distinct(comparison.means, [](const ComparedMean& m) { return m.quantity; })) {
-    charts.push_back(boxes(runs, comparison, quantity));
-  }
-  json sections = json::array();
-  sections.push_back(page::section("rates", "Rates", {}, {rates_table(comparison, runs)}));
-  sections.push_back(page::section("quantities", "Quantities", {}, {page::grid(2, std::move(charts))}));
-  sections.push_back(page::section("means", "Means", {}, {means_table(comparison, runs)}));
-  return {{"title", name},
-          {"subtitle", "Stored results"},
+json results_page(const StoredResults& results, CompareOptions options, const std::string& command) {
+  if (results.records.empty()) throw InputError(results.origin.campaign + ": the store holds no runs");
+  if (options.order.empty()) options.order = values_of(results.origin.order, options.by);
+  const Comparison comparison = compare(results.records, options);
+  const CellRuns runs{results.records, comparison.by};
+  return {{"title", results.origin.campaign},
+          {"subtitle", results.origin.summary.empty() ? "Stored results" : results.origin.summary},
           {"version", fmt::format("fairway {}", fairway_version)},
           {"command", command},
           {"facts",
-           {{{"label", "Runs"}, {"value", std::to_string(records.size())}},
-            {{"label", "Cells"}, {"value", std::to_string(comparison.cells.size())}}}},
+           {{{"label", "Runs"}, {"value", std::to_string(results.records.size())}},
+            {{"label", "Cells"}, {"value", std::to_string(comparison.cells.size())}},
+            {{"label", "Compared with"}, {"value", comparison.baseline}}}},
           {"runs", runs.document()},
-          {"sections", sections}};
+          {"sections", sections_of(comparison, results, runs)}};
 }
 
 }  // namespace fairway

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stdexcept>
 
 namespace fairway {
 namespace {
@@ -27,10 +28,23 @@ std::vector<RunRecord> four_runs() {
   return records;
 }
 
+json page_of(std::vector<RunRecord> records, const CompareOptions& options = {}) {
+  return results_page({.origin = {.campaign = "duel", .summary = "which is quicker", .version = "1.2"},
+                       .records = std::move(records)},
+                      options, "fairway report store");
+}
+
 json block_of(const json& page, std::size_t section) { return page["sections"][section]["blocks"][0]; }
 
+const json& section_of(const json& page, const std::string& id) {
+  for (const json& section : page["sections"]) {
+    if (section["id"] == id) return section;
+  }
+  throw std::out_of_range(id);
+}
+
 TEST(ResultsPage, BoxesAndRowsLeadToTheRunsOfTheirCell) {
-  const json page = results_page(four_runs(), "store", "method", "fairway report store");
+  const json page = page_of(four_runs());
   EXPECT_EQ(page["runs"].dump(),
             R"([{"command":"fairway run a.yaml --seed ","label":"case=cube method=apf","seeds":[1,2]},)"
             R"({"command":"","label":"case=cube method=orca3d","seeds":[1,2]}])");
@@ -39,7 +53,8 @@ TEST(ResultsPage, BoxesAndRowsLeadToTheRunsOfTheirCell) {
   ASSERT_EQ(chart["title"], "navigation_time_s");
   const json orca = chart["series"][1]["boxes"][0];
   EXPECT_EQ(orca["runs"].dump(), "[[2,3]]");
-  EXPECT_EQ(orca["values"].dump(), "[21.0,23.0,22.0,24.0]");  // of both vehicles of each run
+  EXPECT_EQ(orca["values"].dump(), "[22.0,23.0]");  // one value a run, however many vehicles
+  EXPECT_EQ(orca["count"], 2);
 
   for (const json& row : block_of(page, 2)["rows"]) {
     if (row["quantity"] != "navigation_time_s") continue;
@@ -53,11 +68,85 @@ TEST(ResultsPage, BoxesAndRowsLeadToTheRunsOfTheirCell) {
 
 TEST(ResultsPage, ARunWithoutAValueKeepsItsPlace) {
   std::vector<RunRecord> records = four_runs();
-  records[2].measures[0].value = std::nan("");
-  const json chart = block_of(results_page(records, "store", "method", ""), 1)["blocks"][0];
-  const json orca = chart["series"][1]["boxes"][0];
-  EXPECT_EQ(orca["values"].dump(), "[null,23.0,22.0,24.0]");
-  EXPECT_EQ(orca["count"], 3);
+  records[2].measures[0].value = records[2].measures[1].value = std::nan("");
+  const json orca = block_of(page_of(records), 1)["blocks"][0]["series"][1]["boxes"][0];
+  EXPECT_EQ(orca["values"].dump(), "[null,23.0]");
+  EXPECT_EQ(orca["count"], 1);
+}
+
+TEST(ResultsPage, NamesAreThoseOfTheCampaign) {
+  std::vector<RunRecord> records = four_runs();
+  for (RunRecord& record : records) record.spec.labels.emplace_back("step_s", "0.05");
+  const json page = page_of(records);
+  EXPECT_EQ(page["title"], "duel");
+  EXPECT_EQ(page["subtitle"], "which is quicker");
+  const json chart = block_of(page, 1)["blocks"][0];
+  EXPECT_EQ(chart["categories"].dump(), R"(["cube"])");
+  EXPECT_EQ(chart["category_label"], "case");
+
+  // labels that are the same everywhere tell nothing apart
+  std::vector<RunRecord> more = records;
+  for (RunRecord& record : more) {
+    record.spec.labels.back().second = "0.1";
+    record.spec.key += "b";
+  }
+  records.insert(records.end(), more.begin(), more.end());
+  EXPECT_EQ(block_of(page_of(records), 1)["blocks"][0]["categories"].dump(), R"(["0.05","0.1"])");
+}
+
+TEST(ResultsPage, TheBaselineIsTheOneAskedForOrTheFirstOfTheCampaign) {
+  EXPECT_EQ(page_of(four_runs())["facts"][2]["value"], "apf");
+  EXPECT_EQ(page_of(four_runs(), {.baseline = "orca3d"})["facts"][2]["value"], "orca3d");
+  const json page = results_page(
+      {.origin = {.campaign = "duel", .order = {{"method", {"orca3d", "apf"}}}}, .records = four_runs()}, {},
+      "");
+  EXPECT_EQ(page["facts"][2]["value"], "orca3d");
+  EXPECT_EQ(block_of(page, 1)["blocks"][0]["series"][0]["label"], "orca3d");
+}
+
+TEST(ResultsPage, TimesThatWereCutOffHaveCurvesAndNoBox) {
+  std::vector<RunRecord> records = four_runs();
+  records[3].measures.back().value = 0.5;
+  const json page = page_of(records);
+  const json chart = block_of(page, 1)["blocks"][0];
+  EXPECT_FALSE(chart["series"][0]["boxes"][0].is_null());
+  EXPECT_TRUE(chart["series"][1]["boxes"][0].is_null());
+  const json& cut = section_of(page, "cut-off");
+  const json curve = cut["blocks"][0]["blocks"][0]["series"][1];
+  EXPECT_EQ(curve["label"], "orca3d");
+  EXPECT_EQ(curve["x"].dump(), "[0.0,22.0,22.0,24.0]");
+  EXPECT_EQ(curve["y"].dump(), "[1.0,1.0,0.5,0.5]");
+  EXPECT_EQ(cut["blocks"][1]["rows"][1]["arrived"], "1 of 2");
+  for (const json& row : block_of(page, 2)["rows"]) {
+    if (row["quantity"] != "navigation_time_s") continue;
+    EXPECT_EQ(row["mean"].is_null(), row["candidate"] == "orca3d");
+  }
+}
+
+TEST(ResultsPage, SaysItsMethodsInSentencesForAPaper) {
+  std::vector<RunRecord> records = four_runs();
+  records[3].measures.clear();
+  records[3].failure = "diverged";
+  const json page = page_of(records);
+  std::string text;
+  for (const json& paragraph : section_of(page, "methods")["paragraphs"])
+    text += paragraph.get<std::string>() + "\n";
+  for (const char* said : {"2 values of method (apf, orca3d)", "case (cube)", "the 2 seeds 1 to 2",
+                           "4 runs, of which 1 failed", "Wilson", "Wilcoxon signed rank test", "McNemar",
+                           "Newcombe", "Holm over 3 comparisons: 1 method x (2 quantities and 1 rate)",
+                           "Simulated with fairway 1.2", "Failed runs count as failures"}) {
+    EXPECT_NE(text.find(said), std::string::npos) << said << " is not in: " << text;
+  }
+  EXPECT_EQ(page["sections"][0]["blocks"][1]["tone"], "warning");
+}
+
+TEST(ResultsPage, IdenticalRunsAreOneInEveryBox) {
+  std::vector<RunRecord> records = four_runs();
+  records[1].measures = records[0].measures;
+  records[0].measures[0].value = records[1].measures[0].value = 11.5;
+  const json apf = block_of(page_of(records), 1)["blocks"][0]["series"][0]["boxes"][0];
+  EXPECT_EQ(apf["count"], 1);
+  EXPECT_EQ(apf["runs"].dump(), "[0]");
 }
 
 }  // namespace

@@ -73,6 +73,25 @@ async function theme_follows_and_toggles(page, expect, { scheme }) {
   expect(dark(await ground()) === (scheme === 'dark'), 'the theme does not toggle back');
 }
 
+/** On a wide window nobody has to scroll a table sideways for what it comes to. */
+async function verdicts_are_in_sight(page, expect, { width }) {
+  if (width < 1280) return;
+  const beyond = await page.evaluate(() => [...document.querySelectorAll('.table-scroll')].flatMap((frame) => {
+    const edge = frame.getBoundingClientRect().left + frame.clientWidth;
+    return [...frame.querySelectorAll('thead th.verdict, tbody td.verdict')].map((cell) => cell.getBoundingClientRect().right - edge);
+  }).filter((over) => over > 0.5));
+  expect(beyond.length === 0, `${beyond.length} verdicts end up to ${Math.max(0, ...beyond)} px beyond their table`);
+}
+
+/** Labels under a chart tell its categories apart, however short they are cut. */
+async function categories_read_differently(page, expect) {
+  const alike = await page.evaluate(() => [...document.querySelectorAll('.chart-boxes svg, .chart-intervals svg')].filter((svg) => {
+    const labels = [...svg.querySelectorAll('text.tick:not([text-anchor="end"]), text.tick[transform]')].map((text) => text.textContent);
+    return new Set(labels).size < labels.length;
+  }).map((svg) => svg.closest('figure').id));
+  expect(alike.length === 0, `categories read alike in ${alike.join(', ')}`);
+}
+
 async function tables_sort_by_keyboard(page, expect) {
   const tables = page.locator('figure.table');
   for (let i = 0; i < await tables.count(); ++i) {
@@ -216,6 +235,7 @@ async function files_can_be_saved(page, expect) {
 }
 
 export const checks = [
-  nothing_overflows, headings_and_links_are_sound, charts_are_drawn, theme_follows_and_toggles, tables_sort_by_keyboard,
+  nothing_overflows, headings_and_links_are_sound, charts_are_drawn, verdicts_are_in_sight, categories_read_differently,
+  theme_follows_and_toggles, tables_sort_by_keyboard,
   tables_filter_and_tally, legends_toggle, pointing_shows_values, trajectories_turn_and_play, files_can_be_saved,
 ];

@@ -223,6 +223,28 @@ const report = {
         },
       ],
     },
+    {
+      id: 'settings', title: 'Settings with long names',
+      paragraphs: ['Labels that would be cut to the same text keep what tells them apart.'],
+      blocks: [
+        {
+          kind: 'boxes', title: 'Effort by setting', y_label: 'effort', category_label: '', lines: [], marks: [],
+          categories: ['cube20_8, step_s 0.05, crit_dist_m 6', 'cube20_8, step_s 0.05, crit_dist_m 10', 'cube20_8, step_s 0.1, crit_dist_m 6', 'cube20_8, step_s 0.1, crit_dist_m 10'],
+          series: methods.map((label, i) => ({ label, boxes: [60, 64, 70, 75].map((centre) => box(sample(20, centre + 4 * i, 5))) })),
+        },
+        {
+          kind: 'table', title: 'Differences from APF, paired by seed', filter: ['method'],
+          columns: [
+            { key: 'method', label: 'Method', type: 'text' }, { key: 'mean', label: 'Mean', type: 'number', digits: 1 },
+            { key: 'p', label: 'p, Holm', type: 'p' }, { key: 'effect', label: 'Effect', type: 'number', digits: 2 },
+          ],
+          rows: [
+            { method: 'ORCA', mean: -12.4, p: 0.0000031, effect: -0.94 }, { method: 'APF + SAW', mean: 1.2, p: 0.41, effect: 0.12 },
+            { method: 'ORCA + SAW', mean: -3.5, p: null, effect: null },
+          ],
+        },
+      ],
+    },
   ],
 };
 

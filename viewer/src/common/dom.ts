@@ -84,6 +84,31 @@ export function fit_text(text: string, width: number, size: number, weight = 400
   return text.slice(0, end).trimEnd() + '…';
 }
 
+/** The texts without the words that all of them have in the same place, if they have as many words. */
+function without_shared_words(texts: readonly string[]): string[] {
+  const words = texts.map((text) => text.split(' '));
+  if (new Set(words.map((list) => list.length)).size !== 1) return [...texts];
+  return words.map((list) => list.filter((word, i) => words.some((other) => other[i] !== word)).join(' '));
+}
+
+/**
+ * The texts, each shortened until it fits, but never so that two that differ come to the same: then they lose the words
+ * that they share, or their beginnings, or, where that does not tell them apart either, nothing.
+ */
+export function fit_texts(texts: readonly string[], width: number, size: number): string[] {
+  const apart = (shown: readonly string[]): boolean => new Set(shown).size === new Set(texts).size;
+  const shortened = (list: readonly string[], cut: (text: string, kept: number) => string): string[] => list.map((text) => {
+    if (text_width(text, size) <= width) return text;
+    let kept = text.length - 1;
+    while (kept > 1 && text_width(cut(text, kept), size) > width) --kept;
+    return cut(text, kept);
+  });
+  const beginning = (text: string, kept: number): string => `${text.slice(0, kept).trimEnd()}…`;
+  const end = (text: string, kept: number): string => `…${text.slice(-kept).trimStart()}`;
+  const tried = [shortened(texts, beginning), shortened(without_shared_words(texts), beginning), shortened(texts, end)];
+  return tried.find(apart) ?? [...texts];
+}
+
 /** An identifier for links: lower-case words joined by hyphens. */
 export function slug(text: string): string {
   return text.toLowerCase().normalize('NFKD').replace(/[^a-z0-9]+/g, '-').replace(/^-+|-+$/g, '') || 'part';

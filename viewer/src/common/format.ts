@@ -30,6 +30,11 @@ export function signed_percent(ratio: number): string {
   return (Number(percent.toFixed(digits)) > 0 ? '+' : '') + text + '\u00a0%';
 }
 
+/** The p value of a test, to four decimals; no p value is nothing. */
+export function p_value(p: number): string {
+  return p < 0.0001 ? '<0.0001' : fixed(p, 4);
+}
+
 /** Decimals with which every value of a column shows at least three significant digits, two at most. */
 export function column_digits(values: number[]): number {
   if (values.every((value) => Number.isInteger(value))) return 0;

@@ -2,7 +2,7 @@
 // What stands in a table's cells, by the column's type.
 import type { Palette } from '../common/colour';
 import { h } from '../common/dom';
-import { column_digits, fixed, signed_percent } from '../common/format';
+import { column_digits, fixed, p_value, signed_percent } from '../common/format';
 import type { Cell, Column } from './model';
 
 /** Verdicts from the best to the worst, which is also how they sort. */
@@ -50,6 +50,7 @@ export function cell_writer(column: Column, values: Cell[], palette: Palette | n
     }
     if (column.type === 'verdict') return verdict_chip(String(value));
     if (column.type === 'deviation' && typeof value === 'number') return deviation(value, range);
+    if (column.type === 'p' && typeof value === 'number') return document.createTextNode(p_value(value));
     if (typeof value === 'number') return document.createTextNode(fixed(value, digits));
     if (column.type === 'text' && palette?.has(value)) {
       const swatch = h('i', { class: 'swatch', 'aria-hidden': 'true' });

@@ -26,7 +26,7 @@ function column(at: Reader): Column {
     key: at.at('key').text(),
     label: at.at('label').text(at.at('key').text()),
     unit: at.at('unit').text(''),
-    type: at.at('type').absent ? 'text' : at.at('type').one_of(['text', 'number', 'verdict', 'deviation']),
+    type: at.at('type').absent ? 'text' : at.at('type').one_of(['text', 'number', 'p', 'verdict', 'deviation']),
     digits: digits === null ? null : Math.max(0, Math.min(12, Math.round(digits))),
   };
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A table as LaTeX, for a paper: booktabs, numbers as the page shows them.
-import { column_digits, fixed, signed_percent } from '../common/format';
+import { column_digits, fixed, p_value, signed_percent } from '../common/format';
 import { verdicts } from './cells';
 import { heading } from './csv';
 import type { Cell, Column, Row, TableBlock } from './model';
@@ -20,7 +20,7 @@ function escaped(text: string): string {
 
 /** A text column in which some text is longer than a line can spare wraps. */
 function alignment(column: Column, rows: readonly Row[]): string {
-  if (column.type === 'number' || column.type === 'deviation') return 'r';
+  if (column.type === 'number' || column.type === 'p' || column.type === 'deviation') return 'r';
   const long = column.type === 'text' && rows.some((row) => String(row[column.key] ?? '').length > 30);
   return long ? 'p{14em}' : 'l';
 }
@@ -30,6 +30,7 @@ function shown(column: Column, value: Cell, digits: number): string {
   if (value === null || value === '') return '--';
   if (column.type === 'verdict') return escaped(verdicts[value]?.words ?? String(value));
   if (typeof value === 'string') return escaped(value);
+  if (column.type === 'p') return escaped(p_value(value));
   return escaped(column.type === 'deviation' ? signed_percent(value) : fixed(value, digits));
 }
 

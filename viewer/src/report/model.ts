@@ -36,7 +36,7 @@ export type Block =
   | TableBlock | ChartBlock | GridBlock | NoteBlock | ProblemBlock;
 export type ChartBlock = BoxesBlock | IntervalsBlock | LinesBlock | RasterBlock | TrajectoriesBlock;
 
-export type ColumnType = 'text' | 'number' | 'verdict' | 'deviation';
+export type ColumnType = 'text' | 'number' | 'p' | 'verdict' | 'deviation';
 export type Cell = string | number | null;
 export interface Column {
   key: string;

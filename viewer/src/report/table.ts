@@ -21,7 +21,9 @@ export interface TableView {
   changed(listener: (shown: number) => void): void;
 }
 
-const numeric = ({ type }: Column): boolean => type === 'number' || type === 'deviation';
+const numeric = ({ type }: Column): boolean => type === 'number' || type === 'p' || type === 'deviation';
+/** How a column is laid out. */
+const layout_of = ({ type }: Column): string => type === 'p' ? 'number' : type;
 
 /** A row; where its runs are known a click leads to them, and a button in its first cell does. */
 function leading_row(block: TableBlock, row: Row, cells: HTMLElement[]): HTMLElement {
@@ -47,7 +49,7 @@ export function table_body(block: TableBlock, label: string, palette: Palette | 
   const writers = block.columns.map((column) => cell_writer(column, block.rows.map((row) => row[column.key] ?? null), palette));
   // Long texts wrap; short ones stay on their line.
   const kinds = block.columns.map((column) => column.type === 'text' &&
-    block.rows.some((row) => String(row[column.key] ?? '').length > 30) ? 'text long' : column.type);
+    block.rows.some((row) => String(row[column.key] ?? '').length > 30) ? 'text long' : layout_of(column));
   const kept = new Map<string, string>();
   const listeners: ((shown: number) => void)[] = [];
   let sorted: { column: Column; direction: 1 | -1 } | null = null;
@@ -80,7 +82,7 @@ export function table_body(block: TableBlock, label: string, palette: Palette | 
   const heads = block.columns.map((column) => {
     const button = h('button', { type: 'button', title: `Sort by ${column.label}` }, h('span', {}, column.label),
       column.unit === '' ? null : h('span', { class: 'unit' }, ` [${column.unit}]`), h('i', { class: 'arrow', 'aria-hidden': 'true' }));
-    const head = h('th', { scope: 'col', class: column.type, 'aria-sort': 'none' }, button);
+    const head = h('th', { scope: 'col', class: layout_of(column), 'aria-sort': 'none' }, button);
     button.addEventListener('click', () => {
       // Up, down, and back to the order of the data.
       const before = sorted?.column === column ? sorted.direction : null;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The part that charts over x and y share: margins, grid lines, labels and reference lines.
-import { fit_text, s, text_width } from '../../common/dom';
+import { fit_text, fit_texts, s, text_width } from '../../common/dom';
 import { fixed, short } from '../../common/format';
 import { linear, nice_domain, tick_digits, ticks, type Scale } from '../../common/scale';
 import type { Rule } from '../model';
@@ -130,19 +130,21 @@ export function category_layout(categories: string[], inner: number, font: numbe
   const widest = Math.max(0, ...categories.map((name) => text_width(name, font)));
   const slanted = widest > inner / Math.max(1, categories.length) - 4;
   // The first label may not reach beyond the left edge: half a band and the room for ticks are beside it.
-  const longest = Math.min(widest, 92, (inner / Math.max(1, categories.length) / 2 + 22) / 0.71);
-  return { slanted, longest, space: slanted ? longest * 0.71 + font + 4 : font + 10 };
+  const room = Math.min(widest, 92, (inner / Math.max(1, categories.length) / 2 + 22) / 0.71);
+  const labels = slanted ? fit_texts(categories, room, font) : categories;
+  const longest = Math.max(0, ...labels.map((name) => text_width(name, font)));
+  return { slanted, labels, space: slanted ? longest * 0.71 + font + 4 : font + 10 };
 }
 
 export function draw_categories(on: Canvas, categories: string[], centre: (i: number) => number): void {
-  const { slanted, longest } = category_layout(categories, on.area.right - on.area.left, on.font);
-  categories.forEach((name, i) => {
+  const { slanted, labels } = category_layout(categories, on.area.right - on.area.left, on.font);
+  labels.forEach((label, i) => {
     const x = centre(i);
     const y = on.area.bottom + (slanted ? 10 : on.font + 6);
     on.svg.append(s('text', {
       class: 'tick', x, y, 'text-anchor': slanted ? 'end' : 'middle',
       transform: slanted ? `rotate(-45 ${x.toFixed(1)} ${y.toFixed(1)})` : undefined,
-    }, slanted ? fit_text(name, longest, on.font) : name));
+    }, label));
   });
 }
 

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "fairway/experiment/origin.hpp"
+#include "fairway/experiment/run.hpp"
+
+namespace fairway {
+
+/// The runs of one store or several, and where they come from.
+struct StoredResults {
+  Origin
+      origin;  ///< of several: their names joined, and the values of their labels in the order of the stores
+  std::vector<RunRecord> records;
+};
+
+/// Reads stores one after the other; a run that several of them hold, by its key, is taken once. A store that
+/// no campaign noted goes by the name of its file. Throws InputError as Store::open_existing() does.
+StoredResults read_stores(std::span<const std::string> files);
+
+}  // namespace fairway
