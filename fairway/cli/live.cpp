@@ -22,15 +22,15 @@ void wait_for(const std::atomic<bool>& stop) {
 }  // namespace
 
 RunOutcome run_live(const Scenario& scenario, const RecordingChoice& recording, const LiveChoice& choice,
-                    const std::string& typed, std::ostream& out, const std::atomic<bool>* stop) {
+                    std::ostream& out, const Program& program) {
   if (!std::isfinite(choice.speed) || choice.speed < 0.0) {
     throw InputError(fmt::format("--speed {}: expected a number from 0", choice.speed));
   }
-  const Simulation accepted{scenario, builtin_catalogs()};  // or it says here what is wrong with the scenario
+  const Simulation accepted{scenario, program.catalogs};  // or it says here what is wrong with the scenario
   LiveRun run{scenario, {.speed = choice.speed, .paused = choice.paused}};
   LiveServer server{choice.port};
   const PlaybackInfo info{.version = std::string(fairway_version),
-                          .command = typed,
+                          .command = program.typed,
                           .period = scenario.step_s,
                           .explanation = {}};
   const auto open = [&] {
@@ -40,11 +40,11 @@ RunOutcome run_live(const Scenario& scenario, const RecordingChoice& recording, 
   };
 
   const Watch watch{run, open};
-  RunOutcome outcome = run_scenario(scenario, recording, stop, &watch);
+  RunOutcome outcome = run_scenario(scenario, recording, program, &watch);
   run.finish();
   if (outcome.complete && !choice.until_done) {
     std::cerr << "live: the run is over and stays to be seen; Ctrl-C ends it\n";
-    wait_for(*stop);
+    wait_for(*program.stop);
   }
   return outcome;
 }

@@ -26,11 +26,12 @@ struct ReplayFlags {
 };
 
 /// Simulates the recorded scenario again beside the recording.
-int verify(const Recording& recording, const std::string& name, bool as_json) {
+int verify(const Recording& recording, const std::string& name, bool as_json, const Catalogs& catalogs) {
   const Scenario scenario = recorded_scenario(recording, name);
+  check_methods(recording, scenario, catalogs, name);
   HashChecker checker{recording};
   const std::array<FrameSink*, 1> sinks{&checker};
-  Simulation simulation{scenario, builtin_catalogs()};
+  Simulation simulation{scenario, catalogs};
   simulation.show_thoughts(recording.info().sketches);
   simulation.run(sinks);
   if (as_json) {
@@ -94,12 +95,12 @@ void add_replay(CLI::App& app, Program& program) {
   verb->add_option("--echoes", flags->echoes, "export the echoes of sonars to this file");
   verb->add_flag("--json", flags->json, "print JSON");
   verb->callback([=, &program] {
-    program.chosen = [=] {
+    program.chosen = [=, &program] {
       const Recording recording = Recording::read(flags->recording);
       export_to(flags->csv, recording, export_csv);
       export_to(flags->tracks, recording, export_tracks_csv);
       export_to(flags->echoes, recording, export_echoes_csv);
-      if (flags->verify) return verify(recording, flags->recording, flags->json);
+      if (flags->verify) return verify(recording, flags->recording, flags->json, program.catalogs);
       const bool exported = !(flags->csv + flags->tracks + flags->echoes).empty();
       if (!exported) summarise(recording, flags->recording, flags->json);
       return ok;

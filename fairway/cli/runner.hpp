@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "fairway/cli/program.hpp"
 #include "fairway/metrics/run_metrics.hpp"
 #include "fairway/scenario/scenario.hpp"
 #include "fairway/sim/simulation.hpp"
@@ -39,8 +40,8 @@ struct Watch {
 };
 
 /// Runs a scenario, and records it. A run that is stopped leaves no recording.
-RunOutcome run_scenario(const Scenario& scenario, const RecordingChoice& recording,
-                        const std::atomic<bool>* stop, const Watch* watch = nullptr);
+RunOutcome run_scenario(const Scenario& scenario, const RecordingChoice& recording, const Program& program,
+                        const Watch* watch = nullptr);
 
 /// An expectation and what came of it.
 struct Judgement {

@@ -4,6 +4,7 @@
 #include <iostream>
 #include <memory>
 
+#include "fairway/cli/own_methods.hpp"
 #include "fairway/cli/program.hpp"
 #include "fairway/experiment/campaign.hpp"
 #include "fairway/experiment/compare.hpp"
@@ -21,10 +22,11 @@ struct SweepFlags {
   bool json{false};
 };
 
-int sweep(const SweepFlags& flags, const std::atomic<bool>* stop) {
-  const Catalogs catalogs = builtin_catalogs();
+int sweep(const SweepFlags& flags, const Program& program) {
+  const Catalogs& catalogs = program.catalogs;
+  const std::atomic<bool>* stop = program.stop;
   const auto check = [&](const Scenario& scenario) { Simulation{scenario, catalogs}; };
-  const Campaign campaign = load_campaign(flags.campaign, check, flags.jobs);
+  const Campaign campaign = load_campaign(flags.campaign, check, flags.jobs, own_methods(program));
   Store store = flags.out.empty() ? Store::in_memory() : Store::open(flags.out);
   Progress progress{campaign.name};
   const ExecutorReport report = run_campaign(
@@ -57,7 +59,7 @@ void add_sweep(CLI::App& app, Program& program) {
   verb->add_option("--jobs", flags->jobs, "threads; 0 = as many as the machine has")->capture_default_str();
   verb->add_flag("--retry-failures", flags->retry, "make failed runs again");
   verb->add_flag("--json", flags->json, "print the comparison as JSON");
-  verb->callback([=, &program] { program.chosen = [=, &program] { return sweep(*flags, program.stop); }; });
+  verb->callback([=, &program] { program.chosen = [=, &program] { return sweep(*flags, program); }; });
 }
 
 }  // namespace fairway::cli
