@@ -266,11 +266,12 @@ TEST_P(Laws, NonsenseIsAnsweredWithAStandstillAndInfeasible) {
       },
       [](Encounter& e) { e.obstacles = {{.kind = Obstacle::Kind::polygon}}; },
   };
-  const Command standstill{.velocity = Vec3::Zero(), .mode = Mode::infeasible};
   for (std::size_t i = 0; i < spoilers.size(); ++i) {
     Encounter e = encounters::crowd(5, Rng{1});
     spoilers[i](e);
     Avoider avoider = this->avoider();
+    const Command standstill{.mode = Mode::infeasible, .note = why_unusable(e)};
+    EXPECT_FALSE(standstill.note.empty()) << "spoiler " << i;
     EXPECT_EQ(avoider.decide(e), standstill) << "spoiler " << i;
   }
 }
