@@ -5,6 +5,29 @@
 
 namespace fairway {
 
+std::vector<std::string_view> layer_names(std::string_view name) {
+  std::vector<std::string_view> layers;
+  for (std::size_t from = 0;;) {
+    const std::size_t plus = name.find('+', from);
+    layers.push_back(name.substr(from, plus == std::string_view::npos ? plus : plus - from));
+    if (plus == std::string_view::npos) return layers;
+    from = plus + 1;
+  }
+}
+
+Catalog& Catalog::add(Entry entry) {
+  if (has(entry.info.name))
+    throw InputError("the algorithm \"" + std::string(entry.info.name) +
+                     "\" is there already: choose another name");
+  entries_.push_back(std::move(entry));
+  return *this;
+}
+
+bool Catalog::has(std::string_view name) const {
+  return std::ranges::any_of(entries_, [&](const Entry& entry) { return entry.info.name == name; }) ||
+         std::ranges::any_of(aliases_, [&](const auto& alias) { return alias.first == name; });
+}
+
 const Catalog::Entry& Catalog::find(std::string_view name) const {
   for (const auto& [alias, target] : aliases_) {
     if (alias == name) return find(target);
@@ -19,17 +42,15 @@ const Catalog::Entry& Catalog::find(std::string_view name) const {
 
 std::vector<const Catalog::Entry*> Catalog::layers(std::string_view name) const {
   std::vector<const Entry*> found;
-  for (std::size_t from = 0;;) {
-    const std::size_t plus = name.find('+', from);
-    const Entry& entry = find(name.substr(from, plus == std::string_view::npos ? plus : plus - from));
-    if (from > 0 && !entry.wraps) {
+  for (const std::string_view layer : layer_names(name)) {
+    const Entry& entry = find(layer);
+    if (!found.empty() && !entry.wraps) {
       throw InputError("algorithm \"" + std::string(entry.info.name) +
                        "\" cannot stand behind a '+': it wraps nothing");
     }
     found.push_back(&entry);
-    if (plus == std::string_view::npos) return found;
-    from = plus + 1;
   }
+  return found;
 }
 
 std::vector<ParamInfo> Catalog::params(std::string_view name) const {

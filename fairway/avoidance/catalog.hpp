@@ -22,47 +22,46 @@ class Catalog {
     AlgorithmInfo info;
     std::vector<ParamInfo> params;
     bool wraps = false;
+    std::string version{};  ///< A::version of a method outside fairway, if it has one: raised whenever it
+                            ///< decides otherwise than before, so that stores make its runs again
     std::function<Avoider(const ParamValues&, Rng)> make;                  ///< of an algorithm
     std::function<Avoider(Avoider, const ParamValues&, Rng)> make_around;  ///< of a wrapper
   };
 
   template <AvoidanceAlgorithm A>
   Catalog& add() {
-    entries_.push_back({.info = A::info,
-                        .params = describe_params<typename A::Params>(),
-                        .make =
-                            [](const ParamValues& values, Rng rng) {
-                              return Avoider{A{chosen<typename A::Params>(values)}, rng};
-                            },
-                        .make_around = {}});
-    return *this;
+    return add({.info = A::info,
+                .params = describe_params<typename A::Params>(),
+                .version = version_of<A>(),
+                .make =
+                    [](const ParamValues& values, Rng rng) {
+                      return Avoider{A{chosen<typename A::Params>(values)}, rng};
+                    },
+                .make_around = {}});
   }
 
   /// `alone` is the algorithm wrapped when the wrapper's name stands by itself.
   template <AvoidanceWrapper W, AvoidanceAlgorithm Alone>
   Catalog& add_wrapper() {
-    entries_.push_back({.info = W::info,
-                        .params = describe_params<typename W::Params>(),
-                        .wraps = true,
-                        .make =
-                            [](const ParamValues& values, Rng rng) {
-                              return Avoider{W{chosen<typename W::Params>(values)},
-                                             Avoider{Alone{chosen<typename Alone::Params>(values)}, rng},
-                                             rng.stream("wrapper", 1)};
-                            },
-                        .make_around =
-                            [](Avoider inner, const ParamValues& values, Rng rng) {
-                              return Avoider{W{chosen<typename W::Params>(values)}, std::move(inner), rng};
-                            }});
-    return *this;
+    return add({.info = W::info,
+                .params = describe_params<typename W::Params>(),
+                .wraps = true,
+                .version = version_of<W>(),
+                .make =
+                    [](const ParamValues& values, Rng rng) {
+                      return Avoider{W{chosen<typename W::Params>(values)},
+                                     Avoider{Alone{chosen<typename Alone::Params>(values)}, rng},
+                                     rng.stream("wrapper", 1)};
+                    },
+                .make_around =
+                    [](Avoider inner, const ParamValues& values, Rng rng) {
+                      return Avoider{W{chosen<typename W::Params>(values)}, std::move(inner), rng};
+                    }});
   }
 
   /// An algorithm whose name is known only at run time. What the views in `entry.info` are of outlives the
-  /// catalog; the name is one that is not taken.
-  Catalog& add(Entry entry) {
-    entries_.push_back(std::move(entry));
-    return *this;
-  }
+  /// catalog. All three throw InputError for a name that is taken.
+  Catalog& add(Entry entry);
 
   /// A short name for another: "saw" for "stop_and_wait".
   Catalog& alias(std::string_view name, std::string_view target) {
@@ -83,6 +82,9 @@ class Catalog {
   /// Throws InputError with the nearest known name.
   const Entry& find(std::string_view name) const;
 
+  /// Whether find() would.
+  bool has(std::string_view name) const;
+
   std::span<const Entry> entries() const { return entries_; }
 
  private:
@@ -91,11 +93,20 @@ class Catalog {
     return params_of(values, P{}, /*optional=*/true);
   }
 
+  template <class A>
+  static std::string version_of() {
+    if constexpr (requires { std::string{A::version}; }) return std::string{A::version};
+    return {};
+  }
+
   std::vector<const Entry*> layers(std::string_view name) const;
 
   std::vector<Entry> entries_;
   std::vector<std::pair<std::string, std::string>> aliases_;
 };
+
+/// "inner" and "wrapper" of "inner+wrapper".
+std::vector<std::string_view> layer_names(std::string_view name);
 
 /// Every algorithm that comes with fairway.
 Catalog builtin_avoiders();

@@ -36,11 +36,12 @@ double seconds_per_operation(double budget_s, std::int64_t count, const std::fun
 using Scene = encounters::Encounter (*)(int, Rng);
 
 /// One decision among `neighbours`, drawn at random from frozen situations [ns].
-double decision_ns(const std::string& algorithm, Scene scene, int neighbours, double budget_s) {
+double decision_ns(const std::string& algorithm, const Catalog& catalog, Scene scene, int neighbours,
+                   double budget_s) {
   std::vector<encounters::Encounter> scenes;
   for (std::uint64_t i = 0; i < 1024; ++i) scenes.push_back(scene(neighbours, Rng{1}.stream("frozen", i)));
   const std::vector<Situation> situations(scenes.begin(), scenes.end());
-  Avoider avoider = builtin_catalogs().avoiders.make(algorithm);
+  Avoider avoider = catalog.make(algorithm);
   Rng rng{2};
   constexpr std::int64_t batch = 20000;
   double checksum = 0.0;
@@ -80,8 +81,8 @@ Scenario crossing(const std::string& model, const std::string& algorithm) {
 }
 
 /// Vehicle-steps per second on one core.
-double steps_per_second(const std::string& model, const std::string& algorithm, double budget_s) {
-  Simulation simulation{crossing(model, algorithm), builtin_catalogs()};
+double steps_per_second(const std::string& model, const Catalogs& catalogs, double budget_s) {
+  Simulation simulation{crossing(model, "orca3d"), catalogs};
   constexpr std::int64_t batch = 2000;
   const double seconds = seconds_per_operation(budget_s, batch * 8, [&] {
     for (std::int64_t i = 0; i < batch; ++i) simulation.step({});
@@ -89,20 +90,21 @@ double steps_per_second(const std::string& model, const std::string& algorithm, 
   return 1.0 / seconds;
 }
 
-int bench(double budget_s, bool as_json) {
+int bench(const std::vector<std::string>& algorithms, double budget_s, bool as_json,
+          const Catalogs& catalogs) {
   nlohmann::json document;
   const auto decide = [&](const std::string& algorithm, const char* kind, Scene scene) {
-    const double ns = decision_ns(algorithm, scene, 7, budget_s);
+    const double ns = decision_ns(algorithm, catalogs.avoiders, scene, 7, budget_s);
     document["decision_ns"][algorithm][kind] = ns;
     if (!as_json)
       std::cout << fmt::format("{:<24} {:<10} {:>10.0f} ns per decision among 7\n", algorithm, kind, ns);
   };
-  for (const char* algorithm : {"orca3d", "apf", "orca3d+stop_and_wait"}) {
+  for (const std::string& algorithm : algorithms) {
     decide(algorithm, "typical", encounters::crowd);
     decide(algorithm, "congested", encounters::congested);
   }
   for (const char* model : {"sparus2", "kinematic"}) {
-    const double rate = steps_per_second(model, "orca3d", budget_s);
+    const double rate = steps_per_second(model, catalogs, budget_s);
     document["vehicle_steps_per_second"][model] = rate;
     if (!as_json)
       std::cout << fmt::format("{:<24} {:<10} {:>10.0f} vehicle-steps per second and core, 8 under orca3d\n",
@@ -119,12 +121,17 @@ void add_bench(CLI::App& app, Program& program) {
       app.add_subcommand("bench", "Time of a decision, and vehicle-steps per second, on this machine");
   verb->footer("Example: fairway bench --seconds 2");
   auto budget = std::make_shared<double>(0.5);
+  auto algorithms = std::make_shared<std::vector<std::string>>(
+      std::vector<std::string>{"orca3d", "apf", "orca3d+stop_and_wait"});
   auto as_json = std::make_shared<bool>(false);
+  verb->add_option("--algorithm", *algorithms, "whose decisions are timed")->capture_default_str();
   verb->add_option("--seconds", *budget, "per figure; each is the median of its repetitions")
       ->capture_default_str()
       ->transform(finite_number(0.01, 60.0));
   verb->add_flag("--json", *as_json, "print JSON");
-  verb->callback([=, &program] { program.chosen = [=] { return bench(*budget, *as_json); }; });
+  verb->callback([=, &program] {
+    program.chosen = [=, &program] { return bench(*algorithms, *budget, *as_json, program.catalogs); };
+  });
 }
 
 }  // namespace fairway::cli

@@ -24,7 +24,7 @@ void add_check(CLI::App& app, Program& program) {
   verb->add_flag("--schema", *schema, "print the JSON schema of scenario files instead");
   verb->add_flag("--json", *json, "print JSON");
   verb->callback([=, &program] {
-    program.chosen = [=] {
+    program.chosen = [=, &program] {
       if (*schema) {
         std::cout << scenario_schema();
         return ok;
@@ -35,7 +35,7 @@ void add_check(CLI::App& app, Program& program) {
         const Scenario scenario = load_scenario(file, overrides_of(*settings), *seed);
         check_expectations(scenario);
         const Simulation simulation{scenario,
-                                    builtin_catalogs()};  // the catalogs check what they are asked for
+                                    program.catalogs};  // the catalogs check what they are asked for
         if (*json) {
           document.push_back({{"file", file}, {"name", scenario.name}, {"resolved", to_yaml(scenario)}});
         } else {

@@ -68,9 +68,8 @@ std::optional<json> described_kind(std::string_view role, const std::vector<Kind
   return {};
 }
 
-json describe(const std::string& name) {
+json describe(const std::string& name, const Catalogs& catalogs) {
   std::vector<std::string_view> known;
-  const Catalogs catalogs = builtin_catalogs();
   if (name.find('+') != std::string::npos) {
     return {
         {"kind", "algorithm"}, {"name", name}, {"parameters", params_json(catalogs.avoiders.params(name))}};
@@ -166,8 +165,8 @@ void add_describe(CLI::App& app, Program& program) {
   verb->add_option("name", *name, "as `fairway list` shows it")->required();
   verb->add_flag("--json", *as_json, "print JSON");
   verb->callback([=, &program] {
-    program.chosen = [=] {
-      const json document = describe(*name);
+    program.chosen = [=, &program] {
+      const json document = describe(*name, program.catalogs);
       if (*as_json) {
         std::cout << document.dump(2) << "\n";
       } else {

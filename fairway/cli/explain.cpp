@@ -10,17 +10,10 @@
 #include "fairway/cli/outputs.hpp"
 #include "fairway/cli/program.hpp"
 #include "fairway/core/text.hpp"
-#include "fairway/experiment/recording_info.hpp"
-#include "fairway/sim/catalogs.hpp"
-#include "fairway/view/explain/explanation.hpp"
-#include "fairway/view/explain/instant.hpp"
-#include "fairway/view/playback.hpp"
+#include "fairway/view/explain/explain_recording.hpp"
 
 namespace fairway::cli {
 namespace {
-
-/// What the page shows before and after the instant [s].
-constexpr double window_s = 30.0;
 
 struct ExplainFlags {
   std::string recording;
@@ -67,47 +60,24 @@ void print(const Explanation& explanation) {
   }
 }
 
-void write_explanation(const std::string& path, const Scenario& scenario, const Recording& recording,
-                       const Film& film, const Explanation& explanation, const std::string& typed) {
-  const PlaybackInfo info{recording.info().version, typed, recording.info().period, page_json(explanation)};
-  write_playback(path, playback_document(scenario, info, &film));
-}
-
 int explain(const ExplainFlags& flags, const Outputs& outputs, const Program& program) {
   outputs.judge({flags.recording});
   const Recording recording = Recording::read(flags.recording);
-  const Instant instant{vehicle_called(recording.info(), flags.vehicle), frame_at(recording, flags.time)};
-  const Scenario scenario = recorded_scenario(recording, flags.recording);
-  const Catalogs catalogs = builtin_catalogs();
-  const double time = recording.frame(instant.frame).time;
-  Film film{scenario, {.from_s = time - window_s, .to_s = time + window_s}};
-  DecisionWindow window;
-  if (!flags.page.empty()) window = {window_s, window_s, &film};
-
-  std::optional<FoundDecision> found;
-  try {
-    found = find_decision(recording, scenario, instant, window, program.stop);
-  } catch (const InputError& error) {
-    throw InputError(flags.recording + ": " + error.what());
-  }
-  if (!found) {
+  const auto explained =
+      explain_recording(recording, {flags.recording, flags.vehicle, flags.time, flags.page, program.typed},
+                        program.catalogs, program.stop);
+  if (!explained) {
     std::cerr << "fairway: interrupted\n";
     return interrupted;
   }
-
-  film.finish(recording.divergence());
-  const Explanation explanation = fairway::explain(scenario, *found, catalogs.avoiders);
-  if (!flags.page.empty()) {
-    write_explanation(flags.page, scenario, recording, film, explanation, program.typed);
-  }
   if (flags.json) {
-    std::cout << exact_json(scenario, *found, explanation).dump(2) << "\n";
+    std::cout << exact_json(explained->scenario, explained->found, explained->explanation).dump(2) << "\n";
   } else {
-    print(explanation);
+    print(explained->explanation);
     if (!recording.divergence().empty()) std::cout << "\nthe run later " << recording.divergence() << "\n";
     if (!flags.page.empty()) std::cout << "\npage: " << flags.page << "\n";
   }
-  return found->difference ? expectation_failed : ok;
+  return explained->found.difference ? expectation_failed : ok;
 }
 
 }  // namespace

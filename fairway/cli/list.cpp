@@ -23,9 +23,8 @@ struct Item {
   std::string name, title;
 };
 
-std::vector<Item> algorithms() {
+std::vector<Item> algorithms(const Catalog& catalog) {
   std::vector<Item> items;
-  const Catalog catalog = builtin_catalogs().avoiders;
   for (const Catalog::Entry& entry : catalog.entries()) {
     const std::string note = entry.wraps ? "; wraps another: orca3d+" + std::string(entry.info.name) : "";
     items.push_back({std::string(entry.info.name), std::string(entry.info.title) + note});
@@ -33,9 +32,8 @@ std::vector<Item> algorithms() {
   return items;
 }
 
-std::vector<Item> vehicles() {
+std::vector<Item> vehicles(const VehicleCatalog& catalog) {
   std::vector<Item> items;
-  const VehicleCatalog catalog = builtin_vehicles();
   for (const VehicleCatalog::Entry& entry : catalog.entries()) {
     items.push_back({std::string(entry.info.name), std::string(entry.info.title)});
   }
@@ -70,19 +68,19 @@ std::vector<Item> items_of(const std::vector<KindInfo>& kinds) {
 std::vector<Item> metrics() {
   std::vector<Item> items;
   for (const QuantityInfo& quantity : all_quantities()) {
-    items.push_back(
-        {std::string(quantity.name),
-         std::string(quantity.per_vehicle ? "per vehicle: " : "fleet: ") + std::string(quantity.meaning) +
-             (quantity.complete_at_1.empty() ? "" : "; censored by the time limit")});
+    items.push_back({std::string(quantity.name),
+                     std::string(quantity.per_vehicle ? "per vehicle: " : "fleet: ") +
+                         std::string(quantity.meaning) +
+                         (quantity.complete_at_1.empty() ? "" : "; censored by the time limit")});
   }
   return items;
 }
 
 /// Everything that can be listed, by its name, in the order of a scenario.
 using Lists = std::vector<std::pair<std::string, std::function<std::vector<Item>()>>>;
-Lists lists(const std::string& directory) {
-  return {{"algorithms", algorithms},
-          {"vehicles", vehicles},
+Lists lists(const Catalogs& catalogs, const std::string& directory) {
+  return {{"algorithms", [&catalogs] { return algorithms(catalogs.avoiders); }},
+          {"vehicles", [&catalogs] { return vehicles(catalogs.vehicles); }},
           {"exchanges", [] { return items_of(exchange_kinds()); }},
           {"perceptions", [] { return items_of(perception_kinds()); }},
           {"navigations", [] { return items_of(navigation_kinds()); }},
@@ -103,14 +101,14 @@ void add_list(CLI::App& app, Program& program) {
   auto directory = std::make_shared<std::string>("scenarios");
   auto json = std::make_shared<bool>(false);
   std::vector<std::string> kinds;
-  for (const auto& [name, items] : lists(*directory)) kinds.push_back(name);
+  for (const auto& [name, items] : lists(program.catalogs, *directory)) kinds.push_back(name);
   verb->add_option("kind", *kind, "one of them; all without it")->check(CLI::IsMember(kinds));
   verb->add_option("--dir", *directory, "where scenarios are looked for")->capture_default_str();
   verb->add_flag("--json", *json, "print JSON");
   verb->callback([=, &program] {
-    program.chosen = [=] {
+    program.chosen = [=, &program] {
       nlohmann::json document;
-      for (const auto& [name, items] : lists(*directory)) {
+      for (const auto& [name, items] : lists(program.catalogs, *directory)) {
         if (!kind->empty() && *kind != name) continue;
         if (kind->empty() && name == "scenarios" && !std::filesystem::is_directory(*directory)) continue;
         if (!*json) std::cout << name << "\n";

@@ -20,12 +20,12 @@ void wait_for(const std::atomic<bool>& stop) {
 }  // namespace
 
 RunOutcome run_live(const Scenario& scenario, const RecordingChoice& recording, const LiveChoice& choice,
-                    const std::string& typed, std::ostream& out, const std::atomic<bool>* stop) {
-  const Simulation accepted{scenario, builtin_catalogs()};  // or it says here what is wrong with the scenario
+                    std::ostream& out, const Program& program) {
+  const Simulation accepted{scenario, program.catalogs};  // or it says here what is wrong with the scenario
   LiveRun run{scenario, {.speed = choice.speed, .paused = choice.paused}};
   LiveServer server{choice.port};
   const PlaybackInfo info{.version = std::string(fairway_version),
-                          .command = typed,
+                          .command = program.typed,
                           .period = scenario.step_s,
                           .explanation = {}};
   const auto open = [&] {
@@ -35,12 +35,12 @@ RunOutcome run_live(const Scenario& scenario, const RecordingChoice& recording, 
   };
 
   const Watch watch{run, open};
-  RunOutcome outcome = run_scenario(scenario, recording, stop, &watch);
+  RunOutcome outcome = run_scenario(scenario, recording, program, &watch);
   run.finish();
   if (outcome.complete && !choice.until_done) {
     const std::string how = outcome.divergence ? divergence_text(scenario, outcome) : "the run is over";
     std::cerr << "live: " << how << "; it stays to be seen; Ctrl-C ends it\n";
-    wait_for(*stop);
+    wait_for(*program.stop);
   }
   return outcome;
 }

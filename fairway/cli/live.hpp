@@ -19,9 +19,10 @@ struct LiveChoice {
   double speed{1.0};       ///< seconds of the run per second; 0: as fast as it can
 };
 
-/// As run_scenario(), serving the page that shows it, whose address goes to `out` first, until `stop` is set.
+/// As run_scenario(), serving the page that shows it, whose address goes to `out` first, until it is
+/// told to stop.
 /// Stopped after the run was over, it is complete.
 RunOutcome run_live(const Scenario& scenario, const RecordingChoice& recording, const LiveChoice& choice,
-                    const std::string& typed, std::ostream& out, const std::atomic<bool>* stop);
+                    std::ostream& out, const Program& program);
 
 }  // namespace fairway::cli

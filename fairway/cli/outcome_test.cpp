@@ -32,11 +32,14 @@ vehicles:
 expect: {collision_count: 0, makespan_s: {max: 100}}
 )";
 
+const Catalogs catalogs = builtin_catalogs();
+const Program program{.typed = "", .chosen = {}, .stop = nullptr, .name = "fairway", .catalogs = catalogs};
+
 TEST(Outcome, ARunThatBrokeKeepsNoExpectationAndHasNoMeasures) {
   const TemporaryFolder folder;
   const Scenario scenario = parse_scenario(breaking, "f.yaml");
   const std::string file = folder.file("broken.mcap");
-  const RunOutcome outcome = run_scenario(scenario, {.file = file}, nullptr);
+  const RunOutcome outcome = run_scenario(scenario, {.file = file}, program);
   ASSERT_TRUE(outcome.complete);
   ASSERT_TRUE(outcome.divergence);
   EXPECT_TRUE(outcome.measures.empty());
@@ -71,7 +74,7 @@ TEST(Outcome, AWholeRunSaysThatItFinished) {
       "{fairway: 1, name: short, duration_s: 1, vehicles: [{model: kinematic, avoider: direct, start: "
       "{position_m: [0, 0, 5]}}]}",
       "f.yaml");
-  const RunOutcome outcome = run_scenario(scenario, {}, nullptr);
+  const RunOutcome outcome = run_scenario(scenario, {}, program);
   EXPECT_FALSE(outcome.divergence);
   const nlohmann::json document = document_of(scenario, outcome, {});
   EXPECT_EQ(document["outcome"], "finished");

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <csignal>
 #include <exception>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <iterator>
@@ -25,8 +26,14 @@ extern "C" void on_interrupt(int) {
   if (stop_requested.exchange(true)) std::_Exit(interrupted);
 }
 
+/// The last part of what the program was called by.
+std::string name_of(int argc, const char* const* argv) {
+  const std::string name = argc > 0 ? std::filesystem::path(argv[0]).filename().string() : "";
+  return name.empty() ? "fairway" : name;
+}
+
 std::string typed_line(int argc, const char* const* argv) {
-  std::string line = "fairway";
+  std::string line = name_of(argc, argv);
   for (int i = 1; i < argc; ++i) line += std::string(" ") + argv[i];
   return line;
 }
@@ -65,23 +72,24 @@ int explain_parse_error(const CLI::App& app, const CLI::ParseError& error, int a
       std::cerr << "fairway: unknown verb \"" << argv[1] << "\"" << suggestion(argv[1], verbs) << "\n";
       return bad_input;
     }
-    hint = std::string("; see fairway ") + argv[1] + " --help";
+    hint = "; see " + app.get_name() + " " + argv[1] + " --help";
   }
   std::string message = error.what();
   std::ranges::replace(message, '\n', ' ');
-  std::cerr << "fairway: " << message << (hint.empty() ? "; see fairway --help" : hint) << "\n";
+  std::cerr << "fairway: " << message << (hint.empty() ? "; see " + app.get_name() + " --help" : hint)
+            << "\n";
   return bad_input;
 }
 
 }  // namespace
 
-int run_command(int argc, const char* const* argv) {
+int run_command(int argc, const char* const* argv, const Catalogs& catalogs) {
   CLI::App app{"Collision avoidance for marine robots: methods, vehicles, simulation, experiments.",
-               "fairway"};
+               name_of(argc, argv)};
   app.set_version_flag("--version", std::string("fairway ") + std::string(fairway_version));
   app.require_subcommand(1);
   app.footer("Example: fairway study cubes --seeds 20 --out results");
-  Program program{typed_line(argc, argv), {}, &stop_requested};
+  Program program{typed_line(argc, argv), {}, &stop_requested, app.get_name(), catalogs};
   add_verbs(app, program);
   std::signal(SIGINT, on_interrupt);
   std::signal(SIGTERM, on_interrupt);

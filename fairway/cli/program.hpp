@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "fairway/cli/command.hpp"
 #include "fairway/core/params.hpp"
 #include "fairway/scenario/load.hpp"
 
@@ -23,6 +24,8 @@ struct Program {
   std::string typed;            ///< the whole command, for reports
   std::function<int()> chosen;  ///< the verb that was asked for
   std::atomic<bool>* stop;      ///< set by Ctrl-C
+  std::string name;          ///< of this program, as it was called: "fairway", or one with methods of its own
+  const Catalogs& catalogs;  ///< what it offers
 };
 
 // One function per verb, each in its own file: adds the subcommand with its flags, its help and an example.
@@ -42,9 +45,6 @@ void add_explain(CLI::App& app, Program& program);
 void add_decide(CLI::App& app, Program& program);
 void add_trial(CLI::App& app, Program& program);
 void add_bench(CLI::App& app, Program& program);
-
-/// The whole command: parses, runs the verb, turns InputError into one line on stderr and exit code 2.
-int run_command(int argc, const char* const* argv);
 
 /// "name=value" apart. Throws InputError without a '='.
 std::pair<std::string, std::string> split_setting(const std::string& text);

@@ -34,11 +34,12 @@ void add_outcome(const std::string& broke, nlohmann::json& document) {
 }
 
 /// Simulates the recorded scenario again beside the recording.
-int verify(const Recording& recording, const std::string& name, bool as_json) {
+int verify(const Recording& recording, const std::string& name, bool as_json, const Catalogs& catalogs) {
   const Scenario scenario = recorded_scenario(recording, name);
+  check_methods(recording, scenario, catalogs, name);
   HashChecker checker{recording};
   const std::array<FrameSink*, 1> sinks{&checker};
-  Simulation simulation{scenario, builtin_catalogs()};
+  Simulation simulation{scenario, catalogs};
   simulation.show_thoughts(recording.info().sketches);
   while (!simulation.is_done() && !checker.is_over()) simulation.step(sinks);
   const std::string& broke = recording.divergence();
@@ -66,11 +67,12 @@ void export_to(const std::string& file, const Recording& recording, Export write
 }
 
 /// What is in the recording, from its frames alone; of a run that broke no measures.
-int summarise(const Recording& recording, const std::string& name, bool as_json) {
+int summarise(const Recording& recording, const std::string& name, bool as_json,
+              const VehicleCatalog& vehicles) {
   const RecordingInfo& info = recording.info();
   const Scenario scenario = recorded_scenario(recording, name);
   const std::string& broke = recording.divergence();
-  RunMetrics metrics = metrics_for(scenario);
+  RunMetrics metrics = metrics_for(scenario, vehicles);
   if (broke.empty()) recording.play(metrics);
   nlohmann::json document{{"recording", name},          {"scenario", info.scenario_name},
                           {"seed", info.seed},          {"version", info.version},
@@ -108,15 +110,15 @@ void add_replay(CLI::App& app, Program& program) {
   outputs->add("--echoes", flags->echoes, recording_table, "write the echoes of sonars as CSV");
   verb->add_flag("--json", flags->json, "print JSON");
   verb->callback([=, &program] {
-    program.chosen = [=] {
+    program.chosen = [=, &program] {
       outputs->judge({flags->recording});
       const Recording recording = Recording::read(flags->recording);
       export_to(flags->csv, recording, export_csv);
       export_to(flags->tracks, recording, export_tracks_csv);
       export_to(flags->echoes, recording, export_echoes_csv);
-      if (flags->verify) return verify(recording, flags->recording, flags->json);
+      if (flags->verify) return verify(recording, flags->recording, flags->json, program.catalogs);
       const bool exported = !(flags->csv + flags->tracks + flags->echoes).empty();
-      return exported ? ok : summarise(recording, flags->recording, flags->json);
+      return exported ? ok : summarise(recording, flags->recording, flags->json, program.catalogs.vehicles);
     };
   });
 }

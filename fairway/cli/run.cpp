@@ -39,10 +39,9 @@ int run(const RunOptions& options, const Outputs& outputs, const Program& progra
   Scenario scenario = load_scenario(options.file, overrides_of(options.settings), options.seed);
   if (!options.algorithm.empty()) set_algorithm(scenario, options.algorithm);
   check_expectations(scenario);
-  const RunOutcome outcome = options.live.asked
-                                 ? run_live(scenario, options.recording, options.live, program.typed,
-                                            options.json ? std::cerr : std::cout, program.stop)
-                                 : run_scenario(scenario, options.recording, program.stop);
+  const RunOutcome outcome = options.live.asked ? run_live(scenario, options.recording, options.live,
+                                                           options.json ? std::cerr : std::cout, program)
+                                                : run_scenario(scenario, options.recording, program);
   if (!outcome.complete) {
     print_interrupted(options, outcome.simulated_s);
     return interrupted;

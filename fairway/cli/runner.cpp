@@ -17,8 +17,9 @@
 namespace fairway::cli {
 namespace {
 
-RecordingInfo info_of(const Scenario& scenario, const RecordingChoice& choice) {
+RecordingInfo info_of(const Scenario& scenario, const RecordingChoice& choice, const Program& program) {
   RecordingInfo info = recording_info(scenario);
+  info.program = program.name;
   info.perception = choice.perception;
   info.sketches = choice.sketches;
   return info;
@@ -39,16 +40,16 @@ double excess(const Expectation& expected, double value) {
 
 }  // namespace
 
-RunOutcome run_scenario(const Scenario& scenario, const RecordingChoice& recording,
-                        const std::atomic<bool>* stop, const Watch* watch) {
-  Simulation simulation{scenario, builtin_catalogs()};
+RunOutcome run_scenario(const Scenario& scenario, const RecordingChoice& recording, const Program& program,
+                        const Watch* watch) {
+  Simulation simulation{scenario, program.catalogs};
   simulation.time_decisions();
   simulation.show_thoughts(recording.sketches);
-  RunMetrics metrics = metrics_for(scenario);
+  RunMetrics metrics = metrics_for(scenario, program.catalogs.vehicles);
   std::vector<FrameSink*> sinks{&metrics};
   std::unique_ptr<RecordingWriter> writer;
   if (!recording.file.empty()) {
-    writer = std::make_unique<RecordingWriter>(recording.file, info_of(scenario, recording));
+    writer = std::make_unique<RecordingWriter>(recording.file, info_of(scenario, recording, program));
     sinks.push_back(writer.get());
   }
   if (watch != nullptr) {
@@ -60,7 +61,7 @@ RunOutcome run_scenario(const Scenario& scenario, const RecordingChoice& recordi
   const auto begin = std::chrono::steady_clock::now();
   RunOutcome outcome;
   while (outcome.complete && !simulation.is_done()) {
-    outcome.complete = may_go_on(simulation.time(), watch, stop);
+    outcome.complete = may_go_on(simulation.time(), watch, program.stop);
     if (outcome.complete) simulation.step(sinks);
   }
   outcome.divergence = simulation.divergence();

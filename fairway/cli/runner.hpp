@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "fairway/cli/program.hpp"
 #include "fairway/metrics/run_metrics.hpp"
 #include "fairway/scenario/scenario.hpp"
 #include "fairway/sim/simulation.hpp"
@@ -41,8 +42,8 @@ struct Watch {
 };
 
 /// Runs a scenario, and records it, up to where it is stopped.
-RunOutcome run_scenario(const Scenario& scenario, const RecordingChoice& recording,
-                        const std::atomic<bool>* stop, const Watch* watch = nullptr);
+RunOutcome run_scenario(const Scenario& scenario, const RecordingChoice& recording, const Program& program,
+                        const Watch* watch = nullptr);
 
 /// "diverged: otter0 at 3.2 s: its speed is beyond 200 m/s", or empty for a run that is whole.
 std::string divergence_text(const Scenario& scenario, const RunOutcome& outcome);

@@ -6,6 +6,7 @@
 
 #include "fairway/cli/numbers.hpp"
 #include "fairway/cli/outputs.hpp"
+#include "fairway/cli/own_methods.hpp"
 #include "fairway/cli/program.hpp"
 #include "fairway/experiment/campaign.hpp"
 #include "fairway/experiment/compare.hpp"
@@ -32,10 +33,11 @@ Store store_for(const SweepFlags& flags, const Outputs& outputs, const Campaign&
   return Store::open(flags.out, outputs.force() ? Store::Foreign::replace : Store::Foreign::refuse);
 }
 
-int sweep(const SweepFlags& flags, const Outputs& outputs, const std::atomic<bool>* stop) {
-  const Catalogs catalogs = builtin_catalogs();
+int sweep(const SweepFlags& flags, const Outputs& outputs, const Program& program) {
+  const Catalogs& catalogs = program.catalogs;
+  const std::atomic<bool>* stop = program.stop;
   const auto check = [&](const Scenario& scenario) { Simulation{scenario, catalogs}; };
-  const Campaign campaign = load_campaign(flags.campaign, check, flags.jobs);
+  const Campaign campaign = load_campaign(flags.campaign, check, flags.jobs, own_methods(program));
   Store store = store_for(flags, outputs, campaign);
   Progress progress{campaign.name};
   const ExecutorReport report = run_campaign(
@@ -74,7 +76,7 @@ void add_sweep(CLI::App& app, Program& program) {
   verb->add_flag("--retry-failures", flags->retry, "make failed runs again");
   verb->add_flag("--json", flags->json, "print the comparison as JSON");
   verb->callback(
-      [=, &program] { program.chosen = [=, &program] { return sweep(*flags, *outputs, program.stop); }; });
+      [=, &program] { program.chosen = [=, &program] { return sweep(*flags, *outputs, program); }; });
 }
 
 }  // namespace fairway::cli

@@ -24,13 +24,13 @@ std::vector<std::string> scenario_files(const std::string& directory) {
   return files;
 }
 
-int test(const std::string& directory, bool as_json, const std::atomic<bool>* stop) {
+int test(const std::string& directory, bool as_json, const Program& program) {
   nlohmann::json document = nlohmann::json::array();
   int passed = 0, failed = 0;
   for (const std::string& file : scenario_files(directory)) {
     const Scenario scenario = load_scenario(file);
     check_expectations(scenario);
-    const RunOutcome outcome = run_scenario(scenario, {}, stop);
+    const RunOutcome outcome = run_scenario(scenario, {}, program);
     if (!outcome.complete) return interrupted;
     if (outcome.divergence) {
       ++failed;
@@ -67,7 +67,7 @@ void add_test(CLI::App& app, Program& program) {
   verb->add_option("directory", *directory, "folder")->capture_default_str();
   verb->add_flag("--json", *as_json, "print JSON");
   verb->callback(
-      [=, &program] { program.chosen = [=, &program] { return test(*directory, *as_json, program.stop); }; });
+      [=, &program] { program.chosen = [=, &program] { return test(*directory, *as_json, program); }; });
 }
 
 }  // namespace fairway::cli

@@ -20,11 +20,11 @@ struct TrialFlags {
   bool json{false};
 };
 
-int trial(const TrialFlags& flags, const Outputs& outputs) {
+int trial(const TrialFlags& flags, const Outputs& outputs, const VehicleCatalog& vehicles) {
   outputs.judge({flags.inputs});
   std::istringstream inputs{read_text(flags.inputs)};
   std::ostringstream states;
-  run_trial(builtin_vehicles(), flags.vehicle, inputs, flags.inputs, states, settings_of(flags.settings));
+  run_trial(vehicles, flags.vehicle, inputs, flags.inputs, states, settings_of(flags.settings));
   if (flags.out == "-") {
     std::cout << states.str();
     return ok;
@@ -51,7 +51,9 @@ void add_trial(CLI::App& app, Program& program) {
   verb->add_option("--set", flags->settings,
                    "state.*, current.*, actuator_dynamics, step_s or a vehicle's parameter");
   verb->add_flag("--json", flags->json, "print JSON");
-  verb->callback([=, &program] { program.chosen = [=] { return trial(*flags, *outputs); }; });
+  verb->callback([=, &program] {
+    program.chosen = [=, &program] { return trial(*flags, *outputs, program.catalogs.vehicles); };
+  });
 }
 
 }  // namespace fairway::cli

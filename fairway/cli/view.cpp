@@ -15,8 +15,7 @@
 #include "fairway/cli/outputs.hpp"
 #include "fairway/cli/program.hpp"
 #include "fairway/experiment/recording_info.hpp"
-#include "fairway/record/hash_checker.hpp"
-#include "fairway/sim/simulation.hpp"
+#include "fairway/view/film_recording.hpp"
 #include "fairway/view/playback.hpp"
 
 namespace fairway::cli {
@@ -80,46 +79,6 @@ FilmLimits film_limits_of(const ViewOptions& options) {
   return limits;
 }
 
-bool is_stopped(const std::atomic<bool>* stop) {
-  return stop != nullptr && stop->load(std::memory_order_relaxed);
-}
-
-/// Plays the recording into `film`; false if stopped.
-bool show_recorded(const Recording& recording, Film& film, const std::atomic<bool>* stop) {
-  Percentage progress{recording.size()};
-  for (std::size_t i = 0; i < recording.size(); ++i) {
-    if (is_stopped(stop)) return false;
-    film.write(recording.frame(i));
-    progress.add_one();
-  }
-  return true;
-}
-
-/// Simulates the recorded scenario again into `film`, with what its vehicles thought; false if stopped.
-/// Throws InputError where this build does not come to the recorded run.
-bool show_again(const Recording& recording, const Scenario& scenario, const std::string& name, Film& film,
-                const std::atomic<bool>* stop) {
-  Simulation simulation{scenario, builtin_catalogs()};
-  simulation.show_thoughts(true);
-  HashChecker checker{recording};
-  const std::array<FrameSink*, 2> sinks{&checker, &film};
-  Percentage progress{recording.run_frame_count()};
-  while (!simulation.is_done() && !checker.is_over()) {
-    if (is_stopped(stop)) return false;
-    simulation.step(sinks);
-    if (checker.first_mismatch()) break;
-    progress.add_one();
-  }
-  if (!checker.same())
-    throw InputError(name + ": --sketch needs to simulate it again, but the run " + checker.describe());
-  return true;
-}
-
-/// What the recording itself holds of what vehicles thought is enough for --sketch.
-bool holds_thoughts(const Recording& recording) {
-  return recording.info().perception && recording.info().sketches;
-}
-
 void check_window(const Recording& recording, const ViewOptions& options, const Film& film) {
   if (film.size() > 0) return;
   if (recording.size() == 0) throw InputError(options.recording + ": holds no frames");
@@ -154,8 +113,13 @@ int view(const ViewOptions& options, const Outputs& outputs, const Program& prog
   const Scenario scenario = recorded_scenario(recording, options.recording);
   Film film{scenario, film_limits_of(options)};
   const bool again = options.sketch && !holds_thoughts(recording);
-  const bool complete = again ? show_again(recording, scenario, options.recording, film, program.stop)
-                              : show_recorded(recording, film, program.stop);
+  bool complete = false;
+  {
+    Percentage progress{again ? recording.run_frame_count() : recording.size()};
+    const FilmWatch watch{program.stop, [&progress] { progress.add_one(); }};
+    complete = again ? show_again(recording, scenario, program.catalogs, options.recording, film, watch)
+                     : show_recorded(recording, film, watch);
+  }
   if (!complete) {
     std::cerr << "fairway: interrupted\n";
     return interrupted;

@@ -15,6 +15,7 @@ constexpr double instant = 1e-5;
 
 /// The parameters, if they go together.
 const AcousticParams& checked(const AcousticParams& params, std::size_t vehicle_count) {
+  check_params(params);
   const auto number = [](auto value) { return std::to_string(value); };
   const int packet = params.message_bytes_count + params.overhead_bytes_count;
   if (packet > params.modem_max_bytes_count) {

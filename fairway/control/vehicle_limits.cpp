@@ -12,12 +12,13 @@ namespace {
 /// A smaller share of all effectiveness is rounding.
 constexpr double least_share = 1e-6;
 
-constexpr Eigen::Index surge = 0, sway = 1;
+/// Rows of an effectiveness.
+constexpr Eigen::Index surge_row = 0, sway_row = 1;
 
 bool can_back(const Propulsion& propulsion, std::span<const ActuatorInfo> actuators) {
   const double least = least_share * propulsion.effectiveness.norm();
   for (Eigen::Index i = 0; i < propulsion.effectiveness.cols(); ++i) {
-    const double ahead = propulsion.effectiveness(surge, i);
+    const double ahead = propulsion.effectiveness(surge_row, i);
     const Range& range = actuators[static_cast<std::size_t>(i)].range;
     if (std::min(ahead * range.lo, ahead * range.hi) < -least) return true;
   }
@@ -33,7 +34,7 @@ std::optional<Range> setpoints(std::span<const ActuatorInfo> actuators, std::str
 }  // namespace
 
 bool can_sway(const Propulsion& propulsion) {
-  return propulsion.effectiveness.row(sway).norm() > least_share * propulsion.effectiveness.norm();
+  return propulsion.effectiveness.row(sway_row).norm() > least_share * propulsion.effectiveness.norm();
 }
 
 Limits narrowed(const Limits& mission, const Vehicle& vehicle) {

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <vector>
 
+#include "fairway/core/checked_params.hpp"
+
 namespace fairway {
 namespace {
 
@@ -31,7 +33,7 @@ std::vector<int> independent_rows(const Eigen::MatrixXd& B) {
 
 VelocityController::VelocityController(const Propulsion& propulsion, std::span<const ActuatorInfo> actuators,
                                        const Params& params)
-    : observer_bandwidth_{params.observer_bandwidth_radps}, thrusters_{actuators} {
+    : observer_bandwidth_{checked_params(params).observer_bandwidth_radps}, thrusters_{actuators} {
   const auto thrusters = static_cast<Eigen::Index>(actuators.size());
   if (propulsion.effectiveness.cols() != thrusters) {
     throw InputError("the thrust configuration has " + std::to_string(propulsion.effectiveness.cols()) +

@@ -214,6 +214,7 @@ struct Avoider::Self {
     if (!has_what_it_counts(s)) {
       Command standstill;
       standstill.mode = Mode::infeasible;
+      standstill.note = "a pointer is null where its count is not 0";
       return standstill;
     }
     take_tracks(s);

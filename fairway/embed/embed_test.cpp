@@ -245,11 +245,13 @@ TEST(EmbeddedAvoider, AnswersNonsenseWithAStandstillWhereverItStands) {
   s = PlainSituation{crowd};
   s.situation.period = 0.0;
   EXPECT_EQ(answer(s).mode, Mode::infeasible);
+  EXPECT_EQ(answer(s).note, "the period is not a positive number");
 
   Avoider avoider{"orca3d"};
   Situation nothing_there = PlainSituation{crowd}.situation;
   nothing_there.track_count = 1;
   EXPECT_EQ(avoider.decide(nothing_there).mode, Mode::infeasible);
+  EXPECT_EQ(avoider.decide(nothing_there).note, "a pointer is null where its count is not 0");
   nothing_there.track_count = 0;
   nothing_there.obstacle_count = 1;
   EXPECT_EQ(avoider.decide(nothing_there).mode, Mode::infeasible);

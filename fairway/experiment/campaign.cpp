@@ -109,31 +109,36 @@ std::vector<CampaignCell> expanded_cells(const CampaignFile& written, const Camp
 }
 
 /// Of all that decides the outcome; what is only there for people or for tests is left out.
-std::string key_of(const CampaignCell& cell, Scenario scenario) {
+std::string key_of(const CampaignCell& cell, Scenario scenario, const std::string& own_version) {
   scenario.name.clear();
   scenario.summary.clear();
   scenario.expect.clear();
   Digest digest;
   digest.add(std::to_string(results_epoch)).add(cell.algorithm).add(to_yaml(scenario));
   for (const auto& [name, value] : cell.labels) digest.add(name).add(value);
+  if (!own_version.empty()) digest.add(own_version);
   return digest.hex();
 }
 
 /// `fairway run` with all that the cell sets, up to the seed.
-std::string command_for(const Campaign& campaign, const CampaignCell& cell) {
-  std::string command = "fairway run " + shell_word(campaign.scenarios[cell.scenario].file);
+std::string command_for(const Campaign& campaign, const CampaignCell& cell, const std::string& program) {
+  if (program.empty()) return "";
+  std::string command = program + " run " + shell_word(campaign.scenarios[cell.scenario].file);
   for (const auto& [path, value] : cell.overrides) command += " --set " + shell_word(path + "=" + value);
   return command + " --seed ";
 }
 
-/// Resolves the scenarios of one cell and writes down their keys.
-void resolve_cell(Campaign& campaign, std::size_t cell, const CheckScenario& check) {
+/// Resolves the scenarios of one cell and writes down their keys and commands.
+void resolve_cell(Campaign& campaign, std::size_t cell, const CheckScenario& check, const OwnMethods& own) {
   for (std::size_t i = cell * campaign.seed_count; i < (cell + 1) * campaign.seed_count; ++i) {
     RunSpec& spec = campaign.specs[i];
     try {
       Scenario scenario = campaign.scenario_of(i);
       if (check && i == cell * campaign.seed_count) check(scenario);
-      spec.key = key_of(campaign.cells[cell], std::move(scenario));
+      const std::string own_version = own.version ? own.version(scenario) : "";
+      spec.command =
+          command_for(campaign, campaign.cells[cell], own_version.empty() ? "fairway" : own.program);
+      spec.key = key_of(campaign.cells[cell], std::move(scenario), own_version);
     } catch (const InputError& error) {
       throw InputError(campaign.file + ": in " + labels_text(spec.labels) +
                        " seed=" + std::to_string(spec.seed) + ": " + error.what());
@@ -142,7 +147,7 @@ void resolve_cell(Campaign& campaign, std::size_t cell, const CheckScenario& che
 }
 
 /// All cells, on several threads. Of several errors, that of the first cell is thrown.
-void resolve(Campaign& campaign, const CheckScenario& check, unsigned jobs) {
+void resolve(Campaign& campaign, const CheckScenario& check, unsigned jobs, const OwnMethods& own) {
   const std::size_t wanted = jobs > 0 ? jobs : std::max(1U, std::thread::hardware_concurrency());
   const std::size_t threads = std::min(wanted, campaign.cells.size());
   std::vector<std::exception_ptr> errors(campaign.cells.size());
@@ -152,7 +157,7 @@ void resolve(Campaign& campaign, const CheckScenario& check, unsigned jobs) {
     // after an error only the cells before it still matter
     for (std::size_t cell = next.fetch_add(1); cell < end; cell = next.fetch_add(1)) {
       try {
-        resolve_cell(campaign, cell, check);
+        resolve_cell(campaign, cell, check, own);
       } catch (...) {
         errors[cell] = std::current_exception();
         std::size_t known = end;
@@ -180,7 +185,7 @@ Scenario Campaign::scenario_of(std::size_t run) const {
 }
 
 Campaign parse_campaign(std::string_view yaml, const std::string& file, const CheckScenario& check,
-                        unsigned jobs) {
+                        unsigned jobs, const OwnMethods& own) {
   const CampaignFile written = parse_campaign_file(yaml, file);
   refuse_too_many(written, file);
   Campaign campaign{.name = written.name,
@@ -193,20 +198,20 @@ Campaign parse_campaign(std::string_view yaml, const std::string& file, const Ch
                     .quantities = written.quantities};
   campaign.cells = expanded_cells(written, campaign);
   for (const CampaignCell& cell : campaign.cells) {
-    const std::string command = command_for(campaign, cell);
     for (std::size_t s = 0; s < campaign.seed_count; ++s) {
       campaign.specs.push_back(
-          {.key = {}, .labels = cell.labels, .seed = written.first_seed + s, .command = command});
+          {.key = {}, .labels = cell.labels, .seed = written.first_seed + s, .command = {}});
     }
   }
-  resolve(campaign, check, jobs);
+  resolve(campaign, check, jobs, own);
   return campaign;
 }
 
-Campaign load_campaign(const std::string& file, const CheckScenario& check, unsigned jobs) {
+Campaign load_campaign(const std::string& file, const CheckScenario& check, unsigned jobs,
+                       const OwnMethods& own) {
   const std::optional<std::string> text = read_file(file);
   if (!text) throw InputError({file, 0, 0}, "", "cannot be read");
-  return parse_campaign(*text, file, check, jobs);
+  return parse_campaign(*text, file, check, jobs, own);
 }
 
 Origin origin_of(const Campaign& campaign) {

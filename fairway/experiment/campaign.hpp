@@ -48,6 +48,15 @@ struct Campaign {
 /// Checks what the scenario's own loader cannot: names of models and algorithms. Throws InputError.
 using CheckScenario = std::function<void(const Scenario&)>;
 
+/// What a program has besides fairway's own methods and vehicles.
+struct OwnMethods {
+  /// Of those in a scenario: text that is another one whenever they may decide otherwise than before. It is
+  /// part of the run's key, so that no stored run of another version is taken for this one. Empty: there are
+  /// none of them. Safe to call from several threads. Throws InputError where there is no telling.
+  std::function<std::string(const Scenario&)> version;
+  std::string program;  ///< that makes such a run alone, as `fairway` makes the others; empty: none does
+};
+
 /// Makes one run.
 using Simulate = std::function<std::vector<Measure>(const Scenario&)>;
 
@@ -56,13 +65,14 @@ inline constexpr std::size_t max_campaign_runs = 10'000'000;
 /// Reads and expands a campaign. Every scenario is resolved for every seed, on `jobs` threads (0 = all),
 /// and `check` is asked once per cell, so that a mistake is reported before anything is run. A run's
 /// key is a digest of its resolved scenario, labels, algorithm and results_epoch: a comment or a default
-/// written out changes nothing, a changed number makes another run.
-/// Throws InputError with file, line, column and path.
-Campaign load_campaign(const std::string& file, const CheckScenario& check = {}, unsigned jobs = 1);
+/// written out changes nothing, a changed number makes another run, and so does another version of a method
+/// that is the program's own. Throws InputError with file, line, column and path.
+Campaign load_campaign(const std::string& file, const CheckScenario& check = {}, unsigned jobs = 1,
+                       const OwnMethods& own = {});
 
 /// The same from text; scenarios are looked for relative to `file`.
 Campaign parse_campaign(std::string_view yaml, const std::string& file, const CheckScenario& check = {},
-                        unsigned jobs = 1);
+                        unsigned jobs = 1, const OwnMethods& own = {});
 
 /// Its name, summary and the order of its labels' values. values_of(origin.order, "method") is what compare()
 /// takes as CompareOptions::order.

@@ -293,5 +293,28 @@ TEST(DigestTest, TellsWhereOneTextEndsAndTheNextBegins) {
   EXPECT_NE(Digest{}.add("").hex(), Digest{}.hex());
 }
 
+TEST_F(CampaignTest, ARunWithAMethodOfTheProgramsOwnHasItsVersionInTheKey) {
+  const std::string two = "algorithms: [orca3d, {algorithm: mine+stop_and_wait}]\n";
+  const auto with = [&](const std::string& version, const std::string& program) {
+    const auto own = [version](const Scenario& scenario) {
+      return scenario.vehicles[0].avoider.name.starts_with("mine") ? version : std::string();
+    };
+    return parse_campaign(std::string(minimal) + two, folder_.file("test.yaml"), {}, 2, {own, program}).specs;
+  };
+  const std::vector<RunSpec> plain = parse(two).specs;
+  const std::vector<RunSpec> first = with("1", "own_method");
+  const std::vector<RunSpec> second = with("2", "");
+  ASSERT_EQ(first.size(), 2U);
+
+  EXPECT_EQ(first[0].key, plain[0].key) << "fairway's own methods are known by results_epoch";
+  EXPECT_EQ(first[1].key, with("1", "")[1].key);
+  EXPECT_NE(first[1].key, plain[1].key);
+  EXPECT_NE(first[1].key, second[1].key);
+
+  EXPECT_THAT(first[0].command, StartsWith("fairway run "));
+  EXPECT_THAT(first[1].command, StartsWith("own_method run "));
+  EXPECT_EQ(second[1].command, "");
+}
+
 }  // namespace
 }  // namespace fairway

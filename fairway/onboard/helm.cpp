@@ -32,6 +32,8 @@ BodyRequest circle_blind(const SteeringParams& steering) {
 
 Helm::Helm(HelmSetup setup, Avoider avoider)
     : setup_{std::move(setup)}, avoider_{std::move(avoider)}, fresh_{avoider_} {
+  check_params(setup_.steering);
+  check_params(setup_.policy);
   for (const TeamMate& mate : setup_.team)
     neighbours_.push_back({.radius = mate.radius, .priority = mate.priority});
   near_.reserve(neighbours_.size());

@@ -110,6 +110,7 @@ struct HelmReport {
 /// construction, unless the method does.
 class Helm {
  public:
+  /// Throws InputError for a parameter of steering or policy outside its range.
   Helm(HelmSetup setup, Avoider avoider);
 
   // what it is told

@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 
+#include "fairway/core/checked_params.hpp"
 #include "fairway/perception/tracker/gate.hpp"
 
 namespace fairway {
@@ -29,7 +30,7 @@ Belief fused(const Belief& a, const Belief& b) {
 }  // namespace
 
 Merge::Merge(const MergeParams& params, std::size_t seen_count, std::size_t told_count)
-    : params_{params},
+    : params_{checked_params(params)},
       gate_{gate_of(params.merge_gate_ratio, 3)},
       assignment_{seen_count, std::min(told_count, usual_pairs)} {
   near_.reserve(told_count);

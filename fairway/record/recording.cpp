@@ -72,6 +72,7 @@ Recording Recording::parse(ByteView bytes, const std::string& file) {
     info.seed = number_entry<std::uint64_t>(run, "seed");
     info.period = number_entry<double>(run, "period_s");
     recording.stride_ = number_entry<std::int64_t>(run, "stride");
+    if (const auto program = run.find("program"); program != run.end()) info.program = program->second;
     info.perception = says_true(run, "perception");
     info.sketches = says_true(run, "sketches");
     const auto scenario = mcap.attachments().find(std::string(layout::scenario_attachment));

@@ -40,10 +40,11 @@ struct RecordingInfo {
   std::string scenario_name;
   std::string scenario_yaml;  ///< resolved: to_yaml(scenario), from which the run can be repeated
   std::uint64_t seed{};
-  double period{};                ///< between the frames of the run [s]
-  std::vector<Vehicle> vehicles;  ///< by index, as in the frames
-  bool perception{false};         ///< tracks and echoes are in the frames too
-  bool sketches{false};           ///< what methods drew and the messages under way are in the frames too
+  double period{};                 ///< between the frames of the run [s]
+  std::vector<Vehicle> vehicles;   ///< by index, as in the frames
+  std::string program{"fairway"};  ///< that made the run: one with methods of its own, or "Python"
+  bool perception{false};          ///< tracks and echoes are in the frames too
+  bool sketches{false};            ///< what methods drew and the messages under way are in the frames too
 };
 
 /// Records a run as an MCAP file with ROS 2 messages, stamped with simulation time; README.md has the

@@ -8,6 +8,7 @@
 #include <charconv>
 #include <istream>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "fairway/cli/decide/situation_json.hpp"
@@ -96,6 +97,7 @@ void append_answer(const Command& command, bool planar, std::string& out) {
     }
     out += ']';
   }
+  if (!command.note.empty()) out += ",\"note\":" + nlohmann::json(command.note).dump();
   out += "}\n";
 }
 

@@ -66,6 +66,16 @@ TEST(DecideTest, EveryLineMeetsAFreshAvoider) {
   EXPECT_EQ(answers("", {.algorithm = "counting"}), "");
 }
 
+TEST(DecideTest, WhatCannotBeDecidedOnIsAnsweredWithANoteThatSaysWhy) {
+  // each number is finite, and their sum is not
+  const std::string track = R"(,"tracks":[{"id":1,"position":[9,0,0],"velocity":[0,0,0],"radius":1,)"
+                            R"("position_covariance":[[1e308,0,0],[0,1e308,0],[0,0,1e308]]}])";
+  EXPECT_EQ(answers(line(0, track), {.algorithm = "counting"}),
+            R"({"velocity":[0,0,0],"mode":"infeasible",)"
+            R"("note":"a track has a number that is not finite, or no radius"})"
+            "\n");
+}
+
 TEST(DecideTest, WithMemoryEachVehicleLivesOn) {
   EXPECT_EQ(answers(line(0) + line(0) + line(1) + line(0), {.algorithm = "counting", .keep_memory = true}),
             fresh + "{\"velocity\":[0,1,0.25],\"mode\":\"hold\"}\n" + fresh +

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/dynamics/kinematic/kinematic.hpp"
 
+#include "fairway/core/checked_params.hpp"
+
 namespace fairway {
 
 Kinematic::Kinematic(const Params& p)
-    : rate_{1.0 / p.time_constant_s},
+    : rate_{1.0 / checked_params(p).time_constant_s},
       max_acceleration_{p.max_acceleration_mps2},
       max_turn_acceleration_{p.max_turn_acceleration_radps2},
       sways_{p.max_sway_mps > 0.0},

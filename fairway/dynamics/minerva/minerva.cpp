@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/dynamics/minerva/minerva.hpp"
 
+#include "fairway/core/checked_params.hpp"
+
 namespace fairway {
 namespace {
 
@@ -68,6 +70,7 @@ CompositeBody::Options equations_of(MinervaPlant plant, DegreesOfFreedom degrees
 }
 
 Minerva::Minerva(const Params& params)
-    : vehicle_{std::array{minerva_part(params)}, equations_of(params.plant, params.degrees_of_freedom)} {}
+    : vehicle_{std::array{minerva_part(checked_params(params))},
+               equations_of(params.plant, params.degrees_of_freedom)} {}
 
 }  // namespace fairway

@@ -4,6 +4,8 @@
 #include <Eigen/QR>
 #include <algorithm>
 
+#include "fairway/core/checked_params.hpp"
+
 namespace fairway {
 namespace {
 
@@ -130,6 +132,6 @@ CompositeVehicle assembled(const Params& p) {
 
 }  // namespace
 
-MinervaTransport::MinervaTransport(const Params& params) : vehicle_{assembled(params)} {}
+MinervaTransport::MinervaTransport(const Params& params) : vehicle_{assembled(checked_params(params))} {}
 
 }  // namespace fairway

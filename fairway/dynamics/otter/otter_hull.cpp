@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fairway/core/checked_params.hpp"
+
 namespace fairway {
 namespace {
 
@@ -113,7 +115,7 @@ Vec3 down_at(double roll, double pitch) {
 }  // namespace
 
 OtterHull::OtterHull(const OtterParams& p)
-    : payload_{p.payload_x_m, p.payload_y_m, p.payload_z_m},
+    : payload_{checked_params(p).payload_x_m, p.payload_y_m, p.payload_z_m},
       payload_weight_{p.payload_kg * g},
       strip_coefficient_{hoerner_drag(pontoon_beam, Loaded{p}.draft)},
       strips_{length, Loaded{p}.draft, rho} {

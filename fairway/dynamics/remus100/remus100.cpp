@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fairway/core/angles.hpp"
+#include "fairway/core/checked_params.hpp"
 
 namespace fairway {
 namespace {
@@ -88,7 +89,7 @@ Remus100::Remus100(const Params& p)
       M_{M_RB_ + fossen::Matrix6{M_A_.asDiagonal()}},
       M_inverse_{M_.inverse()},
       weight_{M_RB_(0, 0) * gravity_at_trondheim},
-      parasitic_drag_{p.drag_ratio * pi * semi_axis_b * semi_axis_b / planform},
+      parasitic_drag_{checked_params(p).drag_ratio * pi * semi_axis_b * semi_axis_b / planform},
       rudder_lift_{0.5 * sea_density * fin_area * p.rudder_lift_ratio},
       stern_lift_{0.5 * sea_density * fin_area * p.stern_lift_ratio},
       cylinder_{hull_length / diameter},

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fairway/core/checked_params.hpp"
+
 namespace fairway {
 namespace {
 
@@ -42,7 +44,7 @@ Range heave_range(const Sparus2::Params& p) {
 }  // namespace
 
 Sparus2::Sparus2(const Params& p)
-    : body_{numbers_of(p)},
+    : body_{numbers_of(checked_params(p))},
       surge_arm_{p.surge_thruster_y_m},
       disk_area_{pi / 4 * p.propeller_diameter_m * p.propeller_diameter_m},
       density_{p.density_kgpm3} {

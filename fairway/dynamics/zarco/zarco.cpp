@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "fairway/core/checked_params.hpp"
+
 namespace fairway {
 namespace {
 
@@ -49,7 +51,7 @@ SubmergedBodyNumbers numbers_of(const Zarco::Params& p, const Hydrostatics& hydr
 }  // namespace
 
 Zarco::Zarco(const Params& p)
-    : body_{numbers_of(p, hydrostatics_of(p))},
+    : body_{numbers_of(p, hydrostatics_of(checked_params(p)))},
       hydrostatics_{hydrostatics_of(p)},
       thruster_arm_{p.thruster_y_m},
       disk_area_{pi / 4 * p.propeller_diameter_m * p.propeller_diameter_m} {

@@ -10,6 +10,7 @@ namespace fairway {
 namespace {
 
 SonarParams checked(const SonarParams& params) {
+  check_params(params);
   check(params);
   return params;
 }

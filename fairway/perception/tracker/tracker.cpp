@@ -14,6 +14,7 @@ constexpr int misses_made_up = 2;         // by one contact: who is seen less th
 constexpr double radius_tolerance = 0.2;  // things are not balls: a share of the radius
 
 TrackerParams consistent(const TrackerParams& params) {
+  check_params(params);
   check(params);
   return params;
 }

@@ -206,11 +206,7 @@ ExplanationSection unasked_section(const FoundDecision& found) {
 
 std::vector<const Catalog::Entry*> layers_of(std::string_view name, const Catalog& avoiders) {
   std::vector<const Catalog::Entry*> layers;
-  for (std::size_t from = 0; from <= name.size();) {
-    const std::size_t plus = std::min(name.find('+', from), name.size());
-    layers.push_back(&avoiders.find(name.substr(from, plus - from)));
-    from = plus + 1;
-  }
+  for (const std::string_view layer : layer_names(name)) layers.push_back(&avoiders.find(layer));
   return layers;
 }
 

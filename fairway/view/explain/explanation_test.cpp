@@ -85,6 +85,15 @@ TEST_F(HeadOn, IsToldByTheWordsOfTheMethodFirst) {
             "auv finds no safe velocity and stops: no way was found.");
 }
 
+TEST_F(HeadOn, SaysWhatOfTheSituationCannotBeDecidedOn) {
+  tracks[0].radius = -1.0;
+  const Explanation told =
+      explained({.mode = Mode::infeasible, .note = "a track has a number that is not finite, or no radius"});
+  EXPECT_THAT(told.headline, HasSubstr(": a track has a number that is not finite, or no radius."));
+  EXPECT_THAT(section_of(told, "Command").lines,
+              Contains("It says: a track has a number that is not finite, or no radius."));
+}
+
 TEST_F(HeadOn, SaysWhatIsBeyondTheVehicle) {
   limits = {.max_speed = 1.5, .min_speed = 0.4, .sternway = false, .sway = false};
   const FoundDecision found = answered({.velocity = {-1.5, 0, 0}, .mode = Mode::infeasible});
@@ -178,7 +187,7 @@ TEST_F(HeadOn, GivesThePageWhatItReads) {
 TEST(Explanation, SaysWhoSteersWhereNoAvoiderIsAsked) {
   const Scenario scenario = testing::scenario_of("survey_mission", {{"duration_s", "100"}});
   const Recording recording = testing::recorded(scenario);
-  const auto found = find_decision(recording, scenario, {0, 40});
+  const auto found = find_decision(recording, scenario, builtin_catalogs(), {0, 40});
   ASSERT_TRUE(found);
   const Explanation told = explain(scenario, *found, builtin_avoiders());
   EXPECT_EQ(told.headline, "surveyor asks no avoider: guidance steers it straight to (0.0, 0.0, 8.0) m.");

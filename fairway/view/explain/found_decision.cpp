@@ -133,8 +133,8 @@ KeptDecision::KeptDecision(const Situation& situation, const Command& command)
 }
 
 std::optional<FoundDecision> find_decision(const Recording& recording, const Scenario& scenario,
-                                           const Instant& instant, const DecisionWindow& window,
-                                           const std::atomic<bool>* stop) {
+                                           const Catalogs& catalogs, const Instant& instant,
+                                           const DecisionWindow& window, const std::atomic<bool>* stop) {
   const Frame asked = recording.frame(instant.frame);
   const std::int64_t target = count(asked.tick);
   const bool has_window = window.sink != nullptr;
@@ -143,7 +143,7 @@ std::optional<FoundDecision> find_decision(const Recording& recording, const Sce
   // the decision in force may be as old as this
   const std::int64_t watched = target - std::max<std::int64_t>(before, scenario.steps_per_decision - 1);
 
-  Simulation simulation{scenario, builtin_catalogs()};
+  Simulation simulation{scenario, catalogs};
   Witness witness{recording, instant, window.sink};
   const std::array<FrameSink*, 1> sinks{&witness};
   std::optional<FoundDecision> found;

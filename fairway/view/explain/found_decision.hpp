@@ -14,6 +14,7 @@
 #include "fairway/record/quantities.hpp"
 #include "fairway/record/recording.hpp"
 #include "fairway/scenario/scenario.hpp"
+#include "fairway/sim/catalogs.hpp"
 #include "fairway/view/explain/instant.hpp"
 
 namespace fairway {
@@ -70,7 +71,8 @@ struct DecisionWindow {
 /// such case, but `difference`. `stop`, if not null, ends it early: then there is no answer. O(run until
 /// then).
 std::optional<FoundDecision> find_decision(const Recording& recording, const Scenario& scenario,
-                                           const Instant& instant, const DecisionWindow& window = {},
+                                           const Catalogs& catalogs, const Instant& instant,
+                                           const DecisionWindow& window = {},
                                            const std::atomic<bool>* stop = nullptr);
 
 }  // namespace fairway

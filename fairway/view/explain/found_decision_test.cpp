@@ -66,7 +66,7 @@ TEST_P(AnyInstant, ReproducesTheRecordedCommandToTheBit) {
   std::size_t asked = 0;
   for (std::size_t vehicle = 0; vehicle < std::min<std::size_t>(2, scenario.vehicles.size()); ++vehicle) {
     for (const std::size_t frame : sample(avoiding_frames(recording, vehicle), c.asked)) {
-      const auto found = find_decision(recording, scenario, {vehicle, frame});
+      const auto found = find_decision(recording, scenario, builtin_catalogs(), {vehicle, frame});
       ASSERT_TRUE(found && found->decision) << "vehicle " << vehicle << ", frame " << frame;
       EXPECT_FALSE(found->difference) << found->difference->quantity;
       const VehicleFrame now{.command = found->decision->command()};
@@ -109,7 +109,7 @@ TEST(FoundDecision, KeepsWhatItWasMadeOfAndWhatWasDrawn) {
   const Scenario scenario = scenario_of("head_on", {{"duration_s", "60"}});
   const Recording recording = recorded(scenario);
   const std::size_t frame = avoiding_frame(recording, 1);
-  const auto found = find_decision(recording, scenario, {1, frame});
+  const auto found = find_decision(recording, scenario, builtin_catalogs(), {1, frame});
   ASSERT_TRUE(found && found->decision);
   const Situation& s = found->decision->situation();
   const VehicleFrame& own = recording.frame(frame).vehicles[1];
@@ -127,7 +127,7 @@ TEST(FoundDecision, IsFoundBetweenTheFramesOfAThinnedRecording) {
   const Recording recording = recorded(scenario, 7);
   std::set<std::int64_t> ages;
   for (const std::size_t frame : {3, 4, 5, 6}) {
-    const auto found = find_decision(recording, scenario, {0, frame});
+    const auto found = find_decision(recording, scenario, builtin_catalogs(), {0, frame});
     ASSERT_TRUE(found && found->decision);
     EXPECT_FALSE(found->difference);
     EXPECT_EQ(count(found->tick), 7 * static_cast<std::int64_t>(frame));
@@ -140,7 +140,7 @@ TEST(FoundDecision, IsFoundBetweenTheFramesOfAThinnedRecording) {
 TEST(FoundDecision, IsNoneWhereNoAvoiderIsAsked) {
   const Scenario scenario = scenario_of("survey_mission", {{"duration_s", "200"}});
   const Recording recording = recorded(scenario);
-  const auto found = find_decision(recording, scenario, {0, 40});
+  const auto found = find_decision(recording, scenario, builtin_catalogs(), {0, 40});
   ASSERT_TRUE(found);
   EXPECT_FALSE(found->decision);
   EXPECT_FALSE(found->difference);
@@ -161,7 +161,8 @@ TEST(FoundDecision, PassesOnWhatSurroundsItWithThoughts) {
   const Recording recording = recorded(scenario);
   const std::size_t middle = avoiding_frame(recording, 0);
   const double time = recording.frame(middle).time;
-  const auto found = find_decision(recording, scenario, {0, middle}, {1.0, 0.5, &counter});
+  const auto found =
+      find_decision(recording, scenario, builtin_catalogs(), {0, middle}, {1.0, 0.5, &counter});
   ASSERT_TRUE(found && found->decision);
   ASSERT_EQ(counter.times.size(), middle + 1 + static_cast<std::size_t>(std::lround(0.5 / scenario.step_s)));
   ASSERT_FALSE(counter.drawn.empty());
@@ -174,12 +175,12 @@ TEST(FoundDecision, OfAnotherRunIsRefusedWithTheTickAtWhichItParts) {
   const Recording recording = recorded(scenario, 1, [](const Frame& frame, auto& vehicles) {
     if (count(frame.tick) == 30) vehicles[1].state.p_n.x() += 1e-9;
   });
-  const auto before = find_decision(recording, scenario, {0, 29});
+  const auto before = find_decision(recording, scenario, builtin_catalogs(), {0, 29});
   ASSERT_TRUE(before && before->decision);
   EXPECT_FALSE(before->difference);
   EXPECT_THAT(
       [&] {
-        (void)find_decision(recording, scenario, {0, 50});
+        (void)find_decision(recording, scenario, builtin_catalogs(), {0, 50});
       },
       ThrowsMessage<InputError>(AllOf(HasSubstr("another run"), HasSubstr("tick 30"), HasSubstr("x_m"))));
 }
@@ -189,18 +190,18 @@ TEST(FoundDecision, ThatIsNotTheRecordedOneSaysWhatDiffers) {
   const Recording recording = recorded(scenario, 1, [](const Frame& frame, auto& vehicles) {
     if (count(frame.tick) == 30) vehicles[1].command.velocity.y() += 1e-16;
   });
-  const auto found = find_decision(recording, scenario, {1, 30});
+  const auto found = find_decision(recording, scenario, builtin_catalogs(), {1, 30});
   ASSERT_TRUE(found && found->decision && found->difference);
   EXPECT_EQ(found->difference->quantity, "command_e_mps");
-  EXPECT_THROW((void)find_decision(recording, scenario, {0, 30}), InputError);
-  EXPECT_THROW((void)find_decision(recording, scenario, {1, 31}), InputError);
+  EXPECT_THROW((void)find_decision(recording, scenario, builtin_catalogs(), {0, 30}), InputError);
+  EXPECT_THROW((void)find_decision(recording, scenario, builtin_catalogs(), {1, 31}), InputError);
 }
 
 TEST(FoundDecision, CanBeStopped) {
   const Scenario scenario = scenario_of("head_on", {{"duration_s", "5"}});
   const Recording recording = recorded(scenario);
   const std::atomic<bool> stop{true};
-  EXPECT_FALSE(find_decision(recording, scenario, {0, 50}, {}, &stop));
+  EXPECT_FALSE(find_decision(recording, scenario, builtin_catalogs(), {0, 50}, {}, &stop));
 }
 
 }  // namespace
