@@ -70,10 +70,10 @@ std::vector<Item> items_of(const std::vector<KindInfo>& kinds) {
 std::vector<Item> metrics() {
   std::vector<Item> items;
   for (const QuantityInfo& quantity : all_quantities()) {
-    items.push_back(
-        {std::string(quantity.name),
-         std::string(quantity.per_vehicle ? "per vehicle: " : "fleet: ") + std::string(quantity.meaning) +
-             (quantity.complete_at_1.empty() ? "" : "; censored by the time limit")});
+    items.push_back({std::string(quantity.name),
+                     std::string(quantity.per_vehicle ? "per vehicle: " : "fleet: ") +
+                         std::string(quantity.meaning) +
+                         (quantity.complete_at_1.empty() ? "" : "; censored by the time limit")});
   }
   return items;
 }
