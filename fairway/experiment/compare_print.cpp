@@ -12,11 +12,14 @@ namespace {
 
 using Row = std::vector<std::string>;
 
-/// Four digits, or all before the point where that is shorter than an exponent.
+/// Four digits, of small numbers three, with an exponent of no more than it takes: 0.0123, 123456, 1.234e6.
 std::string number(double value) {
   if (!std::isfinite(value)) return "-";
   const double size = std::abs(value);
-  return size >= 1e4 && size < 1e7 ? fmt::format("{:.0f}", value) : fmt::format("{:.4g}", value);
+  if (size >= 1e4 && size < 1e6) return fmt::format("{:.0f}", value);
+  std::string text = size < 0.1 ? fmt::format("{:.3g}", value) : fmt::format("{:.4g}", value);
+  const std::size_t exponent = text.find("e+0");
+  return exponent == std::string::npos ? text : text.replace(exponent, 3, "e");
 }
 
 std::string interval(double low, double high) {
@@ -24,7 +27,7 @@ std::string interval(double low, double high) {
   return fmt::format("[{}, {}]", number(low), number(high));
 }
 
-std::string p_text(double p) { return p < 0.0001 ? "<0.0001" : fmt::format("{:.4f}", p); }
+std::string p_text(double p) { return p < 0.001 ? "<0.001" : fmt::format("{:.3f}", p); }
 
 /// Columns on which a display spends its width, not bytes.
 std::size_t width_of(const std::string& text) {

@@ -70,17 +70,24 @@ json boxes(const CellRuns& runs, const Comparison& comparison, const GroupNames&
           {"categories", categories}, {"series", series}};
 }
 
-/// The share of runs that take longer, as steps over time up to where it is known.
+/// The share of runs that take longer, as steps over time up to where it is known, and often enough between
+/// them to be read anywhere.
 json curve_of(const ComparedMean& mean) {
+  constexpr int parts = 60;
   const CensoredTimes& times = *mean.censored;
-  std::vector<double> x{0.0}, y{1.0};
-  for (const SurvivalStep& step : times.curve) {
-    if (step.time > times.limit) break;
-    x.insert(x.end(), {step.time, step.time});
-    y.insert(y.end(), {y.back(), step.share});
+  std::vector<double> x, y;
+  double share = 1.0;
+  auto step = times.curve.begin();
+  for (int part = 0; part <= parts; ++part) {
+    const double time = part == parts ? times.limit : times.limit * part / parts;
+    for (; step != times.curve.end() && step->time <= time; ++step) {
+      x.insert(x.end(), {step->time, step->time});
+      y.insert(y.end(), {share, step->share});
+      share = step->share;
+    }
+    x.push_back(time);
+    y.push_back(share);
   }
-  x.push_back(times.limit);
-  y.push_back(y.back());
   return page::series(mean.candidate, x, y);
 }
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -114,8 +115,13 @@ TEST(ResultsPage, TimesThatWereCutOffHaveCurvesAndNoBox) {
   const json& cut = section_of(page, "cut-off");
   const json curve = cut["blocks"][0]["blocks"][0]["series"][1];
   EXPECT_EQ(curve["label"], "orca3d");
-  EXPECT_EQ(curve["x"].dump(), "[0.0,22.0,22.0,24.0]");
-  EXPECT_EQ(curve["y"].dump(), "[1.0,1.0,0.5,0.5]");
+  const auto x = curve["x"].get<std::vector<double>>();
+  const auto down = static_cast<std::size_t>(std::ranges::find(x, 22.0) - x.begin());
+  EXPECT_EQ(x.at(down + 1), 22.0);
+  EXPECT_EQ(curve["y"][down], 1.0);
+  EXPECT_EQ(curve["y"][down + 1], 0.5);
+  EXPECT_EQ(x.back(), 24.0);  // the longest of the vehicles of the run that was cut off
+  EXPECT_EQ(curve["y"].back(), 0.5);
   EXPECT_EQ(cut["blocks"][1]["rows"][1]["arrived"], "1 of 2");
   for (const json& row : block_of(page, 2)["rows"]) {
     if (row["quantity"] != "navigation_time_s") continue;
