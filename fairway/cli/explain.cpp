@@ -11,6 +11,7 @@
 #include "fairway/cli/program.hpp"
 #include "fairway/core/text.hpp"
 #include "fairway/view/explain/explain_recording.hpp"
+#include "fairway/view/playback.hpp"
 
 namespace fairway::cli {
 namespace {

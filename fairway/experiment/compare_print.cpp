@@ -13,7 +13,7 @@ namespace {
 using Row = std::vector<std::string>;
 
 /// Four digits, of small numbers three, with an exponent of no more than it takes: 0.0123, 123456, 1.234e6.
-std::string number(double value) {
+std::string figure(double value) {
   if (!std::isfinite(value)) return "-";
   const double size = std::abs(value);
   if (size >= 1e4 && size < 1e6) return fmt::format("{:.0f}", value);
@@ -24,7 +24,7 @@ std::string number(double value) {
 
 std::string interval(double low, double high) {
   if (!std::isfinite(low) && !std::isfinite(high)) return "-";
-  return fmt::format("[{}, {}]", number(low), number(high));
+  return fmt::format("[{}, {}]", figure(low), figure(high));
 }
 
 std::string p_text(double p) { return p < 0.001 ? "<0.001" : fmt::format("{:.3f}", p); }
@@ -73,12 +73,12 @@ void begin_part(std::vector<Row>& rows, const std::string& part, std::string& be
 
 /// The mean as it may be stated, or how far it is restricted.
 Row value_cells(const ComparedMean& m) {
-  if (!m.censored) return {number(m.value.mean), interval(m.value.low, m.value.high), number(m.median), ""};
+  if (!m.censored) return {figure(m.value.mean), interval(m.value.low, m.value.high), figure(m.median), ""};
   const CensoredTimes& c = *m.censored;
-  return {fmt::format("{} to {}", number(c.restricted.mean), number(c.limit)),
+  return {fmt::format("{} to {}", figure(c.restricted.mean), figure(c.limit)),
           interval(c.restricted.low, c.restricted.high),
-          std::isfinite(c.median.low) ? number(c.median.median) + " " + interval(c.median.low, c.median.high)
-                                      : number(c.median.median),
+          std::isfinite(c.median.low) ? figure(c.median.median) + " " + interval(c.median.low, c.median.high)
+                                      : figure(c.median.median),
           fmt::format("{}/{}", c.complete.successes, c.complete.trials)};
 }
 
@@ -112,7 +112,7 @@ std::string rates_text(const Comparison& comparison, const std::string& percent)
   for (const ComparedRate& r : comparison.rates) {
     begin_part(rows, heading(r.group), part, columns);
     rows.push_back({r.candidate, r.name, fmt::format("{}/{}", r.value.successes, r.value.trials),
-                    number(r.value.rate), interval(r.value.low, r.value.high)});
+                    figure(r.value.rate), interval(r.value.low, r.value.high)});
   }
   return aligned(rows, 2);
 }
@@ -143,7 +143,7 @@ std::string differences_text(const Comparison& comparison, const std::string& pe
       begin_part(rows, name, part, columns);
       rows.push_back(difference_row(
           m.quantity, d.count,
-          {number(d.mean), interval(d.low, d.high), number(median.median), interval(median.low, median.high)},
+          {figure(d.mean), interval(d.low, d.high), figure(median.median), interval(median.low, median.high)},
           *m.test));
     }
     for (const ComparedRate& r : comparison.rates) {
@@ -151,7 +151,7 @@ std::string differences_text(const Comparison& comparison, const std::string& pe
       const RateDifference& d = r.difference;
       begin_part(rows, name, part, columns);
       rows.push_back(
-          difference_row(r.name, d.pairs, {number(d.difference), interval(d.low, d.high), "", ""}, *r.test));
+          difference_row(r.name, d.pairs, {figure(d.difference), interval(d.low, d.high), "", ""}, *r.test));
     }
   }
   return rows.empty() ? "" : aligned(rows, 1);

@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fairway/experiment/special_numbers.hpp"
 #include "fairway/metrics/run_metrics.hpp"
 
 namespace fairway {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using special::nan;
 
 /// What a run has of a quantity.
 struct Observed : ObservedTime {

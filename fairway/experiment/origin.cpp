@@ -6,26 +6,26 @@
 namespace fairway {
 namespace {
 
-using json = nlohmann::ordered_json;
+using nlohmann::ordered_json;
 
 // a row of `meta`, beside the versions
 constexpr const char* campaign_row = "campaign";
 
 std::string campaign_text(const Origin& origin) {
-  json order = json::object();
+  ordered_json order = ordered_json::object();
   for (const auto& [name, values] : origin.order) order[name] = values;
-  const json campaign{{"name", origin.campaign}, {"summary", origin.summary}, {"order", order}};
-  return campaign.dump(-1, ' ', false, json::error_handler_t::replace);
+  const ordered_json campaign{{"name", origin.campaign}, {"summary", origin.summary}, {"order", order}};
+  return campaign.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
 }
 
 void read_campaign(const std::string& text, Origin& origin, const Database& database) {
   try {
-    const json campaign = json::parse(text);
+    const ordered_json campaign = ordered_json::parse(text);
     origin.campaign = campaign.at("name").get<std::string>();
     origin.summary = campaign.at("summary").get<std::string>();
     for (const auto& [name, values] : campaign.at("order").items())
       origin.order.emplace_back(name, values.get<std::vector<std::string>>());
-  } catch (const json::exception&) {
+  } catch (const ordered_json::exception&) {
     database.refuse(
         "is a damaged store (a campaign that is none); restore a copy, or delete it and run again");
   }

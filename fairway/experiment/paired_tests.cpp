@@ -5,16 +5,16 @@
 #include <boost/math/distributions/binomial.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
+#include "fairway/experiment/special_numbers.hpp"
 #include "fairway/experiment/statistics.hpp"
 
 namespace fairway {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using special::infinity;
+using special::nan;
 
 double normal_above(double z) { return cdf(boost::math::complement(boost::math::normal{}, z)); }
 

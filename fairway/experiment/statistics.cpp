@@ -7,15 +7,16 @@
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <string>
+
+#include "fairway/experiment/special_numbers.hpp"
 
 namespace fairway {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using special::infinity;
+using special::nan;
 
 RateEstimate rate_of(std::size_t successes, std::size_t trials) {
   if (successes > trials) throw std::invalid_argument("more successes than trials");

@@ -4,16 +4,16 @@
 #include <algorithm>
 #include <boost/math/distributions/normal.hpp>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
+#include "fairway/experiment/special_numbers.hpp"
 #include "fairway/experiment/statistics.hpp"
 
 namespace fairway {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using special::infinity;
+using special::nan;
 
 /// Shares nearer than this to a half are a half.
 constexpr double rounding = 1e-8;
