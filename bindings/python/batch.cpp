@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bindings/python/batch.hpp"
 
+#include <array>
 #include <chrono>
-#include <memory>
 #include <utility>
 
 #include "bindings/python/in_parallel.hpp"
@@ -49,21 +49,11 @@ py::object exception_of(const py::error_already_set& error) {
 void make_user_run(const ScenarioText& scenario, const py::object& algorithms, const std::atomic<bool>& stop,
                    BatchRun& run) {
   const py::gil_scoped_acquire locked;
-  std::unique_ptr<UserAlgorithms> users;
-  std::exception_ptr failed;
   try {
-    users = std::make_unique<UserAlgorithms>(algorithms);
-    std::array<FrameSink*, 1> guard{&users->guard()};
-    try {
-      const py::gil_scoped_release unlocked;
-      run.measures = measure_run(scenario.drawn(run.seed), users->catalogs(), &stop, guard);
-    } catch (const py::error_already_set&) {
-      throw;
-    } catch (const std::exception&) {
-      failed = std::current_exception();
-    }
-    users->rethrow();
-    if (failed) std::rethrow_exception(failed);
+    with_algorithms(algorithms, [&](const Catalogs& catalogs, FrameSink& guard) {
+      std::array<FrameSink*, 1> guards{&guard};
+      run.measures = measure_run(scenario.drawn(run.seed), catalogs, &stop, guards);
+    });
   } catch (const RunAbandoned&) {
     throw;
   } catch (const RunDiverged& error) {

@@ -15,6 +15,9 @@ void bind_vehicles(py::module_& m);      // Vehicle, vehicles()
 void bind_scenarios(py::module_& m);     // Scenario
 void bind_recordings(py::module_& m);    // Recording
 void bind_runs(py::module_& m);          // run(), run_batch()
+void bind_results(py::module_& m);       // Results, load_results()
+void bind_sweeps(py::module_& m);        // sweep(), compare()
+void bind_explanations(py::module_& m);  // explain(), view()
 void bind_studies(py::module_& m);       // study(), studies()
 void bind_environments(py::module_& m);  // FleetEnvironment, FleetEnvironments
 

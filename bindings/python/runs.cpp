@@ -53,19 +53,20 @@ struct RunChoice {
   bool trajectories{};
   bool perception{};
   bool sketches{};
+  bool is_own{};  ///< there are algorithms in Python
 };
 
-/// What `fairway run` does, without the interpreter's lock. Gives back the vehicles' notes by name.
+/// What `fairway run` does. Gives back the vehicles' notes by name.
 std::vector<std::pair<std::string, std::string>> simulate(const Scenario& scenario, const Catalogs& catalogs,
                                                           const RunChoice& choice,
                                                           std::vector<FrameSink*> sinks, Run& run) {
-  const py::gil_scoped_release unlocked;
   Simulation simulation{scenario, catalogs};
   std::unique_ptr<RecordingWriter> writer;
   if (!choice.record.empty()) {
     RecordingInfo info = recording_info(scenario);
     info.perception = choice.perception;
     info.sketches = choice.sketches;
+    if (choice.is_own) info.program = python_program;
     simulation.show_thoughts(choice.sketches);
     writer = std::make_unique<RecordingWriter>(choice.record, std::move(info));
     sinks.push_back(writer.get());
@@ -89,20 +90,17 @@ std::vector<std::pair<std::string, std::string>> simulate(const Scenario& scenar
 
 Run run_one(const Scenario& scenario, const py::object& algorithms, const RunChoice& choice) {
   Run run{.scenario = scenario.name, .seed = scenario.seed};
-  UserAlgorithms users{algorithms};
   RunMetrics metrics = metrics_for(scenario);
   Interrupts interrupts;
   TrajectoryColumns columns;
-  std::vector<FrameSink*> sinks{&metrics, &interrupts, &users.guard()};
+  std::vector<FrameSink*> sinks{&metrics, &interrupts};
   if (choice.trajectories) sinks.push_back(&columns);
-  try {
-    for (const auto& [vehicle, note] : simulate(scenario, users.catalogs(), choice, sinks, run))
-      run.notes[py::str(vehicle)] = note;
-  } catch (...) {
-    users.rethrow();
-    throw;
-  }
-  users.rethrow();  // an exception in the very last decision
+  std::vector<std::pair<std::string, std::string>> notes;
+  with_algorithms(algorithms, [&](const Catalogs& catalogs, FrameSink& guard) {
+    sinks.push_back(&guard);
+    notes = simulate(scenario, catalogs, choice, sinks, run);
+  });
+  for (const auto& [vehicle, note] : notes) run.notes[py::str(vehicle)] = note;
 
   std::vector<std::string> names;
   for (const VehicleSpec& vehicle : scenario.vehicles) names.push_back(vehicle.name);
@@ -135,7 +133,8 @@ void bind_runs(py::module_& m) {
         const RunChoice choice{.record = record.is_none() ? "" : path_of(record),
                                .trajectories = trajectories,
                                .perception = perception,
-                               .sketches = sketches};
+                               .sketches = sketches,
+                               .is_own = !algorithms.is_none()};
         if ((perception || sketches) && choice.record.empty())
           throw InputError("run: perception and sketches say what is recorded; record is missing");
         const ScenarioText text = scenario_of(scenario);

@@ -88,15 +88,6 @@ void add_note(const py::error_already_set& error, const std::string& note) {
   if (error.value() && py::hasattr(error.value(), "add_note")) error.value().attr("add_note")(note);
 }
 
-bool is_taken(const Catalog& catalog, const std::string& name) {
-  try {
-    static_cast<void>(catalog.find(name));
-    return true;
-  } catch (const InputError&) {
-    return false;
-  }
-}
-
 /// An object of Python behind the interface of an algorithm. A copy is a deep copy.
 class UserAlgorithm {
  public:
@@ -186,7 +177,7 @@ UserAlgorithms::UserAlgorithms(const py::object& algorithms) : self_{std::make_u
   if (algorithms.is_none()) return;
   Catalog& catalog = self_->catalogs.avoiders;
   for (const auto& [key, value] : named_algorithms(algorithms)) {
-    if (is_taken(catalog, key))
+    if (catalog.has(key))
       throw InputError("the algorithm \"" + key + "\" comes with fairway: choose another name");
     self_->constructors.push_back(std::make_unique<UserConstructor>(key, value));
     const UserConstructor& constructor = *self_->constructors.back();
@@ -211,6 +202,21 @@ void UserAlgorithms::rethrow() {
   if (!self_->failure.raised) return;
   const std::exception_ptr raised = std::exchange(self_->failure.raised, nullptr);
   std::rethrow_exception(raised);
+}
+
+void with_algorithms(const py::object& algorithms,
+                     const std::function<void(const Catalogs&, FrameSink&)>& work) {
+  const py::gil_scoped_acquire locked;
+  UserAlgorithms users{algorithms};
+  std::exception_ptr failed;
+  try {
+    const py::gil_scoped_release unlocked;
+    work(users.catalogs(), users.guard());
+  } catch (...) {
+    failed = std::current_exception();
+  }
+  users.rethrow();
+  if (failed) std::rethrow_exception(failed);
 }
 
 }  // namespace fairway::python

@@ -3,6 +3,7 @@
 
 #include <pybind11/pybind11.h>
 
+#include <functional>
 #include <memory>
 
 #include "fairway/record/frame.hpp"
@@ -34,5 +35,11 @@ class UserAlgorithms {
   struct Self;
   std::unique_ptr<Self> self_;
 };
+
+/// Calls `work` with catalogs that have these algorithms, without the interpreter's lock, and with a sink
+/// that ends a run once one of them has raised. Raises that exception, whatever else came of it; or what
+/// `work` throws. May be called with or without the lock.
+void with_algorithms(const pybind11::object& algorithms,
+                     const std::function<void(const Catalogs& catalogs, FrameSink& guard)>& work);
 
 }  // namespace fairway::python

@@ -68,6 +68,7 @@ def test_a_wrapper_takes_the_parameters_of_both():
 def test_nonsense_is_answered_with_a_standstill():
     command = fw.Avoider("orca3d").decide(head_on().replace(period=0))
     assert command.mode == fw.Mode.infeasible and command.velocity.tolist() == [0, 0, 0]
+    assert command.note == "the period is not a positive number"
 
 
 @pytest.mark.parametrize(

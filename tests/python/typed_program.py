@@ -31,6 +31,14 @@ def main(file: str) -> npt.NDArray[np.float64]:
     return separation
 
 
+def campaign(file: str, recording: fw.Recording) -> str:
+    results = fw.sweep(file, out="results.sqlite", jobs=2, algorithms={"straight": Straight})
+    compared = fw.compare([results, "more.sqlite"], baseline="straight", quantities=["makespan_s"])
+    why = fw.explain(recording, vehicle=recording.names[0], time=10.0, algorithms={"straight": Straight})
+    page: str = fw.view(recording, sketch=True, algorithms={"straight": Straight})
+    return f"{results.made} of {len(results)}: {compared['baseline']}, {why['headline']}, {page}"
+
+
 def decide(avoider: fw.Avoider) -> str:
     own = fw.Ownship(position=[0, 0, 5], velocity=(0.5, 0, 0))
     other = fw.Track(id=1, position=np.array([10.0, 0.5, 5.0]))

@@ -487,10 +487,41 @@ class Results:
     failures: Final[dict[int, str]]
     keys: Final[list[str]]
     commands: Final[list[str]]
+    made: Final[int]
     wall_s: Final[_Doubles]
     def __len__(self) -> int: ...
 
 def load_results(file: _Path) -> Results: ...
+def sweep(
+    campaign: _Path,
+    out: _Path | None = ...,
+    jobs: int = ...,
+    algorithms: _Algorithms | None = ...,
+    retry_failures: bool = ...,
+) -> Results: ...
+def compare(
+    results: Results | _Path | Sequence[Results | _Path],
+    by: str = ...,
+    baseline: str | None = ...,
+    quantities: Iterable[str] | None = ...,
+    confidence: float = ...,
+) -> dict[str, Any]: ...
+def explain(
+    recording: Recording | _Path,
+    vehicle: str | int,
+    time: float,
+    algorithms: _Algorithms | None = ...,
+    out: _Path | None = ...,
+) -> dict[str, Any]: ...
+def view(
+    recording: Recording | _Path,
+    out: _Path | None = ...,
+    sketch: bool = ...,
+    algorithms: _Algorithms | None = ...,
+    from_s: float = ...,
+    to_s: float = ...,
+    every: int = ...,
+) -> str: ...
 def studies() -> list[dict[str, str]]: ...
 def study(
     name: str,
