@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "fairway/cli/testing/program_of.hpp"
 #include "fairway/core/testing/temporary_folder.hpp"
 #include "fairway/record/recording.hpp"
 #include "fairway/scenario/load.hpp"
@@ -33,7 +34,7 @@ expect: {collision_count: 0, makespan_s: {max: 100}}
 )";
 
 const Catalogs catalogs = builtin_catalogs();
-const Program program{.typed = "", .chosen = {}, .stop = nullptr, .name = "fairway", .catalogs = catalogs};
+const Program program = program_of(catalogs);
 
 TEST(Outcome, ARunThatBrokeKeepsNoExpectationAndHasNoMeasures) {
   const TemporaryFolder folder;

@@ -14,8 +14,8 @@
 namespace fairway {
 namespace {
 
-using testing::HasSubstr;
-using testing::ThrowsMessage;
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
 
 /// Thrusters as they come: a configuration and asymmetric limits.
 struct Rig {

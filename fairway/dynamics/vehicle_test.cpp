@@ -10,8 +10,8 @@
 namespace fairway {
 namespace {
 
-using testing::HasSubstr;
-using testing::ThrowsMessage;
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
 
 ActuatorValues values(double a, double b, double c) {
   ActuatorValues u(3);

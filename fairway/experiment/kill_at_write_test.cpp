@@ -15,7 +15,7 @@
 namespace fairway {
 namespace {
 
-constexpr std::size_t runs = 12;
+constexpr std::size_t few_runs = 12;
 constexpr std::size_t batch = 4;
 constexpr int died = 9;
 
@@ -85,14 +85,14 @@ bool intercept_all() {
 /// Stores the runs of specs() in batches.
 void store_all(const std::string& file) {
   Store store = Store::open(file);
-  const auto records = sample::records(runs);
-  for (std::size_t i = 0; i < runs; i += batch) store.put(std::span(records).subspan(i, batch));
+  const auto records = sample::records(few_runs);
+  for (std::size_t i = 0; i < few_runs; i += batch) store.put(std::span(records).subspan(i, batch));
 }
 
 /// Makes those that are missing.
 void resume(const std::string& file) {
   Store store = Store::open(file);
-  run_missing(sample::specs(runs), sample::measures, store);
+  run_missing(sample::specs(few_runs), sample::measures, store);
 }
 
 /// The exit code of a process that does store_all() and dies at the `n`-th call.
@@ -115,7 +115,7 @@ int store_and_die(const std::string& file, int n, bool half) {
 
 std::string whole_store() {
   Store store = Store::in_memory();
-  run_missing(sample::specs(runs), sample::measures, store);
+  run_missing(sample::specs(few_runs), sample::measures, store);
   return sample::csv_of(store);
 }
 
@@ -133,7 +133,7 @@ void die_at_every_call(bool half) {
     if (std::filesystem::exists(file)) {
       const std::size_t kept = Store::open_existing(file).size();
       EXPECT_EQ(kept % batch, 0U) << "call " << n << ": part of a batch";
-      parts += kept > 0 && kept < runs ? 1 : 0;
+      parts += kept > 0 && kept < few_runs ? 1 : 0;
     } else {
       ++absent;
     }
@@ -154,7 +154,7 @@ TEST(KillAtWriteTest, TheJournalOfADeletedStoreDoesNotGetIntoTheNextOfItsName) {
   // its pages are others than those of the next
   const TemporaryFolder other;
   const auto records = sample::records(400);
-  Store::open(other.file("large.db")).put(std::span(records).subspan(runs));
+  Store::open(other.file("large.db")).put(std::span(records).subspan(few_runs));
   const std::string large = sample::bytes_of(other.file("large.db"));
   int journals = 0;
   for (int n = 1, code = died; code == died; ++n) {

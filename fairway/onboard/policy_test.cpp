@@ -22,10 +22,10 @@ TEST(OnboardPolicy, ThePageHasEveryFieldWithItsDefaultAndMeaning) {
   const std::string page{std::istreambuf_iterator<char>{file}, {}};
   for (const ParamInfo& field : describe_params<OnboardPolicy>()) {
     const std::string row = "| `" + field.name + "` | " + text_of(field.value) + " | " + field.meaning + " |";
-    EXPECT_THAT(page, testing::HasSubstr(row));
+    EXPECT_THAT(page, ::testing::HasSubstr(row));
   }
   for (const char* const name : EnumNames<LostPolicy>::names)
-    EXPECT_THAT(page, testing::HasSubstr(std::string("`") + name + "`"));
+    EXPECT_THAT(page, ::testing::HasSubstr(std::string("`") + name + "`"));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "fairway/cli/runner.hpp"
+#include "fairway/cli/testing/program_of.hpp"
 #include "fairway/scenario/load.hpp"
 #include "fairway/sim/simulation.hpp"
 #include "tests/fuzz/random_scenario.hpp"
@@ -56,8 +57,8 @@ std::optional<Scenario> accepted(const std::string& yaml, const Catalogs& catalo
 }
 
 /// Of a run that broke no expectation is kept, and what is done with runs refuses it.
-void expect_no_result(const Scenario& scenario) {
-  const cli::RunOutcome outcome = cli::run_scenario(scenario, {}, nullptr);
+void expect_no_result(const Scenario& scenario, const Catalogs& catalogs) {
+  const cli::RunOutcome outcome = cli::run_scenario(scenario, {}, cli::program_of(catalogs));
   ASSERT_TRUE(outcome.divergence);
   EXPECT_TRUE(outcome.measures.empty());
   for (const cli::Judgement& judgement : cli::judge(scenario, outcome.measures)) EXPECT_FALSE(judgement.kept);
@@ -86,7 +87,7 @@ TEST(RunFuzzTest, EveryRunThatIsAcceptedIsWholeOrSaysThatItBroke) {
               << text_of(*simulation.divergence(), scenario->vehicles[simulation.divergence()->vehicle].name)
               << "\n";
     EXPECT_LE(frames.seen, count(simulation.divergence()->tick));
-    expect_no_result(*scenario);
+    expect_no_result(*scenario, catalogs);
   }
   std::cout << runs << " runs of " << number - first_number() << " scenarios, " << diverged << " diverged\n";
   EXPECT_EQ(runs, wanted) << "the generator is too wild: hardly anything is accepted";
