@@ -41,11 +41,15 @@ TEST(ResultsPage, BoxesAndRowsLeadToTheRunsOfTheirCell) {
   EXPECT_EQ(orca["runs"].dump(), "[[2,3]]");
   EXPECT_EQ(orca["values"].dump(), "[21.0,23.0,22.0,24.0]");  // of both vehicles of each run
 
-  for (const json& row : block_of(page, 2)["rows"]) {
+  int rows = 0;
+  const json means = block_of(page, 2);  // a name of its own: part of a temporary would not outlive it
+  for (const json& row : means["rows"]) {
     if (row["quantity"] != "navigation_time_s") continue;
+    ++rows;
     EXPECT_EQ(row["$runs"].dump(), row["candidate"] == "apf" ? "[[0,1]]" : "[[2,3]]");
     EXPECT_EQ(row["$values"].dump(), row["candidate"] == "apf" ? "[12.0,13.0]" : "[22.0,23.0]");
   }
+  EXPECT_EQ(rows, 2);
   const json rate = block_of(page, 0)["rows"][0];
   EXPECT_TRUE(rate.contains("$runs"));
   EXPECT_FALSE(rate.contains("$values"));
