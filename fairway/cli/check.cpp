@@ -2,13 +2,38 @@
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
 
 #include "fairway/cli/numbers.hpp"
 #include "fairway/cli/program.hpp"
 #include "fairway/cli/runner.hpp"
+#include "fairway/core/text.hpp"
 #include "fairway/sim/simulation.hpp"
 
 namespace fairway::cli {
+namespace {
+
+/// What a collision is, which the vehicles' radii do not say.
+std::string collision_rule(const Scenario& scenario) {
+  return "a collision is centres within " + number_text(scenario.exam.safety_distance_m) +
+         " m (exam.safety_distance_m), whatever the radii";
+}
+
+/// The scenario as it is resolved, with the collision rule beside every vehicle's radius.
+std::string annotated(const Scenario& scenario) {
+  std::istringstream lines{to_yaml(scenario)};
+  std::string text;
+  bool in_vehicles = false;
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with(' ')) in_vehicles = line == "vehicles:";
+    if (in_vehicles && line.starts_with("    radius_m: ")) line += "  # " + collision_rule(scenario);
+    text += line + "\n";
+  }
+  return text;
+}
+
+}  // namespace
 
 void add_check(CLI::App& app, Program& program) {
   CLI::App* verb = app.add_subcommand("check", "Validate scenarios; print each as it is resolved");
@@ -37,9 +62,12 @@ void add_check(CLI::App& app, Program& program) {
         const Simulation simulation{scenario,
                                     program.catalogs};  // the catalogs check what they are asked for
         if (*json) {
-          document.push_back({{"file", file}, {"name", scenario.name}, {"resolved", to_yaml(scenario)}});
+          document.push_back({{"file", file},
+                              {"name", scenario.name},
+                              {"resolved", to_yaml(scenario)},
+                              {"collision_rule", collision_rule(scenario)}});
         } else {
-          std::cout << (files->size() > 1 ? "# " + file + "\n" : "") << to_yaml(scenario);
+          std::cout << (files->size() > 1 ? "# " + file + "\n" : "") << annotated(scenario);
         }
       }
       if (*json) std::cout << document.dump(2) << "\n";

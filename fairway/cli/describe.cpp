@@ -71,8 +71,11 @@ std::optional<json> described_kind(std::string_view role, const std::vector<Kind
 json describe(const std::string& name, const Catalogs& catalogs) {
   std::vector<std::string_view> known;
   if (name.find('+') != std::string::npos) {
-    return {
-        {"kind", "algorithm"}, {"name", name}, {"parameters", params_json(catalogs.avoiders.params(name))}};
+    return {{"kind", "algorithm"},
+            {"name", name},
+            {"ignores_obstacles", catalogs.avoiders.ignores(name, &AlgorithmInfo::ignores_obstacles)},
+            {"ignores_movers", catalogs.avoiders.ignores(name, &AlgorithmInfo::ignores_movers)},
+            {"parameters", params_json(catalogs.avoiders.params(name))}};
   }
   for (const Catalog::Entry& entry : catalogs.avoiders.entries()) {
     known.push_back(entry.info.name);
@@ -82,6 +85,8 @@ json describe(const std::string& name, const Catalogs& catalogs) {
             {"title", entry.info.title},
             {"source", entry.info.source},
             {"planar", entry.info.planar},
+            {"ignores_obstacles", entry.info.ignores_obstacles},
+            {"ignores_movers", entry.info.ignores_movers},
             {"wraps", entry.wraps},
             {"parameters", params_json(entry.params)}};
   }
@@ -148,7 +153,7 @@ void print_table(const json& entries, std::string_view title) {
 void print(const json& document) {
   for (const auto& [key, value] : document.items()) {
     if (value.is_array()) continue;
-    std::cout << fmt::format("{:<12} {}\n", key, text_of(value));
+    std::cout << fmt::format("{:<18} {}\n", key, text_of(value));
   }
   print_table(document.value("actuators", json::array()), "actuators (name, limits, meaning)");
   print_table(document.value("parameters", json::array()), "parameters (name, default, range, meaning)");

@@ -27,7 +27,10 @@ std::vector<Item> algorithms(const Catalog& catalog) {
   std::vector<Item> items;
   for (const Catalog::Entry& entry : catalog.entries()) {
     const std::string note = entry.wraps ? "; wraps another: orca3d+" + std::string(entry.info.name) : "";
-    items.push_back({std::string(entry.info.name), std::string(entry.info.title) + note});
+    const std::string_view ignorance = ignorance_of(entry.info);
+    items.push_back({std::string(entry.info.name), std::string(entry.info.title) + note +
+                                                       (ignorance.empty() || entry.wraps ? "" : "; ") +
+                                                       std::string(entry.wraps ? "" : ignorance)});
   }
   return items;
 }

@@ -49,6 +49,16 @@ void print_vehicles(const Scenario& scenario, const std::vector<Measure>& measur
 
 }  // namespace
 
+json document_of(const Judgement& judgement) {
+  const auto known = [](const std::string& name) { return name.empty() ? json() : json(name); };
+  return {{"metric", judgement.expectation.metric},
+          {"worst", finite(judgement.worst)},
+          {"kept", judgement.kept},
+          {"vehicle", known(judgement.vehicle)},
+          {"with", known(judgement.with)},
+          {"time_s", judgement.time ? json(*judgement.time) : json()}};
+}
+
 json document_of(const Scenario& scenario, const RunOutcome& outcome,
                  const std::vector<Judgement>& judgements) {
   json document{{"scenario", scenario.name},
@@ -71,11 +81,7 @@ json document_of(const Scenario& scenario, const RunOutcome& outcome,
   }
   for (const auto& [vehicle, note] : outcome.notes) document["notes"][vehicle] = note;
   document["expect"] = json::array();
-  for (const Judgement& judgement : judgements) {
-    document["expect"].push_back({{"metric", judgement.expectation.metric},
-                                  {"worst", finite(judgement.worst)},
-                                  {"kept", judgement.kept}});
-  }
+  for (const Judgement& judgement : judgements) document["expect"].push_back(document_of(judgement));
   return document;
 }
 

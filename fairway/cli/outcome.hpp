@@ -9,6 +9,9 @@
 
 namespace fairway::cli {
 
+/// An expectation as `run --json` and `test --json` print it; what is not known is null.
+nlohmann::json document_of(const Judgement& judgement);
+
 /// What came of a run, as `fairway run --json` prints it.
 nlohmann::json document_of(const Scenario& scenario, const RunOutcome& outcome,
                            const std::vector<Judgement>& judgements);

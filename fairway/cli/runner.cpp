@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/cli/runner.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -36,6 +38,30 @@ bool may_go_on(double time, const Watch* watch, const std::atomic<bool>* stop) {
 double excess(const Expectation& expected, double value) {
   if (std::isnan(value)) return std::numeric_limits<double>::infinity();
   return std::fmax(value - expected.max, expected.min - value);
+}
+
+/// Names whom `measure` is of, and says with whom and when it came about.
+void tell_occasion(const Scenario& scenario, const Measure& measure, Judgement& judgement) {
+  const Occasion& occasion = measure.occasion;
+  const auto name_of = [&](int index) {
+    return index < 0 ? std::string() : scenario.vehicles[static_cast<std::size_t>(index)].name;
+  };
+  judgement.vehicle = name_of(measure.vehicle == Measure::fleet ? occasion.vehicle : measure.vehicle);
+  judgement.with = name_of(occasion.other);
+  if (occasion.obstacle != Occasion::none)
+    judgement.with = "obstacles[" + std::to_string(occasion.obstacle) + "]";
+  judgement.time.reset();
+  if (!std::isnan(occasion.time)) judgement.time = occasion.time;
+}
+
+/// " (robot1, with robot2, at 31.5 s)"; empty if nothing of it is known.
+std::string occasion_text(const Judgement& judgement) {
+  std::string text = judgement.vehicle;
+  const auto append = [&](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
+  if (!judgement.with.empty()) append("with " + judgement.with);
+  if (judgement.time)
+    append(fmt::format("at {:.10g} s", *judgement.time));  // without the last digits of tick * period
+  return text.empty() ? text : " (" + text + ")";
 }
 
 }  // namespace
@@ -95,7 +121,7 @@ void check_expectations(const Scenario& scenario) {
 std::vector<Judgement> judge(const Scenario& scenario, const std::vector<Measure>& measures) {
   std::vector<Judgement> judgements;
   for (const Expectation& expected : scenario.expect) {
-    Judgement judgement{expected, std::numeric_limits<double>::quiet_NaN(), false};
+    Judgement judgement{expected, std::numeric_limits<double>::quiet_NaN(), false, {}, {}, {}};
     std::optional<double> worst;
     for (const Measure& measure : measures) {
       if (measure.quantity != expected.metric) continue;
@@ -104,6 +130,7 @@ std::vector<Judgement> judge(const Scenario& scenario, const std::vector<Measure
       worst = off;
       judgement.worst = measure.value;
       judgement.kept = off <= 0.0;
+      tell_occasion(scenario, measure, judgement);
     }
     judgements.push_back(std::move(judgement));
   }
@@ -120,7 +147,8 @@ std::string text_of(const Judgement& judgement) {
     if (std::isfinite(expected.max))
       bounds += (bounds.empty() ? "" : " and ") + ("at most " + number_text(expected.max));
   }
-  return expected.metric + " = " + number_text(judgement.worst) + ", expected " + bounds;
+  return expected.metric + " = " + number_text(judgement.worst) + ", expected " + bounds +
+         (judgement.kept ? "" : occasion_text(judgement));
 }
 
 void set_algorithm(Scenario& scenario, const std::string& name) {

@@ -54,6 +54,11 @@ struct Judgement {
   double worst{};  ///< of all vehicles, for a quantity that each has: farthest outside the bounds, or nearest
                    ///< to one
   bool kept{};
+
+  // where `worst` comes from, as far as the metric knows; empty otherwise
+  std::string vehicle;         ///< its name
+  std::string with;            ///< name of another vehicle, or obstacles[i] of the scenario
+  std::optional<double> time;  ///< [s]
 };
 
 /// Throws InputError for a metric that does not exist.
@@ -62,7 +67,8 @@ void check_expectations(const Scenario& scenario);
 /// Holds a run to what its scenario expects. What was not measured is not kept.
 std::vector<Judgement> judge(const Scenario& scenario, const std::vector<Measure>& measures);
 
-/// "collision_count = 2, expected 0".
+/// "collision_count = 2, expected 0", and of a failed one where it comes from: " (robot1, with robot2,
+/// at 31.5 s)".
 std::string text_of(const Judgement& judgement);
 
 /// All runs of a scenario share the same algorithm: `name`, or "name" with parameters kept if the same.

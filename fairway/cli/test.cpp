@@ -7,6 +7,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "fairway/cli/outcome.hpp"
 #include "fairway/cli/program.hpp"
 #include "fairway/cli/runner.hpp"
 
@@ -43,10 +44,8 @@ int test(const std::string& directory, bool as_json, const Program& program) {
       if (!as_json)
         std::cout << fmt::format("{} {:<36} {}\n", judgement.kept ? "kept  " : "FAILED", file,
                                  text_of(judgement));
-      document.push_back({{"file", file},
-                          {"metric", judgement.expectation.metric},
-                          {"worst", judgement.worst},
-                          {"kept", judgement.kept}});
+      document.push_back(document_of(judgement));
+      document.back()["file"] = file;
     }
   }
   if (as_json) {

@@ -200,6 +200,12 @@ CampaignFile parse_campaign_file(std::string_view text, const std::string& file)
     throw InputError({file, 0, 0}, "",
                      "not a campaign: expected keys such as fairway_campaign, name and scenario");
   }
+  if (const Tree* scenario = document.find("fairway");
+      scenario != nullptr && document.find("fairway_campaign") == nullptr) {
+    throw InputError(scenario->where.location(), "fairway",
+                     "this is a scenario, not a campaign, which begins with fairway_campaign; fairway run " +
+                         file + " runs it");
+  }
   yaml::Reading reading{0};
   const Value root{document, "", reading};
   CampaignFile campaign;

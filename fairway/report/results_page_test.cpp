@@ -57,11 +57,15 @@ TEST(ResultsPage, BoxesAndRowsLeadToTheRunsOfTheirCell) {
   EXPECT_EQ(orca["values"].dump(), "[22.0,23.0]");  // one value a run, however many vehicles
   EXPECT_EQ(orca["count"], 2);
 
-  for (const json& row : block_of(page, 2)["rows"]) {
+  int rows = 0;
+  const json means = block_of(page, 2);  // a name of its own: part of a temporary would not outlive it
+  for (const json& row : means["rows"]) {
     if (row["quantity"] != "navigation_time_s") continue;
+    ++rows;
     EXPECT_EQ(row["$runs"].dump(), row["candidate"] == "apf" ? "[[0,1]]" : "[[2,3]]");
     EXPECT_EQ(row["$values"].dump(), row["candidate"] == "apf" ? "[12.0,13.0]" : "[22.0,23.0]");
   }
+  EXPECT_EQ(rows, 2);
   const json rate = block_of(page, 0)["rows"][0];
   EXPECT_TRUE(rate.contains("$runs"));
   EXPECT_FALSE(rate.contains("$values"));

@@ -25,6 +25,10 @@ Scenario parse_scenario(std::string_view text, const std::string& file, const Ov
   yaml::Tree document = yaml::parse_tree(text, file);
   if (!document.is_map())
     throw InputError({file}, "", "not a scenario: expected keys such as fairway, name and vehicles");
+  if (const yaml::Tree* campaign = document.find("fairway_campaign")) {
+    throw InputError(campaign->where.location(), "fairway_campaign",
+                     "this is a campaign, not a scenario; fairway sweep " + file + " --out RESULTS runs it");
+  }
   yaml::apply(document, overrides);
 
   yaml::Reading reading{seed_of(document, seed)};

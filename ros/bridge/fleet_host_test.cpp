@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -174,6 +175,7 @@ TEST(FleetHost, ObstaclesAreDrawnWhereTheyAre) {
   const Scenario scenario = load_scenario(scenarios + "static_obstacles.yaml");
   const std::vector<Mark> marks = fleet.obstacles();
   ASSERT_EQ(marks.size(), scenario.obstacles.size());
+  EXPECT_GT(std::ranges::count(scenario.obstacles, Obstacle::Kind::sphere, &ObstacleSpec::kind), 0);
   for (std::size_t i = 0; i < marks.size(); ++i) {
     if (scenario.obstacles[i].kind != Obstacle::Kind::sphere) continue;
     EXPECT_EQ(marks[i].kind, Mark::Kind::sphere);

@@ -56,6 +56,7 @@ TEST(FleetEnvironment, begins_when_the_first_learner_is_under_way_or_at_the_very
   Environment deployed{"cube20_8"};
   deployed->reset(1);
   EXPECT_GT(deployed->time(), 10.0);
+  EXPECT_EQ(deployed->learners().size(), 8U);
   for (const FleetEnvironment::Learner& learner : deployed->learners()) EXPECT_TRUE(learner.deciding);
 
   EnvironmentOptions options;
@@ -63,6 +64,7 @@ TEST(FleetEnvironment, begins_when_the_first_learner_is_under_way_or_at_the_very
   Environment whole{"cube20_8", options};
   whole->reset(1);
   EXPECT_EQ(whole->time(), 0.0);
+  EXPECT_EQ(whole->learners().size(), 8U);
   for (const FleetEnvironment::Learner& learner : whole->learners()) EXPECT_FALSE(learner.deciding);
   for (const FleetEnvironment::Learner& learner : whole->learners())
     EXPECT_EQ(learner.phase, Phase::deploying);
@@ -74,6 +76,7 @@ TEST(FleetEnvironment, follows_its_advice_to_the_end) {
   while (!environment->is_over()) environment.step_to_goals();
   EXPECT_TRUE(environment->terminated());
   EXPECT_FALSE(environment->truncated());
+  EXPECT_EQ(environment->learners().size(), 8U);
   for (const FleetEnvironment::Learner& learner : environment->learners()) EXPECT_FALSE(learner.collided);
 }
 

@@ -81,6 +81,7 @@ TEST(Cubes, EveryoneStartsFacingAwayFromTheGoalAndShortOfTheVertex) {
     Simulation simulation{scenario, cube_catalogs()};
     while (!is_avoiding(simulation.agents()[0].mission.phase())) simulation.step({});
     double sum = 0;
+    ASSERT_EQ(simulation.agents().size(), 8U);
     for (const Agent& agent : simulation.agents()) {
       const Vec3 to_goal = agent.mission.leg()->position - agent.vehicle.state().p_n;
       const double ahead = std::cos(agent.own.yaw) * to_goal.x() + std::sin(agent.own.yaw) * to_goal.y();
@@ -88,7 +89,7 @@ TEST(Cubes, EveryoneStartsFacingAwayFromTheGoalAndShortOfTheVertex) {
       sum += to_goal.norm();
     }
     // published means: 29.6 m and 100.0 m
-    EXPECT_NEAR(sum / 8, cube.half_edge_m < 20 ? 29.6 : 100.0, cube.half_edge_m < 20 ? 1.0 : 1.0);
+    EXPECT_NEAR(sum / 8, cube.half_edge_m < 20 ? 29.6 : 100.0, 1.0) << cube.name;
   }
 }
 

@@ -34,15 +34,18 @@ TEST(SurfaceCourse, AVariationIsThatOfItsSeed) {
 }
 
 TEST(SurfaceCourse, NobodyBeginsInABuoy) {
+  std::size_t buoys = 0;
   for (const Course course : courses) {
     for (std::uint64_t seed = 1; seed <= 500; ++seed) {
       const Layout layout = varied(course, seed);
       for (const ObstacleSpec& spec : layout.obstacles()) {
         EXPECT_GT((spec.position - layout.start).norm(), spec.radius + vessel_radius + 0.25);
         EXPECT_GT((spec.position - goal).norm(), spec.radius + vessel_radius);
+        ++buoys;
       }
     }
   }
+  EXPECT_GT(buoys, 500U * std::size(courses));
 }
 
 TEST(SurfaceStudy, AvoaTakesThePublishedTimesOnTheOpenCourses) {
@@ -78,12 +81,16 @@ TEST(SurfaceStudy, TebCollidesHeadOnAsPublished) {
 
 TEST(SurfaceStudy, AgreementIsUnderAnAssumption) {
   const std::vector<Cell> cells{sailed(Course::diagonal, Vessel::zarco, "avoa")};
-  for (const StudyRow& row : published_rows(cells))
-    EXPECT_NE(row.verdict, Verdict::reproduced) << row.quantity;
+  const std::vector<StudyRow> rows = published_rows(cells);
+  EXPECT_GT(std::ranges::count(rows, Verdict::reproduced_assuming, &StudyRow::verdict), 0);
+  EXPECT_EQ(std::ranges::count(rows, Verdict::reproduced, &StudyRow::verdict), 0);
 }
 
 TEST(SurfaceStudy, EveryZoneFigureIsDrawn) {
-  for (const nlohmann::json& figure : zone_figures()) {
+  const auto figures = zone_figures();
+  ASSERT_EQ(figures.size(), 3U);
+  for (const nlohmann::json& figure : figures) {
+    ASSERT_FALSE(figure["blocks"].empty());
     for (const nlohmann::json& block : figure["blocks"]) {
       ASSERT_EQ(block["kind"], "raster") << block;
       EXPECT_EQ(block["rgb"].get<std::string>().size(), 6U * 101 * 101);

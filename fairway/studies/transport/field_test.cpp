@@ -27,6 +27,7 @@ TEST(RandomField, TheKindsOfASeedShareTheirDiscs) {
 TEST(RandomField, StartAndGoalAreClear) {
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     const Field field = random_field(FieldKind::moving, seed);
+    ASSERT_GT(field.obstacles.size(), 3U);
     for (const ObstacleSpec& obstacle : field.obstacles) {
       EXPECT_GE((obstacle.position - field.start).norm() - obstacle.radius, footprint_radius + 2.0);
       if (obstacle.moves()) continue;

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "fairway/view/explain/headline.hpp"
+
 namespace fairway {
 namespace {
 
@@ -67,7 +69,8 @@ bool was_changed(std::span<const StrokeFacts> drawn, const Vec3& commanded) {
   });
 }
 
-ExplanationSection half_spaces_section(const std::vector<const Stroke*>& half_spaces, const Vec3& preferred,
+ExplanationSection half_spaces_section(const Scenario& scenario,
+                                       const std::vector<const Stroke*>& half_spaces, const Vec3& preferred,
                                        const Vec3& commanded) {
   ExplanationSection section{
       "Half-spaces of allowed velocities",
@@ -83,16 +86,16 @@ ExplanationSection half_spaces_section(const std::vector<const Stroke*>& half_sp
   for (std::size_t i = 0; i < shown; ++i) {
     const double at_preferred = margin_of(*half_spaces[i], preferred);
     const double at_commanded = margin_of(*half_spaces[i], commanded);
-    section.table.rows.push_back(
-        {half_spaces[i]->meaning, at_preferred, at_commanded, verdict_on(at_preferred, at_commanded)});
+    section.table.rows.push_back({named_meaning(scenario, half_spaces[i]->meaning), at_preferred,
+                                  at_commanded, verdict_on(at_preferred, at_commanded)});
   }
   return section;
 }
 
 }  // namespace
 
-std::vector<ExplanationSection> drawn_sections(std::span<const StrokeFacts> drawn, const Vec3& preferred,
-                                               const Vec3& commanded) {
+std::vector<ExplanationSection> drawn_sections(const Scenario& scenario, std::span<const StrokeFacts> drawn,
+                                               const Vec3& preferred, const Vec3& commanded) {
   ExplanationSection section{"What it drew", {}, {}};
   if (drawn.empty()) {
     section.lines.emplace_back("Nothing: it had nothing to weigh, or the method draws nothing.");
@@ -104,12 +107,13 @@ std::vector<ExplanationSection> drawn_sections(std::span<const StrokeFacts> draw
   }
   section.table.columns = {"drawn", "meaning", "count", "what"};
   for (const StrokeFacts& facts : drawn) {
-    section.table.rows.push_back({enum_name(facts.kind), facts.meaning, static_cast<double>(facts.count),
-                                  group_words(facts, commanded)});
+    section.table.rows.push_back({enum_name(facts.kind), named_meaning(scenario, facts.meaning),
+                                  static_cast<double>(facts.count), group_words(facts, commanded)});
   }
   std::vector<ExplanationSection> sections{std::move(section)};
   const std::vector<const Stroke*> half_spaces = half_spaces_of(drawn, preferred);
-  if (!half_spaces.empty()) sections.push_back(half_spaces_section(half_spaces, preferred, commanded));
+  if (!half_spaces.empty())
+    sections.push_back(half_spaces_section(scenario, half_spaces, preferred, commanded));
   return sections;
 }
 

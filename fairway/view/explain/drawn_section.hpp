@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "fairway/scenario/scenario.hpp"
 #include "fairway/view/explain/explanation.hpp"
 #include "fairway/view/explain/stroke_facts.hpp"
 
@@ -11,7 +12,7 @@ namespace fairway {
 
 /// What the method drew of its thinking, by meaning; and if it drew half-spaces, each of them, the one that
 /// the preferred velocity is farthest outside of first.
-std::vector<ExplanationSection> drawn_sections(std::span<const StrokeFacts> drawn, const Vec3& preferred,
-                                               const Vec3& commanded);
+std::vector<ExplanationSection> drawn_sections(const Scenario& scenario, std::span<const StrokeFacts> drawn,
+                                               const Vec3& preferred, const Vec3& commanded);
 
 }  // namespace fairway

@@ -180,8 +180,10 @@ ExplanationSection method_section(const Choice& avoider, const Catalog& avoiders
   ExplanationSection section{"Method: " + avoider.name, {}, {}};
   for (const Catalog::Entry* layer : layers_of(avoider.name, avoiders)) {
     const AlgorithmInfo& info = layer->info;
-    section.lines.push_back(fmt::format("{}: {}. Source: {}.{}", info.name, info.title, info.source,
-                                        info.planar ? " It thinks in the horizontal plane." : ""));
+    const std::string_view ignorance = layer->wraps ? "" : ignorance_of(info);
+    section.lines.push_back(fmt::format("{}: {}. Source: {}.{}{}", info.name, info.title, info.source,
+                                        info.planar ? " It thinks in the horizontal plane." : "",
+                                        ignorance.empty() ? "" : fmt::format(" It {}.", ignorance)));
   }
   section.table.columns = {"parameter", "value", "unit", "meaning"};
   for (const ParamInfo& param : params_in_force(avoider, avoiders)) {
@@ -241,7 +243,7 @@ Explanation explain(const Scenario& scenario, const FoundDecision& found, const 
   sections = {command_section(decision, facts), own_section(decision.situation(), facts),
               neighbours_section(scenario, facts)};
   if (!facts.obstacles.empty()) sections.push_back(obstacles_section(facts));
-  for (ExplanationSection& section : drawn_sections(drawn, facts.preferred, commanded)) {
+  for (ExplanationSection& section : drawn_sections(scenario, drawn, facts.preferred, commanded)) {
     sections.push_back(std::move(section));
   }
   sections.push_back(method_section(avoider, avoiders));

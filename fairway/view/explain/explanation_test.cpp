@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "fairway/avoidance/label.hpp"
 #include "fairway/view/explain/headline.hpp"
 #include "fairway/view/explain/testing/recorded_run.hpp"
 
@@ -59,7 +60,7 @@ ExplanationSection section_of(const Explanation& explanation, const std::string&
 
 TEST_F(HeadOn, IsToldByTheHalfSpaceInTheWay) {
   Drawing drawing;
-  drawing.half_space({0, 0.1, 0}, {0, 1, 0}, "half-space of other");
+  drawing.half_space({0, 0.1, 0}, {0, 1, 0}, "allowed by vehicle 1");
   const Explanation told = explained({.velocity = {0.4, 0.3, 0}, .mode = Mode::avoid}, drawing);
   EXPECT_EQ(
       told.headline,
@@ -67,10 +68,21 @@ TEST_F(HeadOn, IsToldByTheHalfSpaceInTheWay) {
       "velocities.");
   const ExplanationTable table = section_of(told, "Half-spaces of allowed velocities").table;
   ASSERT_EQ(table.rows.size(), 1u);
-  EXPECT_EQ(std::get<std::string>(table.rows[0][0]), "half-space of other");
+  EXPECT_EQ(std::get<std::string>(table.rows[0][0]), "allowed by other");
+  EXPECT_EQ(std::get<std::string>(section_of(told, "What it drew").table.rows[0][1]), "allowed by other");
   EXPECT_NEAR(std::get<double>(table.rows[0][1]), -0.1, 1e-12);
   EXPECT_EQ(std::get<std::string>(table.rows[0][3]), "in the way");
   EXPECT_THAT(section_of(told, "Command").lines, Contains("At its limits: the speed limit of 0.500 m/s."));
+}
+
+TEST_F(HeadOn, CallsWhoeverWasDrawnAsItsNeighboursAreCalled) {
+  EXPECT_EQ(named_meaning(scenario, "waits for vehicle 1"), "waits for other");
+  for (const std::uint32_t id : {7U, first_tracker_id + 5, first_drifter_id + 2}) {
+    const Label label{"allowed by", TrackId{id}};
+    EXPECT_EQ(named_meaning(scenario, label), "allowed by " + track_name(scenario, TrackId{id}));
+  }
+  EXPECT_EQ(named_meaning(scenario, "band of another class 1"), "band of another class 1");
+  EXPECT_EQ(named_meaning(scenario, "velocity of a vehicle x"), "velocity of a vehicle x");
 }
 
 TEST_F(HeadOn, IsToldByTheApproachWhereNothingWasDrawn) {
@@ -176,12 +188,16 @@ TEST_F(HeadOn, GivesThePageWhatItReads) {
   EXPECT_EQ(page["vehicle"], 0);
   EXPECT_EQ(page["headline"], told.headline);
   ASSERT_EQ(page["sections"].size(), told.sections.size());
+  int rows = 0;
   for (const auto& section : page["sections"]) {
     EXPECT_TRUE(section["title"].is_string() && section["lines"].is_array());
     if (section["table"].is_null()) continue;
-    for (const auto& row : section["table"]["rows"])
+    for (const auto& row : section["table"]["rows"]) {
       EXPECT_EQ(row.size(), section["table"]["columns"].size());
+      ++rows;
+    }
   }
+  EXPECT_GT(rows, 1);
 }
 
 TEST(Explanation, SaysWhoSteersWhereNoAvoiderIsAsked) {

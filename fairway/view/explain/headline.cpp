@@ -4,6 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdint>
+#include <utility>
 
 #include "fairway/core/angles.hpp"
 
@@ -135,6 +139,21 @@ std::string track_name(const Scenario& scenario, TrackId id) {
     return fmt::format("drifting obstacle {}", number(id) - first_drifter_id);
   if (number(id) >= first_tracker_id) return fmt::format("track {}", number(id) - first_tracker_id);
   return fmt::format("track {}", number(id));
+}
+
+std::string named_meaning(const Scenario& scenario, std::string_view meaning) {
+  constexpr std::array<std::pair<std::string_view, std::uint32_t>, 3> kinds{
+      {{" vehicle ", 0}, {" contact ", first_tracker_id}, {" drifter ", first_drifter_id}}};
+  for (const auto& [kind, first] : kinds) {
+    const std::size_t at = meaning.rfind(kind);
+    if (at == std::string_view::npos) continue;
+    const std::string_view digits = meaning.substr(at + kind.size());
+    std::uint32_t serial{};
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), serial);
+    if (error != std::errc{} || end != digits.data() + digits.size()) continue;
+    return std::string(meaning.substr(0, at + 1)) + track_name(scenario, TrackId{first + serial});
+  }
+  return std::string(meaning);
 }
 
 std::string time_words(double time) { return fmt::format("{:.10g} s", time); }

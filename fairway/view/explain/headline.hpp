@@ -14,6 +14,10 @@ namespace fairway {
 /// What a track is called: the vehicle's name, or what it is tracked as.
 std::string track_name(const Scenario& scenario, TrackId id);
 
+/// What a stroke means, with whoever it is of called as everywhere else: "allowed by west_bound" of "allowed
+/// by vehicle 1".
+std::string named_meaning(const Scenario& scenario, std::string_view meaning);
+
 /// "55.55 s": without the last digits of `tick * period`.
 std::string time_words(double time);
 
