@@ -20,6 +20,13 @@ std::string value_text(const ParamValue& value) {
   throw InputError({}, std::string(name), "is " + value_text(value) + "; expected " + expected);
 }
 
+/// "red, green".
+std::string list_of(std::span<const char* const> choices) {
+  std::string list;
+  for (const char* choice : choices) list += (list.empty() ? "" : ", ") + std::string(choice);
+  return list;
+}
+
 double number_in(std::string_view name, Range range, const ParamValue& value, bool whole) {
   const double* given = std::get_if<double>(&value);
   const bool fits = given != nullptr && *given >= range.lo && *given <= range.hi &&
@@ -65,15 +72,17 @@ void check(int value, std::string_view name, Range range) {
   number_in(name, range, static_cast<double>(value), true);
 }
 
+void check_choice(std::size_t index, std::string_view name, std::span<const char* const> choices) {
+  if (index >= choices.size()) refuse(name, static_cast<double>(index), "one of " + list_of(choices));
+}
+
 std::size_t chosen_index(std::string_view name, std::span<const char* const> choices,
                          const ParamValue& value) {
   const std::string* given = std::get_if<std::string>(&value);
-  std::string list;
   for (std::size_t i = 0; i < choices.size(); ++i) {
     if (given != nullptr && *given == choices[i]) return i;
-    list += (i == 0 ? "" : ", ") + std::string(choices[i]);
   }
-  refuse(name, value, "one of " + list);
+  refuse(name, value, "one of " + list_of(choices));
 }
 
 ParamInfo describe(std::string_view name, std::string_view unit, Range range, std::string_view meaning,

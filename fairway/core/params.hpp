@@ -261,25 +261,31 @@ namespace detail {
 void check(double value, std::string_view name, Range range);
 void check(int value, std::string_view name, Range range);
 inline void check(bool, std::string_view, Range) {}
+void check_choice(std::size_t index, std::string_view name, std::span<const char* const> choices);
 
 template <class E>
   requires std::is_enum_v<E>
 void check(E value, std::string_view name, Range) {
-  check(static_cast<int>(value), name, {0.0, static_cast<double>(EnumNames<E>::names.size() - 1)});
+  check_choice(static_cast<std::size_t>(value), name, EnumNames<E>::names);
 }
 
 }  // namespace detail
 
 /// Throws InputError, as set_param() does, if a value is outside its range: for parameters that were put
-/// together in C++.
+/// together in C++. `prefix` stands before their names.
 template <Reflected P>
-void check_params(const P& params) {
+void check_params(const P& params, const std::string& prefix = {}) {
   for_each_field<P>([&](const auto& f) {
     const auto& member = params.*(f.member);
     if constexpr (detail::is_list<std::remove_cvref_t<decltype(member)>>) {
-      for (const auto& item : member) check_params(item);
-    } else {
+      const std::string name = prefix + std::string(f.name);
+      (void)detail::list_length(name, static_cast<double>(member.size()));
+      for (std::size_t i = 0; i < member.size(); ++i)
+        check_params(member[i], name + "[" + std::to_string(i) + "].");
+    } else if (prefix.empty()) {
       detail::check(member, f.name, f.range);
+    } else {
+      detail::check(member, prefix + std::string(f.name), f.range);
     }
   });
 }

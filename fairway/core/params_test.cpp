@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "fairway/core/checked_params.hpp"
 #include "fairway/core/text.hpp"
 
 namespace fairway {
@@ -145,6 +146,36 @@ TEST(ListParams, AreDescribedWithTheirItems) {
   EXPECT_EQ(std::get<double>(infos[0].value), 3.0);
   ASSERT_EQ(infos[0].items.size(), 2U);
   EXPECT_EQ(infos[0].items[0].name, "at_m");
+}
+
+template <Reflected P>
+std::string check_of(const P& params) {
+  try {
+    EXPECT_EQ(&checked_params(params), &params);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(ParamsMadeInCpp, AreHeldToTheirRanges) {
+  EXPECT_EQ(check_of(Hull{}), "accepted");
+  EXPECT_EQ(check_of(Hull{.length_m = 10.0, .ribs_count = 9}), "accepted");
+  EXPECT_EQ(check_of(Hull{.length_m = 10.5}), "length_m: is 10.5; expected a number in [0.1, 10]");
+  EXPECT_EQ(check_of(Hull{.length_m = -1.0}), "length_m: is -1; expected a number in [0.1, 10]");
+  EXPECT_EQ(check_of(Hull{.length_m = std::nan("")}), "length_m: is nan; expected a number in [0.1, 10]");
+  EXPECT_EQ(check_of(Hull{.ribs_count = 0}), "ribs_count: is 0; expected a whole number in [1, 9]");
+  EXPECT_EQ(check_of(Hull{.afloat = false}), "accepted");
+  EXPECT_EQ(check_of(Hull{.paint = static_cast<Paint>(2)}), "paint: is 2; expected one of red, green");
+}
+
+TEST(ParamsMadeInCpp, AreNamedWithTheirPlaceInAList) {
+  EXPECT_EQ(check_of(Skeleton{}), "accepted");
+  EXPECT_EQ(check_of(Skeleton{.ribs = {}}), "accepted");
+  EXPECT_EQ(check_of(Skeleton{.ribs = {{1.0}, {11.0}}}), "ribs[1].at_m: is 11; expected a number in [0, 10]");
+  EXPECT_EQ(check_of(Skeleton{.ribs = std::vector<Rib>(65)}),
+            "ribs: is 65; expected a list of up to 64 items");
+  EXPECT_EQ(check_of(Skeleton{.keel_m = -1.0}), "keel_m: is -1; expected a number in [0, 9]");
 }
 
 }  // namespace

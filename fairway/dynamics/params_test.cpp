@@ -28,5 +28,17 @@ TEST(VehiclesMadeInCpp, AreAllOfTheCatalog) {
   EXPECT_EQ(builtin_vehicles().entries().size(), 8U) << "name the new one among Models";
 }
 
+TEST(MinervaTransportMadeInCpp, NamesTheStationThatIsOutOfRange) {
+  MinervaTransport::Params params;
+  params.layout.at(2).thrust_ratio = -1.0;
+  try {
+    MinervaTransport{params};
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_TRUE(std::string_view(error.what()).starts_with("layout[2].thrust_ratio: is -1; expected"))
+        << error.what();
+  }
+}
+
 }  // namespace
 }  // namespace fairway
