@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bindings/python/bindings.hpp"
-
 #include <pybind11/numpy.h>
+
+#include "bindings/python/bindings.hpp"
 
 PYBIND11_MODULE(_core, m) {
   using namespace fairway::python;

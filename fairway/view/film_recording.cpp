@@ -39,7 +39,8 @@ bool show_again(const Recording& recording, const Scenario& scenario, const Cata
     if (watch.tell) watch.tell();
   }
   if (!checker.same()) {
-    throw InputError(name + ": sketches come of simulating it again, but the run " + checker.describe());
+    throw InputError(name + ": what was drawn (--sketch) comes of simulating it again, but the run " +
+                     checker.describe());
   }
   return true;
 }
