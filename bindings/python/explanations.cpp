@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <array>
 #include <filesystem>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -23,12 +24,10 @@ std::string recording_file(const py::object& given) {
   return path_of(py::isinstance(given, known) ? given.attr("file") : given);
 }
 
-/// A page of its own: never the recording.
-std::string page_of(const py::object& given, const std::string& recording) {
-  const std::string page = given.is_none() ? "" : path_of(given);
-  std::error_code none;
-  if (!page.empty() && std::filesystem::equivalent(page, recording, none))
-    throw InputError(page + ": is the recording itself; expected another file for out");
+/// Where a page goes: never over the recording, nor over a file that is no such page.
+std::string page_of(const py::object& given, const std::string& otherwise, const std::string& recording) {
+  const std::string page = given.is_none() ? otherwise : path_of(given);
+  check_outputs(std::array{Output{"out", page, playback_file}}, std::array{recording}, false);
   return page;
 }
 
@@ -62,16 +61,14 @@ void write_view(const ViewChoice& choice, const Catalogs& catalogs, const std::a
                             ? show_again(recording, scenario, catalogs, choice.recording, film, watch)
                             : show_recorded(recording, film, watch);
   if (!complete) return;
-  film.finish();
+  film.finish(recording.divergence());
   if (film.size() == 0) throw InputError(choice.recording + ": no frame in the time from from_s to to_s");
   const PlaybackInfo info{
       recording.info().version, "fairway.view(\"" + choice.recording + "\")", recording.info().period, {}};
   write_playback(choice.page, playback_document(scenario, info, &film));
 }
 
-std::string view(ViewChoice choice, const py::object& algorithms) {
-  if (choice.page.empty())
-    choice.page = std::filesystem::path{choice.recording}.replace_extension(".html").string();
+std::string view(const ViewChoice& choice, const py::object& algorithms) {
   if (!(choice.limits.from_s >= 0.0) || !(choice.limits.to_s >= choice.limits.from_s))
     throw InputError("view: expected seconds, 0 or more, as from_s, and no fewer as to_s");
   std::atomic<bool> stop{false};
@@ -107,7 +104,7 @@ void bind_explanations(py::module_& m) {
         return explained({.recording = file,
                           .vehicle = asked,
                           .time = time,
-                          .page = page_of(out, file),
+                          .page = page_of(out, "", file),
                           .command = "fairway.explain(\"" + file + "\")"},
                          algorithms);
       },
@@ -123,8 +120,10 @@ void bind_explanations(py::module_& m) {
         limits.from_s = from_s;
         limits.to_s = to_s;
         limits.every = static_cast<std::size_t>(every);
-        return view({.recording = file, .page = page_of(out, file), .sketch = sketch, .limits = limits},
-                    algorithms);
+        const std::string beside = std::filesystem::path{file}.replace_extension(".html").string();
+        return view(
+            {.recording = file, .page = page_of(out, beside, file), .sketch = sketch, .limits = limits},
+            algorithms);
       },
       py::arg("recording"), py::arg("out") = py::none(), py::arg("sketch") = false,
       py::arg("algorithms") = py::none(), py::arg("from_s") = 0.0,

@@ -7,10 +7,10 @@
 #include "bindings/python/scenarios.hpp"
 #include "bindings/python/trajectories.hpp"
 #include "bindings/python/values.hpp"
-#include "fairway/core/output_file.hpp"
 #include "fairway/experiment/measure_run.hpp"
 #include "fairway/experiment/recording_info.hpp"
 #include "fairway/record/csv.hpp"
+#include "fairway/record/output_file.hpp"
 #include "fairway/record/recording.hpp"
 #include "fairway/sim/divergence.hpp"
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bindings/python/results.hpp"
 
+#include <array>
+
 #include "bindings/python/scenarios.hpp"
-#include "fairway/experiment/store.hpp"
 
 namespace fairway::python {
 namespace {
@@ -10,20 +11,20 @@ namespace {
 template <class Of>
 std::vector<std::string> listed(const Results& results, Of&& of) {
   std::vector<std::string> all;
-  for (const RunRecord& record : results.records) all.push_back(of(record));
+  for (const RunRecord& record : results.stored.records) all.push_back(of(record));
   return all;
 }
 
 }  // namespace
 
-Results results_of(std::vector<RunRecord> records, std::size_t made) {
-  Results results{.records = std::move(records), .made = made};
+Results results_of(StoredResults stored, std::size_t made) {
+  Results results{.stored = std::move(stored), .made = made};
   std::vector<std::uint64_t> seeds;
   std::vector<double> wall;
   std::vector<std::vector<Measure>> measures;
-  const std::size_t size = results.records.size();
+  const std::size_t size = results.stored.records.size();
   for (std::size_t i = 0; i < size; ++i) {
-    const RunRecord& record = results.records[i];
+    const RunRecord& record = results.stored.records[i];
     seeds.push_back(record.spec.seed);
     wall.push_back(record.wall_s);
     measures.push_back(record.measures);
@@ -67,12 +68,12 @@ void bind_results(py::module_& m) {
           "that make each run alone; '' if not known, as of algorithms in Python")
       .def_readonly("made", &R::made, "how many of them sweep() made; the others were stored before")
       .def_readonly("wall_s", &R::wall_s, "how long each took where it was made [s]")
-      .def("__len__", [](const R& r) { return r.records.size(); })
+      .def("__len__", [](const R& r) { return r.stored.records.size(); })
       .def("__repr__",
-           [](const R& r) { return "<Results of " + std::to_string(r.records.size()) + " runs>"; });
+           [](const R& r) { return "<Results of " + std::to_string(r.stored.records.size()) + " runs>"; });
   m.def(
       "load_results",
-      [](const py::object& file) { return results_of(Store::open_existing(path_of(file)).all()); },
+      [](const py::object& file) { return results_of(read_stores(std::array{path_of(file)})); },
       py::arg("file"),
       "Reads a results store, as `fairway sweep --out` and `fairway study --out` write it. Raises "
       "InputError.");

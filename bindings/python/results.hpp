@@ -3,18 +3,15 @@
 
 #include <pybind11/pybind11.h>
 
-#include <string>
-#include <vector>
-
 #include "bindings/python/measures.hpp"
 #include "bindings/python/values.hpp"
-#include "fairway/experiment/run.hpp"
+#include "fairway/experiment/stored_results.hpp"
 
 namespace fairway::python {
 
 /// `fairway.Results`: stored runs, and the same as columns.
 struct Results {
-  std::vector<RunRecord> records;
+  StoredResults stored;
   py::dict labels;
   py::array seeds;
   MeasureColumns columns;
@@ -23,7 +20,7 @@ struct Results {
   std::size_t made{};  ///< of them, by the call that gave these results
 };
 
-Results results_of(std::vector<RunRecord> records, std::size_t made = 0);
+Results results_of(StoredResults stored, std::size_t made = 0);
 
 /// Adds the class `Results`, and load_results().
 void bind_results(py::module_& m);

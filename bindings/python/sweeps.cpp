@@ -110,7 +110,7 @@ Results sweep(const SweepChoice& choice, const py::object& algorithms) {
       Simulation{scenario, catalogs};
     });
   };
-  std::vector<RunRecord> records;
+  StoredResults results;
   std::size_t made = 0;
   // one thread that makes its own, so that this one can look for Ctrl-C
   in_parallel(1, 1, stop, [&](std::size_t) {
@@ -122,30 +122,31 @@ Results sweep(const SweepChoice& choice, const py::object& algorithms) {
         campaign, [&](const Scenario& scenario) { return measured(own, scenario, stop); }, store,
         {.jobs = choice.jobs, .progress = &progress, .stop = &stop, .retry_failures = choice.retry_failures});
     made = report.made;
-    records = records_of(campaign, store);
+    results = {origin_of(campaign), records_of(campaign, store)};
   });
-  return results_of(std::move(records), made);
+  return results_of(std::move(results), made);
 }
 
-void add_records(const py::handle& given, std::vector<RunRecord>& records) {
+void add_results(const py::handle& given, StoredResults& results) {
+  StoredResults more;
   if (py::isinstance<Results>(given)) {
-    const std::vector<RunRecord>& more = given.cast<const Results&>().records;
-    records.insert(records.end(), more.begin(), more.end());
-    return;
+    more = given.cast<const Results&>().stored;
+  } else {
+    const std::array<std::string, 1> file{path_of(py::reinterpret_borrow<py::object>(given))};
+    more = read_stores(file);
   }
-  std::vector<RunRecord> more =
-      Store::open_existing(path_of(py::reinterpret_borrow<py::object>(given))).all();
-  std::ranges::move(more, std::back_inserter(records));
+  add_values(results.origin.order, more.origin.order);
+  std::ranges::move(more.records, std::back_inserter(results.records));
 }
 
-std::vector<RunRecord> records_of_all(const py::object& given) {
-  std::vector<RunRecord> records;
+StoredResults results_of_all(const py::object& given) {
+  StoredResults results;
   if (py::isinstance<py::list>(given) || py::isinstance<py::tuple>(given)) {
-    for (const py::handle item : given) add_records(item, records);
+    for (const py::handle item : given) add_results(item, results);
   } else {
-    add_records(given, records);
+    add_results(given, results);
   }
-  return records;
+  return results;
 }
 
 constexpr const char* sweep_doc =
@@ -163,7 +164,7 @@ InputError.)";
 constexpr const char* compare_doc =
     R"(Compares stored runs, paired by seed, with confidence intervals: the document of `fairway compare --json`. results:
 Results, the path of a results store, or a list of these. by: the label whose values are compared. baseline: the
-value that the others are compared with; the first without it. quantities: all without it. Raises InputError.)";
+value that the others are compared with; the campaign's first without it. quantities: all without it. Raises InputError.)";
 
 }  // namespace
 
@@ -193,7 +194,9 @@ void bind_sweeps(py::module_& m) {
         if (!baseline.is_none()) options.baseline = Read<std::string>::from(baseline, "baseline");
         if (!quantities.is_none())
           options.quantities = Read<std::vector<std::string>>::from(quantities, "quantities");
-        return shown(to_json(compare(records_of_all(results), options)));
+        const StoredResults all = results_of_all(results);
+        options.order = values_of(all.origin.order, by);
+        return shown(to_json(compare(all.records, options)));
       },
       py::arg("results"), py::arg("by") = "method", py::arg("baseline") = py::none(),
       py::arg("quantities") = py::none(), py::arg("confidence") = 0.95, compare_doc);

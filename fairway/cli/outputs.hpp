@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "fairway/core/output_check.hpp"
+#include "fairway/record/output_check.hpp"
 
 namespace fairway::cli {
 

@@ -5,12 +5,12 @@
 
 #include "fairway/cli/outputs.hpp"
 #include "fairway/cli/program.hpp"
-#include "fairway/core/output_file.hpp"
 #include "fairway/experiment/measure_run.hpp"
 #include "fairway/experiment/recording_info.hpp"
 #include "fairway/metrics/run_metrics.hpp"
 #include "fairway/record/csv.hpp"
 #include "fairway/record/hash_checker.hpp"
+#include "fairway/record/output_file.hpp"
 #include "fairway/record/recording.hpp"
 #include "fairway/sim/simulation.hpp"
 

@@ -9,7 +9,7 @@
 
 #include "fairway/cli/outputs.hpp"
 #include "fairway/cli/program.hpp"
-#include "fairway/core/output_file.hpp"
+#include "fairway/record/output_file.hpp"
 
 namespace fairway::cli {
 namespace {

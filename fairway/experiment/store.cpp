@@ -14,11 +14,11 @@
 #include <utility>
 
 #include "fairway/core/error.hpp"
-#include "fairway/core/output_file.hpp"
 #include "fairway/experiment/labels.hpp"
 #include "fairway/experiment/lock_file.hpp"
 #include "fairway/experiment/sqlite.hpp"
 #include "fairway/experiment/version.hpp"
+#include "fairway/record/output_file.hpp"
 
 namespace fairway {
 namespace {

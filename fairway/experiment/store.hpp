@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
-#include "fairway/core/output_check.hpp"
 #include "fairway/experiment/origin.hpp"
 #include "fairway/experiment/run.hpp"
+#include "fairway/record/output_check.hpp"
 
 namespace fairway {
 

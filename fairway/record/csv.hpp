@@ -3,7 +3,7 @@
 
 #include <iosfwd>
 
-#include "fairway/core/output_check.hpp"
+#include "fairway/record/output_check.hpp"
 #include "fairway/record/recording.hpp"
 
 namespace fairway {

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "fairway/core/output_file.hpp"
 #include "fairway/record/bytes.hpp"
 #include "fairway/record/mcap.hpp"
+#include "fairway/record/output_file.hpp"
 
 struct ZSTD_CCtx_s;
 

@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "fairway/core/output_check.hpp"
 #include "fairway/record/bytes.hpp"
 #include "fairway/record/frame.hpp"
+#include "fairway/record/output_check.hpp"
 
 namespace fairway {
 

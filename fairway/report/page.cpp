@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "fairway/core/output_file.hpp"
+#include "fairway/record/output_file.hpp"
 
 namespace fairway {
 namespace {

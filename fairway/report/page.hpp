@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "fairway/core/output_check.hpp"
+#include "fairway/record/output_check.hpp"
 
 namespace fairway {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "fairway/core/output_check.hpp"
 #include "fairway/dynamics/catalog.hpp"
+#include "fairway/record/output_check.hpp"
 
 namespace fairway {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/view/playback.hpp"
 
-#include "fairway/core/output_file.hpp"
+#include "fairway/record/output_file.hpp"
 #include "fairway/report/page.hpp"
 #include "fairway/view/columns.hpp"
 #include "fairway/view/film_water.hpp"

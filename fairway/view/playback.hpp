@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "fairway/core/output_check.hpp"
+#include "fairway/record/output_check.hpp"
 #include "fairway/scenario/scenario.hpp"
 #include "fairway/view/film.hpp"
 

@@ -350,7 +350,7 @@ def test_its_page_has_what_was_thought(recorded, tmp_path):
     plain = fairway.view(recorded)
     assert plain == str(recorded.with_suffix(".html"))
     assert os.path.getsize(page) > 100_000 and os.path.getsize(plain) > 100_000
-    with pytest.raises(fairway.InputError, match="is the recording itself"):
+    with pytest.raises(fairway.InputError, match="is an input, too"):
         fairway.view(recorded, out=recorded)
     with pytest.raises(fairway.InputError, match="no frame in the time"):
         fairway.view(recorded, from_s=1e6)

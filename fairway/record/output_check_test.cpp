@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fairway/core/output_check.hpp"
+#include "fairway/record/output_check.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -14,19 +14,19 @@
 #include <vector>
 
 #include "fairway/core/error.hpp"
-#include "fairway/core/output_file.hpp"
 #include "fairway/core/testing/temporary_folder.hpp"
+#include "fairway/record/output_file.hpp"
 
 namespace fairway {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 constexpr FileKind notes{.name = "a file of notes", .begins = "notes\n", .holds = "by us", .is_table = true};
 constexpr FileKind page{.name = "a page", .begins = "<", .holds = ""};
 
-class OutputCheckTest : public testing::Test {
+class OutputCheckTest : public ::testing::Test {
  protected:
   OutputCheckTest() {
     write_file(file("notes"), "notes\nwritten by us");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fairway/core/output_check.hpp"
+#include "fairway/record/output_check.hpp"
 
 #include <unistd.h>
 

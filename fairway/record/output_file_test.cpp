@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fairway/core/output_file.hpp"
+#include "fairway/record/output_file.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -20,8 +20,8 @@ namespace fairway {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::HasSubstr;
-using testing::StartsWith;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
 
 std::string bytes_of(const std::string& path) {
   std::ifstream file{path, std::ios::binary};
@@ -41,7 +41,7 @@ std::string refusal(const std::string& path) {
   return "not refused";
 }
 
-class OutputFileTest : public testing::Test {
+class OutputFileTest : public ::testing::Test {
  protected:
   TemporaryFolder folder_;
   std::string path_ = folder_.file("out.txt");

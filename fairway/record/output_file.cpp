@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fairway/core/output_file.hpp"
+#include "fairway/record/output_file.hpp"
 
 #include <fcntl.h>
 #include <sys/stat.h>
