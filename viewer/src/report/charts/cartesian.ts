@@ -129,8 +129,8 @@ function rule_marks(rule: Rule, y: Scale, area: Area, font: number): SVGElement[
 export function category_layout(categories: string[], inner: number, font: number) {
   const widest = Math.max(0, ...categories.map((name) => text_width(name, font)));
   const slanted = widest > inner / Math.max(1, categories.length) - 4;
-  // The first label may not reach beyond the left edge: half a band and the room for ticks are beside it.
-  const room = Math.min(widest, 92, (inner / Math.max(1, categories.length) / 2 + 22) / 0.71);
+  // The first label may not reach beyond the left edge: half a band and the least room for ticks are beside it.
+  const room = Math.min(widest, 92, (inner / Math.max(1, categories.length) / 2 + 9) / 0.71);
   const labels = slanted ? fit_texts(categories, room, font) : categories;
   const longest = Math.max(0, ...labels.map((name) => text_width(name, font)));
   return { slanted, labels, space: slanted ? longest * 0.71 + font + 4 : font + 10 };
