@@ -6,6 +6,9 @@ import { linear, nice_domain, tick_digits, ticks, type Scale } from '../../commo
 import type { Rule } from '../model';
 import type { View } from './chart';
 
+/** Room left of the drawing, for labels of ticks and for the first label under it. */
+const least_left = 24;
+
 export interface Area {
   left: number;
   right: number;
@@ -53,7 +56,7 @@ export function canvas({ view, y_label, values, y_max, rules, x_label, x_space }
   const digits = tick_digits(marks_y);
   const tick_width = Math.max(...marks_y.map((value) => text_width(fixed(value, digits), font)));
 
-  const left = Math.ceil(tick_width) + 10;
+  const left = Math.max(least_left, Math.ceil(tick_width) + 10);
   const right = view.width - 6;
   const top = y_label === '' ? 10 : font + 16;
   const area = { left, right, top, bottom: height - under };
@@ -130,7 +133,7 @@ export function category_layout(categories: string[], inner: number, font: numbe
   const widest = Math.max(0, ...categories.map((name) => text_width(name, font)));
   const slanted = widest > inner / Math.max(1, categories.length) - 4;
   // The first label may not reach beyond the left edge: half a band and the least room for ticks are beside it.
-  const room = Math.min(widest, 92, (inner / Math.max(1, categories.length) / 2 + 9) / 0.71);
+  const room = Math.min(widest, 92, (inner / Math.max(1, categories.length) / 2 + least_left - 2) / 0.71);
   const labels = slanted ? fit_texts(categories, room, font) : categories;
   const longest = Math.max(0, ...labels.map((name) => text_width(name, font)));
   return { slanted, labels, space: slanted ? longest * 0.71 + font + 4 : font + 10 };
