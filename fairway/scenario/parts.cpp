@@ -79,7 +79,7 @@ Key<Scenario> format_version() {
 /// Whether it is short enough is seen by whoever knows the vehicles.
 Key<Scenario> step() {
   Key<Scenario> entry =
-      key("step_s", &Scenario::step_s, number(above_to(0.0, 1.0)),
+      key("step_s", &Scenario::step_s, number(from_to(1e-5, 1.0)),
           "The control period and integration step, short enough for every vehicle's fastest "
           "motion. Default 0.05.");
   entry.read = [read = entry.read](const Value& value, Scenario& scenario) {

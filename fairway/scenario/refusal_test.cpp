@@ -74,10 +74,10 @@ TEST(RefusalTest, AMissingKeyIsNamed) {
 }
 
 TEST(RefusalTest, AWrongTypeSaysWhatWasExpected) {
-  EXPECT_EQ(refusal(with("step_s: fast")), "f.yaml:9:9: step_s: expected a number in (0, 1], got fast");
+  EXPECT_EQ(refusal(with("step_s: fast")), "f.yaml:9:9: step_s: expected a number in [1e-05, 1], got fast");
   EXPECT_EQ(refusal(with("step_s: '0.1'")),
-            "f.yaml:9:9: step_s: expected a number in (0, 1], got the text \"0.1\"");
-  EXPECT_EQ(refusal(with("step_s:")), "f.yaml:9:1: step_s: expected a number in (0, 1], got nothing");
+            "f.yaml:9:9: step_s: expected a number in [1e-05, 1], got the text \"0.1\"");
+  EXPECT_EQ(refusal(with("step_s:")), "f.yaml:9:1: step_s: expected a number in [1e-05, 1], got nothing");
   EXPECT_EQ(refusal(with("stop_when_done: yes")),
             "f.yaml:9:17: stop_when_done: expected true or false, got yes");
   EXPECT_EQ(refusal(with("water: {current_mps: [1, 2]}")),
@@ -98,7 +98,10 @@ TEST(RefusalTest, AWrongTypeSaysWhatWasExpected) {
 }
 
 TEST(RefusalTest, NumbersOutOfRangeShowTheRange) {
-  EXPECT_EQ(refusal(with("step_s: 0")), "f.yaml:9:9: step_s: expected a number in (0, 1], got 0");
+  EXPECT_EQ(refusal(with("step_s: 0")), "f.yaml:9:9: step_s: expected a number in [1e-05, 1], got 0");
+  // 600 s of such steps are more than can be counted
+  EXPECT_EQ(refusal(with("step_s: 1e-300")),
+            "f.yaml:9:9: step_s: expected a number in [1e-05, 1], got 1e-300");
   EXPECT_THAT(refusal(with("", "radius_m: -1")),
               HasSubstr("vehicles[0].radius_m: expected a number in [0, 1000], got -1"));
   EXPECT_THAT(refusal(with("obstacles: [{sphere: {position_m: [90, 0, 0], radius_m: 0}}]")),

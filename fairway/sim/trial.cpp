@@ -134,6 +134,8 @@ Settings read_settings(const VehicleCatalog::Entry& entry, const ParamValues& va
 
 // ---- inputs
 
+constexpr double farthest_s = 1e7;  // as for a scenario's duration: the steps until then can be counted
+
 struct InputRow {
   double time{};
   int line{};
@@ -233,6 +235,10 @@ class InputReader {
         continue;
       }
       row.time = *number;
+      if (std::fabs(row.time) > farthest_s) {
+        refuse(cells[i].column, "time_s",
+               "is " + number_text(row.time) + "; expected a number in [-1e+07, 1e+07]");
+      }
       if (previous && !(row.time > *previous)) {
         refuse(cells[i].column, "time_s",
                "is " + number_text(row.time) + ", not after " + number_text(*previous));

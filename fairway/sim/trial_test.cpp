@@ -132,6 +132,7 @@ TEST(Trial, RefusesWhatItCannotUseAndSaysWhere) {
       {"time_s,heave_n\n0,0\n1,two\n", "in.csv:3:3: heave_n: is \"two\"; expected a finite number"},
       {"time_s,heave_n\n0,\n", "in.csv:2:3: heave_n: is \"\""},
       {"time_s,heave_n\n0,nan\n", "in.csv:2:3: heave_n: is \"nan\""},
+      {"time_s,heave_n\n0,0\n1e300,0\n", "in.csv:3:1: time_s: is 1e+300; expected a number in [-1e+07, 1e+07]"},
       {"time_s,heave_n\ninf,0\n", "in.csv:2:1: time_s: is \"inf\""},
       {"time_s,heave_n\n0,true\n", "in.csv:2:3: heave_n: is \"true\""},
       {"time_s,heave_n\n0,1\n0.5\n", "in.csv:3:1: 1 cells under a header of 2"},

@@ -2,6 +2,7 @@
 #include "fairway/view/live/live_run.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace fairway {
 namespace {
@@ -10,6 +11,7 @@ using namespace std::chrono_literals;
 
 constexpr auto stop_is_seen_within = 50ms;  // a signal handler can set a flag and wake nobody
 constexpr auto forgiven_delay = 250ms;
+constexpr double farthest_s = 1e8;  // three years: what is due later, at next to no speed, is due then
 
 }  // namespace
 
@@ -20,8 +22,8 @@ LiveRun::Clock::time_point LiveRun::due_at(double time) {
   const Clock::time_point now = Clock::now();
   if (pace_.speed <= 0.0) return now;
   const auto due = [&] {
-    return from_clock_ + std::chrono::duration_cast<Clock::duration>(
-                             std::chrono::duration<double>((time - from_time_) / pace_.speed));
+    const double wait = std::fmin((time - from_time_) / pace_.speed, farthest_s);
+    return from_clock_ + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(wait));
   };
   if (!timed_ || now - due() > forgiven_delay) {
     timed_ = true;

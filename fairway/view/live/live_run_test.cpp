@@ -39,6 +39,19 @@ TEST(LiveRun, KeepsToTheClockTimesItsSpeed) {
   EXPECT_LT(Clock::now() - begin, 2s);
 }
 
+TEST(LiveRun, AtNextToNoSpeedTheNextStepIsNotDue) {
+  const SampleFrames frames;
+  LiveRun run{frames.scenario, {.speed = 1e-300}};
+  run.write(frames.at(0));
+  ASSERT_TRUE(run.await_turn(0.1, never));  // from here on
+  std::atomic<bool> stop{false};
+  const std::jthread stopping{[&] {
+    std::this_thread::sleep_for(100ms);
+    stop = true;
+  }};
+  EXPECT_FALSE(run.await_turn(0.2, stop));
+}
+
 TEST(LiveRun, WhatItFellBehindIsNotMadeUpForInARush) {
   const SampleFrames frames;
   LiveRun run{frames.scenario, {.speed = 10.0}};
