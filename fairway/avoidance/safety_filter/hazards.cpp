@@ -7,7 +7,7 @@ namespace fairway {
 namespace {
 
 /// A nearest point this near to an end of a wall is that end, whichever way the last bits fell [m].
-constexpr double rounding = 1e-9;
+constexpr double corner_size = 1e-9;
 
 /// Fills a span with the hazards in range.
 class Lookout {
@@ -28,7 +28,7 @@ class Lookout {
       see_fixed(obstacle.position, obstacle.radius, false);
     } else if (obstacle.kind == Obstacle::Kind::segment) {
       const Vec3 point = nearest_point(obstacle, own_.position).point;
-      const auto is_at = [&](const Vec3& end) { return (point - end).squaredNorm() < rounding * rounding; };
+      const auto is_at = [&](const Vec3& end) { return (point - end).squaredNorm() < corner_size * corner_size; };
       see_fixed(point, 0.0, !is_at(obstacle.from) && !is_at(obstacle.to));
     } else {
       see_polygon(obstacle);
