@@ -28,7 +28,9 @@ class Lookout {
       see_fixed(obstacle.position, obstacle.radius, false);
     } else if (obstacle.kind == Obstacle::Kind::segment) {
       const Vec3 point = nearest_point(obstacle, own_.position).point;
-      const auto is_at = [&](const Vec3& end) { return (point - end).squaredNorm() < corner_size * corner_size; };
+      const auto is_at = [&](const Vec3& end) {
+        return (point - end).squaredNorm() < corner_size * corner_size;
+      };
       see_fixed(point, 0.0, !is_at(obstacle.from) && !is_at(obstacle.to));
     } else {
       see_polygon(obstacle);
