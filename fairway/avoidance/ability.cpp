@@ -18,12 +18,16 @@ Shortfall shortfall(const Limits& limits, const Command& command, double yaw) no
   if (speed <= slack) return Shortfall::none;
 
   const bool says_heading = command.heading || command.turn_rate;
+  const bool turns_first = !says_heading && !command.astern && !only_goes_ahead(limits);
+  const bool needs_way_ahead = !limits.sternway && !turns_first;
+  const bool needs_way_along = !limits.sway && says_heading;
+  if (!needs_way_ahead && !needs_way_along) return Shortfall::none;
+
   const double bow = command.turn_rate ? yaw : command.heading.value_or(yaw);
   const double ahead = std::cos(bow) * v.x() + std::sin(bow) * v.y();
   const double across = std::cos(bow) * v.y() - std::sin(bow) * v.x();
-  const bool turns_first = !says_heading && !command.astern && !only_goes_ahead(limits);
-  if (!limits.sternway && !turns_first && ahead < -slack) return Shortfall::astern;
-  if (!limits.sway && says_heading && std::abs(across) > std::abs(ahead) + slack) return Shortfall::sideways;
+  if (needs_way_ahead && ahead < -slack) return Shortfall::astern;
+  if (needs_way_along && std::abs(across) > std::abs(ahead) + slack) return Shortfall::sideways;
   return Shortfall::none;
 }
 
