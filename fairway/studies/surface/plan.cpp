@@ -145,7 +145,8 @@ Scenario passage(Course course, const Layout& layout, Vessel vessel, const Metho
   own.yaw = layout.heading;
   own.radius_m = vessel_radius;
   own.limits = {.max_speed = 1.5, .max_climb_rate = 0.0, .max_acceleration = 0.5, .max_turn_rate = 0.3751};
-  own.mission = {{.kind = LegKind::transit, .position = goal, .speed_mps = wanted_speed, .arrival_m = 1.0}};
+  own.mission = {
+      {.kind = LegKind::transit, .position = layout.goal, .speed_mps = wanted_speed, .arrival_m = 1.0}};
   scenario.vehicles = {own};
   return scenario;
 }
