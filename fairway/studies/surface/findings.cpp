@@ -58,7 +58,8 @@ MeanEstimate half(MeanEstimate estimate) {
   return estimate;
 }
 
-constexpr std::array teb_names{"teb_0.4", "teb_0.4_dynamic", "teb_1.5", "teb_1.5_dynamic"};
+constexpr std::array teb_names{"teb_0.4",         "teb_0.4_dynamic", "teb_1.5",
+                               "teb_1.5_dynamic", "teb_0.4_planned", "teb_1.5_planned"};
 
 /// "At least twice as effective": AVOA takes at most half of the time, course by course.
 std::string twice_as_fast(const std::vector<Cell>& cells, std::string_view teb) {
@@ -67,10 +68,9 @@ std::string twice_as_fast(const std::vector<Cell>& cells, std::string_view teb) 
     const MeanEstimate ours = mean_of(sailed_with_zarco(cells, course, "avoa"), "navigation_time_s");
     const MeanEstimate theirs = mean_of(sailed_with_zarco(cells, course, teb), "navigation_time_s");
     const Standing standing = is_less(ours, half(theirs));
-    const bool faster = is_less(ours, theirs) == Standing::holds;
     std::string part = fmt::format("{} {}", name_of(course), name_of(standing));
-    if (standing == Standing::reversed)
-      part = fmt::format("{} {}", name_of(course), faster ? "faster, but not twice" : "not faster");
+    if (standing == Standing::reversed && is_less(ours, theirs) == Standing::holds)
+      part = fmt::format("{} faster, but not twice", name_of(course));
     if (standing != Standing::not_measured)
       part += fmt::format(" ({:.1f} s against {:.1f} s)", ours.mean, theirs.mean);
     parts.push_back(std::move(part));

@@ -17,11 +17,13 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::array lengths{15.0, 20.0, 25.0, 30.0, 35.0, 40.0};                  // [m]
-constexpr std::array limits{0.3, 0.4, 0.5, 0.6, 0.75, 0.9, 1.05, 1.2, 1.35, 1.5};  // [m/s]
+constexpr std::array lengths{15.0, 20.0, 25.0, 30.0, 35.0, 40.0};     // [m]
+constexpr std::array limits{0.3, 0.4, 0.5, 0.6, 0.8, 1.0, 1.2, 1.5};  // [m/s]
 constexpr std::array timed{Course::cluttered, Course::orthogonal, Course::diagonal};
 constexpr std::array sailors{"avoa", "teb"};
-constexpr double patience = 300.0;  // of a run [s]
+constexpr double wanted_ratio =
+    0.8;                            // of the limit, by AVOA, as in the published part; TEB goes at the limit
+constexpr double patience = 200.0;  // of a run [s]
 constexpr double within = 0.15;     // of a printed time, as a verdict has it
 
 std::string mode_of(double length, double limit) { return fmt::format("{:g}m_{:g}mps", length, limit); }
@@ -33,7 +35,7 @@ Scenario scaled_passage(Course course, double length, double limit, std::string_
       passage(course, scaled(course, length), Vessel::zarco, {sailor, sailor, std::move(params)}, 1);
   scenario.duration_s = patience;
   scenario.vehicles.front().limits.max_speed = limit;
-  scenario.vehicles.front().mission.front().speed_mps = limit;
+  scenario.vehicles.front().mission.front().speed_mps = wanted_ratio * limit;
   return scenario;
 }
 
@@ -94,7 +96,7 @@ std::string listed(const std::vector<double>& numbers) {
   return numbers.empty() ? "none" : fmt::format("{:g} m/s", fmt::join(numbers, ", "));
 }
 
-constexpr double slow = 0.6, fast = 0.9;  // TEB's limits up to and from here are told apart [m/s]
+constexpr double slow = 0.6, fast = 1.0;  // TEB's limits up to and from here are told apart [m/s]
 
 /// At how many lengths and limits TEB is so, of those at which that can be said.
 struct Share {

@@ -13,8 +13,8 @@
 /// each at several scales, sailed under several limits.
 namespace fairway::surface {
 
-/// One run of AVOA and of TEB for each course, scale and limit, with Zarco in the waves of Table I. Both want
-/// to go at the limit.
+/// One run of AVOA and of TEB for each course, scale and limit, with Zarco in the waves of Table I. TEB goes
+/// at the limit; AVOA wants 0.8 of it, as in the published part.
 std::vector<Cell> scale_cells();
 
 /// Runs a scenario under every metric, and tells how far ahead of the other vessel's centre the own one

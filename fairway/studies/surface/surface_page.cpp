@@ -142,7 +142,7 @@ json facts(const Results& results) {
     return std::to_string(std::ranges::count(results.rows, verdict, &StudyRow::verdict));
   };
   return {{{"label", "Runs"}, {"value", std::to_string(run_count(groups))}},
-          {{"label", "Reproduced, assuming"}, {"value", count(Verdict::reproduced_assuming)}},
+          {{"label", "Rows reproduced, assuming"}, {"value", count(Verdict::reproduced_assuming)}},
           {{"label", "Partly"}, {"value", count(Verdict::partly)}},
           {{"label", "Not reproduced"}, {"value", count(Verdict::not_reproduced)}}};
 }
