@@ -16,10 +16,12 @@
 namespace fairway {
 
 double Cell::value(std::size_t i, std::string_view quantity) const {
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  if (i >= results.size()) return unknown;
   for (const Measure& measure : results[i]) {
     if (measure.quantity == quantity) return measure.value;
   }
-  return std::numeric_limits<double>::quiet_NaN();
+  return unknown;
 }
 
 void Cell::add_run(std::string_view study, std::function<Scenario()> scenario, std::uint64_t seed) {

@@ -29,8 +29,9 @@ nlohmann::json value_json(const ParamValue& value) {
 }  // namespace
 
 std::string_view name_of(Verdict verdict) {
-  constexpr std::array names{"reproduced", "reproduced_assuming", "within_spread",
-                             "partly",     "not_reproduced",      "no_reference"};
+  constexpr std::array names{
+      "reproduced",     "reproduced_assuming", "within_spread",       "partly",
+      "not_reproduced", "no_reference",        "follows_from_inputs", "another_course"};
   return names[static_cast<std::size_t>(verdict)];
 }
 
@@ -45,7 +46,9 @@ void judge(StudyRow& row, bool is_count) {
     if (is_count && row.measured == *row.published) return Verdict::reproduced;
     const std::optional<double> deviation = row.deviation_ratio();
     if (!is_count && deviation && std::abs(*deviation) <= reproduced_within) return Verdict::reproduced;
-    if (row.low <= *row.published && *row.published <= row.high) return Verdict::within_spread;
+    const bool spread_known = std::isfinite(row.low) && std::isfinite(row.high);
+    if (spread_known && row.low <= *row.published && *row.published <= row.high)
+      return Verdict::within_spread;
     if (deviation && std::abs(*deviation) <= partly_within) return Verdict::partly;
     return Verdict::not_reproduced;
   };

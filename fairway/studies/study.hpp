@@ -26,7 +26,9 @@ enum class Verdict {
   within_spread,  ///< farther off, but the published value lies in the 95 % interval of the measured mean
   partly,         ///< within 35 %
   not_reproduced,
-  no_reference,  ///< nothing published to compare with
+  no_reference,         ///< nothing published to compare with
+  follows_from_inputs,  ///< what was put in fixes the number, whatever the experiment: no evidence for it
+  another_course,       ///< agrees, but in a run that went another way than the published one: no evidence
 };
 std::string_view name_of(Verdict verdict);
 

@@ -37,7 +37,7 @@ class Minerva {
     static consteval auto fields() {
       using P = Params;
       return std::tuple{
-          field<&P::plant>("equations: physical, or paper_compat as rehman2021 is reproduced by"),
+          field<&P::plant>("equations: physical, or paper_compat, chosen after the times of rehman2021"),
           field<&P::degrees_of_freedom>("planar holds depth, roll and pitch; six frees them"),
           field<&P::density_kgpm3>({900, 1100}, "of the water it is ballasted for; sets thrust"),
           field<&P::max_propeller_speed_hz>({1, 60}, "fastest propeller turns; 20 = 1200 rpm"),

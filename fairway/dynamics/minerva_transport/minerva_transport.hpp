@@ -52,7 +52,7 @@ class MinervaTransport {
     static consteval auto fields() {
       using P = Params;
       return std::tuple{
-          field<&P::plant>("equations: physical, or paper_compat as rehman2021 is reproduced by"),
+          field<&P::plant>("equations: physical, or paper_compat, chosen after the times of rehman2021"),
           field<&P::degrees_of_freedom>("planar holds depth, roll and pitch; six frees them"),
           field<&P::layout>("where the vehicles are fixed; four on the arms of a cross if not given"),
           field<&P::payload_edge_m>({0, 20}, "edge of the payload cube, neutrally buoyant; 0 = none"),

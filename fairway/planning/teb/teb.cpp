@@ -10,6 +10,7 @@
 #include "fairway/planning/planar_map.hpp"
 #include "fairway/planning/teb/homotopy.hpp"
 #include "fairway/planning/teb/optimise.hpp"
+#include "fairway/planning/teb/way.hpp"
 
 namespace fairway {
 namespace {
@@ -19,8 +20,8 @@ using teb::Barrier;
 using teb::Pose;
 using teb::Signature;
 
-/// The way that ignores all barriers.
-struct Straight {
+/// The band that goes the way to the goal.
+struct Planned {
   Band band;
   Signature turns;
 };
@@ -30,11 +31,10 @@ struct Task {
   const TebParams& params;
   std::vector<Barrier> barriers;
   Pose start;
-  Pose end;           ///< where the way ahead leaves the lookahead, or the goal
-  double speed{};     ///< along the heading [m/s]
-  double yaw_rate{};  ///< [rad/s]
-
-  std::array<Vec2, 2> straight_way() const { return {start.position, end.position}; }
+  Pose end;               ///< where the way ahead leaves the lookahead, or the goal
+  std::vector<Vec2> way;  ///< from the start to the end
+  double speed{};         ///< along the heading [m/s]
+  double yaw_rate{};      ///< [rad/s]
 };
 
 /// Where the mission wants to be; far ahead where it wants a velocity.
@@ -44,10 +44,25 @@ Vec2 goal_of(const Situation& s) {
   return seen_from_above(s.own.position + far * unit(*s.goal.velocity));
 }
 
-/// The line to the goal, drawn anew when there is another goal.
-Teb::Line line_to(const Vec2& goal, const Situation& s, const std::optional<Teb::Line>& before) {
-  if (before && before->to == goal) return *before;
-  return {.from = seen_from_above(s.own.position), .to = goal};
+/// Another goal wants another way; and a planned one is planned again where it is blocked or of no use, at
+/// most once a second.
+bool needs_way(const TebParams& params, const Situation& s, const Vec2& goal, const Teb::Memory& memory) {
+  constexpr double every = 1.0;  // [s]
+  if (memory.way.empty() || memory.way.back() != goal) return true;
+  if (params.global_plan == TebGlobalPlan::straight || s.time < memory.planned_s + every) return false;
+  return memory.plan_failed || teb::is_blocked(params, memory.way, s);
+}
+
+/// Draws the line to the goal, or plans the way there. Where none is found the line stands for it, or the way
+/// that there is.
+void find_way(const TebParams& params, const Situation& s, const Vec2& goal, Teb::Memory& memory, Rng& rng) {
+  std::optional<std::vector<Vec2>> planned;
+  if (params.global_plan == TebGlobalPlan::rrt_star) planned = teb::plan_way(params, s, goal, rng);
+  const bool keeps = !memory.way.empty() && memory.way.back() == goal;
+  if (!planned && !keeps) planned = {seen_from_above(s.own.position), goal};
+  if (planned) memory.way = std::move(*planned);
+  memory.planned_s = s.time;
+  memory.plan_failed = false;
 }
 
 /// The speeds that the band may have are those that the vehicle can have: without sternway none astern, and
@@ -57,23 +72,14 @@ TebParams within(TebParams params, const Limits& limits) {
   return params;
 }
 
-/// As far along the line as is looked ahead from its point nearest to own ship.
-Vec2 end_ahead(const TebParams& params, const Teb::Line& line, const Vec2& own) {
-  const Vec2 way = line.to - line.from;
-  const double length = way.norm();
-  if (length == 0.0) return line.to;
-  const double done = std::clamp((own - line.from).dot(way) / length, 0.0, length);
-  return line.from + std::fmin(done + params.max_global_plan_lookahead_dist_m, length) * way / length;
-}
-
-Task task_of(const TebParams& params, const Situation& s, const Teb::Line& line) {
+Task task_of(const TebParams& params, const Situation& s, std::span<const Vec2> way) {
   const Vec2 own = seen_from_above(s.own.position);
-  const Vec2 end = end_ahead(params, line, own);
-  const Vec2 way = line.to == line.from ? Vec2{end - own} : Vec2{line.to - line.from};
+  teb::WayAhead ahead = teb::ahead_on(way, own, params.max_global_plan_lookahead_dist_m);
   return {.params = params,
           .barriers = teb::barriers_near(params, s),
           .start = {own, wrap_angle(s.own.yaw)},
-          .end = {end, std::atan2(way.y(), way.x())},
+          .end = ahead.end,
+          .way = std::move(ahead.points),
           .speed = std::cos(s.own.yaw) * s.own.velocity.x() + std::sin(s.own.yaw) * s.own.velocity.y(),
           .yaw_rate = s.own.yaw_rate};
 }
@@ -100,22 +106,22 @@ std::vector<Signature> drop_duplicates(const Task& task, std::vector<Band>& band
   return classes;
 }
 
-Straight straight_ahead(const Task& task) {
-  Band band = band_along(task.params, task.straight_way(), task.start, task.end);
+Planned along_the_way(const Task& task) {
+  Band band = band_along(task.params, task.way, task.start, task.end);
   Signature turns = signature_of(task.barriers, band);
   return {std::move(band), std::move(turns)};
 }
 
-/// Bands of classes that there are none of yet: of the straight way's, then of others.
-void explore(const Task& task, const Straight& straight, std::vector<Band>& bands, Rng& rng) {
+/// Bands of classes that there are none of yet: of the planned way's, then of others.
+void explore(const Task& task, const Planned& planned, std::vector<Band>& bands, Rng& rng) {
   std::vector<Signature> classes = drop_duplicates(task, bands);
   const auto most = static_cast<std::size_t>(task.params.max_number_classes_count);
   if (bands.size() > most) bands.resize(most);
 
-  const bool known = teb::is_among(task.params, straight.turns, classes);
+  const bool known = teb::is_among(task.params, planned.turns, classes);
   if (!known && bands.size() < most) {
-    classes.push_back(straight.turns);
-    bands.push_back(straight.band);
+    classes.push_back(planned.turns);
+    bands.push_back(planned.band);
   }
   const auto ways = ways_of_new_classes(task.params, task.barriers, task.start.position, task.end.position,
                                         most - bands.size(), classes, rng);
@@ -124,14 +130,14 @@ void explore(const Task& task, const Straight& straight, std::vector<Band>& band
 }
 
 /// Optimises every band and puts the best first.
-void choose(const Task& task, const Straight& straight, bool followed_one, std::vector<Band>& bands) {
+void choose(const Task& task, const Planned& planned, bool followed_one, std::vector<Band>& bands) {
   const TebParams& params = task.params;
   std::size_t best = 0;
   double least = std::numeric_limits<double>::infinity();
   bool plan_found = false;
   for (std::size_t i = 0; i < bands.size(); ++i) {
     const bool of_plan =
-        !plan_found && teb::are_alike(params, straight.turns, signature_of(task.barriers, bands[i]));
+        !plan_found && teb::are_alike(params, planned.turns, signature_of(task.barriers, bands[i]));
     plan_found = plan_found || of_plan;
     const teb::Cost cost = optimise(params, task.barriers, task.speed, task.yaw_rate, bands[i]);
     double sum = cost.motion + params.selection_obst_cost_scale_ratio * cost.barriers;
@@ -148,13 +154,13 @@ void choose(const Task& task, const Straight& straight, bool followed_one, std::
 void plan(const Task& task, std::vector<Band>& bands, Rng& rng) {
   advance_all(task, bands);
   const bool followed_one = !bands.empty();
-  const Straight straight = straight_ahead(task);
+  const Planned planned = along_the_way(task);
   if (task.params.enable_homotopy_class_planning) {
-    explore(task, straight, bands, rng);
+    explore(task, planned, bands, rng);
   } else if (bands.empty()) {
-    bands.push_back(straight.band);
+    bands.push_back(planned.band);
   }
-  choose(task, straight, followed_one, bands);
+  choose(task, planned, followed_one, bands);
 }
 
 /// Whether the first poses touch nothing as it is now.
@@ -198,20 +204,31 @@ void draw(const Situation& s, std::span<const Band> bands, Sketch& sketch) {
   sketch.velocity(s.preferred_velocity(), "preferred");
 }
 
+void draw_way(const Situation& s, std::span<const Vec2> way, Sketch& sketch) {
+  std::vector<Vec3> points;
+  for (const Vec2& point : way) points.emplace_back(point.x(), point.y(), s.own.position.z());
+  sketch.path(points, "global plan");
+}
+
 }  // namespace
 
 Command Teb::decide(const Situation& s, Memory& memory, Context& context) const noexcept {
   try {
     const Vec2 goal = goal_of(s);
-    memory.line = line_to(goal, s, memory.line);
-    if ((goal - seen_from_above(s.own.position)).norm() <= params.xy_goal_tolerance_m) {
+    const bool is_there = (goal - seen_from_above(s.own.position)).norm() <= params.xy_goal_tolerance_m;
+    const bool waits = !s.goal.velocity && s.goal.cruise_speed <= 0.0;
+    if (needs_way(params, s, goal, memory)) find_way(params, s, goal, memory, context.rng);
+    if (is_there || waits) {
       memory.bands.clear();
       return {};
     }
     const TebParams able = within(params, s.limits);
-    const Task task = task_of(able, s, *memory.line);
+    const Task task = task_of(able, s, memory.way);
     plan(task, memory.bands, context.rng);
-    if (context.sketch != nullptr) draw(s, memory.bands, *context.sketch);
+    if (context.sketch != nullptr) {
+      if (params.global_plan != TebGlobalPlan::straight) draw_way(s, memory.way, *context.sketch);
+      draw(s, memory.bands, *context.sketch);
+    }
     const Band& band = memory.bands.front();
     if (is_feasible(task, band)) {
       Command command = first_command(task, band);
@@ -221,6 +238,7 @@ Command Teb::decide(const Situation& s, Memory& memory, Context& context) const 
   } catch (const std::exception&) {  // out of memory
   }
   memory.bands.clear();
+  memory.plan_failed = true;
   ++memory.infeasible_count;
   return {.mode = Mode::infeasible, .note = "the first poses of the band cannot be followed"};
 }

@@ -16,6 +16,17 @@ struct EnumNames<TebSolver> {
   static constexpr std::array names{"banded", "ceres"};
 };
 
+/// What way to the goal the bands follow.
+enum class TebGlobalPlan {
+  straight,  ///< a straight line, as a global planner gives it that knows of no obstacle
+  rrt_star,  ///< a way round what is known, planned anew where that is blocked or no band could be followed
+};
+
+template <>
+struct EnumNames<TebGlobalPlan> {
+  static constexpr std::array names{"straight", "rrt_star"};
+};
+
 /// The parameters of teb_local_planner under its names, with its defaults.
 struct TebParams {
   double max_vel_x_mps = 0.4;
@@ -29,6 +40,7 @@ struct TebParams {
   double dt_hysteresis_s = 0.1;
   int min_samples_count = 3;
   int max_samples_count = 500;
+  TebGlobalPlan global_plan = TebGlobalPlan::straight;
   double max_global_plan_lookahead_dist_m = 3.0;
   double force_reinit_new_goal_dist_m = 1.0;
   double force_reinit_new_goal_angular_rad = 0.78;
@@ -83,6 +95,7 @@ struct TebParams {
         field<&P::dt_hysteresis_s>({0.002, 10}, "poses are added and removed beyond this deviation"),
         field<&P::min_samples_count>({3, 500}, "poses of a band at least"),
         field<&P::max_samples_count>({3, 500}, "poses of a band at most"),
+        field<&P::global_plan>("the way to the goal that the bands begin along and follow"),
         field<&P::max_global_plan_lookahead_dist_m>({0.1, 1000}, "how far along the way the band reaches"),
         field<&P::force_reinit_new_goal_dist_m>({0, 1e6}, "the end moved more: the bands are begun anew"),
         field<&P::force_reinit_new_goal_angular_rad>({0, 7}, "the end turned more: likewise"),

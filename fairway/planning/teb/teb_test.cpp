@@ -9,6 +9,7 @@
 #include "fairway/avoidance/drawing.hpp"
 #include "fairway/core/angles.hpp"
 #include "fairway/planning/teb/testing/courses.hpp"
+#include "fairway/planning/teb/way.hpp"
 
 namespace fairway {
 namespace {
@@ -113,6 +114,68 @@ TEST(Teb, GoesNoFasterThanItsOwnLimitsWhateverTheMissionWants) {
   }
   EXPECT_GT(v.speed, 0.35);
   EXPECT_EQ(v.decide().mode, Mode::cruise);
+}
+
+TEST(Teb, StandsStillWhereTheMissionWantsNoSpeed) {
+  Voyage v = voyage(courses::cluttered());
+  Situation s = v.situation();
+  Context context{v.rng};
+  s.goal.cruise_speed = 0.0;
+  EXPECT_EQ(v.teb.decide(s, v.memory, context), Command{});
+  s.goal.velocity = Vec3{0.4, 0, 0};  // which then says what is wanted
+  EXPECT_GT(v.teb.decide(s, v.memory, context).velocity.norm(), 0.0);
+}
+
+// The original has a global planner above it; without one a band cannot bend round what is larger than its
+// lookahead.
+TEST(Teb, PassesALargeSphereDeadAheadByAPlanAlone) {
+  for (const bool dynamic : {false, true}) {
+    Voyage v = voyage({{disc(12, 0, 3.0)}, {}}, 0.4, dynamic);
+    EXPECT_FALSE(v.arrival(200));
+    EXPECT_LT(v.position.x(), 9.0);
+    Voyage planned = voyage({{disc(12, 0, 3.0)}, {}}, 0.4, dynamic);
+    planned.teb.params.global_plan = TebGlobalPlan::rrt_star;
+    EXPECT_LT(planned.arrival(100).value_or(1e9), 80.0);
+    EXPECT_GT(planned.clearance, 0.3);
+  }
+}
+
+TEST(Teb, APlanLeadsOutOfTheU) {
+  Voyage v = voyage(courses::u_wall());
+  v.teb.params.global_plan = TebGlobalPlan::rrt_star;
+  EXPECT_TRUE(v.arrival(200));
+  EXPECT_GT(v.clearance, 0.0);
+}
+
+TEST(Teb, PlansAnewWhatIsBlockedAndAtMostOnceASecond) {
+  Voyage v = voyage({});
+  v.teb.params.global_plan = TebGlobalPlan::rrt_star;
+  v.step();
+  const std::vector<Vec2> straight = v.memory.way;
+  EXPECT_EQ(straight.size(), 2U);
+  v.course.buoys = {disc(12, 0, 3.0)};  // comes into sight
+  v.step();
+  EXPECT_EQ(v.memory.way, straight);
+  for (int i = 0; i < 5; ++i) v.step();
+  EXPECT_GT(v.memory.way.size(), 2U);
+  const std::vector<Vec2> planned = v.memory.way;
+  for (int i = 0; i < 20; ++i) v.step();
+  EXPECT_EQ(v.memory.way, planned);
+}
+
+TEST(Teb, WithoutAnyWayToPlanItKeepsTheLine) {
+  Voyage v = voyage({{disc(25, 0, 3.0)}, {}});  // the goal is inside
+  v.teb.params.global_plan = TebGlobalPlan::rrt_star;
+  EXPECT_TRUE(is_finite(v.decide()));
+  EXPECT_EQ(v.memory.way, (std::vector<Vec2>{{0, 0}, {25, 0}}));
+}
+
+TEST(TebWay, EndsWhereTheLookaheadLeavesItWithTheCornersBetween) {
+  const std::vector<Vec2> way{{0, 0}, {4, 0}, {4, 4}, {10, 4}};
+  const teb::WayAhead ahead = teb::ahead_on(way, {2, 1}, 3.0);
+  EXPECT_EQ(ahead.points, (std::vector<Vec2>{{2, 1}, {4, 0}, {4, 1}}));
+  EXPECT_DOUBLE_EQ(ahead.end.heading, 0.5 * pi);
+  EXPECT_EQ(teb::ahead_on(way, {9, 5}, 3.0).points, (std::vector<Vec2>{{9, 5}, {10, 4}}));
 }
 
 TEST(Teb, VelocityIsAlongTheHeading) {

@@ -106,6 +106,15 @@ Layout layout_of(Course course) {
   return layout;
 }
 
+Layout scaled(Course course, double length) {
+  Layout layout = layout_of(course);
+  const double scale = length / proposed_length;
+  layout.goal *= scale;
+  for (Vec2& buoy : layout.buoys) buoy *= scale;
+  if (layout.vessel) *layout.vessel *= scale;
+  return layout;
+}
+
 Layout varied(Course course, std::uint64_t seed) {
   Layout layout = layout_of(course);
   Rng rng = Rng{seed}.stream(name_of(course));

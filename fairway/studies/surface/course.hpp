@@ -30,9 +30,12 @@ std::string_view name_of(Course course);
 inline constexpr double buoy_radius = 0.3;     // [m]
 inline constexpr double vessel_radius = 0.75;  // [m], of the own and of the other
 
-/// What is on a course, where the own vessel begins and how the water moves.
+inline constexpr double proposed_length = 25.0;  ///< from the start to the goal [m]
+
+/// What is on a course, where the own vessel begins and is to go, and how the water moves.
 struct Layout {
   Vec3 start = Vec3::Zero();
+  Vec3 goal{proposed_length, 0.0, 0.0};
   double heading{};  ///< [rad]
   std::vector<Vec2> buoys;
   std::optional<Vec2> vessel;      ///< where the other one is at the start
@@ -41,10 +44,13 @@ struct Layout {
 
   std::vector<ObstacleSpec> obstacles() const;
 };
-inline const Vec3 goal{25.0, 0.0, 0.0};
 
 /// The course as proposed, in the waves of Table I.
 Layout layout_of(Course course);
+
+/// The same picture at another scale, which the paper does not give: goal, buoys and the start of the other
+/// vessel at `length` / 25 m times their places; their sizes and the speed of the other vessel as they are.
+Layout scaled(Course course, double length);
 
 /// The course with everything a little elsewhere: start by up to 1 m and 0.3 rad, buoys by 0.3 m, the other
 /// vessel by 1 m, 20 % of its speed and 0.2 rad, each along north and east; in a JONSWAP sea of up to 0.3 m

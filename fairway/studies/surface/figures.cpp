@@ -89,7 +89,7 @@ json ways(const std::string& title, Course course, const std::vector<Passage>& p
   }
   const Layout layout = layout_of(course);
   if (layout.vessel) tracks.push_back(way_of_the_other(layout, std::fmin(last, 40.0)));
-  return page::scene(title, std::move(tracks), layout.obstacles(), goal);
+  return page::scene(title, std::move(tracks), layout.obstacles(), layout.goal);
 }
 
 }  // namespace fairway::surface

@@ -32,17 +32,24 @@ constexpr std::array outcomes{
     PublishedOutcome{Course::diagonal, "teb", 70.0, true, false},
 };
 
-/// The package's default limits, 0.4 m/s and 0.3 rad/s, or those that the paper states.
-std::array<Method, 4> teb_settings() {
-  const auto setting = [](std::string_view name, double speed, double turn_rate, bool dynamic) {
-    return Method{name,
+/// The package's default limits, 0.4 m/s and 0.3 rad/s, or those that the paper states, each without and with
+/// moving obstacles, and under a global planner that knows of the buoys.
+std::array<Method, 6> teb_settings() {
+  const auto setting = [](std::string_view name, double speed, double turn_rate, bool dynamic, bool planned) {
+    Method method{name,
                   "teb",
                   {{"max_vel_x_mps", speed},
                    {"max_vel_theta_radps", turn_rate},
                    {"include_dynamic_obstacles", dynamic}}};
+    if (planned) method.params.emplace_back("global_plan", std::string("rrt_star"));
+    return method;
   };
-  return {setting("teb_0.4", 0.4, 0.3, false), setting("teb_0.4_dynamic", 0.4, 0.3, true),
-          setting("teb_1.5", 1.5, 0.3751, false), setting("teb_1.5_dynamic", 1.5, 0.3751, true)};
+  return {setting("teb_0.4", 0.4, 0.3, false, false),
+          setting("teb_0.4_dynamic", 0.4, 0.3, true, false),
+          setting("teb_1.5", 1.5, 0.3751, false, false),
+          setting("teb_1.5_dynamic", 1.5, 0.3751, true, false),
+          setting("teb_0.4_planned", 0.4, 0.3, false, true),
+          setting("teb_1.5_planned", 1.5, 0.3751, false, true)};
 }
 
 std::vector<Method> with_others() {
@@ -145,7 +152,8 @@ Scenario passage(Course course, const Layout& layout, Vessel vessel, const Metho
   own.yaw = layout.heading;
   own.radius_m = vessel_radius;
   own.limits = {.max_speed = 1.5, .max_climb_rate = 0.0, .max_acceleration = 0.5, .max_turn_rate = 0.3751};
-  own.mission = {{.kind = LegKind::transit, .position = goal, .speed_mps = wanted_speed, .arrival_m = 1.0}};
+  own.mission = {
+      {.kind = LegKind::transit, .position = layout.goal, .speed_mps = wanted_speed, .arrival_m = 1.0}};
   scenario.vehicles = {own};
   return scenario;
 }

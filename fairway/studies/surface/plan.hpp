@@ -15,7 +15,7 @@ namespace fairway::surface {
 /// its settings, since the paper does not say which it had.
 std::optional<double> published(Course course, std::string_view method, std::string_view quantity);
 
-/// AVOA as published, by exhaustive search, improved; TEB in its four settings.
+/// AVOA as published, by exhaustive search, improved; TEB in its six settings.
 std::span<const Method> compared_methods();
 
 /// Those, the improvements one at a time, and what else of the catalog works in the plane.

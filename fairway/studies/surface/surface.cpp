@@ -10,14 +10,20 @@ namespace {
 StudyResult run_surface(const StudyOptions& options) {
   Results results{.published = published_cells(),
                   .variations = options.seeds > 0 ? varied_cells(options.seeds) : std::vector<Cell>{},
+                  .scales = options.seeds > 0 ? scale_cells() : std::vector<Cell>{},
                   .seeds = options.seeds};
   const Catalogs catalogs = builtin_catalogs();
   const MeasureRun measure = [&](const Scenario& scenario, const std::atomic<bool>* stop,
                                  std::span<FrameSink* const> more) {
     return measure_run(scenario, catalogs, stop, more);
   };
+  const MeasureRun of_scale = [&](const Scenario& scenario, const std::atomic<bool>* stop,
+                                  std::span<FrameSink* const> more) {
+    return measure_scale(scenario, catalogs, stop, more);
+  };
   const std::array groups{MeasuredCells{&results.published, measure},
-                          MeasuredCells{&results.variations, measure}};
+                          MeasuredCells{&results.variations, measure},
+                          MeasuredCells{&results.scales, of_scale}};
   if (!make_cells(groups, options)) return {.complete = false};
   for (const char* method : {"avoa", "avoa_improved"}) {
     const Cell& cell =
@@ -28,6 +34,8 @@ StudyResult run_surface(const StudyOptions& options) {
   results.rows = published_rows(results.published);
   results.published_rows = results.rows.size();
   std::ranges::move(varied_rows(results.variations), std::back_inserter(results.rows));
+  results.varied_rows = results.rows.size() - results.published_rows;
+  std::ranges::move(scale_rows(results.scales), std::back_inserter(results.rows));
   return {.rows = results.rows, .page = page_of(results, options)};
 }
 

@@ -8,6 +8,7 @@
 #include "fairway/experiment/version.hpp"
 #include "fairway/studies/page_blocks.hpp"
 #include "fairway/studies/surface/figures.hpp"
+#include "fairway/studies/surface/scales.hpp"
 #include "fairway/studies/surface/zones.hpp"
 
 namespace fairway::surface {
@@ -112,8 +113,7 @@ json decision_times_section(const std::vector<std::vector<Passage>>& passages) {
 }
 
 json variations_section(const Results& results, const RunIndex& runs) {
-  const std::vector<StudyRow> rows{results.rows.begin() + static_cast<std::ptrdiff_t>(results.published_rows),
-                                   results.rows.end()};
+  const std::span rows = std::span{results.rows}.subspan(results.published_rows, results.varied_rows);
   std::vector<std::string> places;
   for (const Course course : courses) places.emplace_back(name_of(course));
   std::vector<std::string> paragraphs{fmt::format(
@@ -137,12 +137,12 @@ json variations_section(const Results& results, const RunIndex& runs) {
 }
 
 json facts(const Results& results) {
-  const std::array groups{&results.published, &results.variations};
+  const std::array groups{&results.published, &results.variations, &results.scales};
   const auto count = [&](Verdict verdict) {
     return std::to_string(std::ranges::count(results.rows, verdict, &StudyRow::verdict));
   };
   return {{{"label", "Runs"}, {"value", std::to_string(run_count(groups))}},
-          {{"label", "Reproduced, assuming"}, {"value", count(Verdict::reproduced_assuming)}},
+          {{"label", "Rows reproduced, assuming"}, {"value", count(Verdict::reproduced_assuming)}},
           {{"label", "Partly"}, {"value", count(Verdict::partly)}},
           {{"label", "Not reproduced"}, {"value", count(Verdict::not_reproduced)}}};
 }
@@ -151,10 +151,14 @@ json facts(const Results& results) {
 
 json page_of(const Results& results, const StudyOptions& options) {
   RunIndex runs{options};
-  for (const auto* cells : {&results.published, &results.variations}) runs.add(*cells);
+  for (const auto* cells : {&results.published, &results.variations, &results.scales}) runs.add(*cells);
   const std::vector<std::vector<Passage>> shown = passages(options.overrides, runs);
   json sections = json::array({published_section(results, runs), figures_section(shown), zones_section()});
-  if (results.seeds > 0) sections.push_back(variations_section(results, runs));
+  if (results.seeds > 0) {
+    sections.push_back(page::section("scales", "Where the printed times can come from",
+                                     scale_findings(results.scales), {scale_table(results.scales, runs)}));
+    sections.push_back(variations_section(results, runs));
+  }
   sections.push_back(decision_times_section(shown));
   return {{"title", "A surface vessel among buoys and vessels"},
           {"subtitle",

@@ -78,7 +78,7 @@ Drawing drawn(const Scene& scene, const ParamValues& params) {
   const Situation situation{.time = 0.0,
                             .period = 0.2,
                             .own = {.velocity = {scene.wanted, 0.0, 0.0}, .radius = vessel_radius},
-                            .goal = {.position = goal, .cruise_speed = scene.wanted},
+                            .goal = {.position = Layout{}.goal, .cruise_speed = scene.wanted},
                             .limits = {.max_speed = 1.5, .max_turn_rate = 0.3751},
                             .tracks = scene.tracks,
                             .obstacles = scene.obstacles};

@@ -9,8 +9,9 @@
 
 namespace fairway::transport {
 
-/// Every published number beside the measured one, on both plants. `reproduced` where the number does not
-/// depend on the plant, `reproduced_assuming` where it took the compatible one.
+/// Every published number beside the measured one, on both plants. `reproduced_assuming` where it took the
+/// compatible plant, `follows_from_inputs` where gains and geometry fix the number on any. A run that meets
+/// an obstacle on another side than the published one is `another_course` from there on.
 std::vector<StudyRow> published_rows(const std::vector<Cell>& cells);
 
 /// How often each method arrived untouched on its runs, how near it came, how long it took and what energy it

@@ -56,7 +56,7 @@ struct PublishedValue {
   double value;
 };
 
-// Tables 3, 4, 9 and 10 and the numbers of the text; the length is that of the polyline of Table 7
+// Tables 3, 4, 9 and 10 and the numbers of the text
 constexpr std::array published_values{
     PublishedValue{Case::one_obstacle, "hard_switching", "initial_surge_force_n", 130},
     PublishedValue{Case::one_obstacle, "hard_switching", "initial_sway_force_n", 129},
@@ -91,7 +91,6 @@ constexpr std::array published_values{
     PublishedValue{Case::four_obstacles, "wall_following", "rms_sway_power_w", 5.77},
     PublishedValue{Case::four_obstacles, "wall_following", "net_power_w", 7.41},
     PublishedValue{Case::four_obstacles, "wall_following", "switch_distance_m", 2},
-    PublishedValue{Case::four_obstacles, "rrt_star", "planned_length_m", 47.94},
     PublishedValue{Case::four_obstacles, "rrt_star", "rmse_north_m", 0.7},
     PublishedValue{Case::four_obstacles, "rrt_star", "rmse_east_m", 0.9},
     PublishedValue{Case::four_obstacles, "rrt_star", "rms_surge_power_w", 1.35},

@@ -12,6 +12,8 @@ export const verdicts: Record<string, { symbol: string; words: string }> = {
   within_spread: { symbol: '≈', words: 'within spread' },
   partly: { symbol: '◐', words: 'partly' },
   not_reproduced: { symbol: '✕', words: 'not reproduced' },
+  another_course: { symbol: '↷', words: 'on another course' },
+  follows_from_inputs: { symbol: '=', words: 'follows from inputs' },
   no_reference: { symbol: '–', words: 'no reference' },
 };
 
