@@ -36,7 +36,7 @@ RunOutcome run_live(const Scenario& scenario, const RecordingChoice& recording, 
 
   const Watch watch{run, open};
   RunOutcome outcome = run_scenario(scenario, recording, program, &watch);
-  run.finish();
+  run.finish(divergence_text(scenario, outcome));
   if (outcome.complete && !choice.until_done) {
     const std::string how = outcome.divergence ? divergence_text(scenario, outcome) : "the run is over";
     std::cerr << "live: " << how << "; it stays to be seen; Ctrl-C ends it\n";

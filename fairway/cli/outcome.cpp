@@ -47,10 +47,11 @@ void print_vehicles(const Scenario& scenario, const std::vector<Measure>& measur
   }
 }
 
+json known(const std::string& name) { return name.empty() ? json() : json(name); }
+
 }  // namespace
 
 json document_of(const Judgement& judgement) {
-  const auto known = [](const std::string& name) { return name.empty() ? json() : json(name); };
   return {{"metric", judgement.expectation.metric},
           {"worst", finite(judgement.worst)},
           {"kept", judgement.kept},
@@ -80,6 +81,13 @@ json document_of(const Scenario& scenario, const RunOutcome& outcome,
     }
   }
   for (const auto& [vehicle, note] : outcome.notes) document["notes"][vehicle] = note;
+  document["no_progress"] = json::array();
+  for (const NoProgress& one : outcome.no_progress) {
+    document["no_progress"].push_back({{"vehicle", one.name},
+                                       {"progress", enum_name(one.report.state)},
+                                       {"last_progress_s", one.report.last_progress},
+                                       {"with", known(one.with)}});
+  }
   document["expect"] = json::array();
   for (const Judgement& judgement : judgements) document["expect"].push_back(document_of(judgement));
   return document;
@@ -98,6 +106,8 @@ void print(const Scenario& scenario, const RunOutcome& outcome, const std::vecto
     print_vehicles(scenario, outcome.measures, out);
   }
   for (const auto& [vehicle, note] : outcome.notes) out << "  " << vehicle << ": " << note << "\n";
+  for (const auto& [name, report, with] : outcome.no_progress)
+    out << "  " << name << ": " << text_of(report, with) << "\n";
   if (outcome.decisions.count > 0) {
     out << fmt::format("  decisions: {}, mean {:.2f} us, worst {:.1f} us (on this machine)\n",
                        outcome.decisions.count,

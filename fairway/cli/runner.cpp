@@ -40,16 +40,22 @@ double excess(const Expectation& expected, double value) {
   return std::fmax(value - expected.max, expected.min - value);
 }
 
+std::string vehicle_name(const Scenario& scenario, int index) {
+  return index < 0 ? std::string() : scenario.vehicles[static_cast<std::size_t>(index)].name;
+}
+
+/// Name of another vehicle, or obstacles[i] of the scenario; empty if nobody is known.
+std::string name_of_other(const Scenario& scenario, const Occasion& occasion) {
+  if (occasion.obstacle == Occasion::none) return vehicle_name(scenario, occasion.other);
+  return "obstacles[" + std::to_string(occasion.obstacle) + "]";
+}
+
 /// Names whom `measure` is of, and says with whom and when it came about.
 void tell_occasion(const Scenario& scenario, const Measure& measure, Judgement& judgement) {
   const Occasion& occasion = measure.occasion;
-  const auto name_of = [&](int index) {
-    return index < 0 ? std::string() : scenario.vehicles[static_cast<std::size_t>(index)].name;
-  };
-  judgement.vehicle = name_of(measure.vehicle == Measure::fleet ? occasion.vehicle : measure.vehicle);
-  judgement.with = name_of(occasion.other);
-  if (occasion.obstacle != Occasion::none)
-    judgement.with = "obstacles[" + std::to_string(occasion.obstacle) + "]";
+  judgement.vehicle =
+      vehicle_name(scenario, measure.vehicle == Measure::fleet ? occasion.vehicle : measure.vehicle);
+  judgement.with = name_of_other(scenario, occasion);
   judgement.time.reset();
   if (!std::isnan(occasion.time)) judgement.time = occasion.time;
 }
@@ -99,7 +105,19 @@ RunOutcome run_scenario(const Scenario& scenario, const RecordingChoice& recordi
     if (!agent.note.empty()) outcome.notes.emplace_back(agent.name, std::string(agent.note));
   }
   outcome.simulated_s = simulation.time();
+  if (!outcome.divergence && outcome.simulated_s > 0.0)
+    outcome.no_progress = no_progress_at_end(scenario, metrics.progress());
   return outcome;
+}
+
+std::vector<NoProgress> no_progress_at_end(const Scenario& scenario, const ProgressMetric& progress) {
+  std::vector<NoProgress> all;
+  for (std::size_t i = 0; i < scenario.vehicles.size(); ++i) {
+    const ProgressReport& report = progress.state(i);
+    if (note_of(report.state).empty()) continue;
+    all.push_back({scenario.vehicles[i].name, report, name_of_other(scenario, progress.occasion(i))});
+  }
+  return all;
 }
 
 std::string divergence_text(const Scenario& scenario, const RunOutcome& outcome) {

@@ -16,11 +16,19 @@
 
 namespace fairway::cli {
 
+/// A vehicle that is still under way where a run ends, and makes no progress.
+struct NoProgress {
+  std::string name;
+  ProgressReport report;
+  std::string with;  ///< name of another vehicle, or obstacles[i] of the scenario; empty if nobody
+};
+
 /// What one run came to.
 struct RunOutcome {
   std::vector<Measure> measures;
   DecisionTimes decisions;
   std::vector<std::pair<std::string, std::string>> notes;  ///< what an avoider said last, by vehicle
+  std::vector<NoProgress> no_progress;                     ///< whoever made no progress at the end
   double simulated_s{};
   double wall_s{};
   bool complete{true};                   ///< false if stopped
@@ -44,6 +52,9 @@ struct Watch {
 /// Runs a scenario, and records it, up to where it is stopped.
 RunOutcome run_scenario(const Scenario& scenario, const RecordingChoice& recording, const Program& program,
                         const Watch* watch = nullptr);
+
+/// Whoever made no progress as of the last of at least one frame.
+std::vector<NoProgress> no_progress_at_end(const Scenario& scenario, const ProgressMetric& progress);
 
 /// "diverged: otter0 at 3.2 s: its speed is beyond 200 m/s", or empty for a run that is whole.
 std::string divergence_text(const Scenario& scenario, const RunOutcome& outcome);

@@ -8,13 +8,19 @@
 
 namespace fairway {
 
-RunMetrics metrics_for(const Scenario& scenario, const VehicleCatalog& vehicles) {
+Surroundings surroundings_of(const Scenario& scenario, const VehicleCatalog& vehicles) {
   Surroundings surroundings;
   for (const ObstacleSpec& spec : scenario.obstacles)
     surroundings.obstacles.push_back({spec.view(), spec.velocity});
   for (const VehicleSpec& spec : scenario.vehicles) surroundings.radii.push_back(spec.radius_m);
   surroundings.limits = limits_in_force(scenario, vehicles);
-  return RunMetrics{{scenario.exam.crit_dist_m, scenario.exam.safety_distance_m}, std::move(surroundings)};
+  return surroundings;
+}
+
+RunMetrics metrics_for(const Scenario& scenario, const VehicleCatalog& vehicles) {
+  return RunMetrics{{scenario.exam.crit_dist_m, scenario.exam.safety_distance_m},
+                    surroundings_of(scenario, vehicles),
+                    scenario.exam.progress_window_s};
 }
 
 void run_into(const Scenario& scenario, const Catalogs& catalogs, std::span<FrameSink* const> sinks,

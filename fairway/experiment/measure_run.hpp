@@ -12,6 +12,9 @@
 
 namespace fairway {
 
+/// What is round the vehicles of a scenario, which must outlive it.
+Surroundings surroundings_of(const Scenario& scenario, const VehicleCatalog& vehicles = builtin_vehicles());
+
 /// Every metric, with the scenario's counting rules and obstacles, and what its vehicles can do. The scenario
 /// must outlive it.
 RunMetrics metrics_for(const Scenario& scenario, const VehicleCatalog& vehicles = builtin_vehicles());

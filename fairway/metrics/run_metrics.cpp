@@ -9,6 +9,7 @@ std::vector<Measure> RunMetrics::measures() const {
   fleet_.report(all);
   effort_.report(all);
   smoothness_.report(all);
+  progress_.report(all);
   return all;
 }
 
@@ -17,6 +18,7 @@ std::vector<QuantityInfo> all_quantities() {
   all.insert(all.end(), FleetMetric::quantities().begin(), FleetMetric::quantities().end());
   all.insert(all.end(), EffortMetric::quantities().begin(), EffortMetric::quantities().end());
   all.insert(all.end(), SmoothnessMetric::quantities().begin(), SmoothnessMetric::quantities().end());
+  all.insert(all.end(), ProgressMetric::quantities().begin(), ProgressMetric::quantities().end());
   return all;
 }
 

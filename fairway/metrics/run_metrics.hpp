@@ -6,6 +6,7 @@
 #include "fairway/metrics/effort.hpp"
 #include "fairway/metrics/encounters.hpp"
 #include "fairway/metrics/fleet.hpp"
+#include "fairway/metrics/progress.hpp"
 #include "fairway/metrics/smoothness.hpp"
 
 namespace fairway {
@@ -13,11 +14,15 @@ namespace fairway {
 /// Every metric of a run, as one sink of frames.
 class RunMetrics final : public FrameSink {
  public:
-  explicit RunMetrics(EncounterRules rules, Surroundings surroundings = {})
-      : encounters_{rules}, fleet_{rules.safety_distance_m, std::move(surroundings)} {}
+  /// `progress_window` [s], as `ProgressMetric`.
+  explicit RunMetrics(EncounterRules rules, Surroundings surroundings = {}, double progress_window = 30.0)
+      : encounters_{rules},
+        progress_{progress_window, surroundings},
+        fleet_{rules.safety_distance_m, std::move(surroundings)} {}
 
   void write(const Frame& frame) override {
     encounters_.see(frame);
+    progress_.see(frame);
     fleet_.see(frame);
     effort_.see(frame);
     smoothness_.see(frame);
@@ -26,8 +31,12 @@ class RunMetrics final : public FrameSink {
   /// All quantities, in a fixed order. Infinite where nothing was seen (no pair: no separation).
   std::vector<Measure> measures() const;
 
+  /// How each vehicle got on at the end.
+  const ProgressMetric& progress() const { return progress_; }
+
  private:
   EncounterMetric encounters_;
+  ProgressMetric progress_;
   FleetMetric fleet_;
   EffortMetric effort_;
   SmoothnessMetric smoothness_;

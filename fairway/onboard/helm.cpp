@@ -31,13 +31,17 @@ BodyRequest circle_blind(const SteeringParams& steering) {
 }  // namespace
 
 Helm::Helm(HelmSetup setup, Avoider avoider)
-    : setup_{std::move(setup)}, avoider_{std::move(avoider)}, fresh_{avoider_} {
+    : setup_{std::move(setup)},
+      avoider_{std::move(avoider)},
+      fresh_{avoider_},
+      progress_watch_{setup_.policy.progress_window_s} {
   check_params(setup_.steering);
   check_params(setup_.policy);
   for (const TeamMate& mate : setup_.team)
     neighbours_.push_back({.radius = mate.radius, .priority = mate.priority});
   near_.reserve(neighbours_.size());
   tracks_.reserve(neighbours_.size());
+  bystanders_.reserve(neighbours_.size());
 }
 
 void Helm::see_clock(double now) noexcept {
@@ -56,6 +60,7 @@ void Helm::begin_again() noexcept {
   for (std::size_t i = 0; i < neighbours_.size(); ++i)
     neighbours_[i] = {.radius = setup_.team[i].radius, .priority = setup_.team[i].priority};
   command_ = {};
+  progress_watch_ = ProgressWatch{setup_.policy.progress_window_s};
   updated_ = next_decision_ = -std::numeric_limits<double>::infinity();
   task_ = Task::none;
   health_ = Health::good;
@@ -125,6 +130,8 @@ const HelmOrder& Helm::update(double now, Sketch* sketch) noexcept {
     order_.in_charge = true;
     if (is_due()) decide(sketch);
   }
+  if (order_.state != HelmState::under_way) stop_watching_progress();
+  order_.progress = progress_;
   if (order_.in_charge) carry_out();
   updated_ = now_;
   return order_;
@@ -266,10 +273,34 @@ void Helm::decide(Sketch* sketch) noexcept {
   if (task_ == Task::section) situation.goal.velocity = follow_section(leg_, own_).velocity;
   command_ = avoider_.decide(situation, sketch);
   lead_back(command_);
+  see_progress(situation);
   next_decision_ = now_ + setup_.period;
   order_.decided = true;
   ++decisions_;
   if (command_.mode == Mode::infeasible) ++infeasible_;
+}
+
+void Helm::see_progress(const Situation& situation) noexcept {
+  const double window = setup_.policy.progress_window_s;
+  Goal goal = situation.goal;
+  goal.cruise_speed = std::fmin(goal.cruise_speed, setup_.limits.max_speed);
+  progress_watch_.see(now_, own_.position, goal, true);
+  bystanders_.clear();
+  for (std::size_t k = 0; k < near_.size(); ++k) {
+    const Track& track = tracks_[k];
+    Neighbour& neighbour = neighbours_[near_[k].index];
+    neighbour.trail.see(now_, track.position, progress_watch_.step(), window);
+    bystanders_.push_back({.id = track.id,
+                           .gap = std::sqrt(near_[k].distance2) - own_.radius - track.radius,
+                           .rests_since = neighbour.trail.since(),
+                           .may_clear_way = track.reacts && !neighbour.arrived});
+  }
+  progress_ = progress_watch_.judge(command_.mode, bystanders_);
+}
+
+void Helm::stop_watching_progress() noexcept {
+  progress_watch_.see(now_, own_.position, {.position = leg_.position}, false);
+  progress_ = progress_watch_.judge(command_.mode, {});
 }
 
 void Helm::lead_back(Command& command) const noexcept {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "fairway/avoidance/avoider.hpp"
+#include "fairway/avoidance/progress.hpp"
 #include "fairway/comms/team_record.hpp"
 #include "fairway/control/body_request.hpp"
 #include "fairway/control/guidance.hpp"
@@ -77,6 +78,10 @@ struct HelmOrder {
   HelmState state{HelmState::waiting};
   std::string_view
       reason;  ///< of `holding` and `handed_back`, in words. Text that outlives the program's run.
+
+  /// How it gets on, as of the last decision, by where it and the team are taken to be; `with` is whose
+  /// number the track has. While it is not under way it is `holding`.
+  ProgressReport progress;
 };
 
 /// What a helm has seen and done, to report.
@@ -170,6 +175,7 @@ class Helm {
     std::int32_t priority{};
     bool arrived{};
     bool shown{};
+    Trail trail;  ///< as predicted
   };
 
   struct Near {
@@ -194,6 +200,8 @@ class Helm {
   void look_round() noexcept;
   bool is_due() const noexcept;
   void decide(Sketch* sketch) noexcept;
+  void see_progress(const Situation& situation) noexcept;
+  void stop_watching_progress() noexcept;
   void lead_back(Command& command) const noexcept;
   bool is_blind() const noexcept;
   bool waits_for_neighbour() const noexcept;
@@ -209,11 +217,14 @@ class Helm {
   std::vector<Neighbour> neighbours_;  ///< as in `HelmSetup::team`
   std::vector<Near> near_;
   std::vector<Track> tracks_;
+  std::vector<Bystander> bystanders_;
+  ProgressWatch progress_watch_;
 
   Leg leg_;
   HoldPoint hold_;
   Ownship own_;
   Command command_;
+  ProgressReport progress_;
   double now_{-std::numeric_limits<double>::infinity()};
   double updated_{-std::numeric_limits<double>::infinity()};  ///< when it was asked before this [s]
   double next_decision_{-std::numeric_limits<double>::infinity()};

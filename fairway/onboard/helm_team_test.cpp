@@ -34,6 +34,33 @@ TEST(HelmInATeam, ANeighbourIsPredictedByItsVelocityAndGrowsWhenItIsStale) {
   }
 }
 
+TEST(HelmInATeam, WhoStandsBeforeAMateThatStandsTooIsDeadlockedAndSaysSo) {
+  Helm helm = helm_of(setup());
+  helm.go_to({500, 0, 10}, 0.5);
+  const Fix stands{.time = 0.0, .state = {.p_n = {0, 0, 10}}};
+  const auto update_until = [&](double until, double from, double mate_speed) {
+    for (double now = from; now < until; now += h) {
+      Fix own = stands, mate = on_course(now - from, {6, 0, 10}, mate_speed);
+      own.time = mate.time = now;
+      helm.own_fix(own, now);
+      helm.neighbour_fix(VehicleId{1}, mate, now);
+      helm.update(now);
+    }
+    return helm.order().progress;
+  };
+  EXPECT_EQ(update_until(30.0, 0.0, 0.0).state, Headway::making);
+  const ProgressReport stuck = update_until(31.0, 30.0, 0.0);
+  EXPECT_EQ(stuck.state, Headway::deadlocked);
+  EXPECT_EQ(stuck.with, TrackId{1});
+  EXPECT_EQ(stuck.last_progress, 0.0);
+  EXPECT_EQ(helm.report(31.0).order.progress.state, Headway::deadlocked);
+  EXPECT_EQ(update_until(34.5, 31.0, 0.5).state, Headway::waiting) << "the mate moves on";
+  EXPECT_EQ(update_until(50.0, 34.5, 0.5).state, Headway::trapped) << "it has gone, and did not hinder";
+
+  helm.keep_position();
+  EXPECT_EQ(helm.update(50.1).progress.state, Headway::holding);
+}
+
 TEST(HelmInATeam, ALostNeighbourIsInflatedHeldForOrForgotten) {
   for (const LostPolicy lost : {LostPolicy::inflate, LostPolicy::hold, LostPolicy::forget}) {
     HelmSetup with = setup();

@@ -36,6 +36,7 @@ struct OnboardPolicy {
   double frozen_speed_mps = 0.05;
   double recovery_s = 1.0;
   double watchdog_s = 1.0;
+  double progress_window_s = 30.0;
 
   static consteval auto fields() {
     using P = OnboardPolicy;
@@ -61,6 +62,8 @@ struct OnboardPolicy {
         field<&P::recovery_s>({0, 600}, "good data for so long, before control is taken again"),
         field<&P::watchdog_s>({0.01, 60},
                               "a helm that is not updated for so long: the vehicle is told to hold"),
+        field<&P::progress_window_s>(
+            {0.01, 1e6}, "neither nearer to the goal nor at a new place for so long: it makes no progress"),
     };
   }
 };

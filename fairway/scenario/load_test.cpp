@@ -22,7 +22,7 @@ step_s: 0.1
 duration_s: 300
 seed: 7
 water: {density_kgpm3: 1025, current_mps: [0.1, -0.2, 0]}
-exam: {crit_dist_m: 7, safety_distance_m: 2, time_coefficient_ratio: 5}
+exam: {crit_dist_m: 7, safety_distance_m: 2, time_coefficient_ratio: 5, progress_window_s: 20}
 perception: {kind: acoustic, range_m: 100, drop_ratio: 0.1}
 stop_when_done: false
 obstacles:
@@ -71,6 +71,7 @@ TEST(LoadTest, EveryKeyArrivesWhereItBelongs) {
   EXPECT_EQ(s.exam.crit_dist_m, 7.0);
   EXPECT_EQ(s.exam.safety_distance_m, 2.0);
   EXPECT_EQ(s.exam.time_coefficient_ratio, 5.0);
+  EXPECT_EQ(s.exam.progress_window_s, 20.0);
   EXPECT_EQ(s.perception.kind.name, "acoustic");
   EXPECT_EQ(s.perception.range_m, 100.0);
   EXPECT_EQ(s.perception.kind.params, (ParamValues{{"drop_ratio", 0.1}}));

@@ -59,7 +59,10 @@ Block<Exam> exam_block() {
           key("safety_distance_m", &Exam::safety_distance_m, number(from_to(0.0, 1e6)),
               "Centres this near have collided. Default 3."),
           key("time_coefficient_ratio", &Exam::time_coefficient_ratio, number(above_to(0.0, 1e6)),
-              "Stuck after this many times the time of the straight way. Default 10.")};
+              "Stuck after this many times the time of the straight way. Default 10."),
+          key("progress_window_s", &Exam::progress_window_s, number(above_to(0.0, 1e6)),
+              "Whoever comes neither nearer to its goal nor to a new place for so long makes no progress. "
+              "Default 30.")};
 }
 
 /// The version of this format. It stands in the file and not in the Scenario.

@@ -86,7 +86,7 @@ TEST(RefusalTest, AWrongTypeSaysWhatWasExpected) {
             "f.yaml:9:7: seed: expected a whole number in [0, 18446744073709551615], got -1");
   EXPECT_EQ(refusal(with("exam: [1]")),
             "f.yaml:9:7: exam: expected a mapping: crit_dist_m, safety_distance_m, time_coefficient_ratio, "
-            "got a list of 1");
+            "progress_window_s, got a list of 1");
   EXPECT_THAT(refusal(with("obstacles: {sphere: {}}")),
               HasSubstr("expected a list of obstacles, got a mapping with the key sphere"));
   EXPECT_THAT(refusal(with("", "mission: [hold]")),

@@ -73,6 +73,7 @@ struct Exam {
   double crit_dist_m{6.0};              ///< a neighbour this near is detected
   double safety_distance_m{3.0};        ///< centres this near have collided
   double time_coefficient_ratio{10.0};  ///< stuck after this many times the straight-line time
+  double progress_window_s{30.0};       ///< no progress for so long is a matter of its own
 };
 
 /// What a vehicle makes of what is round it.

@@ -150,7 +150,7 @@ Scenario random_scenario(std::uint64_t seed) {
   made.water.current_n = Vec3{awkward(rng, -1, 1), awkward(rng, -1, 1), 0.0};
   made.coincident_start = true;
   made.stop_when_done = rng.index(2) == 0;
-  made.exam = {awkward(rng, 0, 9), awkward(rng, 0, 9), rng.uniform(1, 20)};
+  made.exam = {awkward(rng, 0, 9), awkward(rng, 0, 9), rng.uniform(1, 20), rng.uniform(1, 90)};
   made.perception.kind = choice(rng, false);
   if (rng.index(2) == 0) made.perception.range_m = rng.uniform(1, 1e3);
   for (std::uint64_t i = rng.index(4); i > 0; --i) made.obstacles.push_back(obstacle(rng));
@@ -173,7 +173,7 @@ class Dump {
   explicit Dump(const Scenario& s) {
     add(s.name, s.summary, s.step_s, s.duration_s, s.seed, s.water.density_kgpm3, s.water.current_n,
         s.coincident_start, s.stop_when_done, s.exam.crit_dist_m, s.exam.safety_distance_m,
-        s.exam.time_coefficient_ratio, s.perception.kind, s.perception.range_m);
+        s.exam.time_coefficient_ratio, s.exam.progress_window_s, s.perception.kind, s.perception.range_m);
     for (const ObstacleSpec& o : s.obstacles) {
       add(static_cast<std::uint64_t>(o.kind), o.position, o.radius, o.from, o.to);
       for (const Vec3& v : o.vertices) add(v);
@@ -266,6 +266,7 @@ exam:
   crit_dist_m: 6
   safety_distance_m: 3
   time_coefficient_ratio: 10
+  progress_window_s: 30
 perception: perfect
 coincident_start: false
 stop_when_done: true

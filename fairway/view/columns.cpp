@@ -24,7 +24,7 @@ struct ColumnShape {
 constexpr std::size_t frame_columns = 2;
 
 /// In the order in which append() writes them.
-std::array<ColumnShape, 13> column_shapes(std::size_t current_depths) {
+std::array<ColumnShape, 16> column_shapes(std::size_t current_depths) {
   return {{{"time_s", "f64", Per::frame, 1},
            {"current_mps", "f32", Per::frame, 2 * current_depths},
            {"position_m", "f64", Per::vehicle, 3},
@@ -37,7 +37,10 @@ std::array<ColumnShape, 13> column_shapes(std::size_t current_depths) {
            {"mode", "u8", Per::vehicle, 1},
            {"phase", "u8", Per::vehicle, 1},
            {"alert", "u8", Per::vehicle, 1},
-           {"shortfall", "u8", Per::vehicle, 1}}};
+           {"shortfall", "u8", Per::vehicle, 1},
+           {"progress", "u8", Per::vehicle, 1},
+           {"no_progress_s", "f32", Per::vehicle, 1},
+           {"progress_with", "f32", Per::vehicle, 1}}};
 }
 
 std::size_t bytes_of(const ColumnShape& shape) {
@@ -108,6 +111,10 @@ void FilmColumns::append(const Frame& frame, const FrameExtras& extras) {
     put_raw(next(), static_cast<std::uint8_t>(vehicle.phase));
     put_raw(next(), extras.alerts[i]);
     put_raw(next(), static_cast<std::uint8_t>(shortfall_of(vehicle, extras.limits[i])));
+    const ProgressReport& progress = extras.progress.state(i);
+    put_raw(next(), static_cast<std::uint8_t>(progress.state));
+    put_float(next(), frame.time - progress.last_progress);
+    put_float(next(), progress.with ? static_cast<double>(number(*progress.with)) : -1.0);
   }
   ++size_;
 }

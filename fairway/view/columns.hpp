@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "fairway/core/limits.hpp"
+#include "fairway/metrics/progress.hpp"
 #include "fairway/record/frame.hpp"
 
 namespace fairway {
@@ -18,6 +19,7 @@ struct FrameExtras {
   std::span<const Vec3> currents;        ///< at each of the film's depths [m/s, NED]
   std::span<const std::uint8_t> alerts;  ///< of each vehicle, as the page numbers them
   std::span<const Limits> limits;        ///< of each vehicle
+  const ProgressMetric& progress;        ///< that has seen this frame
 };
 
 /// The numbers of a film, a column after the other, each frame after frame, little-endian. Memory is the

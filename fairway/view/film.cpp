@@ -7,7 +7,8 @@
 #include <cmath>
 #include <vector>
 
-#include "fairway/sim/agent.hpp"
+#include "fairway/experiment/measure_run.hpp"
+#include "fairway/metrics/progress.hpp"
 #include "fairway/view/columns.hpp"
 #include "fairway/view/film_bytes.hpp"
 #include "fairway/view/film_events.hpp"
@@ -19,23 +20,25 @@ namespace fairway {
 struct Film::Contents {
   Contents(const Scenario& scenario, const FilmLimits& its_limits)
       : limits{its_limits},
-        vehicle_limits{limits_in_force(scenario, builtin_vehicles())},
+        surroundings{surroundings_of(scenario)},
         water{scenario},
         events{{scenario.exam.crit_dist_m, scenario.exam.safety_distance_m}, scenario.vehicles.size()},
+        progress{scenario.exam.progress_window_s, surroundings},
         thoughts{scenario.vehicles.size(), limits.thought_bytes},
         columns{scenario.vehicles.size(), current_depths(scenario.water).size()},
         stride{limits.every} {}
 
   void keep(const Frame& frame) {
-    columns.append(frame, {water.currents(), events.alerts(), vehicle_limits});
+    columns.append(frame, {water.currents(), events.alerts(), surroundings.limits, progress});
   }
   void remember(const Frame& frame);
   void thin();
 
   FilmLimits limits;
-  std::vector<Limits> vehicle_limits;
+  Surroundings surroundings;
   FilmWater water;
   FilmEvents events;
+  ProgressMetric progress;
   FilmThoughts thoughts;
   FilmColumns columns;
   std::size_t seen{};  // frames between from_s and to_s
@@ -66,9 +69,11 @@ Film::~Film() = default;
 
 void Film::write(const Frame& frame) {
   Contents& c = *contents_;
+  if (frame.time > c.limits.to_s) return;
   c.water.move_to(frame.tick);
   c.events.see(frame);
-  if (frame.time < c.limits.from_s || frame.time > c.limits.to_s) return;
+  c.progress.see(frame);
+  if (frame.time < c.limits.from_s) return;
   c.thoughts.see(frame);
   c.last_kept = c.seen++ % c.stride == 0;
   if (c.last_kept) c.keep(frame);
@@ -110,6 +115,8 @@ nlohmann::json Film::part(std::size_t first, std::size_t most, bool compress) co
   part["thoughts"] = packed(c.thoughts.between(after, until));
   return part;
 }
+
+const std::string& Film::divergence() const { return contents_->divergence; }
 
 std::string Film::notice() const {
   const Contents& c = *contents_;

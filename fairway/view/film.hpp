@@ -54,6 +54,9 @@ class Film final : public FrameSink {
   /// of the page's document: parts that follow on each other give everything once. O(part).
   nlohmann::json part(std::size_t first, std::size_t most, bool compress) const;
 
+  /// Empty, or how the run broke, in a line.
+  const std::string& divergence() const;
+
   /// Empty, or how the run broke and what had to be left out, for the reader of the page.
   std::string notice() const;
 

@@ -69,7 +69,7 @@ TEST(Film, GivesBackWhatTheFramesSaidPositionsAndTimesToTheBit) {
   ASSERT_GT(film.size(), 100u);
   EXPECT_EQ(film.size(), witness.values["time_s"].size());
   for (const auto& [name, values] : witness.values) EXPECT_TRUE(columns[name] == values) << name;
-  EXPECT_EQ(witness.values.size() + 3, columns.size()) << "all but currents, alerts and shortfalls";
+  EXPECT_EQ(witness.values.size() + 6, columns.size()) << "all but currents, alerts, shortfalls and progress";
   EXPECT_EQ(film.notice(), "");
 }
 
@@ -170,6 +170,24 @@ TEST(Film, ShowsWhatOfACommandIsBeyondTheVehicleAsTheMetricCountsIt) {
     });
     EXPECT_NEAR(measured->value, seconds, 1e-9) << vehicle;
     EXPECT_EQ(seconds > 5.0, vehicle == 0) << seconds;
+  }
+}
+
+TEST(Film, ShowsWhoMakesNoProgressAsTheMetricCountsIt) {
+  const Scenario scenario =
+      shipped("head_on", {{"vehicles[0].avoider", "vo"}, {"vehicles[1].avoider", "vo"}});
+  Film film{scenario};
+  RunMetrics metrics = metrics_for(scenario);
+  run_scenario_into(scenario, {&film, &metrics});
+  const Columns columns = all_columns(film, scenario);
+  ASSERT_EQ(columns.at("progress").size(), 2 * film.size());
+  for (std::size_t vehicle = 0; vehicle < 2; ++vehicle) {
+    const ProgressReport& last = metrics.progress().state(vehicle);
+    const std::size_t i = 2 * (film.size() - 1) + vehicle;
+    const double time = columns.at("time_s")[film.size() - 1];
+    EXPECT_EQ(columns.at("progress")[i], static_cast<double>(last.state));
+    EXPECT_NEAR(columns.at("no_progress_s")[i], time - last.last_progress, 1e-4);
+    EXPECT_EQ(columns.at("progress_with")[i], last.with ? number(*last.with) : -1.0);
   }
 }
 

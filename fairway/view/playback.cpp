@@ -19,6 +19,7 @@ nlohmann::json playback_document(const Scenario& scenario, const PlaybackInfo& i
           {"scene", scene_of(scenario)},
           {"columns", FilmColumns::specs(current_depths(scenario.water).size())},
           {"film", film != nullptr ? film->part(0, film->size(), true) : nlohmann::json()},
+          {"divergence", film != nullptr ? film->divergence() : ""},
           {"notice", film != nullptr ? film->notice() : ""},
           {"explanation", info.explanation}};
 }

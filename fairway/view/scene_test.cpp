@@ -135,7 +135,7 @@ TEST(Playback, IsRefusedWhereItCannotBe) {
 TEST(Playback, OfALiveRunHasNoFilmYet) {
   const json document = playback_document(shipped("head_on"), {"1", "", 0.1, {}}, nullptr);
   EXPECT_TRUE(document["film"].is_null());
-  EXPECT_EQ(document["columns"].size(), 13u);
+  EXPECT_EQ(document["columns"].size(), 16u);
 }
 
 }  // namespace

@@ -31,6 +31,14 @@ const char* state_of(const HelmReport::Neighbour& neighbour) {
   return neighbour.stale ? "stale" : "ok";
 }
 
+/// Of the mate whose number a track has; empty of none.
+std::string name_of(const HelmSetup& setup, const std::optional<TrackId>& id) {
+  if (!id) return {};
+  const auto mate =
+      std::ranges::find(setup.team, number(*id), [](const TeamMate& m) { return number(m.id); });
+  return mate == setup.team.end() ? std::string() : mate->name;
+}
+
 std::string count_words(const HelmReport& report) {
   const auto heard = std::ranges::count_if(report.neighbours, &HelmReport::Neighbour::shown);
   return std::to_string(heard) + " of " + std::to_string(report.neighbours.size());
@@ -57,6 +65,9 @@ std::string summary_of(const HelmReport& report) {
     case HelmState::under_way:
       break;
   }
+  if (const std::string_view note = note_of(order.progress.state); !note.empty())
+    return "under way, " + std::string(note) + " (" + rounded(order.time - order.progress.last_progress) +
+           " s)";
   switch (order.command.mode) {
     case Mode::cruise:
       return "under way, " + count_words(report) + " neighbours known, nobody in the way";
@@ -78,7 +89,10 @@ Diagnosis::Level level_of(const HelmReport& report, double now) {
   const bool is_late = std::ranges::any_of(
       report.neighbours, [](const HelmReport::Neighbour& n) { return !n.heard || n.stale || n.lost; });
   const bool is_infeasible = report.order.command.mode == Mode::infeasible;
-  return is_late || is_infeasible || now - report.refused_at < lately ? Level::warning : Level::ok;
+  const bool is_stuck =
+      report.order.progress.state == Headway::deadlocked || report.order.progress.state == Headway::trapped;
+  return is_late || is_infeasible || is_stuck || now - report.refused_at < lately ? Level::warning
+                                                                                  : Level::ok;
 }
 
 }  // namespace
@@ -100,6 +114,10 @@ Diagnosis diagnosis_of(const Helm& helm, double now) {
   say("reason", std::string(order.reason));
   say("mode", enum_name(order.command.mode));
   say("note", std::string(order.command.note));
+  say("progress", enum_name(order.progress.state));
+  say("progress_note", std::string(note_of(order.progress.state)));
+  say("no_progress_s", rounded(order.time - order.progress.last_progress));
+  say("progress_with", name_of(helm.setup(), order.progress.with));
   say("method", std::string(helm.algorithm().title));
   say("decision_count", std::to_string(report.decisions));
   say("infeasible_count", std::to_string(report.infeasible));

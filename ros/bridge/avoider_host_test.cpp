@@ -184,6 +184,22 @@ TEST(AvoiderHost, EveryoneToldTheSameNamesNumbersThemAlike) {
   EXPECT_EQ(value(one.diagnosis(1.1), "record_refused_count"), "1");
 }
 
+TEST(AvoiderHost, WhoGetsNowhereSaysSo) {
+  AvoiderHost host{
+      named({{"algorithm", "direct"}, {"max_speed_mps", "0.5"}, {"policy.progress_window_s", "10"}})};
+  ASSERT_TRUE(host.go_to({100, 0, 10}, 0.5));
+  for (int i = 0; i <= 220; ++i) {
+    host.own_motion({.time = 0.05 * i, .position_n = {0, 0, 10}}, 0.05 * i);
+    host.update(0.05 * i);
+  }
+  const Diagnosis diagnosis = host.diagnosis(11.0);
+  EXPECT_EQ(diagnosis.summary,
+            "under way, no progress: trapped, and nobody is near who could clear the way (11.00 s)");
+  EXPECT_EQ(value(diagnosis, "progress"), "trapped");
+  EXPECT_EQ(value(diagnosis, "no_progress_s"), "11.00");
+  EXPECT_EQ(value(diagnosis, "progress_with"), "");
+}
+
 TEST(AvoiderHost, APathIsFollowedPointByPoint) {
   AvoiderHost host{named({{"algorithm", "direct"}, {"max_speed_mps", "0.5"}, {"arrival_m", "0.5"}})};
   const std::vector<Triple> path{{5, 0, 10}, {5, 20, 10}, {5, 20, 10}, {25, 20, 12}};

@@ -193,6 +193,8 @@ cli::RunOutcome FleetHost::Self::outcome(double wall_s) const {
     if (!agent.note.empty()) outcome.notes.emplace_back(agent.name, std::string(agent.note));
   }
   outcome.simulated_s = simulation.time();
+  if (!outcome.divergence && outcome.simulated_s > 0.0)
+    outcome.no_progress = cli::no_progress_at_end(scenario, metrics.progress());
   outcome.wall_s = wall_s;
   return outcome;
 }

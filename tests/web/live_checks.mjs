@@ -25,14 +25,14 @@ function part_of(sample, first, count, generation) {
 
 /** Serves the page and so many frames; `seen` lists what was asked, `under_way` counts questions at once. */
 function serve(html, sample) {
-  const run = { frames: 120, paused: false, done: false, generation: 0, seen: [], under_way: 0, most: 0, asked: 0 };
+  const run = { frames: 120, paused: false, done: false, divergence: '', generation: 0, seen: [], under_way: 0, most: 0, asked: 0 };
   const answer = (query) => {
     const from = Number(query.get('from'));
     const first = Number(query.get('generation')) === run.generation ? from : 0;
     const count = Math.min(chunk, run.frames - first);
     return {
       part: count > 0 ? part_of(sample, first, count, run.generation) : null,
-      state: { paused: run.paused, done: run.done, time_s: run.frames * sample.period_s, speed: 2 },
+      state: { paused: run.paused, done: run.done, time_s: run.frames * sample.period_s, speed: 2, divergence: run.divergence },
     };
   };
   const server = createServer((request, response) => {
@@ -98,4 +98,28 @@ export async function look_at_live(browser, sample) {
     expect(await page.evaluate(() => window.fairway.film.count) === 90, 'it loses what it had');
   });
   server.close();
+
+  const broken = await serve(html, sample);
+  await browser.open(broken.address, 'a live run that diverges', options, async (page, expect) => {
+    const until = (wanted) => page.waitForFunction((text) => document.querySelector('.live-status')?.textContent === text, wanted, { timeout: 6000 })
+      .then(() => true, () => false);
+    await page.waitForFunction(() => window.fairway !== undefined);
+    Object.assign(broken.run, { done: true, divergence: 'diverged: auv_0 at 12.1 s: its speed is beyond 200 m/s' });
+    expect(await until(`The run ${broken.run.divergence}`), `a run that broke says: ${await page.textContent('.live-status')}`);
+  });
+  broken.server.close();
+  broken.server.closeAllConnections();
+}
+
+/** Of a recorded run that broke: said at its last frame, and not before. */
+export async function look_at_divergence(browser, sample) {
+  const divergence = 'diverged: auv_0 at 12.1 s: its speed is beyond 200 m/s';
+  const path = browser.write('diverged.html', JSON.stringify({ ...sample, explanation: null, divergence }));
+  await browser.open(path, 'a run that diverged', { width: 1180, height: 820, scheme: 'light' }, async (page, expect) => {
+    await page.waitForFunction(() => window.fairway !== undefined);
+    const ending = page.locator('.live-status');
+    expect(!await ending.isVisible(), 'it is said before the end');
+    await page.evaluate(() => window.fairway.seek(window.fairway.film.end));
+    expect(await ending.isVisible() && await ending.textContent() === `The run ${divergence}`, `at the end it says ${await ending.textContent()}`);
+  });
 }

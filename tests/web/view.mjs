@@ -10,7 +10,7 @@ import { execFileSync } from 'node:child_process';
 import { existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { Browser, command_line, root } from './browser.mjs';
-import { look_at_live } from './live_checks.mjs';
+import { look_at_divergence, look_at_live } from './live_checks.mjs';
 import { checks, phone_checks, theme_checks } from './view_checks.mjs';
 import { ViewPage } from './view_page.mjs';
 
@@ -129,5 +129,6 @@ if (given !== null) {
   await look_at_broken(JSON.parse(json));
   await look_at_markup(JSON.parse(json));
   await look_at_live(browser, JSON.parse(json));
+  await look_at_divergence(browser, JSON.parse(json));
 }
 browser.finish();

@@ -127,6 +127,31 @@ async function what_a_vehicle_cannot_do_is_said(view, expect) {
   }
 }
 
+async function no_progress_is_said(view, expect) {
+  const frames = await view.page.evaluate(() => {
+    const { film } = window.fairway;
+    const found = new Map();
+    for (let i = 0; i < film.count; ++i) {
+      for (let v = 0; v < film.vehicles; ++v) {
+        const [state, since, other] = ['progress', 'no_progress_s', 'progress_with'].map((name) => film.value(name, i, v));
+        const key = `${state} ${other >= 0}`;
+        if (!found.has(key)) found.set(key, { i, v, state, since, other });
+      }
+    }
+    return [...found.values()];
+  });
+  const names = await view.page.locator('.vehicle .name').allTextContents();
+  for (const { i, v, state, since, other } of frames) {
+    await view.seek_frame(i);
+    const who = names[other] ?? `obstacle ${other - names.length}`;
+    const how = other < 0 ? (state === 4 ? 'trapped' : 'it holds on purpose') : `${state === 2 ? 'waiting for' : 'deadlocked with'} ${who}`;
+    const wanted = state < 2 ? '' : `no progress for ${since.toFixed(1)} s: ${how}`;
+    const card = view.page.locator('.vehicle').nth(v).locator('.progress');
+    const text = plain(await card.textContent());
+    expect(text === wanted && await card.isVisible() === (state > 1), `frame ${i}, vehicle ${v}: progress ${state} is said as "${text}", expected "${wanted}"`);
+  }
+}
+
 async function it_plays(view, expect) {
   await view.seek_frame(0);
   await view.page.keyboard.press('ArrowUp');
@@ -309,7 +334,7 @@ async function downloads_are_complete(view, expect) {
 
 export const checks = [
   controls_have_names, vehicles_are_where_they_should_be, spheres_surround_vehicles, alerts_change_at_their_frame, numbers_are_those_of_the_film,
-  what_a_vehicle_cannot_do_is_said, it_plays, it_ends_and_begins_again, keys_and_scrubber_move_time, choosing_changes_the_picture, cameras_and_layers_change_the_picture,
+  what_a_vehicle_cannot_do_is_said, no_progress_is_said, it_plays, it_ends_and_begins_again, keys_and_scrubber_move_time, choosing_changes_the_picture, cameras_and_layers_change_the_picture,
   the_theme_changes_the_picture, it_fits_a_phone, downloads_are_complete,
 ];
 /** In the other theme: what depends on it. */

@@ -28,6 +28,9 @@ const columns = [
   { name: 'phase', type: 'u8', per: 'vehicle', width: 1 },
   { name: 'alert', type: 'u8', per: 'vehicle', width: 1 },
   { name: 'shortfall', type: 'u8', per: 'vehicle', width: 1 },
+  { name: 'progress', type: 'u8', per: 'vehicle', width: 1 },
+  { name: 'no_progress_s', type: 'f32', per: 'vehicle', width: 1 },
+  { name: 'progress_with', type: 'f32', per: 'vehicle', width: 1 },
 ];
 
 // Everyone crosses a circle to the opposite side; those who float stay at the surface.
@@ -70,6 +73,11 @@ for (let i = 0; i < frames; ++i) {
     values.phase.push(2);
     values.alert.push(alert);
     values.shortfall.push(shapes[id] === 'torpedo' && alert > 0 ? 2 : 0);
+    // the fleet is stuck for a while near the middle, each vehicle in another way
+    const stuck = t > 40 && t < 80;
+    values.progress.push(stuck ? id % 5 : 0);
+    values.no_progress_s.push(stuck ? t - 10 : 0);
+    values.progress_with.push(stuck && [2, 3].includes(id % 5) ? (id + 1) % vehicles.length : -1);
   }
 }
 const arrays = { f64: Float64Array, f32: Float32Array, u8: Uint8Array };
@@ -137,7 +145,7 @@ const playback = {
   columns,
   film: { first: 0, count: frames, stride: 1, generation: 0, data: bytes.toString('base64'), compression: 'none', events,
     thoughts: Buffer.from(JSON.stringify(thoughts, rounded)).toString('base64') },
-  notice: '',
+  notice: '', divergence: '',
   explanation: { vehicle: 0, time_s: 40, headline: 'auv_0 turns to starboard: the neighbour torpedo_1 leaves it no other velocity.',
     sections: [{ title: 'Situation', lines: ['Two neighbours within 8 m.'], table: { columns: ['neighbour', 'range_m'], rows: [['torpedo_1', 5.3]] } }] },
 };

@@ -97,6 +97,19 @@ TEST_F(HeadOn, IsToldByTheWordsOfTheMethodFirst) {
             "auv finds no safe velocity and stops: no way was found.");
 }
 
+TEST_F(HeadOn, SaysThatItMakesNoProgressAndWithWhom) {
+  FoundDecision found = answered({.mode = Mode::avoid});
+  found.progress = {.state = Headway::deadlocked, .last_progress = 3.25, .since = 4.0, .with = TrackId{1}};
+  const Explanation told = explain(scenario, found, builtin_avoiders());
+  EXPECT_THAT(told.headline,
+              ::testing::EndsWith(". It has made no progress since 3.25 s: deadlocked with other."));
+  EXPECT_EQ(
+      exact_json(scenario, found, told)["progress"],
+      (nlohmann::json{{"state", "deadlocked"}, {"last_progress_s", 3.25}, {"since_s", 4.0}, {"with", 1}}));
+  found.progress.state = Headway::holding;
+  EXPECT_THAT(explain(scenario, found, builtin_avoiders()).headline, Not(HasSubstr("progress")));
+}
+
 TEST_F(HeadOn, SaysWhatOfTheSituationCannotBeDecidedOn) {
   tracks[0].radius = -1.0;
   const Explanation told =

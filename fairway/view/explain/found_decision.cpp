@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fairway/core/text.hpp"
+#include "fairway/experiment/measure_run.hpp"
 #include "fairway/record/hash_checker.hpp"
 #include "fairway/sim/simulation.hpp"
 
@@ -35,8 +36,9 @@ std::optional<std::pair<double, double>> avoiding_span(const Recording& recordin
 /// it.
 class Witness final : public FrameSink, public DecisionObserver {
  public:
-  Witness(const Recording& recording, const Instant& instant, FrameSink* sink)
-      : recording_{recording},
+  Witness(const Recording& recording, const Scenario& scenario, const Instant& instant, FrameSink* sink)
+      : progress_{scenario.exam.progress_window_s, surroundings_of(scenario)},
+        recording_{recording},
         instant_{instant},
         asked_{recording.frame(instant.frame)},
         sink_{sink},
@@ -50,6 +52,7 @@ class Witness final : public FrameSink, public DecisionObserver {
 
   void write(const Frame& frame) override {
     check(frame);
+    if (frame.tick <= asked_.tick) progress_.see(frame);
     const VehicleFrame& vehicle = frame.vehicles[instant_.vehicle];
     if (std::exchange(fresh_, false)) {
       kept_->tick = frame.tick;
@@ -77,6 +80,7 @@ class Witness final : public FrameSink, public DecisionObserver {
                         .decision = {},
                         .asked = avoiding_span(recording_, instant_.vehicle),
                         .difference = first_difference({.command = recorded.command}, {.command = command_}),
+                        .progress = progress_.state(instant_.vehicle),
                         .matched = checker_.matched()};
     if (is_avoiding(recorded.phase)) found.decision = std::move(kept_);
     return found;
@@ -98,6 +102,7 @@ class Witness final : public FrameSink, public DecisionObserver {
            first_difference({.command = recorded}, {.command = command_});
   }
 
+  ProgressMetric progress_;
   const Recording& recording_;
   Instant instant_;
   Frame asked_;
@@ -144,7 +149,7 @@ std::optional<FoundDecision> find_decision(const Recording& recording, const Sce
   const std::int64_t watched = target - std::max<std::int64_t>(before, scenario.steps_per_decision - 1);
 
   Simulation simulation{scenario, catalogs};
-  Witness witness{recording, instant, window.sink};
+  Witness witness{recording, scenario, instant, window.sink};
   const std::array<FrameSink*, 1> sinks{&witness};
   std::optional<FoundDecision> found;
   while (!simulation.is_done() && count(simulation.tick()) <= target + after) {

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "fairway/avoidance/progress.hpp"
 #include "fairway/avoidance/situation.hpp"
 #include "fairway/record/frame.hpp"
 #include "fairway/record/quantities.hpp"
@@ -53,7 +54,8 @@ struct FoundDecision {
   std::optional<std::pair<double, double>> asked;
   /// Between the recorded command and the one found; none if they are the same to the bit.
   std::optional<QuantityDifference> difference;
-  std::size_t matched{};  ///< recorded frames met on the way, all the same to the bit
+  ProgressReport progress;  ///< as of the frame asked about; `with` as `ProgressMetric` has it
+  std::size_t matched{};    ///< recorded frames met on the way, all the same to the bit
 };
 
 /// For whoever wants to see what surrounds the decision: all frames of the run until some time after it, with

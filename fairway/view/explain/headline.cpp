@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "fairway/core/angles.hpp"
+#include "fairway/metrics/progress.hpp"
 
 namespace fairway {
 namespace {
@@ -126,6 +127,17 @@ std::string reason_words(const Scenario& scenario, const FoundDecision& found, c
   return "; " + nearest_words(scenario, facts, command.mode);
 }
 
+/// " It has made no progress since 43.2 s: deadlocked with robot2." Empty if it does, or is not meant to.
+std::string progress_words(const Scenario& scenario, const ProgressReport& progress) {
+  std::string with;
+  if (progress.with) {
+    const std::size_t index = number(*progress.with), vehicles = scenario.vehicles.size();
+    with = index < vehicles ? scenario.vehicles[index].name : fmt::format("obstacles[{}]", index - vehicles);
+  }
+  const std::string text = text_of(progress, with);
+  return text.empty() ? text : " It has made " + text + ".";
+}
+
 std::string place_words(const Vec3& p) {
   return fmt::format("({:.1f}, {:.1f}, {:.1f}) m", p.x(), p.y(), p.z());
 }
@@ -199,8 +211,8 @@ std::string headline_of(const Scenario& scenario, const FoundDecision& found, co
   std::string what = deviation_words(facts.deviation, command.velocity);
   if (command.mode == Mode::hold) what = "waits on purpose";
   if (command.mode == Mode::infeasible) what = "finds no safe velocity and " + what;
-  return fmt::format("{} {}{}.", scenario.vehicles[found.instant.vehicle].name, what,
-                     reason_words(scenario, found, facts, strokes));
+  return fmt::format("{} {}{}.{}", scenario.vehicles[found.instant.vehicle].name, what,
+                     reason_words(scenario, found, facts, strokes), progress_words(scenario, found.progress));
 }
 
 std::string headline_of_unasked(const Scenario& scenario, const FoundDecision& found) {

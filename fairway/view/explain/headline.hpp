@@ -27,7 +27,8 @@ std::string bearing_words(double bearing);
 /// "turns 34 deg to starboard and slows down by 0.12 m/s to 0.38 m/s", against the preferred velocity.
 std::string deviation_words(const Deviation& deviation, const Vec3& commanded);
 
-/// One sentence of what was decided and the plainest fact that bears on it.
+/// One sentence of what was decided and the plainest fact that bears on it, and another if the vehicle makes
+/// no progress.
 std::string headline_of(const Scenario& scenario, const FoundDecision& found, const DecisionFacts& facts,
                         std::span<const StrokeFacts> strokes);
 

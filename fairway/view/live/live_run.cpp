@@ -58,9 +58,9 @@ void LiveRun::write(const Frame& frame) {
   begun_ = true;
 }
 
-void LiveRun::finish() {
+void LiveRun::finish(std::string_view divergence) {
   const std::scoped_lock lock{mutex_};
-  film_.finish();
+  film_.finish(divergence);
   done_ = true;
 }
 
@@ -97,7 +97,11 @@ nlohmann::json LiveRun::part(std::size_t first, std::size_t generation) const {
   if (first < film_.size()) part = film_.part(first, most_frames, false);
   return {{"part", std::move(part)},
           {"state",
-           {{"paused", pace_.paused && !done_}, {"done", done_}, {"time_s", time_}, {"speed", pace_.speed}}}};
+           {{"paused", pace_.paused && !done_},
+            {"done", done_},
+            {"time_s", time_},
+            {"speed", pace_.speed},
+            {"divergence", film_.divergence()}}}};
 }
 
 }  // namespace fairway

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <mutex>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "fairway/record/frame.hpp"
 #include "fairway/scenario/scenario.hpp"
@@ -33,8 +34,9 @@ class LiveRun final : public FrameSink {
   /// Waits until the step at `time` [s] of the run is due. False, within 50 ms, once `stop` is set.
   bool await_turn(double time, const std::atomic<bool>& stop);
   void write(const Frame& frame) override;
-  /// The run is over; what there is of it can still be seen.
-  void finish();
+  /// The run is over; what there is of it can still be seen. `divergence` is how it broke, in a line; empty
+  /// if it is whole.
+  void finish(std::string_view divergence = {});
 
   // For everyone, at any time.
 

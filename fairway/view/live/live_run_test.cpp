@@ -105,10 +105,13 @@ TEST(LiveRun, ItsStateIsThatOfTheNewestFrame) {
   LiveRun run{frames.scenario, {.speed = 4.0, .paused = true}};
   const auto before = run.part(0, 0);
   EXPECT_TRUE(before["part"].is_null());
-  EXPECT_EQ(before["state"].dump(), R"({"done":false,"paused":true,"speed":4.0,"time_s":0.0})");
+  EXPECT_EQ(before["state"].dump(),
+            R"({"divergence":"","done":false,"paused":true,"speed":4.0,"time_s":0.0})");
   run.write(frames.at(5));
-  run.finish();
-  EXPECT_EQ(run.part(0, 0)["state"].dump(), R"({"done":true,"paused":false,"speed":4.0,"time_s":0.5})");
+  run.finish("diverged: robot0 at 0.6 s");
+  EXPECT_EQ(
+      run.part(0, 0)["state"].dump(),
+      R"({"divergence":"diverged: robot0 at 0.6 s","done":true,"paused":false,"speed":4.0,"time_s":0.5})");
 }
 
 TEST(LiveRun, APartThatDoesNotFollowOnWhatThereIsBeginsAtTheBeginning) {

@@ -24,6 +24,9 @@ const needed: Record<string, { type: ColumnType; per: ColumnSpec['per']; width: 
   phase: { type: 'u8', per: 'vehicle', width: 1 },
   alert: { type: 'u8', per: 'vehicle', width: 1 },
   shortfall: { type: 'u8', per: 'vehicle', width: 1 },
+  progress: { type: 'u8', per: 'vehicle', width: 1 },
+  no_progress_s: { type: 'f32', per: 'vehicle', width: 1 },
+  progress_with: { type: 'f32', per: 'vehicle', width: 1 },
 };
 
 function positive(at: Reader): number {
@@ -183,6 +186,7 @@ export function decode(json: string): Document {
     columns: columns(at.at('columns'), seen.current_depths_m.length),
     film: decode_part(at.at('film'), seen.vehicles.length),
     notice: at.at('notice').text(''),
+    divergence: at.at('divergence').text(''),
     explanation: explanation(at.at('explanation'), seen.vehicles.length),
   };
 }

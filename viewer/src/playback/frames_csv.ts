@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import { csv_field } from '../common/csv';
 import type { Film } from './film';
-import { alerts, modes, phases, shortfalls, type ColumnSpec, type Scene } from './model';
+import { alerts, modes, phases, progresses, shortfalls, type ColumnSpec, type Scene } from './model';
 
 const headings: Record<string, string[]> = {
   position_m: ['n_m', 'e_m', 'd_m'],
@@ -11,7 +11,7 @@ const headings: Record<string, string[]> = {
   goal_m: ['goal_n_m', 'goal_e_m', 'goal_d_m'],
   force_n: ['surge_n', 'sway_n', 'heave_n'],
 };
-const names: Record<string, readonly string[]> = { mode: modes, phase: phases, alert: alerts, shortfall: shortfalls };
+const names: Record<string, readonly string[]> = { mode: modes, phase: phases, alert: alerts, shortfall: shortfalls, progress: progresses };
 
 /** The shortest text that reads as the same number again, for single precision too. */
 function exact(value: number, single: boolean): string {

@@ -10,6 +10,8 @@ export interface RunState {
   done: boolean;
   time_s: number;
   speed: number;
+  /** How the run broke, in a line; empty if it is whole. */
+  divergence: string;
 }
 export type Order = 'pause' | 'resume' | 'step';
 
@@ -19,6 +21,7 @@ const gap_without_answer_ms = 2000;
 function decode_state(at: Reader): RunState {
   return {
     paused: at.at('paused').flag(), done: at.at('done').flag(), time_s: at.at('time_s').number(), speed: at.at('speed').number(),
+    divergence: at.at('divergence').text(''),
   };
 }
 

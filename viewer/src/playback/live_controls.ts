@@ -11,6 +11,7 @@ function status_text({ state, trouble }: LiveRun): string {
   if (trouble !== '') return trouble;
   if (state === null) return 'Waiting for the run';
   const pace = state.speed > 0 ? `at ${short(state.speed)}×` : 'as fast as it can';
+  if (state.divergence !== '') return `The run ${state.divergence}`;
   const how = state.done ? 'The run is over' : state.paused ? 'The run is paused' : `Running ${pace}`;
   return `${how}, at ${seconds(state.time_s)} s`;
 }
@@ -25,7 +26,7 @@ export function make_live_controls(live: LiveRun, clock: Clock) {
     const paused = live.state?.paused === true;
     const over = live.state === null || live.state.done || live.trouble !== '';
     status.textContent = status_text(live);
-    status.classList.toggle('trouble', live.trouble !== '');
+    status.classList.toggle('trouble', live.trouble !== '' || (live.state !== null && live.state.divergence !== ''));
     pause.textContent = paused ? 'Resume run' : 'Pause run';
     pause.disabled = over;
     step.disabled = over || !paused;

@@ -20,6 +20,8 @@ export interface Document {
   /** Null on a live page, which asks for parts. */
   film: Part | null;
   notice: string;
+  /** How the run broke behind its last frame, in a line; empty if it is whole. */
+  divergence: string;
   explanation: Explanation | null;
 }
 
@@ -162,5 +164,7 @@ export const modes = ['cruise', 'avoid', 'hold', 'infeasible'] as const;
 export const phases = ['deploying', 'waiting', 'under_way', 'stuck', 'arrived'] as const;
 /** As the metric sees a vehicle: nobody near; somebody detected; a collision, until that one has left. */
 export const alerts = ['clear', 'detected', 'collided'] as const;
+/** Whether a vehicle gets on, judged over a window of time. */
+export const progresses = ['making', 'holding', 'waiting', 'deadlocked', 'trapped'] as const;
 /** What of a command is beyond the vehicle. */
 export const shortfalls = ['none', 'too_slow', 'astern', 'sideways'] as const;

@@ -126,7 +126,8 @@ class Page {
   private surround_picture(): void {
     const { live, clock } = this;
     const live_controls = live === null ? null : this.add(make_live_controls(live, clock));
-    const transport = this.add(make_transport(this.playback.scene, this.film, clock, live_controls?.element ?? null));
+    const transport = this.add(make_transport(this.playback.scene, this.film, clock, live_controls?.element ?? null,
+      this.playback.divergence));
     this.frame.stage_area.append(make_camera_bar(this.choice, this.stage));
     this.frame.stage_area.after(transport.element);
     // An answer that brings frames shows everything anew; any other one only tells how the run stands.

@@ -3,7 +3,7 @@
 import { series_colour } from '../common/colour';
 import { fixed } from '../common/format';
 import type { Film } from './film';
-import { alerts, modes, phases, shortfalls, type RunEvent, type Scene } from './model';
+import { alerts, modes, phases, progresses, shortfalls, type RunEvent, type Scene } from './model';
 
 /** Decimals of times [s] and positions [m]. */
 const digits = 3;
@@ -32,6 +32,19 @@ const beyond: Record<(typeof shortfalls)[number], string> = {
 /** What it is commanded and cannot carry out; empty if it can. */
 export const shortfall_text = (film: Film, index: number, vehicle: number): string =>
   beyond[shortfalls[film.value('shortfall', index, vehicle)] ?? 'none'];
+
+/** That it makes no progress, for how long, how and with whom; empty if it does, or is not meant to. */
+export function progress_text(film: Film, index: number, vehicle: number, scene: Scene): string {
+  const state = progresses[film.value('progress', index, vehicle)] ?? 'making';
+  if (state === 'making' || state === 'holding') return '';
+  const since = `no progress for ${fixed(film.value('no_progress_s', index, vehicle), 1)} s: `;
+  const with_index = film.value('progress_with', index, vehicle);
+  const vehicles = scene.vehicles.length;
+  const who = with_index < vehicles ? scene.vehicles[with_index]?.name : `obstacle ${with_index - vehicles}`;
+  if (state === 'trapped') return `${since}trapped`;
+  if (who === undefined) return `${since}it holds on purpose`;
+  return `${since}${state === 'waiting' ? 'waiting for' : 'deadlocked with'} ${who}`;
+}
 
 /** What happened, for a list or a tip. */
 export function event_text(event: RunEvent, scene: Scene): string {

@@ -7,7 +7,7 @@ import type { Film, Moment } from './film';
 import { icon_button } from './icons';
 import type { Scene } from './model';
 import type { Panel } from './panel';
-import { alert_text, goal_distance, mode_text, phase_text, position_texts, seconds, shortfall_text, vehicle_colour } from './printed';
+import { alert_text, goal_distance, mode_text, phase_text, position_texts, progress_text, seconds, shortfall_text, vehicle_colour } from './printed';
 
 /** Of more vehicles than these, only the chosen ones show their numbers. */
 const most_in_full = 4;
@@ -33,6 +33,7 @@ function make_card(vehicle: number, scene: Scene, film: Film, choice: Choice, br
   const dot = h('span', { class: 'alert-dot' });
   const status = h('span', { class: 'status' });
   const shortfall = h('span', { class: 'shortfall', hidden: true });
+  const progress = h('span', { class: 'progress', hidden: true });
   const places = ['n', 'e', 'd'].map((axis) => value_row(axis, ''));
   const speed = value_row('speed', 'm/s');
   const goal = value_row('to goal', 'm');
@@ -45,6 +46,7 @@ function make_card(vehicle: number, scene: Scene, film: Film, choice: Choice, br
   h('span', { class: 'what' }, [spec.model, spec.avoider === '' ? 'no avoidance' : spec.avoider,
     spec.cooperative ? '' : 'not cooperative'].filter((word) => word !== '').join(' · ')),
   shortfall,
+  progress,
   h('span', { class: 'values place' }, ...places.map(({ row }) => row), h('i', {}, 'm')),
   h('span', { class: 'values' }, speed.row, goal.row));
   const follow = icon_button('follow', `Follow ${spec.name}`, vehicle < 9 ? String(vehicle + 1) : '', () => choice.follow(vehicle));
@@ -65,6 +67,9 @@ function make_card(vehicle: number, scene: Scene, film: Film, choice: Choice, br
       const beyond = shortfall_text(film, index, vehicle);
       shortfall.hidden = beyond === '';
       set_text(shortfall, beyond === '' ? '' : `commanded ${beyond}`);
+      const standing = progress_text(film, index, vehicle, scene);
+      progress.hidden = standing === '';
+      set_text(progress, standing);
       if (brief && !shown) return;
       position_texts(film, index, vehicle).forEach((text, k) => set_text(places[k]!.value, text));
       set_text(speed.value, fixed(film.length('velocity_mps', index, vehicle), 3));

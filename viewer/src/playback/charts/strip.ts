@@ -4,7 +4,7 @@ import { fit_text, h, swatch } from '../../common/dom';
 import type { Tip } from '../../common/tooltip';
 import type { Film } from '../film';
 import { alerts, modes, type Scene } from '../model';
-import { alert_text, mode_text, phase_text, shortfall_text } from '../printed';
+import { alert_text, mode_text, phase_text, progress_text, shortfall_text } from '../printed';
 import { plot_extent } from './plot';
 import { TimeArea, type Timeline } from './pointing';
 import { colour_now } from './style';
@@ -101,12 +101,14 @@ export class Strip {
     if (vehicle === undefined || this.film.count === 0) return null;
     const i = this.film.index_at(time);
     const beyond = shortfall_text(this.film, i, vehicle);
+    const standing = progress_text(this.film, i, vehicle, this.scene);
     return {
       title: `${this.scene.vehicles[vehicle]!.name}, t = ${this.film.time(i).toFixed(2)} s`,
       rows: [
         { label: 'near', value: alert_text(this.film, i, vehicle) }, { label: 'mode', value: mode_text(this.film, i, vehicle) },
         { label: 'phase', value: phase_text(this.film, i, vehicle) },
         ...(beyond === '' ? [] : [{ label: 'commanded', value: beyond }]),
+        ...(standing === '' ? [] : [{ label: 'progress', value: standing }]),
       ],
     };
   }

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/avoidance/progress.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fairway {
+namespace {
+
+constexpr double least_share = 0.1;       // of the way cruised in a window: less is no progress
+constexpr double near_share = 1.0 / 3.0;  // likewise: whoever is farther has no part in it
+constexpr double return_windows = 1.5;    // a place left for so long is new again
+
+}  // namespace
+
+std::string_view note_of(Headway headway) noexcept {
+  switch (headway) {
+    case Headway::making:
+    case Headway::holding:
+      break;
+    case Headway::waiting:
+      return "no progress: waiting for somebody to clear the way";
+    case Headway::deadlocked:
+      return "no progress: deadlocked with somebody who is at rest as well";
+    case Headway::trapped:
+      return "no progress: trapped, and nobody is near who could clear the way";
+  }
+  return {};
+}
+
+bool Trail::see(double time, const Vec3& position, double step, double window) noexcept {
+  const auto is_in = [&](const Place& place) {
+    return time - place.seen <= return_windows * window &&
+           (position - place.position).squaredNorm() <= step * step;
+  };
+  if (is_in(places_[present_])) {
+    places_[present_].seen = time;
+    return false;
+  }
+  const auto known = std::ranges::find_if(places_, is_in);
+  if (known != places_.end()) {
+    known->seen = time;
+    present_ = static_cast<std::size_t>(known - places_.begin());
+    return false;
+  }
+  present_ = newest_ = (newest_ + 1) % most_places;
+  places_[present_] = {position, time};
+  since_ = time;
+  return true;
+}
+
+void ProgressWatch::see(double time, const Vec3& position, const Goal& goal, bool under_way) noexcept {
+  const bool sets_out = under_way && !under_way_;
+  time_ = time;
+  under_way_ = under_way && goal.cruise_speed > 0.0;
+  if (goal.cruise_speed > 0.0) step_ = least_share * goal.cruise_speed * window_;
+  const bool is_new_place = trail_.see(time, position, step_, window_);
+
+  // another goal is no progress, but what is nearest to it begins anew
+  const double distance = (goal.position - position).norm();
+  if (sets_out || goal.position != goal_) least_distance_ = distance;
+  goal_ = goal.position;
+  const bool is_nearer = distance <= least_distance_ - step_;
+  if (is_nearer) least_distance_ = distance;
+  if (is_new_place || is_nearer || sets_out || !under_way_) last_progress_ = time;
+}
+
+double ProgressWatch::reach() const noexcept { return near_share / least_share * step_; }
+
+ProgressReport ProgressWatch::judge(Mode mode, std::span<const Bystander> bystanders) const noexcept {
+  ProgressReport report{.state = Headway::making, .last_progress = last_progress_, .since = last_progress_};
+  if (!under_way_) report.state = Headway::holding;
+  if (!is_late()) return report;
+
+  const Bystander* moving = nullptr;
+  const Bystander* resting = nullptr;
+  double latest = last_progress_;
+  for (const Bystander& other : bystanders) {
+    if (other.gap > reach()) continue;
+    const bool rests = time_ - other.rests_since > window_;
+    if (rests && !other.may_clear_way) continue;
+    const Bystander*& nearest = rests ? resting : moving;
+    if (nearest == nullptr || other.gap < nearest->gap) nearest = &other;
+    latest = std::fmax(latest, other.rests_since);
+  }
+  const bool waits = moving != nullptr || (resting == nullptr && mode == Mode::hold);
+  report.state = waits ? Headway::waiting : resting != nullptr ? Headway::deadlocked : Headway::trapped;
+  if (report.state == Headway::deadlocked) report.since = latest;
+  if (const Bystander* who = moving != nullptr ? moving : resting) report.with = who->id;
+  return report;
+}
+
+}  // namespace fairway

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/metrics/progress.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fairway/core/text.hpp"
+
+namespace fairway {
+
+const std::vector<QuantityInfo>& ProgressMetric::quantities() {
+  static const std::vector<QuantityInfo> all{
+      {"no_progress_time_s", true,
+       "time under way in stretches, each longer than the exam's window, in which it came neither nearer to "
+       "its "
+       "goal nor to a new place, whether it waited, was deadlocked or trapped"},
+      {"deadlock_time_s", true,
+       "part of that in which whoever was near and could have cleared the way was at rest as well"},
+  };
+  return all;
+}
+
+Goal ProgressMetric::goal_of(const Frame& frame, std::size_t index) const {
+  const VehicleFrame& vehicle = frame.vehicles[index];
+  const bool known = index < surroundings_.limits.size();
+  const double fastest = known ? surroundings_.limits[index].max_speed : Limits::none;
+  return {.position = vehicle.goal, .cruise_speed = std::fmin(vehicle.goal_speed, fastest), .velocity = {}};
+}
+
+double ProgressMetric::radius_of(std::size_t index) const {
+  return index < surroundings_.radii.size() ? surroundings_.radii[index] : 0.0;
+}
+
+void ProgressMetric::see(const Frame& frame) {
+  if (own_.empty()) own_.assign(frame.vehicles.size(), {.watch = ProgressWatch{window_}});
+  for (std::size_t i = 0; i < own_.size(); ++i) {
+    const VehicleFrame& vehicle = frame.vehicles[i];
+    own_[i].watch.see(frame.time, vehicle.state.p_n, goal_of(frame, i), is_avoiding(vehicle.phase));
+  }
+  for (std::size_t i = 0; i < own_.size(); ++i) {
+    Own& own = own_[i];
+    bystanders_.clear();
+    if (own.watch.is_late()) find_bystanders(frame, i);
+    own.report = own.watch.judge(frame.vehicles[i].command.mode, bystanders_);
+    if (own.watch.is_late()) count(frame, i);
+  }
+}
+
+void ProgressMetric::find_bystanders(const Frame& frame, std::size_t index) {
+  const Vec3& here = frame.vehicles[index].state.p_n;
+  const auto see_one = [&](std::size_t id, double distance, double rests_since, bool may_clear_way) {
+    const double gap = distance - radius_of(index);
+    if (gap <= own_[index].watch.reach())
+      bystanders_.push_back({TrackId{static_cast<std::uint32_t>(id)}, gap, rests_since, may_clear_way});
+  };
+  for (std::size_t j = 0; j < own_.size(); ++j) {
+    if (j == index) continue;
+    const VehicleFrame& other = frame.vehicles[j];
+    see_one(j, (other.state.p_n - here).norm() - radius_of(j), own_[j].watch.trail().since(),
+            other.phase != Phase::arrived);
+  }
+  for (std::size_t k = 0; k < surroundings_.obstacles.size(); ++k) {
+    if (surroundings_.obstacles[k].velocity.isZero(0.0)) continue;
+    const Obstacle drifter = surroundings_.obstacles[k].at(frame.time);
+    see_one(own_.size() + k, nearest_point(drifter, here).distance, frame.time, true);
+  }
+}
+
+void ProgressMetric::count(const Frame& frame, std::size_t index) {
+  Own& own = own_[index];
+  const ProgressReport& report = own.report;
+
+  // a stretch counts from its beginning, once it has proved to be one
+  const bool begins = own.last_without.time != report.last_progress;
+  own.no_progress_time += begins ? frame.time - report.last_progress + frame.period : frame.period;
+  own.last_without = occasion(index);
+  if (report.state != Headway::deadlocked) return;
+  const double until = frame.time + frame.period;
+  own.deadlock_time += until - std::fmax(report.since, own.counted_until);
+  own.counted_until = until;
+  own.last_deadlock = occasion(index);
+  own.last_deadlock.time = report.since;
+}
+
+Occasion ProgressMetric::occasion(std::size_t index) const {
+  const ProgressReport& report = own_[index].report;
+  Occasion occasion{.vehicle = static_cast<int>(index), .time = report.last_progress};
+  if (!report.with) return occasion;
+  const std::size_t with = number(*report.with);
+  if (with < own_.size()) {
+    occasion.other = static_cast<int>(with);
+  } else {
+    occasion.obstacle = static_cast<int>(with - own_.size());
+  }
+  return occasion;
+}
+
+std::string text_of(const ProgressReport& report, std::string_view with) {
+  if (note_of(report.state).empty()) return {};
+  std::string text =
+      "no progress since " + number_text(std::round(1e6 * report.last_progress) / 1e6) + " s: ";
+  if (report.state == Headway::trapped) return text + "trapped, and nobody is near who could clear the way";
+  if (with.empty()) return text + "its method holds on purpose, and nobody is near";
+  text += report.state == Headway::waiting ? "waiting for " : "deadlocked with ";
+  return text.append(with);
+}
+
+void ProgressMetric::report(std::vector<Measure>& measures) const {
+  for (std::size_t i = 0; i < own_.size(); ++i) {
+    const Own& own = own_[i];
+    const int vehicle = static_cast<int>(i);
+    measures.push_back({"no_progress_time_s", vehicle, own.no_progress_time, own.last_without});
+    measures.push_back({"deadlock_time_s", vehicle, own.deadlock_time, own.last_deadlock});
+  }
+}
+
+}  // namespace fairway

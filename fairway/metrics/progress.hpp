@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fairway/avoidance/progress.hpp"
+#include "fairway/metrics/fleet.hpp"
+
+namespace fairway {
+
+/// How long vehicles under way made no progress, and for how much of that they stood before each other
+/// (fairway/avoidance/progress.hpp), from where they truly were. A bystander clears the way unless it has
+/// arrived; a drifting obstacle always moves on.
+class ProgressMetric final : public Metric {
+ public:
+  static const std::vector<QuantityInfo>& quantities();
+
+  /// `window` [s].
+  explicit ProgressMetric(double window, Surroundings surroundings = {})
+      : window_{window}, surroundings_{std::move(surroundings)} {}
+  void see(const Frame& frame) override;
+  void report(std::vector<Measure>& measures) const override;
+
+  /// How a vehicle got on, as of the last frame; only after one. `with` is the index of a vehicle or, from
+  /// the number of vehicles on, of an obstacle. O(1).
+  const ProgressReport& state(std::size_t index) const { return own_[index].report; }
+
+  /// Whom `state(index)` is about: its vehicle, the other or the obstacle, and since when.
+  Occasion occasion(std::size_t index) const;
+
+ private:
+  struct Own {
+    ProgressWatch watch;
+    ProgressReport report;
+    double no_progress_time{};
+    double deadlock_time{};
+    double counted_until{};  ///< of `deadlock_time`
+    Occasion last_without;   ///< the last stretch of `no_progress_time`
+    Occasion last_deadlock;  ///< likewise
+  };
+
+  Goal goal_of(const Frame& frame, std::size_t index) const;
+  double radius_of(std::size_t index) const;
+  void find_bystanders(const Frame& frame, std::size_t index);
+  void count(const Frame& frame, std::size_t index);
+
+  double window_;
+  Surroundings surroundings_;
+  std::vector<Own> own_;
+  std::vector<Bystander> bystanders_;  // of whoever is judged
+};
+
+/// "no progress since 43.2 s: deadlocked with robot2", `with` being what `report.with` is called; empty of a
+/// vehicle that makes progress, or is not meant to.
+std::string text_of(const ProgressReport& report, std::string_view with);
+
+}  // namespace fairway
