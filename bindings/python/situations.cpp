@@ -66,27 +66,10 @@ py::array track_rows(const py::object& self, V Track::*member) {
 
 void bind_own_and_tracks(py::module_& m) {
   ValueClass<Ownship>(m, "Ownship", "Own state as estimated on board.\n")
-      .field("id", &Ownship::id, "of the vehicle")
-      .required("position", &Ownship::position, "[m, NED]")
-      .field("velocity", &Ownship::velocity, "over ground [m/s, NED]")
-      .field("yaw", &Ownship::yaw, "[rad], 0 north, positive to starboard")
-      .field("yaw_rate", &Ownship::yaw_rate, "[rad/s]")
-      .field("radius", &Ownship::radius, "of the enclosing sphere [m]")
-      .field("priority", &Ownship::priority, "the smaller number has the right of way; the id unless given")
+      .members({"position"})
       .finish(give_priority<Ownship>);
-
   ValueClass<Track>(m, "Track", "Another vehicle, or anything else that moves, as perceived.\n")
-      .field("id", &Track::id, "of the track")
-      .required("position", &Track::position, "extrapolated to the situation's time [m, NED]")
-      .field("velocity", &Track::velocity, "over ground [m/s, NED]")
-      .field("yaw", &Track::yaw, "as reported [rad]")
-      .field("radius", &Track::radius, "of the enclosing sphere [m]")
-      .field("age", &Track::age, "since the last measurement or message [s]")
-      .field("priority", &Track::priority, "the smaller number has the right of way; the id unless given")
-      .field("destination", &Track::destination, "where it says it is going [m, NED], or None")
-      .field("reacts", &Track::reacts, "False: it keeps its course whatever comes, as a drifting object does")
-      .field("position_covariance", &Track::position_covariance, "of the error of position [m2, NED]")
-      .field("velocity_covariance", &Track::velocity_covariance, "of the error of velocity [m2/s2, NED]")
+      .members({"position"})
       .finish(give_priority<Track>);
 }
 
@@ -149,25 +132,10 @@ void bind_obstacle(py::module_& m) {
 
 void bind_goal_and_limits(py::module_& m) {
   ValueClass<Goal>(m, "Goal", "Where the mission wants to be, and how fast.\n")
-      .required("position", &Goal::position, "[m, NED]")
-      .required("cruise_speed", &Goal::cruise_speed, "[m/s]")
-      .field("velocity", &Goal::velocity,
-             "wanted instead of heading straight for the position [m/s, NED], or None")
+      .members({"position", "cruise_speed"})
       .finish();
-
   ValueClass<Limits>(m, "Limits", "What a vehicle can or may do. A limit that is not set does not bind.\n")
-      .field("max_speed", &Limits::max_speed, "over ground [m/s]")
-      .field("max_climb_rate", &Limits::max_climb_rate,
-             "vertical, either way [m/s]; zero for a surface vehicle")
-      .field("max_acceleration", &Limits::max_acceleration,
-             "[m/s2]; for methods that reason about reachable velocities")
-      .field("max_turn_rate", &Limits::max_turn_rate, "[rad/s]; likewise")
-      .field("min_depth", &Limits::min_depth, "ceiling: no command leads above it [m]")
-      .field("max_depth", &Limits::max_depth, "floor: no command leads below it [m]")
-      .field("min_speed", &Limits::min_speed,
-             "through the water; slower than this the vehicle does not steer [m/s]")
-      .field("sternway", &Limits::sternway, "whether it can go astern")
-      .field("sway", &Limits::sway, "whether it can go sideways")
+      .members()
       .finish(check_limits);
 
   ValueClass<OnboardModel>(
@@ -192,15 +160,7 @@ void bind_command(py::module_& m) {
       .value("infeasible", Mode::infeasible, "no safe choice was found, or the input made no sense");
 
   ValueClass<Command>(m, "Command", "What the vehicle should do until the next decision.\n")
-      .field("velocity", &Command::velocity, "desired, over ground [m/s, NED]")
-      .field("mode", &Command::mode, "a Mode, or its name")
-      .field("astern", &Command::astern, "the vehicle may go stern first rather than turn round")
-      .field("heading", &Command::heading, "desired yaw, where the method commands one [rad], or None")
-      .field("turn_rate", &Command::turn_rate,
-             "desired yaw rate, where the method commands one [rad/s, positive to starboard], or None")
-      .field("wrench", &Command::wrench,
-             "where the method commands forces: six numbers [N, N m, body], or None")
-      .field("note", &Command::note, "why, in a few words for people; not one that changes with every step")
+      .members()
       .finish();
 }
 

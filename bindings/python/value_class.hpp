@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <functional>
+#include <initializer_list>
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "bindings/python/values.hpp"
+#include "fairway/core/record.hpp"
 
 namespace fairway::python {
 
@@ -25,19 +27,32 @@ class ValueClass {
 
   /// What the constructor takes by this name, and the attribute.
   template <class V>
-  ValueClass& field(const char* name, V T::*member, const char* doc, Presence presence = Presence::optional) {
+  ValueClass& field(const std::string& name, V T::*member, std::string_view meaning,
+                    Presence presence = Presence::optional) {
+    const std::string doc{meaning};
     attributes_->push_back({name, presence == Presence::required,
                             [member](T& target, py::handle given, const std::string& path) {
                               target.*member = Read<V>::from(given, path);
                             },
                             [member](const T& value, py::handle self) { return show(value.*member, self); }});
     class_.def_property_readonly(
-        name, [member](const py::object& self) { return show(self.cast<const T&>().*member, self); }, doc);
-    doc_ += std::string("\n") + name + ": " + doc + (presence == Presence::required ? " (required)" : "");
+        name.c_str(), [member](const py::object& self) { return show(self.cast<const T&>().*member, self); },
+        doc.c_str());
+    doc_ += "\n" + name + ": " + doc + (presence == Presence::required ? " (required)" : "");
+    return *this;
+  }
+  /// All members of a record; those named have to be given.
+  ValueClass& members(std::initializer_list<std::string_view> required = {})
+    requires RecordType<T>
+  {
+    for_each_member<T>([&](const auto& m) {
+      const bool is_required = std::ranges::find(required, m.name) != required.end();
+      field(std::string(m.name), m.at, m.meaning, is_required ? Presence::required : Presence::optional);
+    });
     return *this;
   }
   template <class V>
-  ValueClass& required(const char* name, V T::*member, const char* doc) {
+  ValueClass& required(const std::string& name, V T::*member, std::string_view doc) {
     return field(name, member, doc, Presence::required);
   }
 
@@ -69,7 +84,7 @@ class ValueClass {
 
  private:
   struct Attribute {
-    const char* name;
+    std::string name;
     bool is_required;
     std::function<void(T&, py::handle, const std::string& path)> set;
     std::function<py::object(const T&, py::handle self)> get;
@@ -93,12 +108,12 @@ class ValueClass {
       throw InputError(name + ": expected at most " + std::to_string(attributes.size()) + " values");
     py::dict given{**kwargs};
     for (std::size_t i = 0; i < args.size(); ++i) {
-      if (given.contains(attributes[i].name))
+      if (given.contains(attributes[i].name.c_str()))
         throw InputError(name + "." + attributes[i].name + ": given twice");
-      given[attributes[i].name] = args[i];
+      given[attributes[i].name.c_str()] = args[i];
     }
     for (const Attribute& attribute : attributes) {
-      if (attribute.is_required && !given.contains(attribute.name))
+      if (attribute.is_required && !given.contains(attribute.name.c_str()))
         throw InputError(name + ": " + attribute.name + " is missing");
     }
     return given;
@@ -106,7 +121,8 @@ class ValueClass {
 
   static py::dict everything(const Attributes& attributes, const py::object& self) {
     py::dict all;
-    for (const Attribute& attribute : attributes) all[attribute.name] = self.attr(attribute.name);
+    for (const Attribute& attribute : attributes)
+      all[attribute.name.c_str()] = self.attr(attribute.name.c_str());
     return all;
   }
 
@@ -131,7 +147,7 @@ class ValueClass {
     class_.def("__eq__", [attributes = attributes_](const py::object& self, const py::object& other) {
       if (!py::isinstance<T>(other)) return py::object(py::reinterpret_borrow<py::object>(Py_NotImplemented));
       const auto same = [&](const Attribute& attribute) {
-        return plain(self.attr(attribute.name)).equal(plain(other.attr(attribute.name)));
+        return plain(self.attr(attribute.name.c_str())).equal(plain(other.attr(attribute.name.c_str())));
       };
       return py::object(py::bool_(std::ranges::all_of(*attributes, same)));
     });
@@ -143,10 +159,9 @@ class ValueClass {
       const py::object usual = py::cast(T{});
       std::string text;
       for (const Attribute& attribute : *attributes) {
-        const py::object value = plain(self.attr(attribute.name));
-        if (value.equal(plain(usual.attr(attribute.name))) && !attribute.is_required) continue;
-        text += (text.empty() ? "" : ", ") + std::string(attribute.name) + "=" +
-                py::repr(value).cast<std::string>();
+        const py::object value = plain(self.attr(attribute.name.c_str()));
+        if (value.equal(plain(usual.attr(attribute.name.c_str()))) && !attribute.is_required) continue;
+        text += (text.empty() ? "" : ", ") + attribute.name + "=" + py::repr(value).cast<std::string>();
       }
       return name + "(" + text + ")";
     });

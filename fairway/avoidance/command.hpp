@@ -5,8 +5,10 @@
 #include <cstdint>
 #include <optional>
 #include <string_view>
+#include <tuple>
 
 #include "fairway/core/params.hpp"
+#include "fairway/core/record.hpp"
 #include "fairway/core/vec.hpp"
 #include "fairway/core/wrench.hpp"
 
@@ -27,21 +29,36 @@ struct EnumNames<Mode> {
 
 /// What the vehicle should do until the next decision.
 struct Command {
-  Vec3 velocity = Vec3::Zero();  ///< desired, over ground [m/s, NED]
+  Vec3 velocity = Vec3::Zero();
   Mode mode{Mode::cruise};
-  bool astern{false};             ///< the vehicle may go stern first rather than turn round
-  std::optional<double> heading;  ///< desired yaw, where the method commands one [rad]
+  bool astern{false};
+  std::optional<double> heading;
 
-  /// Desired yaw rate, where the method commands one; then the part of `velocity` along the present heading
-  /// is the surge it wants, astern if negative. [rad/s, positive to starboard]
+  /// With a turn rate the part of `velocity` along the present heading is the surge that is wanted, astern if
+  /// negative.
   std::optional<double> turn_rate;
 
-  /// Where the method commands forces: a vehicle that knows how its actuators push carries these out, any
-  /// other follows `velocity`, which is where the forces are meant to lead. [N, N m, body]
+  /// A vehicle that knows how its actuators push carries out the wrench; any other follows `velocity`, which
+  /// is where the forces are meant to lead.
   std::optional<Wrench> wrench;
 
-  /// Why, in a few words for people, where `mode` does not say it. Text that outlives the program's run.
-  std::string_view note;
+  std::string_view note;  ///< text that outlives the program's run
+
+  static consteval auto members() {
+    using R = Command;
+    return std::tuple{
+        member<&R::velocity>("mps", "desired, over ground [m/s, NED]"),
+        member<&R::mode>("", "why it is what it is"),
+        member<&R::astern>("", "the vehicle may go stern first rather than turn round"),
+        member<&R::heading>("rad", "desired yaw, where the method commands one [rad], or none"),
+        member<&R::turn_rate>(
+            "radps",
+            "desired yaw rate, where the method commands one [rad/s, positive to starboard], or none"),
+        member<&R::wrench>(
+            "", "X, Y, Z [N], K, M, N [N m] in body axes, where the method commands forces, or none"),
+        member<&R::note>("", "why, in a few words for people, where the mode does not say it"),
+    };
+  }
 
   friend bool operator==(const Command&, const Command&) = default;
 };

@@ -6,10 +6,12 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <tuple>
 
 #include "fairway/core/ids.hpp"
 #include "fairway/core/limits.hpp"
 #include "fairway/core/onboard_model.hpp"
+#include "fairway/core/record.hpp"
 #include "fairway/core/shapes.hpp"
 #include "fairway/core/vec.hpp"
 
@@ -18,34 +20,74 @@ namespace fairway {
 /// Own state as estimated on board. Never the simulator's truth.
 struct Ownship {
   VehicleId id{};
-  Vec3 position = Vec3::Zero();  ///< [m, NED]
-  Vec3 velocity = Vec3::Zero();  ///< over ground [m/s, NED]
-  double yaw{};                  ///< [rad], 0 north, positive to starboard
-  double yaw_rate{};             ///< [rad/s]
-  double radius{1.0};            ///< of the enclosing sphere [m]
-  std::int32_t priority{};       ///< the smaller number has the right of way
+  Vec3 position = Vec3::Zero();
+  Vec3 velocity = Vec3::Zero();
+  double yaw{};
+  double yaw_rate{};
+  double radius{1.0};
+  std::int32_t priority{};
+
+  static consteval auto members() {
+    using R = Ownship;
+    return std::tuple{
+        member<&R::id>("", "of the vehicle").required(),
+        member<&R::position>("m", "[m, NED]").required(),
+        member<&R::velocity>("mps", "over ground [m/s, NED]").required(),
+        member<&R::yaw>("rad", "[rad], 0 north, positive to starboard").required(),
+        member<&R::yaw_rate>("radps", "[rad/s]"),
+        member<&R::radius>("m", "of the enclosing sphere [m]").required().not_negative(),
+        member<&R::priority>("", "the smaller number has the right of way; the id unless given"),
+    };
+  }
 };
 
 /// Another vehicle, or anything else that moves, as perceived: possibly late, noisy, or no longer there.
 struct Track {
   TrackId id{};
-  Vec3 position = Vec3::Zero();     ///< extrapolated to the situation's time [m, NED]
-  Vec3 velocity = Vec3::Zero();     ///< over ground [m/s, NED]
-  double yaw{};                     ///< as reported [rad]
-  double radius{1.0};               ///< of the enclosing sphere [m]
-  double age{};                     ///< since the last measurement or message [s]
-  std::int32_t priority{};          ///< the smaller number has the right of way
-  std::optional<Vec3> destination;  ///< where it says it is going [m, NED]
-  bool reacts{true};                ///< false: it keeps its course whatever comes, as a drifting object does
-  Mat3 position_covariance = Mat3::Zero();  ///< of the error of `position` [m2, NED]
-  Mat3 velocity_covariance = Mat3::Zero();  ///< of the error of `velocity` [m2/s2, NED]
+  Vec3 position = Vec3::Zero();
+  Vec3 velocity = Vec3::Zero();
+  double yaw{};
+  double radius{1.0};
+  double age{};
+  std::int32_t priority{};
+  std::optional<Vec3> destination;
+  bool reacts{true};
+  Mat3 position_covariance = Mat3::Zero();
+  Mat3 velocity_covariance = Mat3::Zero();
+
+  static consteval auto members() {
+    using R = Track;
+    return std::tuple{
+        member<&R::id>("", "of the track").required(),
+        member<&R::position>("m", "extrapolated to the situation's time [m, NED]").required(),
+        member<&R::velocity>("mps", "over ground [m/s, NED]").required(),
+        member<&R::yaw>("rad", "as reported [rad]"),
+        member<&R::radius>("m", "of the enclosing sphere [m]").required().not_negative(),
+        member<&R::age>("s", "since the last measurement or message [s]").not_negative(),
+        member<&R::priority>("", "the smaller number has the right of way; the id unless given"),
+        member<&R::destination>("m", "where it says it is going [m, NED], or none"),
+        member<&R::reacts>("", "false: it keeps its course whatever comes, as a drifting object does"),
+        member<&R::position_covariance>("m2", "of the error of position, row by row [m2, NED]"),
+        member<&R::velocity_covariance>("m2ps2", "of the error of velocity, row by row [m2/s2, NED]"),
+    };
+  }
 };
 
 /// Where the mission wants to be, and how fast.
 struct Goal {
-  Vec3 position = Vec3::Zero();  ///< [m, NED]
-  double cruise_speed{};         ///< [m/s]
-  std::optional<Vec3> velocity;  ///< wanted instead of heading straight for the position [m/s, NED]
+  Vec3 position = Vec3::Zero();
+  double cruise_speed{};
+  std::optional<Vec3> velocity;
+
+  static consteval auto members() {
+    using R = Goal;
+    return std::tuple{
+        member<&R::position>("m", "[m, NED]").required(),
+        member<&R::cruise_speed>("mps", "[m/s]").not_negative(),
+        member<&R::velocity>("mps",
+                             "wanted instead of heading straight for the position [m/s, NED], or none"),
+    };
+  }
 };
 
 /// All that an avoider may know at one instant. Immutable; the spans are valid only during the call

@@ -8,7 +8,8 @@
 
 #include "fairway/core/error.hpp"
 #include "fairway/core/text.hpp"
-#include "fairway/record/perception_quantities.hpp"
+#include "fairway/record/quantities.hpp"
+#include "fairway/record/record_text.hpp"
 
 namespace fairway {
 
@@ -73,12 +74,12 @@ void export_csv(const Recording& recording, std::ostream& out) {
 void export_tracks_csv(const Recording& recording, std::ostream& out) {
   expect_perception(recording);
   std::string line = "tick,time_s,vehicle";
-  for (const TrackQuantity& quantity : track_quantities()) line.append(",").append(quantity.name);
+  for (const std::string& column : record_columns<Track>()) line.append(",").append(column);
   out << line << '\n';
   for_each_perceiver(recording, [&](const std::string& begin, const VehicleFrame& vehicle) {
     for (const Track& track : vehicle.tracks) {
       line = begin;
-      for (const TrackQuantity& quantity : track_quantities()) line.append(",").append(quantity.text(track));
+      for (const std::string& text : record_texts(track)) line.append(",").append(text);
       out << line << '\n';
     }
   });

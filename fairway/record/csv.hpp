@@ -18,7 +18,7 @@ inline constexpr FileKind recording_table{
 /// same bits; an empty field means there is no such value. O(rows).
 void export_csv(const Recording& recording, std::ostream& out);
 
-/// Likewise one row per track: tick, time_s, vehicle (who perceived it), those of track_quantities(). Nearest
+/// Likewise one row per track: tick, time_s, vehicle (who perceived it), record_columns<Track>(). Nearest
 /// first within a vehicle and frame. Throws InputError if perception is not recorded. O(rows).
 void export_tracks_csv(const Recording& recording, std::ostream& out);
 

@@ -3,6 +3,8 @@
 
 #include <bit>
 
+#include "fairway/record/record_cdr.hpp"
+
 namespace fairway {
 
 namespace {
@@ -23,17 +25,36 @@ class Hash {
   std::uint64_t value_{14695981039346656037ULL};
 };
 
-void add(Hash& hash, const Track& track) {
-  const auto& [id, position, velocity, yaw, radius, age, priority, destination, reacts, position_covariance,
-               velocity_covariance] = track;
-  hash.add(std::uint64_t{number(id)} | std::uint64_t{std::bit_cast<std::uint32_t>(priority)} << 32U);
-  hash.add(std::uint64_t{reacts} | std::uint64_t{destination.has_value()} << 1U);
-  hash.add(position);
-  hash.add(velocity);
-  for (const double value : {yaw, radius, age}) hash.add(value);
-  if (destination) hash.add(*destination);
-  hash.add(position_covariance);
-  hash.add(velocity_covariance);
+/// Small numbers two to a word, then all switches in one word, then the real numbers that are there.
+template <RecordType R>
+void add(Hash& hash, const R& record) {
+  std::uint64_t word = 0, switches = 0;
+  unsigned in_word = 0, switched = 0;
+  const auto add_small = [&](std::uint32_t value) {
+    word |= std::uint64_t{value} << 32U * in_word;
+    if (++in_word < 2) return;
+    hash.add(word);
+    word = in_word = 0;
+  };
+  for_each_member<R>([&]<class T>(const RecordMember<R, T>& m) {
+    if constexpr (detail::Discrete<T> && !std::same_as<T, bool>)
+      add_small(static_cast<std::uint32_t>(record.*m.at));
+  });
+  if (in_word > 0) hash.add(word);
+  for_each_member<R>([&]<class T>(const RecordMember<R, T>& m) {
+    if constexpr (std::same_as<T, bool>) switches |= std::uint64_t{record.*m.at} << switched++;
+  });
+  for_each_member<R>([&]<class T>(const RecordMember<R, T>& m) {
+    if constexpr (detail::is_optional<T>) switches |= std::uint64_t{(record.*m.at).has_value()} << switched++;
+  });
+  hash.add(switches);
+  for_each_member<R>([&]<class T>(const RecordMember<R, T>& m) {
+    if constexpr (detail::is_optional<T>) {
+      if (record.*m.at) hash.add(*(record.*m.at));
+    } else if constexpr (detail::Real<T>) {
+      hash.add(record.*m.at);
+    }
+  });
 }
 
 }  // namespace
@@ -43,22 +64,21 @@ std::uint64_t frame_hash(const Frame& frame) noexcept {
   hash.add(static_cast<std::uint64_t>(count(frame.tick)));
   hash.add(std::uint64_t{frame.vehicles.size()});
   for (const VehicleFrame& v : frame.vehicles) {
-    // what is discrete, in one word
-    const Command& command = v.command;
+    // what is discrete, in one word; a command's note is for people alone
+    const auto& [velocity, mode, astern, heading, turn_rate, wrench, note] = v.command;
     hash.add(std::uint64_t{number(v.id)} | static_cast<std::uint64_t>(v.phase) << 32U |
-             static_cast<std::uint64_t>(command.mode) << 40U | std::uint64_t{command.astern} << 48U |
-             std::uint64_t{command.heading.has_value()} << 56U |
-             std::uint64_t{command.wrench.has_value()} << 57U |
-             std::uint64_t{command.turn_rate.has_value()} << 58U);
+             static_cast<std::uint64_t>(mode) << 40U | std::uint64_t{astern} << 48U |
+             std::uint64_t{heading.has_value()} << 56U | std::uint64_t{wrench.has_value()} << 57U |
+             std::uint64_t{turn_rate.has_value()} << 58U);
 
     hash.add(v.state.p_n);
     hash.add(std::span{v.state.q_nb.coeffs().data(), 4});
     hash.add(v.state.v_b);
     hash.add(v.state.omega_b);
-    hash.add(command.velocity);
-    hash.add(std::bit_cast<std::uint64_t>(command.heading.value_or(0.0)));
-    if (command.turn_rate) hash.add(std::bit_cast<std::uint64_t>(*command.turn_rate));
-    if (command.wrench) hash.add(std::span{command.wrench->data(), 6});
+    hash.add(velocity);
+    hash.add(std::bit_cast<std::uint64_t>(heading.value_or(0.0)));
+    if (turn_rate) hash.add(std::bit_cast<std::uint64_t>(*turn_rate));
+    if (wrench) hash.add(std::span{wrench->data(), 6});
     hash.add(v.goal);
     hash.add(std::bit_cast<std::uint64_t>(v.goal_speed));
     hash.add(std::bit_cast<std::uint64_t>(v.power));

@@ -40,9 +40,9 @@ inline void skip_header(CdrReader& cdr) {
 
 /// Throws Malformed for a number that no enumerator has.
 template <class E>
-E enumerator(std::uint8_t value, const char* what) {
+E enumerator(std::uint8_t value, std::string_view what) {
   if (value >= EnumNames<E>::names.size()) {
-    damaged(std::string("a ") + what + " is " + std::to_string(value) + "; expected 0 to " +
+    damaged("a " + std::string(what) + " is " + std::to_string(value) + "; expected 0 to " +
             std::to_string(EnumNames<E>::names.size() - 1));
   }
   return static_cast<E>(value);

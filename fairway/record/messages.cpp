@@ -9,6 +9,7 @@
 #include "fairway/core/text.hpp"
 #include "fairway/record/cdr.hpp"
 #include "fairway/record/message_parts.hpp"
+#include "fairway/record/record_cdr.hpp"
 
 namespace fairway {
 
@@ -19,60 +20,11 @@ constexpr std::size_t covariance_size = 36;
 /// Of a point in an echoes' message: float32 x, y, z, 4 bytes unused, float64 range, bearing.
 constexpr std::uint32_t point_step = 32, range_offset = 16, bearing_offset = 24;
 
-// row by row, as ROS has it
-void put_covariance(CdrWriter& cdr, const Mat3& covariance) {
-  const Mat3 rows = covariance.transpose();
-  cdr.array({rows.data(), 9});
-}
-
-void get_covariance(CdrReader& cdr, Mat3& covariance) {
-  Mat3 rows;
-  cdr.array({rows.data(), 9});
-  covariance = rows.transpose();
-}
-
 void put_field(CdrWriter& cdr, std::string_view name, std::uint32_t offset, std::uint8_t datatype) {
   cdr.text(name);
   cdr.number(offset);
   cdr.number(datatype);
   cdr.number(std::uint32_t{1});
-}
-
-void put_track(CdrWriter& cdr, const Track& track) {
-  const auto& [id, position, velocity, yaw, radius, age, priority, destination, reacts, position_covariance,
-               velocity_covariance] = track;
-  cdr.number(number(id));
-  cdr.number(priority);
-  cdr.boolean(reacts);
-  cdr.boolean(destination.has_value());
-  cdr.array(values(position));
-  cdr.array(values(velocity));
-  cdr.number(yaw);
-  cdr.number(radius);
-  cdr.number(age);
-  const Vec3 place = destination.value_or(Vec3{Vec3::Zero()});
-  cdr.array(values(place));
-  put_covariance(cdr, position_covariance);
-  put_covariance(cdr, velocity_covariance);
-}
-
-Track get_track(CdrReader& cdr) {
-  Track track;
-  track.id = TrackId{cdr.number<std::uint32_t>()};
-  track.priority = cdr.number<std::int32_t>();
-  track.reacts = cdr.boolean();
-  const bool has_destination = cdr.boolean();
-  cdr.array(values(track.position));
-  cdr.array(values(track.velocity));
-  track.yaw = cdr.number<double>();
-  track.radius = cdr.number<double>();
-  track.age = cdr.number<double>();
-  Vec3 destination;
-  cdr.array(values(destination));
-  if (has_destination) track.destination = destination;
-  get_covariance(cdr, track.position_covariance);
-  get_covariance(cdr, track.velocity_covariance);
-  return track;
 }
 
 }  // namespace
@@ -112,16 +64,7 @@ void encode_status(Bytes& out, Stamp stamp, Tick tick, const VehicleFrame& vehic
   cdr.number(count(tick));
   cdr.number(number(vehicle.id));
   cdr.number(static_cast<std::uint8_t>(vehicle.phase));
-  cdr.number(static_cast<std::uint8_t>(vehicle.command.mode));
-  cdr.boolean(vehicle.command.astern);
-  cdr.boolean(vehicle.command.heading.has_value());
-  cdr.boolean(vehicle.command.turn_rate.has_value());
-  cdr.boolean(vehicle.command.wrench.has_value());
-  cdr.array(values(vehicle.command.velocity));
-  cdr.number(vehicle.command.heading.value_or(0.0));
-  cdr.number(vehicle.command.turn_rate.value_or(0.0));
-  const Wrench commanded = vehicle.command.wrench.value_or(Wrench{Wrench::Zero()});
-  cdr.array(values(commanded));
+  put_record(cdr, vehicle.command);
   cdr.array(values(vehicle.goal));
   cdr.number(vehicle.goal_speed);
   cdr.number(vehicle.power);
@@ -152,7 +95,7 @@ void encode_tracks(Bytes& out, Stamp stamp, std::span<const Track> tracks) {
   CdrWriter cdr{out};
   put_header(cdr, stamp);
   cdr.number(static_cast<std::uint32_t>(tracks.size()));
-  for (const Track& track : tracks) put_track(cdr, track);
+  for (const Track& track : tracks) put_record(cdr, track);
 }
 
 void encode_echoes(Bytes& out, Stamp stamp, std::string_view body_frame, std::span<const Echo> echoes) {
@@ -223,19 +166,7 @@ Tick decode_status(ByteView message, VehicleFrame& vehicle, std::vector<double>&
   const Tick tick{cdr.number<std::int64_t>()};
   vehicle.id = VehicleId{cdr.number<std::uint32_t>()};
   vehicle.phase = enumerator<Phase>(cdr.number<std::uint8_t>(), "phase");
-  vehicle.command.mode = enumerator<Mode>(cdr.number<std::uint8_t>(), "mode");
-  vehicle.command.astern = cdr.boolean();
-  const bool has_heading = cdr.boolean();
-  const bool has_turn_rate = cdr.boolean();
-  const bool has_wrench = cdr.boolean();
-  cdr.array(values(vehicle.command.velocity));
-  const auto heading = cdr.number<double>();
-  if (has_heading) vehicle.command.heading = heading;
-  const auto turn_rate = cdr.number<double>();
-  if (has_turn_rate) vehicle.command.turn_rate = turn_rate;
-  Wrench commanded;
-  cdr.array(values(commanded));
-  if (has_wrench) vehicle.command.wrench = commanded;
+  get_record(cdr, vehicle.command);
   cdr.array(values(vehicle.goal));
   vehicle.goal_speed = cdr.number<double>();
   vehicle.power = cdr.number<double>();
@@ -258,7 +189,7 @@ PerceptionMark decode_perception(ByteView message) {
 void decode_tracks(ByteView message, std::vector<Track>& tracks) {
   CdrReader cdr{message};
   skip_header(cdr);
-  for (auto left = cdr.number<std::uint32_t>(); left > 0; --left) tracks.push_back(get_track(cdr));
+  for (auto left = cdr.number<std::uint32_t>(); left > 0; --left) get_record(cdr, tracks.emplace_back());
   cdr.finish();
 }
 

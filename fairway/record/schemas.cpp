@@ -7,7 +7,9 @@
 
 #include "fairway/avoidance/command.hpp"
 #include "fairway/avoidance/drawing.hpp"
+#include "fairway/avoidance/situation.hpp"
 #include "fairway/core/leg.hpp"
+#include "fairway/record/record_cdr.hpp"
 
 namespace fairway {
 
@@ -70,24 +72,6 @@ constexpr Definition point_field{"sensor_msgs/PointField",
                                  "uint32 offset\n"
                                  "uint8 datatype\n"
                                  "uint32 count\n"};
-constexpr Definition track{"fairway_msgs/Track",
-                           "uint32 id\n"
-                           "# the smaller number has the right of way\n"
-                           "int32 priority\n"
-                           "bool reacts\n"
-                           "# destination_m means something\n"
-                           "bool has_destination\n"
-                           "float64[3] position_m\n"
-                           "float64[3] velocity_mps\n"
-                           "float64 yaw_rad\n"
-                           "float64 radius_m\n"
-                           "# since the last measurement or message\n"
-                           "float64 age_s\n"
-                           "float64[3] destination_m\n"
-                           "# row by row\n"
-                           "float64[9] position_covariance_m2\n"
-                           "float64[9] velocity_covariance_m2ps2\n"};
-
 constexpr Definition flight{"fairway_msgs/MessageFlight",
                             "# indices of vehicles\n"
                             "uint32 from_index\n"
@@ -162,21 +146,8 @@ MessageSchema vehicle_status_schema() {
                    "std_msgs/Header header\n"
                    "int64 tick\n"
                    "uint32 id\n"
-                   "uint8 phase\n"
-                   "uint8 mode\n"
-                   "# may go stern first\n"
-                   "bool astern\n"
-                   "# command_heading_rad means something\n"
-                   "bool has_heading\n"
-                   "# command_turn_rate_radps means something\n"
-                   "bool has_turn_rate\n"
-                   "# command_wrench means something\n"
-                   "bool has_wrench\n"
-                   "float64[3] command_velocity_mps\n"
-                   "float64 command_heading_rad\n"
-                   "float64 command_turn_rate_radps\n"
-                   "# X, Y, Z [N], K, M, N [N m] in body axes\n"
-                   "float64[6] command_wrench\n"
+                   "uint8 phase\n" +
+                   record_definition<Command>("command_") +
                    "# of the present leg\n"
                    "float64[3] goal_m\n"
                    "float64 goal_speed_mps\n"
@@ -203,12 +174,13 @@ MessageSchema frame_schema() {
 }
 
 MessageSchema tracks_schema() {
+  const std::string track = record_definition<Track>();
   return {"fairway_msgs/msg/Tracks",
           with("# The others, as a vehicle perceived them when it last decided: nearest first. Axes are\n"
                "# north, east, down. Written when it changes; until then it stays as it is.\n"
                "std_msgs/Header header\n"
                "fairway_msgs/Track[] tracks\n",
-               {header, time, track})};
+               {header, time, {"fairway_msgs/Track", track}})};
 }
 
 MessageSchema echoes_schema() {

@@ -75,29 +75,34 @@ void append_number(double value, std::string& out) {
   out.append(digits.data(), end);
 }
 
-void append_answer(const Command& command, bool planar, std::string& out) {
-  out += "{\"velocity\":[";
-  append_number(command.velocity.x(), out);
-  out += ',';
-  append_number(command.velocity.y(), out);
-  out += ',';
-  append_number(planar ? 0.0 : command.velocity.z(), out);
-  out += "],\"mode\":\"";
-  out += EnumNames<Mode>::names.at(static_cast<std::size_t>(command.mode));
-  out += '"';
-  if (command.turn_rate) {
-    out += ",\"turn_rate\":";
-    append_number(*command.turn_rate, out);
+void append_value(double value, std::string& out) { append_number(value, out); }
+void append_value(bool value, std::string& out) { out += value ? "true" : "false"; }
+void append_value(Mode mode, std::string& out) { out.append("\"").append(enum_name(mode)).append("\""); }
+void append_value(std::string_view text, std::string& out) { out += nlohmann::json(text).dump(); }
+template <int Rows>
+void append_value(const Eigen::Matrix<double, Rows, 1>& values, std::string& out) {
+  for (Eigen::Index i = 0; i < Rows; ++i) {
+    out += i == 0 ? '[' : ',';
+    append_number(values[i], out);
   }
-  if (command.wrench) {
-    out += ",\"wrench\":[";
-    for (Eigen::Index axis = 0; axis < 6; ++axis) {
-      if (axis > 0) out += ',';
-      append_number((*command.wrench)[axis], out);
-    }
-    out += ']';
-  }
-  if (!command.note.empty()) out += ",\"note\":" + nlohmann::json(command.note).dump();
+  out += ']';
+}
+template <class T>
+void append_value(const std::optional<T>& value, std::string& out) {
+  append_value(*value, out);
+}
+
+/// Velocity and mode always; of the rest what is not as usual.
+void append_answer(Command command, bool planar, std::string& out) {
+  static const Command usual;
+  if (planar) command.velocity.z() = 0.0;
+  const std::size_t begin = out.size();
+  for_each_member<Command>([&](const auto& m) {
+    const bool always = m.name == "velocity" || m.name == "mode";
+    if (!always && command.*m.at == usual.*m.at) return;
+    out.append(out.size() == begin ? "{\"" : ",\"").append(m.name).append("\":");
+    append_value(command.*m.at, out);
+  });
   out += "}\n";
 }
 

@@ -112,7 +112,7 @@ void JsonAt::refuse(std::string_view message) const {
   refuse_line(line_, where.empty() ? std::string(message) : fmt::format("{}: {}", where, message));
 }
 
-void JsonAt::expect_keys(std::initializer_list<std::string_view> known) const {
+void JsonAt::expect_keys(std::span<const std::string_view> known) const {
   if (value_->kind != Json::Kind::object) refuse("expected an object");
   for (const std::string& key : value_->keys) {
     if (std::ranges::find(known, key) != known.end()) continue;

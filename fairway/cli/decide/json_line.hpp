@@ -3,6 +3,7 @@
 
 #include <initializer_list>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -35,7 +36,10 @@ class JsonAt {
   JsonAt(const Json& value, std::size_t line) : value_{&value}, line_{line} {}
 
   /// Throws unless this is an object with no other keys than these.
-  void expect_keys(std::initializer_list<std::string_view> known) const;
+  void expect_keys(std::span<const std::string_view> known) const;
+  void expect_keys(std::initializer_list<std::string_view> known) const {
+    expect_keys(std::span{known.begin(), known.size()});
+  }
 
   /// The value of an object's key; throws if it is missing.
   JsonAt at(std::string_view key) const;

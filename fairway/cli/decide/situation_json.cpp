@@ -15,60 +15,6 @@
 namespace fairway {
 namespace {
 
-std::uint32_t read_id(const JsonAt& at) {
-  return static_cast<std::uint32_t>(at.whole(0, std::numeric_limits<std::uint32_t>::max()));
-}
-
-/// The smaller number has the right of way; without one, the id decides.
-std::int32_t read_priority(const JsonAt& object, std::uint32_t id) {
-  const std::optional<JsonAt> given = object.find("priority");
-  if (!given) return static_cast<std::int32_t>(id);
-  return static_cast<std::int32_t>(
-      given->whole(std::numeric_limits<std::int32_t>::min(), std::numeric_limits<std::int32_t>::max()));
-}
-
-Ownship read_own(const JsonAt& at) {
-  at.expect_keys({"id", "position", "velocity", "yaw", "yaw_rate", "radius", "priority"});
-  const std::uint32_t id = read_id(at.at("id"));
-  const std::optional<JsonAt> yaw_rate = at.find("yaw_rate");
-  return {.id = VehicleId{id},
-          .position = at.at("position").vector(),
-          .velocity = at.at("velocity").vector(),
-          .yaw = at.at("yaw").number(),
-          .yaw_rate = yaw_rate ? yaw_rate->number() : 0.0,
-          .radius = at.at("radius").not_negative(),
-          .priority = read_priority(at, id)};
-}
-
-Limits read_limits(const JsonAt& at) {
-  at.expect_keys({"max_speed", "max_climb_rate", "max_acceleration", "max_turn_rate", "min_depth",
-                  "max_depth", "min_speed", "sternway", "sway"});
-  Limits limits{.max_speed = at.at("max_speed").not_negative()};
-  if (const auto given = at.find("max_climb_rate")) limits.max_climb_rate = given->not_negative();
-  if (const auto given = at.find("max_acceleration")) limits.max_acceleration = given->not_negative();
-  if (const auto given = at.find("max_turn_rate")) limits.max_turn_rate = given->not_negative();
-  if (const auto given = at.find("min_depth")) limits.min_depth = given->number();
-  if (const auto given = at.find("max_depth")) limits.max_depth = given->number();
-  if (const auto given = at.find("min_speed")) limits.min_speed = given->not_negative();
-  if (const auto given = at.find("sternway")) limits.sternway = given->flag();
-  if (const auto given = at.find("sway")) limits.sway = given->flag();
-  if (limits.min_depth > limits.max_depth) at.refuse("min_depth is below max_depth; depth counts downwards");
-  return limits;
-}
-
-Goal read_goal(const JsonAt& line, const Limits& limits) {
-  const JsonAt at = line.at("goal");
-  at.expect_keys({"position", "cruise_speed", "speed"});
-  Goal goal{.position = at.at("position").vector(), .cruise_speed = limits.max_speed};
-  const std::optional<JsonAt> cruise_speed = at.find("cruise_speed");
-  const std::optional<JsonAt> speed = at.find("speed");
-  if (cruise_speed && speed) at.refuse("cruise_speed and speed are the same; keep one");
-  if (cruise_speed) goal.cruise_speed = cruise_speed->not_negative();
-  if (speed) goal.cruise_speed = speed->not_negative();
-  if (const auto preferred = line.find("preferred_velocity")) goal.velocity = preferred->vector();
-  return goal;
-}
-
 Mat3 read_covariance(const JsonAt& at) {
   if (at.size() != 3) at.refuse("expected three rows of three numbers");
   Mat3 covariance;
@@ -82,21 +28,66 @@ Mat3 read_covariance(const JsonAt& at) {
   return covariance;
 }
 
-Track read_track(const JsonAt& at) {
-  at.expect_keys({"id", "position", "velocity", "radius", "yaw", "age", "priority", "destination", "reacts",
-                  "position_covariance"});
-  const std::uint32_t id = read_id(at.at("id"));
-  Track track{.id = TrackId{id},
-              .position = at.at("position").vector(),
-              .velocity = at.at("velocity").vector(),
-              .radius = at.at("radius").not_negative(),
-              .priority = read_priority(at, id)};
-  if (const auto yaw = at.find("yaw")) track.yaw = yaw->number();
-  if (const auto age = at.find("age")) track.age = age->not_negative();
-  if (const auto destination = at.find("destination")) track.destination = destination->vector();
-  if (const auto reacts = at.find("reacts")) track.reacts = reacts->flag();
-  if (const auto given = at.find("position_covariance")) track.position_covariance = read_covariance(*given);
-  return track;
+template <class T>
+void read_value(const JsonAt& at, double least, T& value) {
+  if constexpr (std::same_as<T, double>) {
+    value = least == 0.0 ? at.not_negative() : at.number();
+  } else if constexpr (std::same_as<T, bool>) {
+    value = at.flag();
+  } else if constexpr (std::same_as<T, std::int32_t> || std::is_enum_v<T>) {
+    using Whole = std::conditional_t<std::is_enum_v<T>, std::uint32_t, std::int32_t>;
+    using Bounds = std::numeric_limits<Whole>;
+    value = static_cast<T>(static_cast<Whole>(at.whole(Bounds::min(), Bounds::max())));
+  } else if constexpr (std::same_as<T, Mat3>) {
+    value = read_covariance(at);
+  } else {
+    value = at.vector();
+  }
+}
+
+/// A record's members by their names, and nothing else but `others`.
+template <RecordType R>
+R read_record(const JsonAt& at, std::initializer_list<std::string_view> others = {}) {
+  std::vector<std::string_view> known{others};
+  for_each_member<R>([&](const auto& m) { known.push_back(m.name); });
+  at.expect_keys(known);
+
+  R record;
+  for_each_member<R>([&](const auto& m) {
+    if (const std::optional<JsonAt> given = m.is_required ? at.at(m.name) : at.find(m.name))
+      read_value(*given, m.least, record.*m.at);
+  });
+  return record;
+}
+
+/// One that may have no priority: then the id decides who has the right of way.
+template <RecordType R>
+R read_ranked(const JsonAt& at) {
+  auto record = read_record<R>(at);
+  if (!at.find("priority")) record.priority = static_cast<std::int32_t>(number(record.id));
+  return record;
+}
+
+Limits read_limits(const JsonAt& at) {
+  const auto limits = read_record<Limits>(at);
+  if (limits.min_depth > limits.max_depth) at.refuse("min_depth is below max_depth; depth counts downwards");
+  return limits;
+}
+
+Goal read_goal(const JsonAt& line, const Limits& limits) {
+  const JsonAt at = line.at("goal");
+  Goal goal = read_record<Goal>(at, {"speed"});
+  const std::optional<JsonAt> speed = at.find("speed");
+  if (at.find("cruise_speed")) {
+    if (speed) at.refuse("cruise_speed and speed are the same; keep one");
+  } else {
+    goal.cruise_speed = speed ? speed->not_negative() : limits.max_speed;
+  }
+  if (const auto preferred = line.find("preferred_velocity")) {
+    if (at.find("velocity")) at.refuse("velocity and preferred_velocity are the same; keep one");
+    goal.velocity = preferred->vector();
+  }
+  return goal;
 }
 
 std::vector<Track> read_tracks(const JsonAt& at, const Ownship& own) {
@@ -104,7 +95,7 @@ std::vector<Track> read_tracks(const JsonAt& at, const Ownship& own) {
   std::vector<std::pair<std::uint32_t, std::size_t>> ids;
   tracks.reserve(at.size());
   for (std::size_t i = 0; i < at.size(); ++i) {
-    tracks.push_back(read_track(at.item(i)));
+    tracks.push_back(read_ranked<Track>(at.item(i)));
     ids.emplace_back(number(tracks.back().id), i);
     if (ids.back().first == number(own.id))
       at.item(i).refuse(fmt::format("id {} is own.id", ids.back().first));
@@ -192,7 +183,7 @@ DecideRequest parse_situation(std::string_view text, std::size_t line) {
   const JsonAt period = at.at("period");
   s.period = period.number();
   if (!(s.period > 0.0)) period.refuse("expected a number above 0");
-  s.own = read_own(at.at("own"));
+  s.own = read_ranked<Ownship>(at.at("own"));
   s.limits = read_limits(at.at("limits"));
   s.goal = read_goal(at, s.limits);
   if (const auto tracks = at.find("tracks")) request.tracks = read_tracks(*tracks, s.own);

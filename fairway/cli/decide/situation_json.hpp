@@ -44,9 +44,9 @@ struct DecideRequest {
 /// in SI units and radians. May be left out: time (0), tracks, obstacles, params, preferred_velocity;
 /// own.priority (the id); goal.cruise_speed or goal.speed (limits.max_speed); of the limits all but
 /// max_speed; a track's yaw, age (0), priority (its id), destination, reacts (true) and
-/// position_covariance (zero), of three rows. Throws InputError naming `line` and the path for anything
-/// else: unknown or missing keys, wrong types and lengths, numbers that are not finite, negative lengths,
-/// matrices that are no covariance, two tracks of one id, polygons that run clockwise.
+/// position_covariance and velocity_covariance (zero), of three rows. Throws InputError naming `line` and the
+/// path for anything else: unknown or missing keys, wrong types and lengths, numbers that are not finite,
+/// negative lengths, matrices that are no covariance, two tracks of one id, polygons that run clockwise.
 DecideRequest parse_situation(std::string_view text, std::size_t line);
 
 }  // namespace fairway

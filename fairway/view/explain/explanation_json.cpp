@@ -41,19 +41,32 @@ json sections_json(const Explanation& explanation, Round&& round) {
   return sections;
 }
 
-json command_json(const Command& command) {
-  json wrench;
-  if (command.wrench) {
-    wrench = {{"force_n", exact(Vec3(command.wrench->head<3>()))},
-              {"moment_nm", exact(Vec3(command.wrench->tail<3>()))}};
+template <class T>
+json member_json(const T& value) {
+  if constexpr (std::same_as<T, Wrench>) {
+    return {{"force_n", exact(Vec3(value.template head<3>()))},
+            {"moment_nm", exact(Vec3(value.template tail<3>()))}};
+  } else if constexpr (std::same_as<T, VehicleId> || std::same_as<T, TrackId>) {
+    return number(value);
+  } else if constexpr (std::is_enum_v<T>) {
+    return enum_name(value);
+  } else if constexpr (std::integral<T> || std::same_as<T, std::string_view>) {
+    return value;
+  } else {
+    return exact(value);
   }
-  return {{"velocity_mps", exact(command.velocity)},
-          {"mode", enum_name(command.mode)},
-          {"astern", command.astern},
-          {"heading_rad", exact(command.heading)},
-          {"turn_rate_radps", exact(command.turn_rate)},
-          {"wrench", std::move(wrench)},
-          {"note", command.note}};
+}
+template <class T>
+json member_json(const std::optional<T>& value) {
+  return value ? member_json(*value) : json();
+}
+
+/// All members of a record, by their names with units.
+template <RecordType R>
+json record_json(const R& record) {
+  json all;
+  for_each_member<R>([&](const auto& m) { all[m.name_with_unit()] = member_json(record.*m.at); });
+  return all;
 }
 
 json approach_json(const ClosestApproach& approach) {
@@ -61,27 +74,18 @@ json approach_json(const ClosestApproach& approach) {
 }
 
 json neighbour_json(const Scenario& scenario, const NeighbourFacts& n) {
-  return {{"id", number(n.track.id)},
-          {"name", track_name(scenario, n.track.id)},
-          {"position_m", exact(n.track.position)},
-          {"velocity_mps", exact(n.track.velocity)},
-          {"yaw_rad", exact(n.track.yaw)},
-          {"radius_m", exact(n.track.radius)},
-          {"age_s", exact(n.track.age)},
-          {"priority", n.track.priority},
-          {"destination_m", n.track.destination ? exact(*n.track.destination) : json()},
-          {"reacts", n.track.reacts},
-          {"position_covariance_m2", exact(n.track.position_covariance)},
-          {"velocity_covariance_m2ps2", exact(n.track.velocity_covariance)},
-          {"range_m", exact(n.range)},
-          {"bearing_rad", exact(n.bearing)},
-          {"deeper_m", exact(n.below)},
-          {"closing_mps", exact(n.closing)},
-          {"radii_m", exact(n.radii)},
-          {"closest_approach", approach_json(n.at_present)},
-          {"closest_approach_preferred", approach_json(n.preferred)},
-          {"closest_approach_commanded", approach_json(n.commanded)},
-          {"right_of_way", enum_name(n.precedence)}};
+  json neighbour = record_json(n.track);
+  neighbour.update({{"name", track_name(scenario, n.track.id)},
+                    {"range_m", exact(n.range)},
+                    {"bearing_rad", exact(n.bearing)},
+                    {"deeper_m", exact(n.below)},
+                    {"closing_mps", exact(n.closing)},
+                    {"radii_m", exact(n.radii)},
+                    {"closest_approach", approach_json(n.at_present)},
+                    {"closest_approach_preferred", approach_json(n.preferred)},
+                    {"closest_approach_commanded", approach_json(n.commanded)},
+                    {"right_of_way", enum_name(n.precedence)}});
+  return neighbour;
 }
 
 json obstacle_json(const ObstacleFacts& o) {
@@ -89,24 +93,6 @@ json obstacle_json(const ObstacleFacts& o) {
           {"nearest_m", exact(o.nearest)},
           {"distance_m", exact(o.distance)},
           {"bearing_rad", exact(o.bearing)}};
-}
-
-json own_json(const Ownship& own) {
-  return {{"position_m", exact(own.position)}, {"velocity_mps", exact(own.velocity)},
-          {"yaw_rad", exact(own.yaw)},         {"yaw_rate_radps", exact(own.yaw_rate)},
-          {"radius_m", exact(own.radius)},     {"priority", own.priority}};
-}
-
-json limits_json(const Limits& limits) {
-  return {{"max_speed_mps", exact(limits.max_speed)},
-          {"max_climb_rate_mps", exact(limits.max_climb_rate)},
-          {"max_acceleration_mps2", exact(limits.max_acceleration)},
-          {"max_turn_rate_radps", exact(limits.max_turn_rate)},
-          {"min_depth_m", exact(limits.min_depth)},
-          {"max_depth_m", exact(limits.max_depth)},
-          {"min_speed_mps", exact(limits.min_speed)},
-          {"sternway", limits.sternway},
-          {"sway", limits.sway}};
 }
 
 json stroke_json(const Stroke& stroke, const Vec3& preferred, const Vec3& commanded) {
@@ -134,6 +120,8 @@ json decision_json(const Scenario& scenario, const KeptDecision& decision) {
   const Situation& s = decision.situation();
   const Command& command = decision.command();
   const DecisionFacts facts = facts_of(s, command);
+  json goal = record_json(s.goal);
+  goal.update({{"distance_m", exact(facts.goal_distance)}, {"bearing_rad", exact(facts.goal_bearing)}});
   json neighbours = json::array();
   for (const NeighbourFacts& n : facts.neighbours) neighbours.push_back(neighbour_json(scenario, n));
   json obstacles = json::array();
@@ -145,15 +133,11 @@ json decision_json(const Scenario& scenario, const KeptDecision& decision) {
   return {{"tick", count(decision.tick)},
           {"time_s", exact(s.time)},
           {"period_s", exact(s.period)},
-          {"own", own_json(s.own)},
-          {"goal",
-           {{"position_m", exact(s.goal.position)},
-            {"cruise_speed_mps", exact(s.goal.cruise_speed)},
-            {"distance_m", exact(facts.goal_distance)},
-            {"bearing_rad", exact(facts.goal_bearing)}}},
-          {"limits", limits_json(s.limits)},
+          {"own", record_json(s.own)},
+          {"goal", std::move(goal)},
+          {"limits", record_json(s.limits)},
           {"preferred_mps", exact(facts.preferred)},
-          {"command", command_json(command)},
+          {"command", record_json(command)},
           {"deviation",
            {{"size_mps", exact(facts.deviation.size)},
             {"faster_mps", exact(facts.deviation.speed)},
