@@ -70,7 +70,9 @@ class RegionWriter {
 
   /// Discs from `a` to `b` that cover the band between and round them, as far as it is in range.
   void add_edge(const Vec2& a, const Vec2& b) {
-    const Vec2 edge = b - a;
+    Vec2 edge = b - a;
+    constexpr double longest = 1e100;  // [m]: squares of more overflow
+    if (const double whole = edge.stableNorm(); whole > longest) edge *= longest / whole;
     const double squared_length = edge.squaredNorm();
     const double middle = squared_length > 0.0 ? -a.dot(edge) / squared_length : 0.0;
     const double squared_half = range_ * range_ - (a + middle * edge).squaredNorm();
