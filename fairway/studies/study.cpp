@@ -103,11 +103,11 @@ std::string rows_text(std::span<const StudyRow> rows) {
     const std::string interval = std::isfinite(row.low) && row.low < row.high
                                      ? fmt::format("[{:.1f}, {:.1f}]", row.low, row.high)
                                      : "";
-    text += fmt::format("{:<17} {:<22} {:<12} {:<25} {:>10} {:>10.1f} {:>21} {:>6} {:>9}  {}\n", row.cell,
-                        row.method, row.mode, row.quantity,
-                        row.published ? fmt::format("{:.1f}", *row.published) : "-", row.measured, interval,
-                        row.runs, deviation ? fmt::format("{:+.1f} %", 100 * *deviation) : "",
-                        name_of(row.verdict));
+    const std::string measured = std::isfinite(row.measured) ? fmt::format("{:.1f}", row.measured) : "-";
+    text += fmt::format(
+        "{:<17} {:<22} {:<12} {:<25} {:>10} {:>10} {:>21} {:>6} {:>9}  {}\n", row.cell, row.method, row.mode,
+        row.quantity, row.published ? fmt::format("{:.1f}", *row.published) : "-", measured, interval,
+        row.runs, deviation ? fmt::format("{:+.1f} %", 100 * *deviation) : "", name_of(row.verdict));
   }
   return text;
 }

@@ -103,7 +103,7 @@ TEST(HardSwitching, IntegratesTheErrorSinceTheSwitch) {
   EXPECT_NEAR((*avoider.decide(e).wrench)[0], 13.0 + 0.1 * 20.0, 1e-12);
 }
 
-TEST(HardSwitching, ReachesThePrintedGoalWithoutCoriolisTerms) {
+TEST(HardSwitching, ExampleRunReachesTheGoalWithoutCoriolisTerms) {
   const transport::Voyage run = transport::run(with(), course_of_500_s());
   EXPECT_NEAR(run.first[0], 130.0, 1e-9);       // printed 130
   EXPECT_NEAR(run.first[1], 130.0, 1e-9);       // printed 129

@@ -161,9 +161,11 @@ TEST(SurfaceStudy, WhereThePrintedTimesCanComeFromIsReadFromTheNumbers) {
   // 25 m at 0.4 m/s are 62.5 s, within 15 % of 71, 64 and 70 s; at 1 m/s 25 s, within 15 % of 25, 27 and 22 s
   const std::vector<std::string> straight = scale_findings(made_up_scales(1.0, -2.0));
   EXPECT_EQ(said(straight,
-                 "At 25 m the three printed times come out within 15 %, nothing touched, under limits of: "
+                 "At 25 m the three printed times come out within 15 % under limits of: "
                  "TEB 0.4 m/s; AVOA 1 m/s."),
             1);
+  // 22 s at 1.5 m/s and 1 m are 34 m, in 70 s
+  EXPECT_EQ(said(straight, "diagonal 34.0 m and 0.49 m/s"), 1);
   EXPECT_EQ(said(straight, "in B and in C: so at 24 of 24 lengths"), 1);
   EXPECT_EQ(said(scale_findings(made_up_scales(1.0, 2.0)), "in B and in C: so at 0 of 24 lengths"), 1);
   const std::vector<std::string> nobody = scale_findings(made_up_scales(std::nan(""), std::nan("")));
