@@ -37,6 +37,8 @@ bool Trail::see(double time, const Vec3& position, double step, double window) n
     places_[present_].seen = time;
     return false;
   }
+  const bool is_brisk = !(time - entered_ > window) || std::isinf(entered_);
+  entered_ = time;
   const auto known = std::ranges::find_if(places_, is_in);
   if (known != places_.end()) {
     known->seen = time;
@@ -45,8 +47,8 @@ bool Trail::see(double time, const Vec3& position, double step, double window) n
   }
   present_ = newest_ = (newest_ + 1) % most_places;
   places_[present_] = {position, time};
-  since_ = time;
-  return true;
+  if (is_brisk) since_ = time;
+  return is_brisk;
 }
 
 void ProgressWatch::see(double time, const Vec3& position, const Goal& goal, bool under_way) noexcept {
@@ -58,11 +60,15 @@ void ProgressWatch::see(double time, const Vec3& position, const Goal& goal, boo
 
   // another goal is no progress, but what is nearest to it begins anew
   const double distance = (goal.position - position).norm();
-  if (sets_out || goal.position != goal_) least_distance_ = distance;
-  goal_ = goal.position;
   const bool is_nearer = distance <= least_distance_ - step_;
-  if (is_nearer) least_distance_ = distance;
-  if (is_new_place || is_nearer || sets_out || !under_way_) last_progress_ = time;
+  const bool is_brisk = time - nearer_at_ <= window_;
+  if (sets_out || is_nearer || goal.position != goal_) {
+    least_distance_ = distance;
+    nearer_at_ = time;
+  }
+  const bool is_gain = is_nearer && is_brisk && goal.position == goal_;
+  goal_ = goal.position;
+  if (is_new_place || is_gain || sets_out || !under_way_) last_progress_ = time;
 }
 
 double ProgressWatch::reach() const noexcept { return near_share / least_share * step_; }
