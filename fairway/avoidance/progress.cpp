@@ -35,9 +35,11 @@ bool Trail::see(double time, const Vec3& position, double step, double window) n
   };
   if (is_in(places_[present_])) {
     places_[present_].seen = time;
+    if (time - entered_ <= window) return false;
+    places_[present_].position = position;  // what it crept in a window leads nowhere
+    entered_ = time;
     return false;
   }
-  const bool is_brisk = !(time - entered_ > window) || std::isinf(entered_);
   entered_ = time;
   const auto known = std::ranges::find_if(places_, is_in);
   if (known != places_.end()) {
@@ -47,8 +49,8 @@ bool Trail::see(double time, const Vec3& position, double step, double window) n
   }
   present_ = newest_ = (newest_ + 1) % most_places;
   places_[present_] = {position, time};
-  if (is_brisk) since_ = time;
-  return is_brisk;
+  since_ = time;
+  return true;
 }
 
 void ProgressWatch::see(double time, const Vec3& position, const Goal& goal, bool under_way) noexcept {
@@ -60,15 +62,14 @@ void ProgressWatch::see(double time, const Vec3& position, const Goal& goal, boo
 
   // another goal is no progress, but what is nearest to it begins anew
   const double distance = (goal.position - position).norm();
-  const bool is_nearer = distance <= least_distance_ - step_;
-  const bool is_brisk = time - nearer_at_ <= window_;
-  if (sets_out || is_nearer || goal.position != goal_) {
-    least_distance_ = distance;
+  const bool begins = sets_out || goal.position != goal_;
+  const bool is_nearer = !begins && distance <= least_distance_ - step_;
+  goal_ = goal.position;
+  if (begins || is_nearer || time - nearer_at_ > window_) {
+    least_distance_ = begins ? distance : std::fmin(distance, least_distance_);
     nearer_at_ = time;
   }
-  const bool is_gain = is_nearer && is_brisk && goal.position == goal_;
-  goal_ = goal.position;
-  if (is_new_place || is_gain || sets_out || !under_way_) last_progress_ = time;
+  if (is_new_place || is_nearer || sets_out || !under_way_) last_progress_ = time;
 }
 
 double ProgressWatch::reach() const noexcept { return near_share / least_share * step_; }

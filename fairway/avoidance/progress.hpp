@@ -40,12 +40,11 @@ std::string_view note_of(Headway headway) noexcept;
 
 /// Where something has been of late. A place is a ball; it counts as new again to whoever has not been in it
 /// for one and a half windows, so that a way back out of a blind alley is progress, while going to and fro,
-/// or round and round, in less than that is none; nor is one to which it took longer than a window. Fixed
+/// or round and round, in less than that is none; nor is what it creeps, less than a place in a window. Fixed
 /// memory, O(1) while it stays in a ball or comes to a new one of the last 32.
 class Trail {
  public:
-  /// It is at `position` [m, NED] at `time` [s]; places have the radius `step` [m]. True if this one is new,
-  /// and it is the first or was the way there within a window.
+  /// It is at `position` [m, NED] at `time` [s]; places have the radius `step` [m]. True if this one is new.
   bool see(double time, const Vec3& position, double step, double window) noexcept;
 
   /// When it last came to a new place [s]; minus infinity before the first.
@@ -115,7 +114,7 @@ class ProgressWatch {
   double step_{1.0};  // [m]; that of the first goal is not known before it
   double last_progress_{};
   double least_distance_{};  // to the goal, that counted as progress [m]
-  double nearer_at_{};       // when it did
+  double nearer_at_{};       // when that was set
   Vec3 goal_ = Vec3::Zero();
   bool under_way_{false};
   Trail trail_;
