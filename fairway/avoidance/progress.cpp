@@ -35,8 +35,12 @@ bool Trail::see(double time, const Vec3& position, double step, double window) n
   };
   if (is_in(places_[present_])) {
     places_[present_].seen = time;
+    if (time - entered_ <= window) return false;
+    places_[present_].position = position;  // what it crept in a window leads nowhere
+    entered_ = time;
     return false;
   }
+  entered_ = time;
   const auto known = std::ranges::find_if(places_, is_in);
   if (known != places_.end()) {
     known->seen = time;
@@ -58,10 +62,13 @@ void ProgressWatch::see(double time, const Vec3& position, const Goal& goal, boo
 
   // another goal is no progress, but what is nearest to it begins anew
   const double distance = (goal.position - position).norm();
-  if (sets_out || goal.position != goal_) least_distance_ = distance;
+  const bool begins = sets_out || goal.position != goal_;
+  const bool is_nearer = !begins && distance <= least_distance_ - step_;
   goal_ = goal.position;
-  const bool is_nearer = distance <= least_distance_ - step_;
-  if (is_nearer) least_distance_ = distance;
+  if (begins || is_nearer || time - nearer_at_ > window_) {
+    least_distance_ = begins ? distance : std::fmin(distance, least_distance_);
+    nearer_at_ = time;
+  }
   if (is_new_place || is_nearer || sets_out || !under_way_) last_progress_ = time;
 }
 

@@ -40,8 +40,8 @@ std::string_view note_of(Headway headway) noexcept;
 
 /// Where something has been of late. A place is a ball; it counts as new again to whoever has not been in it
 /// for one and a half windows, so that a way back out of a blind alley is progress, while going to and fro,
-/// or round and round, in less than that is none. Fixed memory, O(1) while it stays in a ball or comes to a
-/// new one of the last 32.
+/// or round and round, in less than that is none; nor is what it creeps, less than a place in a window. Fixed
+/// memory, O(1) while it stays in a ball or comes to a new one of the last 32.
 class Trail {
  public:
   /// It is at `position` [m, NED] at `time` [s]; places have the radius `step` [m]. True if this one is new.
@@ -60,8 +60,9 @@ class Trail {
   static constexpr std::size_t most_places = 32;
 
   std::array<Place, most_places> places_;
-  std::size_t present_{};  // where it is
-  std::size_t newest_{};   // made last; the next one takes the place after it
+  std::size_t present_{};                                     // where it is
+  double entered_{-std::numeric_limits<double>::infinity()};  // since when
+  std::size_t newest_{};  // made last; the next one takes the place after it
   double since_{-std::numeric_limits<double>::infinity()};
 };
 
@@ -113,6 +114,7 @@ class ProgressWatch {
   double step_{1.0};  // [m]; that of the first goal is not known before it
   double last_progress_{};
   double least_distance_{};  // to the goal, that counted as progress [m]
+  double nearer_at_{};       // when that was set
   Vec3 goal_ = Vec3::Zero();
   bool under_way_{false};
   Trail trail_;

@@ -82,8 +82,7 @@ TEST(Progress, IsMadeByWhoeverIsFasterThanATenthOfItsCruisingSpeed) {
     EXPECT_FALSE(vehicle.worst) << speed;
   }
   Watched vehicle{[](double t) { return Vec3{0.04 * t, 0, 0}; }};
-  vehicle.at(600);
-  EXPECT_EQ(vehicle.worst, Headway::trapped);
+  for (double time = 31; time < 600; time += 1) EXPECT_EQ(vehicle.at(time).state, Headway::trapped) << time;
 }
 
 TEST(Progress, EndsWhereAVehicleStandsAndIsMissedAWindowLater) {

@@ -40,7 +40,7 @@ TEST(HelmInATeam, WhoStandsBeforeAMateThatStandsTooIsDeadlockedAndSaysSo) {
   const Fix stands{.time = 0.0, .state = {.p_n = {0, 0, 10}}};
   const auto update_until = [&](double until, double from, double mate_speed) {
     for (double now = from; now < until; now += h) {
-      Fix own = stands, mate = on_course(now - from, {6, 0, 10}, mate_speed);
+      Fix own = stands, mate = on_course(now - from, {3.5, 0, 10}, mate_speed);
       own.time = mate.time = now;
       helm.own_fix(own, now);
       helm.neighbour_fix(VehicleId{1}, mate, now);
@@ -54,8 +54,8 @@ TEST(HelmInATeam, WhoStandsBeforeAMateThatStandsTooIsDeadlockedAndSaysSo) {
   EXPECT_EQ(stuck.with, TrackId{1});
   EXPECT_EQ(stuck.last_progress, 0.0);
   EXPECT_EQ(helm.report(31.0).order.progress.state, Headway::deadlocked);
-  EXPECT_EQ(update_until(34.5, 31.0, 0.5).state, Headway::waiting) << "the mate moves on";
-  EXPECT_EQ(update_until(50.0, 34.5, 0.5).state, Headway::trapped) << "it has gone, and did not hinder";
+  EXPECT_EQ(update_until(35.0, 31.0, 0.5).state, Headway::waiting) << "the mate moves on";
+  EXPECT_EQ(update_until(50.0, 35.0, 0.5).state, Headway::trapped) << "it has gone, and did not hinder";
 
   helm.keep_position();
   EXPECT_EQ(helm.update(50.1).progress.state, Headway::holding);

@@ -160,6 +160,7 @@ Scenario random_scenario(std::uint64_t seed) {
     Expectation expected{.metric = named(rng) + std::to_string(i)};
     if (rng.index(2) == 0) expected.min = awkward(rng, -9, 0);
     if (rng.index(2) == 0) expected.max = awkward(rng, 0.5, 9);
+    if (expected.min > expected.max) std::swap(expected.min, expected.max);
     if (std::isinf(expected.min) && std::isinf(expected.max)) expected.min = expected.max = 0.25;
     made.expect.push_back(expected);
   }
