@@ -115,6 +115,9 @@ void bind_recordings(py::module_& m) {
           "divergence", [](const R& r) { return r.recording().divergence(); },
           "how the run broke behind the last frame, in a line; empty if it is whole")
       .def_property_readonly(
+          "stopped", [](const R& r) { return r.recording().stopped(); },
+          "the run was stopped before its end: what it would have come to is not recorded")
+      .def_property_readonly(
           "perception", [](const R& r) { return r.info().perception; }, "tracks are kept, too")
       .def_property_readonly(
           "sketches", [](const R& r) { return r.info().sketches; }, "drawings are kept, too")

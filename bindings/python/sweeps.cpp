@@ -135,7 +135,7 @@ void add_results(const py::handle& given, StoredResults& results) {
     const std::array<std::string, 1> file{path_of(py::reinterpret_borrow<py::object>(given))};
     more = read_stores(file);
   }
-  add_values(results.origin.order, more.origin.order);
+  add_questions(results, more.origin);
   std::ranges::move(more.records, std::back_inserter(results.records));
 }
 
@@ -164,7 +164,7 @@ InputError.)";
 constexpr const char* compare_doc =
     R"(Compares stored runs, paired by seed, with confidence intervals: the document of `fairway compare --json`. results:
 Results, the path of a results store, or a list of these. by: the label whose values are compared. baseline: the
-value that the others are compared with; the campaign's first without it. quantities: all without it. Raises InputError.)";
+value that the others are compared with; the campaign's first without it. quantities: without it those of the campaign; ["all"] for all. Raises InputError.)";
 
 }  // namespace
 
@@ -195,8 +195,7 @@ void bind_sweeps(py::module_& m) {
         if (!quantities.is_none())
           options.quantities = Read<std::vector<std::string>>::from(quantities, "quantities");
         const StoredResults all = results_of_all(results);
-        options.order = values_of(all.origin.order, by);
-        return shown(to_json(compare(all.records, options)));
+        return shown(to_json(compare(all.records, options_for(all.origin, options))));
       },
       py::arg("results"), py::arg("by") = "method", py::arg("baseline") = py::none(),
       py::arg("quantities") = py::none(), py::arg("confidence") = 0.95, compare_doc);

@@ -25,7 +25,8 @@ void add_compare(CLI::App& app, Program& program) {
   verb->add_option("--by", options->by, "label whose values are compared")->capture_default_str();
   verb->add_option("--baseline", options->baseline,
                    "value that the others are compared with; the first of the campaign if not given");
-  verb->add_option("--quantity", options->quantities, "quantities; all if none is named");
+  verb->add_option("--quantity", options->quantities,
+                   "quantities; those of the campaign if none is named, or `all`");
   verb->add_option("--confidence", options->confidence, "of each interval")
       ->capture_default_str()
       ->transform(finite_number(0.5, 0.9999));
@@ -38,8 +39,7 @@ void add_compare(CLI::App& app, Program& program) {
         write_csv(std::cout, results.records);
         return ok;
       }
-      options->order = values_of(results.origin.order, options->by);
-      const Comparison comparison = compare(results.records, *options);
+      const Comparison comparison = compare(results.records, options_for(results.origin, *options));
       std::cout << (*json ? to_json(comparison).dump(2) + "\n" : table_text(comparison));
       return ok;
     };

@@ -23,7 +23,8 @@ void add_report(CLI::App& app, Program& program) {
   verb->add_option("--by", options->by, "label whose values are compared")->capture_default_str();
   verb->add_option("--baseline", options->baseline,
                    "value that the others are compared with; the first of the campaign if not given");
-  verb->add_option("--quantity", options->quantities, "quantities; all if none is named");
+  verb->add_option("--quantity", options->quantities,
+                   "quantities; those of the campaign if none is named, or `all`");
   verb->add_flag("--json", *json, "print the page's document as JSON instead of writing the page");
   verb->callback([=, &program] {
     program.chosen = [=, &program] {

@@ -11,6 +11,7 @@
 #include "fairway/experiment/campaign.hpp"
 #include "fairway/experiment/compare.hpp"
 #include "fairway/experiment/measure_run.hpp"
+#include "fairway/experiment/stored_results.hpp"
 #include "fairway/sim/simulation.hpp"
 
 namespace fairway::cli {
@@ -48,9 +49,7 @@ int sweep(const SweepFlags& flags, const Outputs& outputs, const Program& progra
                              report.made);
     return interrupted;
   }
-  const Comparison comparison =
-      compare(records_of(campaign, store),
-              {.quantities = campaign.quantities, .order = values_of(origin_of(campaign).order, "method")});
+  const Comparison comparison = compare(records_of(campaign, store), options_for(origin_of(campaign), {}));
   if (flags.json) {
     std::cout << to_json(comparison).dump(2) << "\n";
   } else {

@@ -215,7 +215,7 @@ Campaign load_campaign(const std::string& file, const CheckScenario& check, unsi
 }
 
 Origin origin_of(const Campaign& campaign) {
-  Origin origin{.campaign = campaign.name, .summary = campaign.summary};
+  Origin origin{.campaign = campaign.name, .summary = campaign.summary, .quantities = campaign.quantities};
   for (const CampaignCell& cell : campaign.cells) add_values(origin.order, cell.labels);
   return origin;
 }

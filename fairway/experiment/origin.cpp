@@ -14,7 +14,10 @@ constexpr const char* campaign_row = "campaign";
 std::string campaign_text(const Origin& origin) {
   ordered_json order = ordered_json::object();
   for (const auto& [name, values] : origin.order) order[name] = values;
-  const ordered_json campaign{{"name", origin.campaign}, {"summary", origin.summary}, {"order", order}};
+  const ordered_json campaign{{"name", origin.campaign},
+                              {"summary", origin.summary},
+                              {"quantities", origin.quantities},
+                              {"order", order}};
   return campaign.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
 }
 
@@ -23,6 +26,8 @@ void read_campaign(const std::string& text, Origin& origin, const Database& data
     const ordered_json campaign = ordered_json::parse(text);
     origin.campaign = campaign.at("name").get<std::string>();
     origin.summary = campaign.at("summary").get<std::string>();
+    if (campaign.contains("quantities"))
+      origin.quantities = campaign["quantities"].get<std::vector<std::string>>();
     for (const auto& [name, values] : campaign.at("order").items())
       origin.order.emplace_back(name, values.get<std::vector<std::string>>());
   } catch (const ordered_json::exception&) {

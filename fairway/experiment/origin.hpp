@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "fairway/experiment/labels.hpp"
 #include "fairway/experiment/sqlite.hpp"
@@ -13,7 +14,8 @@ namespace fairway {
 struct Origin {
   std::string campaign{};  ///< its name
   std::string summary{};
-  LabelValues order{};  ///< of the campaign swept last, and behind it of those before
+  std::vector<std::string> quantities{};  ///< that the campaign asks about; empty: all
+  LabelValues order{};                    ///< of the campaign swept last, and behind it of those before
   std::string version{};
   std::string epoch{};
 };

@@ -220,10 +220,13 @@ TEST(StoreTest, RemembersTheCampaignAndItsOrder) {
     Store store = Store::open(folder.file("results.db"));
     EXPECT_EQ(store.origin().campaign, "");
     store.note({.campaign = "first", .summary = "what for", .order = {{"method", {"orca3d", "apf"}}}});
-    store.note({.campaign = "second", .order = {{"case", {"bay"}}, {"method", {"vo", "apf"}}}});
+    store.note({.campaign = "second",
+                .quantities = {"makespan_s"},
+                .order = {{"case", {"bay"}}, {"method", {"vo", "apf"}}}});
   }
   const Origin origin = Store::open_existing(folder.file("results.db")).origin();
   EXPECT_EQ(origin.campaign, "second");
+  EXPECT_EQ(origin.quantities, std::vector<std::string>{"makespan_s"});
   EXPECT_EQ(origin.version, fairway_version);
   EXPECT_EQ(origin.epoch, std::to_string(results_epoch));
   EXPECT_EQ(origin.order, (LabelValues{{"case", {"bay"}}, {"method", {"vo", "apf", "orca3d"}}}));
@@ -246,6 +249,21 @@ TEST(StoreTest, SeveralAreReadAsOne) {
   EXPECT_EQ(all.records.size(), 6U);
   EXPECT_EQ(all.origin.campaign, "tides, two");
   EXPECT_EQ(values_of(all.origin.order, "method"), std::vector<std::string>{"orca3d"});
+}
+
+TEST(StoreTest, TheCampaignSaysWhatIsAskedUnlessOneAsksOtherwise) {
+  const Origin origin{.quantities = {"makespan_s"}, .order = {{"method", {"vo", "apf"}}}};
+  EXPECT_EQ(options_for(origin, {}).quantities, std::vector<std::string>{"makespan_s"});
+  EXPECT_EQ(options_for(origin, {}).order, (std::vector<std::string>{"vo", "apf"}));
+  EXPECT_EQ(options_for(origin, {.quantities = {"energy_j"}}).quantities,
+            std::vector<std::string>{"energy_j"});
+  EXPECT_TRUE(options_for(origin, {.quantities = {"all"}}).quantities.empty());
+
+  StoredResults results{.origin = origin, .records = sample::records(1)};
+  add_questions(results, {.quantities = {"energy_j", "makespan_s"}});
+  EXPECT_EQ(results.origin.quantities, (std::vector<std::string>{"makespan_s", "energy_j"}));
+  add_questions(results, {});
+  EXPECT_TRUE(results.origin.quantities.empty());
 }
 
 TEST(StoreTest, AMeasureTakesLessThanThirtyBytes) {

@@ -29,11 +29,32 @@ StoredResults read_stores(std::span<const std::string> files) {
     join(results.origin.summary, summaries, origin.summary);
     join(results.origin.version, versions, origin.version);
     join(results.origin.epoch, epochs, origin.epoch);
-    add_values(results.origin.order, origin.order);
+    add_questions(results, origin);
     std::ranges::copy_if(store.all(), std::back_inserter(results.records),
                          [&](const RunRecord& record) { return keys.insert(record.spec.key).second; });
   }
   return results;
+}
+
+void add_questions(StoredResults& results, const Origin& more) {
+  add_values(results.origin.order, more.order);
+  std::vector<std::string>& asked = results.origin.quantities;
+  if (results.records.empty()) {
+    asked = more.quantities;
+  } else if (asked.empty() || more.quantities.empty()) {
+    asked.clear();
+  } else {
+    std::ranges::copy_if(more.quantities, std::back_inserter(asked), [&](const std::string& quantity) {
+      return std::ranges::find(asked, quantity) == asked.end();
+    });
+  }
+}
+
+CompareOptions options_for(const Origin& origin, CompareOptions options) {
+  if (options.order.empty()) options.order = values_of(origin.order, options.by);
+  if (options.quantities.empty()) options.quantities = origin.quantities;
+  if (options.quantities == std::vector<std::string>{"all"}) options.quantities.clear();
+  return options;
 }
 
 }  // namespace fairway

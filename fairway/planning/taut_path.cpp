@@ -55,6 +55,7 @@ std::vector<Vec2> taut_path(std::span<const Vec2> path, const PlanarMap& map) {
   std::vector<Vec2> best{path.begin(), path.end()};
   for (int round = 0; round < most_rounds && best.size() > 2; ++round) {
     const double length = length_of(best);
+    if (length == 0.0) break;
     const std::vector<Vec2> shorter =
         shortest_in_sight(densified(best, length / points_count), 1e-9 * length, map);
     const double gain = length - length_of(shorter);

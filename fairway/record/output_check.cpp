@@ -37,6 +37,7 @@ fs::path folder_of(const fs::path& path) {
 void check_place(const Output& output) {
   std::error_code none;
   const fs::path path{output.path};
+  if (output.path == "-") refuse(output, "does not go to standard output; expected a file to write");
   if (fs::is_directory(path, none)) refuse(output, "is a folder; expected a file to write");
   if (!path.has_filename()) refuse(output, "cannot be written: there is no such folder");
   const fs::path folder = folder_of(path);

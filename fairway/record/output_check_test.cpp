@@ -109,8 +109,9 @@ TEST_F(OutputCheckTest, PipesAndDevicesAreWrittenAndSocketsAreNot) {
   EXPECT_THAT(judged(file("socket"), true), HasSubstr("is neither a file nor a pipe"));
 }
 
-TEST_F(OutputCheckTest, ATableMayGoToStandardOutput) {
+TEST_F(OutputCheckTest, ATableMayGoToStandardOutputAndNothingElse) {
   EXPECT_EQ(judged("-"), "fine");
+  EXPECT_THAT(judged({{"--out", "-", page}}), HasSubstr("does not go to standard output"));
   write_file(file("foreign"), "thesis");
   EXPECT_TRUE(is_of_kind(file("notes"), notes));
   EXPECT_FALSE(is_of_kind(file("notes"), page));

@@ -159,7 +159,7 @@ json sections_of(const Comparison& comparison, const StoredResults& results, con
 
 json results_page(const StoredResults& results, CompareOptions options, const std::string& command) {
   if (results.records.empty()) throw InputError(results.origin.campaign + ": the store holds no runs");
-  if (options.order.empty()) options.order = values_of(results.origin.order, options.by);
+  options = options_for(results.origin, std::move(options));
   const Comparison comparison = compare(results.records, options);
   const CellRuns runs{results.records, comparison.by};
   return {{"title", results.origin.campaign},

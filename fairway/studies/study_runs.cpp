@@ -10,6 +10,7 @@
 #include "fairway/core/text.hpp"
 #include "fairway/experiment/digest.hpp"
 #include "fairway/experiment/executor.hpp"
+#include "fairway/sim/divergence.hpp"
 
 namespace fairway {
 namespace {
@@ -35,6 +36,13 @@ std::string command_under(const StudyOptions& options, const RunSpec& spec) {
   for (std::size_t i = 0; i < std::min(told, names.size()); ++i) some += (i > 0 ? ", " : "") + names[i];
   throw InputError(fmt::format("{} runs begin with \"{}\": {}{}", names.size(), called, some,
                                names.size() > told ? ", ..." : ""));
+}
+
+/// Of a study each run counts: one that failed ends it, as it would alone.
+[[noreturn]] void refuse_failure(const RunRecord& record) {
+  const std::string text = "run " + record.spec.key + " failed: " + record.failure;
+  if (record.failure.starts_with("diverged: ")) throw RunDiverged{text};
+  throw InputError(text);
 }
 
 }  // namespace
@@ -116,7 +124,7 @@ std::optional<std::vector<std::vector<Measure>>> make_runs(std::span<const Study
   for (RunRecord& record : store.all()) {
     const auto place = places.find(record.spec.key);
     if (place == places.end()) continue;
-    if (!record.failure.empty()) throw InputError("run " + record.spec.key + " failed: " + record.failure);
+    if (!record.failure.empty()) refuse_failure(record);
     measures[place->second] = std::move(record.measures);
   }
   return measures;

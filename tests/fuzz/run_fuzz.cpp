@@ -85,7 +85,8 @@ TEST(RunFuzzTest, EveryRunThatIsAcceptedIsWholeOrSaysThatItBroke) {
     ++diverged;
     std::cout << number << ": "
               << text_of(*simulation.divergence(), scenario->vehicles[simulation.divergence()->vehicle].name)
-              << "\n";
+              << "\n"
+              << yaml;
     EXPECT_LE(frames.seen, count(simulation.divergence()->tick));
     expect_no_result(*scenario, catalogs);
   }

@@ -11,7 +11,7 @@ import pytest
 from conftest import ROOT
 
 MARKED = re.compile(r"^<!-- python -->\n```python\n(.*?)^```$", re.MULTILINE | re.DOTALL)
-PAGES = [page for page in [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))] if MARKED.search(page.read_text())]
+PAGES = [page for page in [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))] if MARKED.search(page.read_text())]
 
 
 def test_there_are_pages_with_examples():

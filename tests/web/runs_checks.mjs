@@ -4,6 +4,7 @@ import { readFileSync } from 'node:fs';
 
 /** On every report: what leads to runs opens their list by mouse and by keyboard, and the list closes again. */
 async function marks_lead_to_runs(page, expect) {
+  let looked = 0;
   for (const kind of ['boxes', 'intervals']) {
     const plot = page.locator(`.chart-${kind} .plot`).first();
     if (await plot.count() === 0) continue;
@@ -15,6 +16,7 @@ async function marks_lead_to_runs(page, expect) {
     if (!(await page.locator('.tip:visible').allInnerTexts()).join().includes('Enter')) continue;
     await page.keyboard.press('Enter');
     await list_is_sound(page, expect, kind);
+    looked += 1;
     await page.keyboard.press('Escape');
     expect(await page.locator('dialog').count() === 0, `Escape leaves the list of ${kind} open`);
   }
@@ -23,6 +25,7 @@ async function marks_lead_to_runs(page, expect) {
     await button.focus();
     await page.keyboard.press('Enter');
     await list_is_sound(page, expect, 'a row');
+    looked += 1;
     await page.locator('dialog button[aria-label=Close]').click();
     expect(await page.locator('dialog').count() === 0, 'the list of a row does not close');
     expect(await button.evaluate((element) => element === document.activeElement), 'the focus does not return to the row');
@@ -32,7 +35,9 @@ async function marks_lead_to_runs(page, expect) {
     await whole.click();
     await list_is_sound(page, expect, 'a figure');
     await page.keyboard.press('Escape');
+    looked += 1;
   }
+  expect(looked > 0, 'nothing leads to its runs');
 }
 
 async function list_is_sound(page, expect, of) {

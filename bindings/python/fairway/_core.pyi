@@ -472,6 +472,7 @@ class Recording(_Moved):
     perception: Final[bool]
     sketches: Final[bool]
     divergence: Final[str]
+    stopped: Final[bool]
     trajectories: Final[Trajectories]
     fleet: Final[dict[str, float]]
     vehicles: Final[list[dict[str, Any]]]
