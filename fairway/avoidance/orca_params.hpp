@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "fairway/core/params.hpp"
+#include "fairway/avoidance/symmetry.hpp"
 
 namespace fairway {
 
@@ -12,6 +12,7 @@ struct OrcaParams {
   double crit_dist_m = 20.0;
   int max_neighbours_count = 500;
   double responsibility_ratio = 0.5;
+  Symmetry symmetry = Symmetry::none;
 
   static consteval auto fields() {
     return std::tuple{
@@ -24,6 +25,7 @@ struct OrcaParams {
         field<&OrcaParams::max_neighbours_count>({0, 500}, "how many of them, the nearest first"),
         field<&OrcaParams::responsibility_ratio>({0, 1},
                                                  "own share in avoiding a vehicle: 0.5 reciprocal, 1 all"),
+        field<&OrcaParams::symmetry>(symmetry_meaning),
     };
   }
 };

@@ -82,7 +82,7 @@ TEST(BlendDraws, ItsPlanAndHowItGoesRoundWhatItDidNotKnow) {
   for (const char* meaning : {"search tree", "path", "trajectory"})
     EXPECT_TRUE(following.contains(meaning)) << meaning;
   for (const char* meaning :
-       {"path", "trajectory", "going round to here", "followed", "allowed by a barrier"})
+       {"path", "trajectory", "going round to here", "way between the movers", "allowed by a barrier"})
     EXPECT_TRUE(going_round.contains(meaning)) << meaning;
   EXPECT_FALSE(following.contains("going round to here"));
 }

@@ -4,7 +4,7 @@
 namespace fairway {
 
 Command Hrvo::decide(const Situation& s, Memory&, Context& context) const noexcept {
-  return velocity_obstacle::decide(s, params, velocity_obstacle::Responsibility::by_side, context.sketch);
+  return velocity_obstacle::decide(s, params, velocity_obstacle::Responsibility::by_side, context);
 }
 
 }  // namespace fairway

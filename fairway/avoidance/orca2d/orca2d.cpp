@@ -105,7 +105,7 @@ Command Orca2d::decide(const Situation& s, Memory&, Context& context) const noex
   const std::size_t hard_count = allowed.view().size();
   add_tracks(s, params, allowed);
 
-  const Vec2 preferred = s.preferred_velocity().head<2>();
+  const Vec2 preferred = preferred_velocity(s, params.symmetry, context, params.crit_dist_m).head<2>();
   if (allowed.view().empty()) return {.velocity = horizontal(preferred), .mode = Mode::cruise};
 
   const PlaneChoice choice = nearest_in_plane({allowed.view(), hard_count, s.limits.max_speed}, preferred);

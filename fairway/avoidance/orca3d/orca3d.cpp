@@ -90,7 +90,7 @@ Command Orca3d::decide(const Situation& s, Memory&, Context& context) const noex
     half_spaces.add(orca::half_space(change, v_opt, 1.0));
   }
 
-  const Vec3 preferred = s.preferred_velocity();
+  const Vec3 preferred = preferred_velocity(s, params.symmetry, context, range);
   if (half_spaces.view().empty()) return {.velocity = preferred, .mode = Mode::cruise};
 
   const double max_speed = std::fmin(s.limits.max_speed, fastest);

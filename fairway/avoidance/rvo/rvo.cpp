@@ -4,7 +4,7 @@
 namespace fairway {
 
 Command Rvo::decide(const Situation& s, Memory&, Context& context) const noexcept {
-  return velocity_obstacle::decide(s, params, velocity_obstacle::Responsibility::shared, context.sketch);
+  return velocity_obstacle::decide(s, params, velocity_obstacle::Responsibility::shared, context);
 }
 
 }  // namespace fairway

@@ -28,8 +28,8 @@ double sketch_reach(const Situation& s) {
 }  // namespace
 
 Command decide(const Situation& s, const Params& params, Responsibility responsibility,
-               Sketch* sketch) noexcept {
-  Vec3 preferred = s.preferred_velocity();
+               const Context& context) noexcept {
+  Vec3 preferred = preferred_velocity(s, params.symmetry, context, params.crit_dist_m);
   preferred.z() = 0.0;
   const Neighbourhood neighbourhood(s, params, responsibility);
   if (neighbourhood.obstacles().empty()) return {.velocity = preferred, .mode = Mode::cruise};
@@ -41,10 +41,10 @@ Command decide(const Situation& s, const Params& params, Responsibility responsi
   const Choice choice = choice_within(s.limits);
   const Vec3 chosen{choice.velocity.x(), choice.velocity.y(), 0.0};
 
-  if (sketch) {
-    neighbourhood.draw(sketch_reach(s), *sketch);
-    sketch->velocity(preferred, "preferred");
-    sketch->velocity(chosen, "chosen");
+  if (context.sketch) {
+    neighbourhood.draw(sketch_reach(s), *context.sketch);
+    context.sketch->velocity(preferred, "preferred");
+    context.sketch->velocity(chosen, "chosen");
   }
   const bool turns_freely = !(s.limits.max_turn_rate < Limits::none);
   Command command{.velocity = chosen,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "fairway/avoidance/algorithm.hpp"
+#include "fairway/avoidance/symmetry.hpp"
 
 namespace fairway::velocity_obstacle {
 
@@ -14,6 +14,7 @@ struct Params {
   int max_neighbours_count = 50;
   double starboard_bias_ratio = 1e-3;
   double collision_weight_m = 10.0;
+  Symmetry symmetry = Symmetry::none;
 
   static consteval auto fields() {
     return std::tuple{
@@ -32,6 +33,7 @@ struct Params {
             {0, 1}, "a deviation to port of the preferred course counts as so much larger"),
         field<&Params::collision_weight_m>(
             {0, 10000}, "w of w / t_c, weighed against the deviation where no velocity is clear"),
+        field<&Params::symmetry>(symmetry_meaning),
     };
   }
 };
@@ -48,6 +50,6 @@ enum class Responsibility {
 /// allowed where turns are not limited; where they are, who has to stand is told
 /// to head for where it would go if it could turn at once.
 Command decide(const Situation& s, const Params& params, Responsibility responsibility,
-               Sketch* sketch) noexcept;
+               const Context& context) noexcept;
 
 }  // namespace fairway::velocity_obstacle

@@ -16,9 +16,14 @@ using encounters::Encounter;
 
 constexpr std::array everyone{Responsibility::all, Responsibility::shared, Responsibility::by_side};
 
-Command vo(const Situation& s, const Params& params = {}) {
-  return decide(s, params, Responsibility::all, nullptr);
+/// Without anyone looking.
+Command decide(const Situation& s, const Params& params, Responsibility responsibility,
+               Sketch* sketch = nullptr) {
+  Rng rng{1};
+  return decide(s, params, responsibility, Context{rng, sketch});
 }
+
+Command vo(const Situation& s, const Params& params = {}) { return decide(s, params, Responsibility::all); }
 
 /// A random scene in the plane; with limits of acceleration, and of turning, in every other one.
 Encounter any_scene(std::uint64_t i) {
@@ -37,7 +42,7 @@ TEST(VelocityObstacleDecision, GoesWhereItWasGoingWhenNobodyIsInRange) {
   for (const Responsibility r : everyone) {
     const Encounter e = encounters::head_on(20.5);
     const Command expected{.velocity = e.situation.preferred_velocity(), .mode = Mode::cruise};
-    EXPECT_EQ(decide(e, {}, r, nullptr), expected);
+    EXPECT_EQ(decide(e, {}, r), expected);
   }
 }
 
@@ -53,8 +58,8 @@ TEST(VelocityObstacleDecision, WhatDoesNotReactIsAvoidedAloneByAll) {
     Encounter e = any_scene(i);
     for (Track& t : e.tracks) t.reacts = false;
     const Command expected = vo(e);
-    EXPECT_EQ(decide(e, {}, Responsibility::shared, nullptr), expected);
-    EXPECT_EQ(decide(e, {}, Responsibility::by_side, nullptr), expected);
+    EXPECT_EQ(decide(e, {}, Responsibility::shared), expected);
+    EXPECT_EQ(decide(e, {}, Responsibility::by_side), expected);
   }
 }
 
@@ -63,13 +68,13 @@ TEST(VelocityObstacleDecision, TurnedSceneAndMirroredSceneHaveTheirAnswers) {
   for (std::uint64_t i = 0; i < 2000; ++i) {
     const Encounter e = any_scene(i);
     for (const Responsibility r : everyone) {
-      const Vec3 here = decide(e, {}, r, nullptr).velocity;
-      const Vec3 there = decide(encounters::turned(e, 2.0), {}, r, nullptr).velocity;
+      const Vec3 here = decide(e, {}, r).velocity;
+      const Vec3 there = decide(encounters::turned(e, 2.0), {}, r).velocity;
       turned = std::fmax(turned, (there - Eigen::AngleAxisd(2.0, Vec3::UnitZ()) * here).norm());
 
       const Params unbiased{.starboard_bias_ratio = 0.0};
-      const Vec3 right = decide(e, unbiased, r, nullptr).velocity;
-      const Vec3 left = decide(encounters::mirrored(e), unbiased, r, nullptr).velocity;
+      const Vec3 right = decide(e, unbiased, r).velocity;
+      const Vec3 left = decide(encounters::mirrored(e), unbiased, r).velocity;
       mirrored = std::fmax(mirrored, (left - Vec3(right.x(), -right.y(), 0.0)).norm());
     }
   }
@@ -85,7 +90,7 @@ TEST(VelocityObstacleDecision, WhoOverlapsPartsWithinOneInterval) {
   e.tracks = {encounters::track(1, {1.5, 0.0, 50.0}, Vec3::Zero())};
   EXPECT_LT((vo(e).velocity - Vec3(-0.5, 0.0, 0.0)).norm(), 1e-12);
   EXPECT_EQ(vo(e).mode, Mode::avoid);
-  const Command half = decide(e, {}, Responsibility::shared, nullptr);
+  const Command half = decide(e, {}, Responsibility::shared);
   EXPECT_LT((half.velocity - Vec3(-0.25, 0.0, 0.0)).norm(), 1e-12);
 }
 
@@ -95,11 +100,11 @@ TEST(VelocityObstacleDecision, TwoAtTheSamePlacePartAlongOneLineByTheirIds) {
   e.situation.goal.velocity = Vec3::Zero();
   e.tracks = {encounters::track(1, e.situation.own.position, Vec3::Zero())};
   for (const Responsibility r : everyone) {
-    const Command first = decide(e, {}, r, nullptr);
+    const Command first = decide(e, {}, r);
     Encounter other = e;
     other.situation.own.id = VehicleId{1};
     other.tracks[0].id = TrackId{0};
-    const Command second = decide(other, {}, r, nullptr);
+    const Command second = decide(other, {}, r);
     EXPECT_GT(first.velocity.x(), 0.9);
     EXPECT_LT((first.velocity + second.velocity).norm(), 1e-12);
   }
@@ -119,7 +124,7 @@ TEST(VelocityObstacleDecision, WhoCannotGetApartInTimeIsInfeasibleAndLeavesAsFas
 TEST(VelocityObstacleDecision, WhoMayNotMoveStays) {
   Encounter e = encounters::head_on(4.0);
   e.situation.limits.max_speed = 0.0;
-  for (const Responsibility r : everyone) EXPECT_EQ(decide(e, {}, r, nullptr).velocity, Vec3(0.0, 0.0, 0.0));
+  for (const Responsibility r : everyone) EXPECT_EQ(decide(e, {}, r).velocity, Vec3(0.0, 0.0, 0.0));
 }
 
 TEST(VelocityObstacleDecision, DepthIsNotSeen) {
@@ -147,7 +152,7 @@ TEST(VelocityObstacleDecision, ASphereThatDoesNotMoveIsATrackThatDoesNotReact) {
   track.tracks[0].reacts = false;
   const Params params{.time_horizon_s = 10.0, .obstacle_time_horizon_s = 10.0};
   for (const Responsibility r : everyone) {
-    EXPECT_EQ(decide(obstacle, params, r, nullptr), decide(track, params, r, nullptr));
+    EXPECT_EQ(decide(obstacle, params, r), decide(track, params, r));
   }
   EXPECT_GT(vo(obstacle, params).velocity.y(), -1.0);
   EXPECT_LT(vo(obstacle, params).velocity.y(), -0.1);

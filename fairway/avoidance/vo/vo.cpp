@@ -4,7 +4,7 @@
 namespace fairway {
 
 Command Vo::decide(const Situation& s, Memory&, Context& context) const noexcept {
-  return velocity_obstacle::decide(s, params, velocity_obstacle::Responsibility::all, context.sketch);
+  return velocity_obstacle::decide(s, params, velocity_obstacle::Responsibility::all, context);
 }
 
 }  // namespace fairway

@@ -171,22 +171,36 @@ Command follow(const Params& params, const Situation& s, double elapsed, Memory&
   return {.velocity = clamp_norm({velocity.x(), velocity.y(), 0.0}, speed)};
 }
 
-/// Whether a mover is near enough to be reckoned with, wherever the trajectory leads.
-bool mover_is_near(const Situation& s) {
-  constexpr double near = 4.0;  // between the spheres [m]
+/// Whether a mover is near and comes nearer than leaves room to pass, if both go on as they do or own ship
+/// stands.
+bool mover_comes(const Params& params, const Situation& s) {
+  constexpr double near = 4.0;   // between the spheres [m]
+  constexpr double room = 1.0;   // beyond the margin, at the closest approach [m]
+  constexpr double slow = 0.01;  // closing in by less is none [m/s]
   return std::ranges::any_of(s.tracks, [&](const Track& track) {
-    return (track.position - s.own.position).norm() < s.own.radius + track.radius + near;
+    const Vec2 apart = seen_from_above(track.position - s.own.position);
+    const double touch = s.own.radius + track.radius;
+    if (apart.norm() > touch + near) return false;
+    return std::ranges::any_of(std::array{s.own.velocity, Vec3{Vec3::Zero()}}, [&](const Vec3& own) {
+      const Vec2 drift = seen_from_above(track.velocity - own);
+      const double closing = -apart.dot(drift);
+      if (closing <= slow * apart.norm()) return false;
+      const Vec2 nearest = apart + closing / drift.squaredNorm() * drift;
+      return nearest.norm() < touch + params.margin_m + room;
+    });
   });
 }
 
 /// The velocity of a way through space and time around the movers, looked for once a second; with less margin
-/// where there is none with all of it. Nothing if there is none at all.
+/// where there is none with all of it. Nothing if there is none at all, or if it is to wait and nobody comes.
 std::optional<Vec3> dodge(const Params& params, const Situation& s, Memory& memory) {
   constexpr double every = 1.0;  // [s]
   if (s.time < memory.dodge_until_s) return memory.dodge;
   memory.dodge_until_s = s.time + every;
   memory.dodge.reset();
 
+  // on from where it has come to, or it would stand where it was to go when this began
+  memory.progress_s = way_back(params, s, memory).value_or(memory.progress_s);
   const Vec2 towards = behind_block(params, memory);
   std::vector<const PlanarMap*> maps{&memory.plan->task.map};
   if (memory.met) maps.push_back(memory.met.get());
@@ -202,6 +216,7 @@ std::optional<Vec3> dodge(const Params& params, const Situation& s, Memory& memo
                                   .tracks = s.tracks});
     if (!leg) continue;
     const Vec2 velocity = (leg->to - own) / leg->duration;
+    if (velocity.isZero() && !mover_comes(params, s)) break;  // nobody to wait for
     memory.dodge = Vec3{velocity.x(), velocity.y(), 0.0};
     break;
   }
@@ -231,7 +246,7 @@ Command choose(const Params& params, const Situation& s, double elapsed, Memory&
   const bool astray = (next - own).norm() > params.leash_m && !can_go_straight(memory, own, next);
   if (mover || astray || meets_find(memory, memory.progress_s, params.lookahead_s))
     memory.stage = Stage::going_round;
-  if (mover || mover_is_near(s)) {
+  if (mover || mover_comes(params, s)) {
     if (const std::optional<Vec3> velocity = dodge(params, s, memory)) {
       memory.stage = Stage::going_round;
       memory.wall = {};

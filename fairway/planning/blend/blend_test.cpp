@@ -111,6 +111,20 @@ TEST(Blend, LetsAMoverPass) {
   EXPECT_GT(voyage.clearance, 0.3);
 }
 
+TEST(Blend, WhatRestsBesideItsWayOrGoesAlongDoesNotHoldItUp) {
+  for (const double gap : {0.7, 1.0, 2.0, 3.0, 4.0}) {  // the filter keeps 0.5 m
+    const Vec3 beside{0, 3.2 + 1.0 + gap, 0};
+    const Track resting{.id = TrackId{9}, .position = Vec3{20, 0, 0} + beside, .radius = 1.0};
+    const Track abreast{.id = TrackId{9}, .position = beside, .velocity = {0.25, 0, 0}, .radius = 1.0};
+    for (const Track& other : {resting, abreast}) {
+      const Voyage voyage = sail(blend(), {.movers = {other}});
+      ASSERT_TRUE(voyage.arrival) << gap;
+      EXPECT_LT(*voyage.arrival, 220.0) << gap;
+      EXPECT_GT(voyage.clearance, 0.4) << gap;
+    }
+  }
+}
+
 TEST(Blend, SaysWhyItHasNoPlanAndGoesOnWithoutOne) {
   Avoider avoider = blend();
   const std::vector<Obstacle> obstacles{disc(40, 0, 2, true)};  // over the goal

@@ -14,7 +14,8 @@ constexpr double cell = 0.6;  // [m]
 constexpr int half = 24;      // cells on either side of the vehicle
 constexpr int rows = 2 * half + 1;
 constexpr int steps = 40;
-constexpr double near = 1.0;  // beyond the margin, where a place begins to cost [m]
+constexpr double near = 1.0;     // beyond the margin, where a place begins to cost [m]
+constexpr float haste = 0.005F;  // of its cost, what a move costs more with every step that it is put off
 constexpr float blocked = std::numeric_limits<float>::infinity();
 
 struct Move {
@@ -98,6 +99,7 @@ class Ways {
     Layer next(cost_.size(), blocked);
     std::vector<unsigned char> chosen(cost_.size(), 0);
     const int reach = std::min(step, half);
+    const float dearer = 1.0F + haste * static_cast<float>(step);  // else waiting first would cost the same
     for (int row = half - reach; row <= half + reach; ++row) {
       for (int column = half - reach; column <= half + reach; ++column) {
         const auto place = static_cast<std::size_t>(index(row, column));
@@ -105,7 +107,8 @@ class Ways {
         for (std::size_t m = 0; m < moves.size(); ++m) {
           const int from_row = row - moves[m].north, from_column = column - moves[m].east;
           if (from_row < 0 || from_row >= rows || from_column < 0 || from_column >= rows) continue;
-          const float cost = cost_[static_cast<std::size_t>(index(from_row, from_column))] + moves[m].length;
+          const float cost =
+              cost_[static_cast<std::size_t>(index(from_row, from_column))] + dearer * moves[m].length;
           if (cost < next[place]) {
             next[place] = cost;
             chosen[place] = static_cast<unsigned char>(m);
