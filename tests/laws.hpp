@@ -58,7 +58,7 @@ class Laws : public testing::TestWithParam<std::string> {
  protected:
   Avoider avoider(const ParamValues& params = {}) const { return catalog().make(GetParam(), params, Rng{7}); }
 
-  /// Of the algorithm itself, within all wrappers.
+  /// Whether the algorithm itself, within all wrappers, has this property.
   bool has(bool AlgorithmInfo::*property) const {
     const Catalog all = catalog();
     return all.find(GetParam().substr(0, GetParam().find('+'))).info.*property;

@@ -32,7 +32,7 @@ class OwnAlgorithms {
       versions_[name] = kept ? py::cast<std::string>(version_of(name, algorithm)) : "not kept";
   }
 
-  /// Of those in a scenario, as OwnMethods has it.
+  /// The version of those in a scenario, as OwnMethods has it.
   std::string version(const Scenario& scenario) const {
     std::map<std::string_view, std::string_view> used;
     for (const VehicleSpec& vehicle : scenario.vehicles) {

@@ -9,8 +9,8 @@ namespace {
 
 bool is_length(double value) { return value >= 0.0 && value <= std::numeric_limits<double>::max(); }
 
-/// Of numbers whose sum does not overflow; one test for all of them, since every decision asks it of every
-/// track.
+/// The numbers are finite; their sum must not overflow. One test for all, since every decision makes it for
+/// every track.
 bool has_finite_sum(const Mat3& a, const Mat3& b) { return 0.0 * (a + b).sum() == 0.0; }
 
 bool is_usable(const Track& track) {

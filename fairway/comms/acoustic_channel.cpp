@@ -39,7 +39,7 @@ const AcousticParams& checked(const AcousticParams& params, std::size_t vehicle_
   return params;
 }
 
-/// Of a packet [ticks].
+/// How long a packet takes [ticks].
 double transmission_of(const AcousticParams& params, double period) {
   const double bits = 8.0 * (params.message_bytes_count + params.overhead_bytes_count);
   return bits / params.bit_rate_bps / period;

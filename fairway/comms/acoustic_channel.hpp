@@ -94,7 +94,7 @@ class AcousticChannel {
   const AcousticParams& params() const { return params_; }
   const AcousticCounts& counts() const { return counts_; }
 
-  /// Of one message [s].
+  /// How long one message takes [s].
   double transmission_time() const { return transmission_ * period_; }
   /// From one slot's beginning to the next one's: a transmission and the way of sound to the farthest
   /// hearer, rounded up to whole ticks [s].

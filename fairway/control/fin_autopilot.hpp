@@ -39,8 +39,8 @@ class FinAutopilot {
   double steerage_way() const { return steerage_way_; }
   /// Yaw rate to ask for by heading error, a third of the bandwidth of yaw rate [1/s].
   double turn_gain() const { return bandwidth_ / 3.0; }
-  /// Of the circle that the rudder hard over and linear damping give at `speed` through the water [m]; drag
-  /// across the hull makes it wider.
+  /// The radius of the circle that the rudder hard over and linear damping give at `speed` through the water
+  /// [m]; drag across the hull makes it wider.
   double turning_radius(double speed) const;
 
   /// Forgets the accelerations learnt so far.

@@ -55,7 +55,7 @@ class ThrustAllocator {
   enum class Hold : signed char { free, lowest, highest };
   using Holds = std::array<Hold, max_actuators>;
 
-  /// Of a wrench in the range of W B, along an orthonormal basis of it.
+  /// The coordinates of a wrench in the range of W B along an orthonormal basis of it.
   using Coordinates = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 6, 1>;
 
   /// Least-norm thrusts of the free thrusters, and the multiplier y that gives them: u_i = a_i y.

@@ -108,7 +108,7 @@ std::vector<CampaignCell> expanded_cells(const CampaignFile& written, const Camp
   return cells;
 }
 
-/// Of all that decides the outcome; what is only there for people or for tests is left out.
+/// A digest of all that decides the outcome; what is only there for people or for tests is left out.
 std::string key_of(const CampaignCell& cell, Scenario scenario, const std::string& own_version) {
   scenario.name.clear();
   scenario.summary.clear();

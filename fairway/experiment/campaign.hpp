@@ -50,9 +50,9 @@ using CheckScenario = std::function<void(const Scenario&)>;
 
 /// What a program has besides fairway's own methods and vehicles.
 struct OwnMethods {
-  /// Of those in a scenario: text that is another one whenever they may decide otherwise than before. It is
-  /// part of the run's key, so that no stored run of another version is taken for this one. Empty: there are
-  /// none of them. Safe to call from several threads. Throws InputError where there is no telling.
+  /// The version of those in a scenario, a text that changes whenever they may decide otherwise than before.
+  /// It is part of the run's key, so that no stored run of another version is taken for this one. Empty:
+  /// there are none of them. Safe to call from several threads. Throws InputError where there is no telling.
   std::function<std::string(const Scenario&)> version;
   std::string program;  ///< that makes such a run alone, as `fairway` makes the others; empty: none does
 };

@@ -16,7 +16,7 @@ class Digest {
   /// 32 hexadecimal digits.
   std::string hex() const;
 
-  /// Of these bytes alone, as in the published test vectors.
+  /// The digest of these bytes alone, as in the published test vectors.
   static std::string of(std::string_view bytes);
 
  private:

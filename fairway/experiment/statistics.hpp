@@ -82,7 +82,7 @@ struct BoxSummary {
   std::vector<double> outliers;
 };
 
-/// Of finite values in any order; others throw std::domain_error. O(n log n).
+/// The box of finite values in any order; throws std::domain_error for others. O(n log n).
 BoxSummary summarize(std::vector<double> values);
 
 }  // namespace fairway

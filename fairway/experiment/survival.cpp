@@ -49,7 +49,7 @@ std::vector<double> areas_from(std::span<const SurvivalStep> steps, double limit
   return areas;
 }
 
-/// Of times in order.
+/// The steps of the curve; the times are in order.
 std::vector<SurvivalStep> steps_of(std::span<const ObservedTime> sorted) {
   std::vector<SurvivalStep> steps;
   double share = 1.0;

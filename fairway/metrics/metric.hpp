@@ -15,7 +15,7 @@ struct QuantityInfo {
   std::string_view name;     ///< ends in its unit
   bool per_vehicle{};        ///< else one for the fleet
   std::string_view meaning;  ///< with its counting rule
-  /// Of a time until something happens: the quantity of the fleet that is 1 in a run in which it happened to
+  /// For a time until something happens, the quantity of the fleet that is 1 in a run in which it happened to
   /// all. Below 1 the end of the run cut the time off, and it is at least what was measured.
   std::string_view complete_at_1{};
 };

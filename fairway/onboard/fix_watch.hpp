@@ -32,7 +32,7 @@ class FixWatch {
   /// How many had each verdict.
   std::int64_t count(FixVerdict verdict) const { return counts_[static_cast<std::size_t>(verdict)]; }
 
-  /// Of the latest; `accepted` before the first.
+  /// The verdict on the latest fix; `accepted` before the first.
   FixVerdict verdict() const { return verdict_; }
 
  private:

@@ -121,7 +121,7 @@ class Helm {
   // what it is told
 
   FixVerdict own_fix(const Fix& fix, double now) noexcept;
-  /// Of a vehicle that is not of the team: `invalid`, and nothing is counted.
+  /// A fix of a vehicle that is not of the team is `invalid`, and is not counted.
   FixVerdict neighbour_fix(VehicleId id, const Fix& fix, double now) noexcept;
   /// Where a neighbour says that it is going [m, NED]; none: nowhere. What is not a position is nowhere.
   void neighbour_goal(VehicleId id, const std::optional<Vec3>& goal) noexcept;

@@ -33,7 +33,7 @@ class Lookout {
   void report(const Scene& scene, const Viewpoint& own, std::vector<Track>& tracks,
               std::vector<Obstacle>& obstacles);
 
-  /// Of the sonar's last ping; empty without one.
+  /// The echoes of the sonar's last ping; empty without one.
   std::span<const Echo> echoes() const;
 
  private:

@@ -20,7 +20,7 @@ struct Belief {
 
 Mat3 widened(const Mat3& covariance, double sigma) { return covariance + sigma * sigma * Mat3::Identity(); }
 
-/// Of two independent beliefs: with the sum of their information.
+/// Two independent beliefs made one, with the sum of their information.
 Belief fused(const Belief& a, const Belief& b) {
   const Mat3 share = a.covariance * (a.covariance + b.covariance).inverse();
   const Mat3 left = a.covariance - share * a.covariance;

@@ -32,7 +32,7 @@ class Watch {
     return tracks_;
   }
 
-  /// Of the balls [m, NED].
+  /// The places of the balls [m, NED].
   std::vector<Vec3> places() const {
     std::vector<Vec3> places;
     for (std::size_t i = 1; i < movers_.size(); ++i) places.push_back(movers_[i].position);

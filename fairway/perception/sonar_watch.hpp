@@ -42,7 +42,7 @@ class SonarWatch {
   /// nearest first, ties by id. Does not allocate after the first call.
   void report(const Scene& scene, const Viewpoint& own, const Reach& reach, std::vector<Track>& tracks);
 
-  /// Of the last ping.
+  /// The echoes of the last ping.
   std::span<const Echo> echoes() const { return echoes_; }
 
  private:

@@ -38,7 +38,7 @@ class ExactMotion : public ob::MotionValidator {
     return map_.is_free(point_of(from), point_of(to));
   }
 
-  /// Of a motion that is not valid, nothing but its start is.
+  /// A motion that is not valid is valid at its start alone.
   bool checkMotion(const ob::State* from, const ob::State* to,
                    std::pair<ob::State*, double>& last_valid) const override {
     if (checkMotion(from, to)) return true;

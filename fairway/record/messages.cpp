@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t covariance_size = 36;
 
-/// Of a point in an echoes' message: float32 x, y, z, 4 bytes unused, float64 range, bearing.
+/// The layout of a point in an echoes' message: float32 x, y, z, 4 bytes unused, float64 range, bearing.
 constexpr std::uint32_t point_step = 32, range_offset = 16, bearing_offset = 24;
 
 void put_field(CdrWriter& cdr, std::string_view name, std::uint32_t offset, std::uint8_t datatype) {

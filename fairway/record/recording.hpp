@@ -34,7 +34,7 @@ class Recording {
   Frame frame(std::size_t i) const;
   /// frame_hash() of each frame.
   std::span<const std::uint64_t> hashes() const { return hashes_; }
-  /// Of all frames of the run, kept or not: mix_hash() over their hashes, from 0.
+  /// The hash of all frames of the run, kept or not: mix_hash() over their hashes, from 0.
   std::uint64_t run_hash() const { return run_hash_; }
   std::uint64_t run_frame_count() const { return run_frame_count_; }
   /// How the run broke behind the last frame, in a line; empty if it is whole.
@@ -57,7 +57,7 @@ class Recording {
 
  private:
   class Assembly;
-  /// Of one of the buffers: from `begin` to before `end`.
+  /// A part of one of the buffers, from `begin` to before `end`.
   struct Part {
     std::size_t begin{};
     std::size_t end{};

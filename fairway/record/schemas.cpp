@@ -82,7 +82,7 @@ constexpr Definition flight{"fairway_msgs/MessageFlight",
                             "float64 arrives_s\n"
                             "# the receiver transmits meanwhile and will not hear it\n"
                             "bool drowned\n"};
-/// Of a fairway_msgs/Stroke, behind the constants of its kinds.
+/// The fields of a fairway_msgs/Stroke, behind the constants of its kinds.
 constexpr std::string_view stroke_fields =
     "uint8 kind\n"
     "string meaning\n"

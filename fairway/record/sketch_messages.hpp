@@ -13,7 +13,7 @@ namespace fairway {
 
 // CDR messages of sketches and of messages under way; `out` is emptied first. O(size).
 
-/// Of a pixel the lower 24 bits are kept, which is all of its colour.
+/// Pixels keep their lower 24 bits, which are all of their colour.
 void encode_sketch(Bytes& out, Stamp stamp, std::span<const Stroke> strokes);
 void encode_flights(Bytes& out, Stamp stamp, std::span<const MessageFlight> flights);
 

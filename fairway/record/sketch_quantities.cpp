@@ -43,7 +43,7 @@ std::string kind_text(const Stroke& stroke) {
   return EnumNames<Stroke::Kind>::names[static_cast<std::size_t>(stroke.kind)];
 }
 
-/// Of two that are not the same to the bit.
+/// The first difference of two that are not the same to the bit.
 QuantityDifference difference_between(const Stroke& a, const Stroke& b, const std::string& prefix) {
   const Found of_members =
       first_of(prefix, {{".kind", kind_text(a), kind_text(b)},

@@ -92,7 +92,7 @@ class ShortestStep {
   std::string_view when_;
 };
 
-/// Of the currents of a scenario together, all but never exceeded [m/s].
+/// A speed that the currents of a scenario together hardly ever exceed [m/s].
 double fastest_current(const WaterSpec& water) {
   double speed = water.current_n.norm();
   if (const auto& sheared = water.current.sheared) {

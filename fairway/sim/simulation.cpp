@@ -55,7 +55,7 @@ Message message_of(const Agent& agent, Tick now) {
           .told = agent.cooperative};
 }
 
-/// Of the actuators at their present state; zero where they do not push.
+/// The wrench of the actuators at their present state; zero where they do not push.
 Wrench wrench_of(const Vehicle& vehicle) {
   const Propulsion* propulsion = vehicle.propulsion();
   if (propulsion == nullptr) return Wrench::Zero();

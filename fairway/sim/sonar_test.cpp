@@ -35,7 +35,7 @@ Scenario head_on(const std::string& perception) {
   return scenario;
 }
 
-/// Of all frames.
+/// The hash over all frames.
 struct Hashes final : FrameSink {
   std::uint64_t all{};
   void write(const Frame& frame) override { all = mix_hash(all, frame_hash(frame)); }

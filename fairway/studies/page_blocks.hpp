@@ -42,7 +42,7 @@ class Way {
   const std::vector<double>& n() const { return n_; }
   const std::vector<double>& e() const { return e_; }
 
-  /// Of the block `trajectories`.
+  /// One track of the block `trajectories`.
   nlohmann::json track(std::string_view label) const;
 
  private:

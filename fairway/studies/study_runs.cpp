@@ -38,7 +38,7 @@ std::string command_under(const StudyOptions& options, const RunSpec& spec) {
                                names.size() > told ? ", ..." : ""));
 }
 
-/// Of a study each run counts: one that failed ends it, as it would alone.
+/// Each run of a study counts, so one that failed ends the study, as it would end alone.
 [[noreturn]] void refuse_failure(const RunRecord& record) {
   const std::string text = "run " + record.spec.key + " failed: " + record.failure;
   if (record.failure.starts_with("diverged: ")) throw RunDiverged{text};

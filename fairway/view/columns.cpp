@@ -65,7 +65,7 @@ void put_quaternion(std::string& out, const Eigen::Quaterniond& q) {
   for (const double x : {q.w(), q.x(), q.y(), q.z()}) put_float(out, x);
 }
 
-/// Of a command that a vehicle is under way by.
+/// The shortfall of a command that a vehicle is under way by.
 Shortfall shortfall_of(const VehicleFrame& vehicle, const Limits& limits) {
   if (!is_avoiding(vehicle.phase)) return Shortfall::none;
   return shortfall(limits, vehicle.command, yaw_of(vehicle.state.q_nb));

@@ -34,7 +34,7 @@ class FilmColumns {
   void append(const Frame& frame, const FrameExtras& extras);
 
   std::size_t size() const { return size_; }
-  /// Of a frame < size() [s].
+  /// The time of a frame < size() [s].
   double time(std::size_t frame) const;
 
   /// Drops every second frame; the first stays. O(size).

@@ -19,10 +19,11 @@ class FilmEvents {
 
   void see(const Frame& frame);
 
-  /// Of each vehicle as of the last frame: 0 clear, 1 somebody detected, 2 a collision until that one leaves.
+  /// The alert of each vehicle as of the last frame: 0 clear, 1 somebody detected, 2 a collision until that
+  /// one leaves.
   std::span<const std::uint8_t> alerts() const { return alerts_; }
 
-  /// Of those at times in (after, until], the page's events.
+  /// The page's events at times in (after, until].
   nlohmann::json between(double after, double until) const;
 
  private:

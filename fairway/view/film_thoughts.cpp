@@ -84,7 +84,7 @@ void FilmThoughts::thin_messages() {
   std::erase_if(messages_, [&](const Told& told) { return told.transmission % transmission_stride_ != 0; });
 }
 
-/// Of each span of `spacing_` frames the last record of a vehicle and kind stays: what stands at the span's
+/// In each span of `spacing_` frames the last record of a vehicle and kind stays: what stands at the span's
 /// end.
 void FilmThoughts::thin_records() {
   spacing_ *= 2;

@@ -24,7 +24,7 @@ class FilmThoughts {
   bool has_sketches() const { return has_sketches_; }
   /// In so many frames at most one record of a vehicle and kind was kept.
   std::size_t spacing() const { return spacing_; }
-  /// Of so many transmissions one was kept.
+  /// One of so many transmissions was kept.
   std::size_t transmission_stride() const { return transmission_stride_; }
 
   /// Those at times in (after, until], as JSON text of the page's `Thoughts`; empty if there are none.

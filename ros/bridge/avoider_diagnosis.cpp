@@ -31,7 +31,7 @@ const char* state_of(const HelmReport::Neighbour& neighbour) {
   return neighbour.stale ? "stale" : "ok";
 }
 
-/// Of the mate whose number a track has; empty of none.
+/// The name of the mate whose number a track has; empty if there is none.
 std::string name_of(const HelmSetup& setup, const std::optional<TrackId>& id) {
   if (!id) return {};
   const auto mate =

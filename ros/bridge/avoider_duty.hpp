@@ -57,7 +57,7 @@ class AvoiderDuty {
   void settle(double clock);
   /// Now and then, at least every hundredth of a second: what is due by the clock, and reports.
   void come_round(double clock);
-  /// Of a watchdog's thread, when the loop has stood still for so long [s].
+  /// Called by a watchdog's thread when the loop has stood still for so long [s].
   void raise_alarm(double stood_still, double clock);
 
  private:

@@ -41,8 +41,8 @@ struct FleetNodeSettings {
   bool until_done{false};
 };
 
-/// Of settings by name. `vehicle` is taken where they name none. What is not the node's own goes to the host,
-/// which knows all names. Throws std::runtime_error, in one line, for a value that cannot be read.
+/// The node's settings, by name. `vehicle` is taken where they name none. What is not the node's own goes to
+/// the host, which knows all names. Throws std::runtime_error, in one line, for a value that cannot be read.
 AvoiderNodeSettings avoider_node_settings(const Settings& settings, const std::string& vehicle);
 /// Likewise. Also throws for names that it does not know, with the nearest that it does. `override.PATH` is a
 /// value of the scenario, as of `fairway run --set PATH=`.

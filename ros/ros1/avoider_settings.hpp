@@ -27,8 +27,8 @@ struct AvoiderSettings {
   bool test_hooks{false};      ///< lets a test make it hang
 };
 
-/// Of a node's private parameters; `vehicle` is taken where they name none. Throws std::runtime_error, in one
-/// line, for a value that cannot be read.
+/// The settings in a node's private parameters; `vehicle` is taken where they name none. Throws
+/// std::runtime_error, in one line, for a value that cannot be read.
 AvoiderSettings read_avoider_settings(const XmlRpc::XmlRpcValue& parameters, const std::string& vehicle);
 
 }  // namespace fairway::ros1

@@ -53,7 +53,7 @@ inline geometry_msgs::Quaternion orientation_of(const Quaternion& q) {
   return orientation;
 }
 
-/// Of a Point or a Vector3.
+/// The numbers of a Point or a Vector3.
 template <class Message>
 Triple triple_of(const Message& v) {
   return {v.x, v.y, v.z};
@@ -118,7 +118,7 @@ inline geometry_msgs::TwistStamped twist_of(const BodyVelocity& request, double 
   return twist;
 }
 
-/// Of its roll and pitch rates nothing is taken.
+/// The velocity of a twist; its roll and pitch rates are not used.
 inline BodyVelocity body_velocity_of(const geometry_msgs::TwistStamped& twist, Frame frame) {
   const Triple linear = body_in(frame, triple_of(twist.twist.linear));
   return {linear[0], linear[1], linear[2], body_in(frame, triple_of(twist.twist.angular))[2]};

@@ -41,7 +41,7 @@ TransformStamped transform_of(const Motion& motion, Frame frame, const std::stri
 /// forward-starboard-down with `ned`. Stamped with the time of the navigation that it answers.
 TwistStamped twist_of(const BodyVelocity& request, double time, Frame frame, const std::string& child,
                       Memory& memory);
-/// Of its roll and pitch rates nothing is taken.
+/// The velocity of a twist; its roll and pitch rates are not used.
 BodyVelocity body_velocity_of(const TwistStamped& twist, Frame frame);
 
 /// A place to go to; its attitude says nothing.

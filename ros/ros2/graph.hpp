@@ -21,7 +21,7 @@ struct Qos {
   bool reliable{true};
   bool latched{false};  ///< transient local: who comes late gets the last ones
   std::int32_t depth{10};
-  /// Of subscriptions: takes what latched publishers sent before, and what others send. DDS has no such
+  /// For subscriptions: takes what latched publishers sent before, and what others send. DDS has no such
   /// subscription: it is two, and what comes by both is handled once.
   bool either{false};
 };

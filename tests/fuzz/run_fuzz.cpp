@@ -20,7 +20,7 @@ std::uint64_t wanted_runs() {
   return given == nullptr ? 300 : std::strtoull(given, nullptr, 10);
 }
 
-/// Of the first one that is tried: FAIRWAY_FUZZ_FIRST, else 0.
+/// The number of the first one that is tried: FAIRWAY_FUZZ_FIRST, else 0.
 std::uint64_t first_number() {
   const char* given = std::getenv("FAIRWAY_FUZZ_FIRST");  // NOLINT(concurrency-mt-unsafe)
   return given == nullptr ? 0 : std::strtoull(given, nullptr, 10);
@@ -56,7 +56,7 @@ std::optional<Scenario> accepted(const std::string& yaml, const Catalogs& catalo
   }
 }
 
-/// Of a run that broke no expectation is kept, and what is done with runs refuses it.
+/// No expectation of a run that broke is kept, and what is done with runs refuses it.
 void expect_no_result(const Scenario& scenario, const Catalogs& catalogs) {
   const cli::RunOutcome outcome = cli::run_scenario(scenario, {}, cli::program_of(catalogs));
   ASSERT_TRUE(outcome.divergence);

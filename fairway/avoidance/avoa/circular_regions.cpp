@@ -10,7 +10,7 @@
 namespace fairway::avoa {
 namespace {
 
-/// Of one edge.
+/// The most circles that stand for one edge.
 constexpr double most_circles = 256.0;
 
 /// Adds what there is, in the axes of own ship.

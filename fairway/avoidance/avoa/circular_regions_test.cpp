@@ -33,7 +33,7 @@ ProtectiveZones zones_of(const Encounter& e, const Regions& how = regions) {
   return zones;
 }
 
-/// Of NED, from own position, in own axes.
+/// A place [m, NED], seen from own position in own axes.
 Vec2 seen_from_own(const Encounter& e, const Vec3& p) {
   const Eigen::AngleAxisd back(-e.situation.own.yaw, Vec3::UnitZ());
   return (back * (p - e.situation.own.position)).head<2>();

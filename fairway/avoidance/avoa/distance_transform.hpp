@@ -19,7 +19,7 @@ class DistanceTransform {
   /// `marked` has side * side numbers, row by row, 0 where not marked; 1 <= side <= 1000. O(side^2)
   void compute(std::span<const std::uint8_t> marked, int side);
 
-  /// Of each cell to the nearest marked one, squared, in cells.
+  /// The squared distance of each cell to the nearest marked one, in cells.
   std::span<const std::int32_t> squared() const { return squared_; }
 
  private:

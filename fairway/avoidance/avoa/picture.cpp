@@ -22,7 +22,7 @@ std::uint32_t grey(double light) {
   return rgb(value, value, value);
 }
 
-/// Of full value; `hue` and `saturation` in [0, 1].
+/// The colour of full value; `hue` and `saturation` in [0, 1].
 std::uint32_t colour(double hue, double saturation) {
   const auto part = [&](double shift) {
     const double sector = std::fmod(6.0 * hue + shift, 6.0);

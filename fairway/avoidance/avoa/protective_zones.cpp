@@ -9,7 +9,7 @@
 namespace fairway::avoa {
 namespace {
 
-/// Of relative velocities to starboard in one row [m/s]; empty unless lo <= hi.
+/// An interval of relative velocities to starboard in one row [m/s]; empty unless lo <= hi.
 struct Interval {
   double lo = -std::numeric_limits<double>::infinity();
   double hi = std::numeric_limits<double>::infinity();

@@ -37,7 +37,7 @@ class VelocitySpace {
   /// Speed and heading of a cell.
   const PolarVelocity& velocity(int cell) const { return velocities_[static_cast<std::size_t>(cell)]; }
 
-  /// Of a cell, in [0, 1].
+  /// The danger of a cell, in [0, 1].
   double danger(int cell) const {
     const std::int32_t squared = distance_.squared()[static_cast<std::size_t>(cell)];
     if (squared >= safe_squared_) return 0.0;

@@ -12,7 +12,8 @@ namespace {
 
 constexpr double endless = std::numeric_limits<double>::infinity();
 
-/// Of two sides nearer by less than this share, the first; with the one to starboard offered first.
+/// Two sides whose distances differ by less than this share are equally near; the one offered first, to
+/// starboard, is taken.
 constexpr double equally_near = 1e-9;
 
 /// Positions are not known better than this share of their distance.

@@ -27,9 +27,9 @@ struct Barrier {
 ///     psi_1 = h' + k1 h            h' = 2 Delta . w
 ///     psi_1' + k2 psi_1 >= 0       h'' = 2 |w|^2 + 2 Delta . a
 ///
-/// Of a flat hazard, w is its part along Delta: that along the surface does not open the range. As long as
-/// psi_1 >= 0 at the start and this holds, h >= 0. The hazard's acceleration is taken as zero; of one that
-/// reacts, half of the demand is left to it. When late, the demand is also no less than the constant
+/// For a flat hazard w is its part along Delta, since the part along the surface does not open the range. As
+/// long as psi_1 >= 0 at the start and this holds, h >= 0. The hazard's acceleration is taken as zero; of one
+/// that reacts, half of the demand is left to it. When late, the demand is also no less than the constant
 /// deceleration c^2 / (2 gap) that stops the closing speed c at the margin. Positions and velocities are in
 /// space, only the acceleration is not. O(1).
 Barrier barrier(const Hazard& hazard, const Ownship& own, const BarrierGains& gains) noexcept;

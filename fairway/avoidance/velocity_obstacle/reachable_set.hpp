@@ -32,7 +32,7 @@ class ReachableSet {
   /// Unit; the way it points.
   const Vec2& bow() const { return bow_; }
   double max_speed() const { return max_speed_; }
-  /// Of the velocity, within the interval [m/s].
+  /// The largest change of the velocity within the interval [m/s].
   double max_change() const { return max_change_; }
 
  private:

@@ -26,7 +26,7 @@ struct Gains {
   double d;
 };
 
-/// Of surge, sway and yaw (Tables 2 and 6).
+/// The gains of surge, sway and yaw (Tables 2 and 6).
 std::array<Gains, 3> gains_of(const Params& p, bool following) {
   if (following) {
     return {Gains{p.wall_surge_kp_kgps, p.wall_surge_ki_npm, p.wall_surge_kd_kg},

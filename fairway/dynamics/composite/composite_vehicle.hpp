@@ -26,7 +26,8 @@ class CompositeVehicle {
         x, tau, {.current_n = water.current_n, .density = density_, .current_rate_n = water.current_rate_n});
   }
 
-  /// Of ideal actuator disks of the propellers' diameters [W]: a lower bound of the electrical power.
+  /// The power of ideal actuator disks of the propellers' diameters [W], a lower bound of the electrical
+  /// power.
   double power(const ActuatorValues& u) const noexcept;
 
   const Propulsion& propulsion() const { return propulsion_; }

@@ -33,8 +33,8 @@ class Otter {
   /// boat.
   static double thrust(double n_radps) noexcept;
 
-  /// Of ideal actuator disks of the propellers' diameter at the same thrust [W]: a lower bound of the
-  /// electrical power.
+  /// The power of ideal actuator disks of the propellers' diameter at the same thrust [W]: a lower bound of
+  /// the electrical power.
   double power(const ActuatorValues& u) const noexcept;
 
   const OtterHull& hull() const { return hull_; }

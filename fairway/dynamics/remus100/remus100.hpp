@@ -60,8 +60,8 @@ class Remus100 {
   /// State derivative. About 0.2 us.
   StateRate derivative(const VehicleState& x, const ActuatorValues& u, const Water& water) const noexcept;
 
-  /// Of the propeller's shaft in steady straight running [W]: 2 pi n Q at the advance number 0.6632. The
-  /// vehicle settles within 2 % of that whatever n; held fast it takes 2.2 times as much.
+  /// The power of the propeller's shaft in steady straight running [W]: 2 pi n Q at the advance number
+  /// 0.6632. The vehicle settles within 2 % of that whatever n; held fast it takes 2.2 times as much.
   double power(const ActuatorValues& u) const noexcept;
 
   const FinDrive& fin_drive() const { return fin_drive_; }

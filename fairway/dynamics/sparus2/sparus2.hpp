@@ -108,7 +108,8 @@ class Sparus2 {
                             water);
   }
 
-  /// Of ideal actuator disks of the propellers' diameter [W]: a lower bound of the electrical power.
+  /// The power of ideal actuator disks of the propellers' diameter [W], a lower bound of the electrical
+  /// power.
   double power(const ActuatorValues& u) const noexcept;
 
   const Propulsion& propulsion() const { return propulsion_; }

@@ -84,7 +84,7 @@ struct PlainSituation {
   std::optional<OnboardModel> model;
 };
 
-/// Of two answers every number, to the bit as far as == tells.
+/// Every number of two answers is the same, to the bit as far as == tells.
 inline bool same(const Command& a, const fairway::Command& b) {
   return a.velocity == plain(b.velocity) && static_cast<int>(a.mode) == static_cast<int>(b.mode) &&
          a.astern == b.astern && a.has_heading == b.heading.has_value() &&

@@ -32,7 +32,7 @@ class Sweep {
   /// By beam, from port to starboard.
   std::span<const double> ranges() const { return ranges_; }
 
-  /// Of the middle of a beam [rad], 0 ahead, positive to starboard.
+  /// The bearing of the middle of a beam [rad], 0 ahead, positive to starboard.
   double bearing(std::size_t beam) const {
     return (static_cast<double>(beam) + 0.5) * spacing_ - half_field_;
   }

@@ -6,7 +6,7 @@
 namespace fairway {
 namespace {
 
-/// Of a matrix that is symmetric but for rounding.
+/// The symmetric part of a matrix that is symmetric but for rounding.
 Mat3 symmetric(const Mat3& m) { return 0.5 * (m + m.transpose()); }
 
 }  // namespace

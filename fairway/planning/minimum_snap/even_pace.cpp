@@ -37,7 +37,7 @@ double time_to(double distance, double speed, double acceleration) {
   return std::sqrt(2.0 * way / acceleration) + (distance - way) / speed;
 }
 
-/// Of each piece, the time that speeding up, cruising and slowing down take.
+/// The time that each piece takes when the path is sped up on, cruised and slowed down on.
 std::vector<double> profile(double length, int pieces, const TrajectoryLimits& limits) {
   const double acceleration =
       std::fmin(profile_share * limits.max_acceleration_mps2, 1e3 * limits.max_speed_mps);

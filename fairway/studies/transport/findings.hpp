@@ -21,7 +21,7 @@ std::vector<StudyRow> comparison_rows(const std::vector<Cell>& cells);
 /// What the published claims come to, in sentences with the measured numbers.
 std::vector<std::string> claims(const std::vector<Cell>& published);
 
-/// Of the fields: how many can be escaped, and who touched something in one of those.
+/// The findings of the fields: how many can be escaped, and who touched something in one of those.
 std::vector<std::string> field_findings(const std::vector<Cell>& fields, int seeds);
 
 }  // namespace fairway::transport

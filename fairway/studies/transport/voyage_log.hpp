@@ -16,7 +16,8 @@ namespace fairway::transport {
 
 /// What the publication says of a run and no general metric does: forces commanded at the beginning, at their
 /// greatest and as each obstacle is detected, when the goal is reached, how well a trajectory is followed.
-/// Of the first vehicle. Quantities are those of transport_case.cpp; one that did not happen is not reported.
+/// The log of the first vehicle. Quantities are those of transport_case.cpp; one that did not happen is not
+/// reported.
 class VoyageLog final : public FrameSink {
  public:
   /// `reference` is what the vehicle should follow from time 0; it outlives this.

@@ -19,7 +19,7 @@ Encounter encounter_of(const Cell& cell) {
   return *std::ranges::find(encounters, cell.place, [](Encounter e) { return name_of(e); });
 }
 
-/// Of both vehicles in run `i`, those that have it.
+/// The quantity of both vehicles in run `i`, where they have it.
 std::vector<double> of_both(const Cell& cell, std::size_t i, std::string_view quantity) {
   std::vector<double> values;
   for (const Measure& measure : cell.results[i]) {

@@ -16,11 +16,11 @@ std::vector<StudyRow> published_rows(const std::vector<Cell>& cells);
 /// Over the variations: how often something touched, who arrived and when, how often both kept right.
 std::vector<StudyRow> varied_rows(const std::vector<Cell>& cells);
 
-/// Of gatherings: runs with a collision, runs in which somebody never arrived, time, turning.
+/// The rows of gatherings: runs with a collision, runs in which somebody never arrived, time, turning.
 std::vector<StudyRow> gathering_rows(const std::vector<Cell>& cells);
 
-/// Of the cubes: runs with a collision and who arrived by channel, and down to which update rate no run
-/// collided.
+/// The rows of the cubes: runs with a collision and who arrived by channel, and down to which update rate no
+/// run collided.
 std::vector<StudyRow> silence_rows(const std::vector<Cell>& cells);
 
 /// The lowest update rate such that at it and at all higher ones no run collided; nothing if even the

@@ -35,7 +35,7 @@ class Timeline final : public FrameSink {
 
   void write(const Frame& frame) override;
 
-  /// Of vehicle `index`. Complete when the run has ended.
+  /// The events of vehicle `index`, complete when the run has ended.
   Events events(std::size_t index) const;
 
   /// Least distance between the spheres of any two vehicles, and of a vehicle and a ship [m]; negative

@@ -18,7 +18,8 @@ struct ClosestApproach {
   double distance{};  ///< of centres [m]
 };
 
-/// Of something at `position` that moves with `velocity`, both relative to oneself [m, m/s]. O(1).
+/// The closest approach of something at `position` that moves with `velocity`, both relative to oneself [m,
+/// m/s]. O(1).
 ClosestApproach closest_approach(const Vec3& position, const Vec3& velocity) noexcept;
 
 /// A direction from the bow in the horizontal plane, for words: [rad], positive to starboard.

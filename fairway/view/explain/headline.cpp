@@ -19,7 +19,7 @@ namespace {
 constexpr double least_speed = 0.005;
 constexpr double least_turn = radians(0.5);
 
-/// Of a velocity that has a course worth telling, the horizontal part at least.
+/// A velocity has a course worth telling if its horizontal part is at least this share of it.
 constexpr double least_share_of_way = 0.2;
 
 /// Less is the rounding of sums [m/s].

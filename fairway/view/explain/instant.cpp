@@ -11,7 +11,7 @@
 namespace fairway {
 namespace {
 
-/// Of a period: times are typed with fewer digits than `tick * period` has.
+/// The share of a period by which a typed time may be off: it has fewer digits than `tick * period`.
 constexpr double typed_tolerance = 1e-6;
 
 std::optional<std::uint32_t> typed_number(std::string_view text) {

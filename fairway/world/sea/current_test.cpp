@@ -26,7 +26,8 @@ struct Statistics {
   double mean{}, deviation{}, correlation{};  // the last one at a lag of 20 s
 };
 
-/// Of 200 processes of mean 0.5, deviation 0.2 and a correlation time of 40 s, after 4000 s in steps of `h`.
+/// The statistics of 200 processes of mean 0.5, deviation 0.2 and a correlation time of 40 s, after 4000 s in
+/// steps of `h`.
 Statistics statistics_at(double h) {
   constexpr int processes = 200;
   const auto steps = static_cast<int>(std::lround(20.0 / h));

@@ -20,7 +20,7 @@ struct SteeredAxes {
   bool surge{true}, sway{true}, heave{true}, yaw{true};
 };
 
-/// Of roll, pitch and yaw [rad], turned in the order yaw, pitch, roll.
+/// The attitude of roll, pitch and yaw [rad], turned in the order yaw, pitch, roll.
 inline bridge::Quaternion attitude_of(double roll, double pitch, double yaw) {
   const double cr = std::cos(roll / 2), sr = std::sin(roll / 2);
   const double cp = std::cos(pitch / 2), sp = std::sin(pitch / 2);

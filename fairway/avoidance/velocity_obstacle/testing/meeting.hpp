@@ -90,7 +90,7 @@ Outcome outcome_of(Meeting m, const Algorithm& algorithm) {
   return outcome;
 }
 
-/// Of many meetings.
+/// What many meetings came to.
 struct Tally {
   int touched = 0;
   int arrived = 0;

@@ -115,7 +115,7 @@ function velocity_marks({ mark, colour, dash }: Look, from: Point, [x, y]: Point
 function arrow(colour: string, dash: string, from: Point, to: Point): SVGElement[] {
   const [dx, dy] = [to[0] - from[0], to[1] - from[1]];
   const length = Math.hypot(dx, dy);
-  // Of no speed there is no arrow.
+  // No speed has no arrow.
   if (length < head_length) return [s('circle', { class: 'head', colour, cx: to[0], cy: to[1], r: 3.5 })];
   const [ux, uy] = [dx / length, dy / length];
   const [bx, by] = [to[0] - head_length * ux, to[1] - head_length * uy];

@@ -119,7 +119,7 @@ export class Sketches implements Part {
   private draw(stroke: Stroke, at: Vector3, { many, first, first_image }: Among, now: Now): void {
     const name = meaning_colour(stroke.meaning);
     const colour = now.colours.of(name);
-    // Of several images the first lies in the scene; the plane of velocities beside it has them all.
+    // The first of several images lies in the scene; the plane of velocities beside it has them all.
     if (stroke.kind === 'image' && !first_image) return;
     if (stroke.kind !== 'velocity') this.meanings.set(of_all(stroke.meaning), name);
     switch (stroke.kind) {
