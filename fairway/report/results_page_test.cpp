@@ -127,7 +127,8 @@ TEST(ResultsPage, TimesThatWereCutOffHaveCurvesAndNoBox) {
   EXPECT_EQ(x.back(), 24.0);  // the longest of the vehicles of the run that was cut off
   EXPECT_EQ(curve["y"].back(), 0.5);
   EXPECT_EQ(cut["blocks"][1]["rows"][1]["arrived"], "1 of 2");
-  for (const json& row : block_of(page, 2)["rows"]) {
+  const json table = block_of(page, 2);
+  for (const json& row : table["rows"]) {
     if (row["quantity"] != "navigation_time_s") continue;
     EXPECT_EQ(row["mean"].is_null(), row["candidate"] == "orca3d");
   }
