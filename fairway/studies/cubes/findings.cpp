@@ -147,7 +147,7 @@ std::string within_15_percent(Rows rows) {
 
 std::string covered(Rows rows, std::string_view mode) {
   std::vector<std::string> inside, near;
-  int repetitions = 0;
+  int runs = 0;
   const auto summary = [&](const std::string& quantity) {
     return row_with(rows, mode, quantity, "all", "all");
   };
@@ -155,7 +155,7 @@ std::string covered(Rows rows, std::string_view mode) {
     const StudyRow* row = summary(fmt::format("{}_covered_count", quantity));
     if (row == nullptr) return;
     inside.push_back(fmt::format("{} {:.0f}", quantity, row->measured));
-    repetitions = row->runs / 5;
+    runs = row->runs;
   };
   for (const std::string_view quantity : means) {
     add(quantity);
@@ -165,12 +165,13 @@ std::string covered(Rows rows, std::string_view mode) {
   for (const std::string_view quantity : totals) add(quantity);
   if (inside.empty()) return "";
   return fmt::format(
-      "The published experiment, five runs a cell, repeated {} times ({}). Of 24 published values, those "
+      "The published experiment, five runs a cell, drawn again and again from {} runs a cell ({}). Of 24 "
+      "published values, those "
       "within the "
       "middle 95 % of the repetitions: {}. Cells of a repetition within 15 % of the published value, mean "
       "and middle "
       "95 %: {}.",
-      repetitions, mode, list_of(inside), list_of(near));
+      runs, mode, list_of(inside), list_of(near));
 }
 
 std::string scatter(Rows rows, std::string_view mode) {

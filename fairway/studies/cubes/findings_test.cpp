@@ -12,7 +12,6 @@
 namespace fairway::cubes {
 namespace {
 
-using ::testing::AnyOf;
 using ::testing::Contains;
 using ::testing::Each;
 using ::testing::HasSubstr;
@@ -121,11 +120,18 @@ TEST(Replicas, ThePlaceOfAValueCountsTiesHalf) {
   EXPECT_EQ(place_among(2.0, {}), std::nullopt);
 }
 
-TEST(Replicas, FiveRunsAreOneRepetitionAndWhatIsLeftOverIsNone) {
-  const std::vector<Cell> cells = colliding_cell(2);
-  const CellResults results = made_results(cells[0], {1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 7}, 100);
-  EXPECT_EQ(repetitions(results, {"collision_count", true}), (std::vector<double>{2, 0}));
-  EXPECT_EQ(repetitions(results, {"navigation_time_s", false}), (std::vector<double>{100, 100}));
+TEST(Replicas, ARepetitionIsFiveDifferentRuns) {
+  const std::vector<Cell> cells = colliding_cell(1);
+  const CellResults five = made_results(cells[0], {1, 0, 0, 0, 2}, 100);
+  const Quantity collisions{"collision_count", true};
+  EXPECT_THAT(repetitions(five, collisions), Each(3.0));  // there is one draw of five out of five
+  EXPECT_THAT(repetitions(five, {"navigation_time_s", false}), Each(100.0));
+  EXPECT_THAT(repetitions(made_results(cells[0], {1, 0, 0, 0}, 100), collisions), IsEmpty());
+
+  // of six, each is left out as often as the others: the total is 0 in a sixth of the draws
+  const std::vector<double> of_six = repetitions(made_results(cells[0], {1, 0, 0, 0, 0, 0}, 100), collisions);
+  EXPECT_EQ(of_six.size(), std::size_t{repetition_count});
+  EXPECT_NEAR(static_cast<double>(std::ranges::count(of_six, 0.0)) / repetition_count, 1.0 / 6.0, 0.03);
 }
 
 TEST(Replicas, NoneIsARunOfThePublishedPart) {

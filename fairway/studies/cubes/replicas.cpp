@@ -4,8 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 
+#include "fairway/core/rng.hpp"
 #include "fairway/experiment/statistics.hpp"
 
 namespace fairway::cubes {
@@ -25,16 +28,38 @@ void compare(StudyRow& row, std::vector<double> repeated, std::optional<double> 
   row.place_ratio = place_among(*published_value, repeated);
   const bool covered = row.low <= *published_value && *published_value <= row.high;
   row.verdict = covered ? Verdict::within_spread : Verdict::not_reproduced;
-  row.note = fmt::format("{} repetitions of five runs; {:.0f} % of them lie below the published value",
-                         repeated.size(), 100 * *row.place_ratio);
+  row.note =
+      fmt::format("five of {} runs, drawn {} times; {:.0f} % of the draws lie below the published value",
+                  row.runs, repeated.size(), 100 * *row.place_ratio);
+}
+
+/// Five different runs of so many, drawn again and again; the same for the same number of runs.
+std::vector<std::array<std::size_t, published_runs>> fives_of(std::size_t runs, std::string_view cell) {
+  std::vector<std::array<std::size_t, published_runs>> fives;
+  if (runs < published_runs) return fives;
+  Rng rng = Rng{0}.stream(cell, runs);
+  std::vector<std::size_t> order(runs);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  fives.resize(repetition_count);
+  for (auto& five : fives) {
+    for (std::size_t i = 0; i < five.size(); ++i) {
+      std::swap(order[i], order[i + rng.index(runs - i)]);
+      five[i] = order[i];
+    }
+  }
+  return fives;
 }
 
 /// The standard deviation of five runs' navigation times, one for each repetition.
 std::vector<double> deviations(const CellResults& results) {
   const std::vector<double> means = results.run_means("navigation_time_s");
   std::vector<double> found;
-  for (std::size_t i = 0; i + published_runs <= means.size(); i += published_runs)
-    found.push_back(estimate_mean(std::span{means}.subspan(i, published_runs)).deviation);
+  for (const auto& five :
+       fives_of(means.size(), results.cell->name() + std::string(results.cell->method->name))) {
+    std::array<double, published_runs> values{};
+    std::ranges::transform(five, values.begin(), [&](std::size_t run) { return means[run]; });
+    found.push_back(estimate_mean(values).deviation);
+  }
   return found;
 }
 
@@ -104,9 +129,10 @@ std::vector<double> repetitions(const CellResults& results, const Quantity& quan
   const std::vector<double> runs =
       quantity.is_total ? results.run_totals(quantity.name) : results.run_means(quantity.name);
   std::vector<double> repeated;
-  for (std::size_t i = 0; i + published_runs <= runs.size(); i += published_runs) {
+  for (const auto& five :
+       fives_of(runs.size(), results.cell->name() + std::string(results.cell->method->name))) {
     double sum = 0.0;
-    for (std::size_t run = i; run < i + published_runs; ++run) sum += runs[run];
+    for (const std::size_t run : five) sum += runs[run];
     repeated.push_back(quantity.is_total ? sum : sum / published_runs);
   }
   return repeated;

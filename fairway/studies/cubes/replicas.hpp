@@ -15,7 +15,11 @@ constexpr bool is_repeated(Code code) {
 /// A row of a cell in which only its names and its number of runs are set.
 StudyRow blank_row(const CellResults& results, std::string_view quantity);
 
-/// A quantity of repeated five runs, one for each whole repetition: the mean of the five, or their sum.
+/// How often five runs are drawn.
+inline constexpr int repetition_count = 2000;
+
+/// A quantity of five different runs drawn from the cell's, again and again: the mean of the five, or their
+/// sum. Of fewer than five runs, none. The draws are the same for every quantity of a cell.
 std::vector<double> repetitions(const CellResults& results, const Quantity& quantity);
 
 /// Where a value lies among others: the share below it, ties counted half. Of none, nothing.

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "fairway/experiment/statistics.hpp"
 #include "fairway/studies/cubes/plan.hpp"
 #include "fairway/studies/study.hpp"
 
