@@ -30,6 +30,9 @@ const AcousticParams& checked(const AcousticParams& params, std::size_t vehicle_
                      number(params.message_bytes_count) + " bytes are less than the " + number(record) +
                          " of the team record; quantised: false does without it");
   }
+  if (params.relay && !params.slots)
+    throw InputError({}, "slots",
+                     "a relay repeats each message in the sender's slot; slots: false leaves it none");
   constexpr std::size_t most = AcousticChannel::max_vehicles;
   if (vehicle_count > most) {
     throw InputError(
@@ -49,6 +52,9 @@ double transmission_of(const AcousticParams& params, double period) {
 double way_of_sound(const AcousticParams& params, double distance, double period) {
   return distance / params.sound_speed_mps / period;
 }
+
+/// On the surface [m, NED].
+Vec3 relay_of(const AcousticParams& params) { return {params.relay_north_m, params.relay_east_m, 0.0}; }
 
 /// Whole ticks that are not over before `time` [ticks].
 double whole(double time) { return std::ceil(time - instant); }
@@ -85,7 +91,8 @@ AcousticChannel::AcousticChannel(const AcousticParams& params, std::size_t vehic
       transmission_{transmission_of(params, period)},
       interval_{std::max({1.0 / (params.update_rate_hz * period), whole(transmission_), 1.0})},
       slot_ticks_{std::max<std::int64_t>(
-          1, std::llround(whole(transmission_ + way_of_sound(params, params.range_m, period))))},
+          1, std::llround(whole((params.relay ? 2 : 1) *
+                                (transmission_ + way_of_sound(params, params.range_m, period)))))},
       transmitters_(vehicle_count),
       flights_(most_under_way(params, vehicle_count, period, interval_)),
       heard_(vehicle_count * vehicle_count, Message{.told = false}) {
@@ -139,22 +146,34 @@ void AcousticChannel::transmit(std::size_t from, Tick now, const Mailbox& said,
   ++counts_.sent;
   drown_what_reaches(from);
 
+  // what the relay has not heard it repeats to nobody; its link is the one that the sender has to itself
+  const bool is_repeated = !params_.relay || gets_through(links_[from * vehicle_count_ + from],
+                                                          (places[from] - relay_of(params_)).norm(), waited);
   const Message message = told(said[from], now);
   for (std::size_t to = 0; to < vehicle_count_; ++to) {
     if (to == from) continue;
-    const double distance = (places[to] - places[from]).norm();
-    const bool is_through = gets_through(links_[from * vehicle_count_ + to], distance, waited);
-    if (distance > params_.range_m) {
+    const Leg last = leg(from, to, places);
+    const bool is_through = gets_through(links_[from * vehicle_count_ + to], last.distance, waited);
+    if (!last.reaches || last.distance > params_.range_m) {
       ++counts_.out_of_range;
-    } else if (!is_through) {
+    } else if (!is_through || !is_repeated) {
       ++counts_.lost;
     } else {
-      const double begins = begin + way_of_sound(params_, distance, period_);
+      const double begins = begin + last.before + way_of_sound(params_, last.distance, period_);
       Flight& flight = flights_[under_way_++];
       flight = {message, from, to, begin, begins, begins + transmission_};
       flight.drowned = is_deaf(to, flight);
     }
   }
+}
+
+AcousticChannel::Leg AcousticChannel::leg(std::size_t from, std::size_t to,
+                                          std::span<const Vec3> places) const {
+  if (!params_.relay) return {(places[to] - places[from]).norm(), 0.0, true};
+  const Vec3 relay = relay_of(params_);
+  const double up = (relay - places[from]).norm();
+  return {(places[to] - relay).norm(), transmission_ + way_of_sound(params_, up, period_),
+          up <= params_.range_m};
 }
 
 Message AcousticChannel::told(const Message& message, Tick now) const {

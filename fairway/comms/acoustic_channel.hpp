@@ -27,6 +27,9 @@ struct AcousticParams {
   double update_rate_hz = 0.1;
   RateLaw rate_law = RateLaw::constant;
   bool slots = true;
+  bool relay = false;
+  double relay_north_m = 0.0;
+  double relay_east_m = 0.0;
   double range_m = 80.0;
   double loss_ratio = 0.0;
   double sound_speed_mps = 1500.0;
@@ -47,6 +50,10 @@ struct AcousticParams {
             "constant: what is sent gets through; measured: at a distance d as often as 0.848 - 0.01412 d + "
             "7.76e-5 d^2 Hz, if it is sent as often"),
         field<&P::slots>("vehicles transmit in turn, each in a slot of its own; false: whenever it is due"),
+        field<&P::relay>(
+            "a vessel on the surface repeats each message within its slot, and vehicles hear it alone"),
+        field<&P::relay_north_m>({-1e7, 1e7}, "where that vessel lies"),
+        field<&P::relay_east_m>({-1e7, 1e7}, "likewise"),
         field<&P::range_m>({0.1, 1e5}, "nobody farther away hears a message"),
         field<&P::loss_ratio>({0, 1}, "share of messages that are lost, each link by itself"),
         field<&P::sound_speed_mps>({100, 1e9}, "in water"),
@@ -122,10 +129,18 @@ class AcousticChannel {
     bool drowned{};
   };
 
+  /// The way of a message to a receiver: its last part, and what of it is over by then.
+  struct Leg {
+    double distance{};  // [m]
+    double before{};    // until it is sent [ticks]
+    bool reaches{};     // what sends it
+  };
+
   bool may_transmit(std::size_t vehicle, Tick now) const;
   void transmit(std::size_t from, Tick now, const Mailbox& said, std::span<const Vec3> places);
   bool is_deaf(std::size_t vehicle, const Flight& flight) const;
   bool gets_through(Link& link, double distance, double waited);
+  Leg leg(std::size_t from, std::size_t to, std::span<const Vec3> places) const;
   void drown_what_reaches(std::size_t vehicle);
   void hand_over(Tick now);
   Message told(const Message& message, Tick now) const;

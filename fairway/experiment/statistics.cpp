@@ -6,6 +6,7 @@
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
+#include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -98,6 +99,32 @@ RateEstimate exact_interval(std::size_t successes, std::size_t trials, double co
         quantile(boost::math::complement(boost::math::beta_distribution<>{k + 1.0, n - k}, beyond));
   }
   return estimate;
+}
+
+double fisher_exact(std::size_t first_successes, std::size_t first_trials, std::size_t second_successes,
+                    std::size_t second_trials) {
+  if (first_successes > first_trials || second_successes > second_trials)
+    throw std::invalid_argument("more successes than trials");
+  const auto ln_choose = [](std::size_t n, std::size_t k) {
+    const auto ln_factorial = [](std::size_t m) { return boost::math::lgamma(static_cast<double>(m) + 1.0); };
+    return ln_factorial(n) - ln_factorial(k) - ln_factorial(n - k);
+  };
+  const std::size_t successes = first_successes + second_successes;
+  const auto ln_weight = [&](std::size_t k) {
+    return ln_choose(first_trials, k) + ln_choose(second_trials, successes - k);
+  };
+
+  // as likely within rounding counts as likely
+  constexpr double alike = 1e-7;
+  const double here = ln_weight(first_successes);
+  double all = 0.0, as_unlikely = 0.0;
+  const std::size_t least = successes > second_trials ? successes - second_trials : 0;
+  for (std::size_t k = least; k <= std::min(first_trials, successes); ++k) {
+    const double weight = std::exp(ln_weight(k) - here);
+    all += weight;
+    if (weight <= 1.0 + alike) as_unlikely += weight;
+  }
+  return as_unlikely / all;
 }
 
 CountEstimate poisson_interval(double count, double confidence) {

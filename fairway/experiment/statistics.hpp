@@ -49,6 +49,11 @@ RateEstimate wilson_interval(std::size_t successes, std::size_t trials, double c
 /// confidence, hence wider. Throws likewise.
 RateEstimate exact_interval(std::size_t successes, std::size_t trials, double confidence = 0.95);
 
+/// Fisher's exact test (1922), two-sided: how likely, if both shares are the same, the totals given, is a
+/// table no likelier than this one. As R's fisher.test. Throws likewise. O(first_trials + second_trials).
+double fisher_exact(std::size_t first_successes, std::size_t first_trials, std::size_t second_successes,
+                    std::size_t second_trials);
+
 /// A count of rare events with its interval.
 struct CountEstimate {
   double count{};

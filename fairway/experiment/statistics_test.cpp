@@ -155,6 +155,15 @@ TEST(RateTest, OfNoneAndOfAllTouchTheEnds) {
   EXPECT_EQ(exact_interval(20, 20).high, 1.0);
 }
 
+TEST(Statistics, FishersExactTestIsThatOfPublishedExamples) {
+  EXPECT_NEAR(fisher_exact(3, 4, 1, 4), 34.0 / 70.0, 1e-12);      // Fisher's tea (1935): 2 (1 + 16) / 70
+  EXPECT_NEAR(fisher_exact(1, 12, 9, 12), 0.002759456, 1e-9);     // R, fisher.test(rbind(c(1,11), c(9,3)))
+  EXPECT_NEAR(fisher_exact(2, 5, 0, 100), 10.0 / 5460.0, 1e-12);  // C(5,2) / C(105,2)
+  EXPECT_EQ(fisher_exact(0, 5, 0, 100), 1.0);                     // only one table has these totals
+  EXPECT_EQ(fisher_exact(0, 0, 3, 7), 1.0);
+  EXPECT_THROW(fisher_exact(6, 5, 0, 1), std::invalid_argument);
+}
+
 TEST(RateTest, OfNoTrialsIsUnknown) {
   for (const RateEstimate& e : {wilson_interval(0, 0), exact_interval(0, 0)}) {
     EXPECT_TRUE(std::isnan(e.rate));

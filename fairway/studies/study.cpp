@@ -85,6 +85,8 @@ nlohmann::json rows_json(std::string_view study, std::span<const StudyRow> rows)
                           row.deviation_ratio() ? nlohmann::json(*row.deviation_ratio()) : nlohmann::json()},
                          {"verdict", name_of(row.verdict)},
                          {"note", row.note}};
+    if (row.place_ratio) entry["place_ratio"] = *row.place_ratio;
+    if (row.p_value) entry["p_value"] = *row.p_value;
     if (!row.params.empty()) {
       for (const auto& [name, value] : row.params) entry["params"][name] = value_json(value);
     }

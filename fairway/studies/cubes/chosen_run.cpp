@@ -89,8 +89,7 @@ Cell chosen_cell() {
 
 std::vector<json> chosen_run_blocks(const Overrides& overrides, const RunIndex& runs) {
   const Cell cell = chosen_cell();
-  const Scenario scenario =
-      under(overrides, cube_scenario(*cell.cube, *cell.method, cell.code, cell.tuning, chosen_seed));
+  const Scenario scenario = under(overrides, cell.scenario(chosen_seed));
   Curves curves{scenario.vehicles.size()};
   const std::array<FrameSink*, 1> sinks{&curves};
   Simulation{scenario, cube_catalogs()}.run(sinks);

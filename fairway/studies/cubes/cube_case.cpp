@@ -5,6 +5,7 @@
 
 #include "fairway/core/angles.hpp"
 #include "fairway/core/rng.hpp"
+#include "fairway/studies/cubes/published.hpp"
 
 namespace fairway::cubes {
 namespace {
@@ -20,40 +21,6 @@ constexpr std::array all_methods{
     Method{"orca3d", true, false},
     Method{"apf+saw", false, true},
     Method{"orca3d+saw", true, true},
-};
-
-/// Means over robots and five runs, from the published result files; the counts are totals.
-struct PublishedCell {
-  std::string_view cube;
-  std::string_view method;
-  double navigation_time_s, avoidance_time_s, avoided_count, distance_m, collision_count, stuck_count;
-};
-
-constexpr std::array published_cells{
-    PublishedCell{"cube20_4", "apf", 79.6, 13.5, 2.9, 38.2, 0, 0},
-    PublishedCell{"cube20_4", "orca3d", 77.6, 72.3, 3.0, 30.4, 0, 0},
-    PublishedCell{"cube20_4", "apf+saw", 116.5, 46.7, 7.5, 45.8, 0, 0},
-    PublishedCell{"cube20_4", "orca3d+saw", 144.8, 141.3, 3.1, 28.7, 0, 0},
-    PublishedCell{"cube20_8", "apf", 151.7, 65.6, 15.9, 69.7, 6, 0},
-    PublishedCell{"cube20_8", "orca3d", 116.5, 116.6, 7.0, 40.0, 4, 0},
-    PublishedCell{"cube20_8", "apf+saw", 217.9, 129.5, 26.2, 70.0, 0, 0},
-    PublishedCell{"cube20_8", "orca3d+saw", 371.0, 371.0, 8.2, 33.8, 0, 4},
-    PublishedCell{"cube20_8_retuned", "apf", 176.6, 82.7, 20.9, 80.0, 0, 0},
-    PublishedCell{"cube20_8_retuned", "orca3d", 131.9, 132.0, 7.1, 42.7, 0, 0},
-    PublishedCell{"cube20_8_retuned", "apf+saw", 397.4, 275.8, 51.5, 112.1, 0, 0},
-    PublishedCell{"cube20_8_retuned", "orca3d+saw", 322.5, 322.5, 8.9, 34.9, 0, 0},
-    PublishedCell{"cube60_4", "apf", 218.9, 23.3, 5.5, 114.6, 0, 0},
-    PublishedCell{"cube60_4", "orca3d", 227.4, 80.3, 3.0, 103.1, 0, 0},
-    PublishedCell{"cube60_4", "apf+saw", 213.1, 19.5, 3.5, 107.8, 0, 0},
-    PublishedCell{"cube60_4", "orca3d+saw", 303.9, 141.0, 3.6, 101.5, 0, 0},
-    PublishedCell{"cube60_8", "apf", 311.0, 86.4, 22.8, 153.7, 8, 0},
-    PublishedCell{"cube60_8", "orca3d", 255.3, 124.5, 6.9, 107.3, 4, 0},
-    PublishedCell{"cube60_8", "apf+saw", 359.6, 131.0, 29.1, 150.2, 0, 0},
-    PublishedCell{"cube60_8", "orca3d+saw", 470.6, 340.5, 10.3, 105.3, 0, 0},
-    PublishedCell{"cube60_8_retuned", "apf", 319.6, 92.9, 23.2, 158.2, 0, 0},
-    PublishedCell{"cube60_8_retuned", "orca3d", 260.4, 130.7, 7.1, 108.2, 0, 0},
-    PublishedCell{"cube60_8_retuned", "apf+saw", 400.1, 163.2, 35.6, 160.2, 0, 0},
-    PublishedCell{"cube60_8_retuned", "orca3d+saw", 478.0, 348.0, 10.3, 105.4, 0, 0},
 };
 
 /// The vertex a robot starts from, in units of h: north, east, and whether it is deep.
@@ -86,7 +53,7 @@ std::vector<Leg> mission_of(const Vertex& vertex, double h) {
           {.kind = LegKind::transit, .position = goal, .speed_mps = speed, .arrival_m = safety_radius}};
 }
 
-Choice avoider_of(const Method& method, Code code, const Tuning& tuning) {
+Choice avoider_of(const Method& method, Code code, const Tuning& tuning, const ParamValues& heard) {
   Choice choice{
       .name =
           std::string(method.orca ? "orca3d" : "apf") + (is_as_coded(code) ? "_as_coded" : "") +
@@ -96,7 +63,26 @@ Choice avoider_of(const Method& method, Code code, const Tuning& tuning) {
   if (!method.orca) choice.params.emplace_back("w2_ratio", tuning.w2_ratio);
   if (method.orca) choice.params.emplace_back("time_horizon_s", tuning.time_horizon_s);
   if (method.orca && is_as_coded(code)) choice.params.emplace_back("time_step_s", tuning.time_step_s);
+  if (!heard.empty()) choice.name += "+as_heard";
+  choice.params.insert(choice.params.end(), heard.begin(), heard.end());
   return choice;
+}
+
+/// A robot where its distance to the goal puts it as the crossing begins: under the diagonal on which it went
+/// out, a little below the surface or as deep as the tolerance lets it stop, facing outward, at rest.
+void put_at_recorded_start(VehicleSpec& vehicle, const CubeCase& cube, Rng& chance) {
+  constexpr double afloat = 0.3;  // [m]
+  const Vertex& vertex = vertices[vehicle.id];
+  const PublishedMean start = recorded_start(cube, vehicle.id);
+  const double h = cube.half_edge_m;
+  const double depth = vertex.deep ? 2 * h - goto_tolerance + afloat : afloat;
+  const double rise = (vertex.deep ? 0.0 : 2 * h) - depth;
+  const double distance = start.mean + start.deviation * chance.normal();
+  const double out = std::sqrt((distance * distance - rise * rise) / 2) - h;
+  vehicle.position = {out * vertex.north, out * vertex.east, depth};
+  vehicle.yaw = std::atan2(vertex.east, vertex.north);
+  vehicle.start_delay_s = chance.uniform(0.0, 0.1);
+  vehicle.mission.erase(vehicle.mission.begin(), vehicle.mission.end() - 1);
 }
 
 }  // namespace
@@ -105,7 +91,9 @@ std::span<const CubeCase> comparison_cases() { return cases; }
 std::span<const Method> methods() { return all_methods; }
 
 std::string_view name_of(Code code) {
-  constexpr std::array names{"as_coded", "as_coded_north", "corrected"};
+  constexpr std::array names{"as_coded",        "as_coded_north",  "as_coded_replicas",
+                             "as_coded_starts", "as_coded_timing", "as_coded_starts_timing",
+                             "corrected",       "corrected_told"};
   return names[static_cast<std::size_t>(code)];
 }
 
@@ -114,21 +102,8 @@ Tuning comparison_tuning(const CubeCase& cube, const Method& method) {
   return {.crit_dist_m = cube.retuned ? 7.0 : 6.0, .ori_error_rad = 0.8};
 }
 
-std::optional<double> published(std::string_view cube, std::string_view method, std::string_view quantity) {
-  for (const PublishedCell& cell : published_cells) {
-    if (cell.cube != cube || cell.method != method) continue;
-    if (quantity == "navigation_time_s") return cell.navigation_time_s;
-    if (quantity == "avoidance_time_s") return cell.avoidance_time_s;
-    if (quantity == "avoided_count") return cell.avoided_count;
-    if (quantity == "distance_m") return cell.distance_m;
-    if (quantity == "collision_count") return cell.collision_count;
-    if (quantity == "stuck_count") return cell.stuck_count;
-  }
-  return std::nullopt;
-}
-
 Scenario cube_scenario(const CubeCase& cube, const Method& method, Code code, const Tuning& tuning,
-                       std::uint64_t seed) {
+                       std::uint64_t seed, const ParamValues& heard) {
   const double diagonal = 2 * cube.half_edge_m * std::sqrt(3.0);
   Scenario scenario{
       .name = std::string(cube.name) + " " + std::string(method.name) + " " + std::string(name_of(code)),
@@ -136,28 +111,30 @@ Scenario cube_scenario(const CubeCase& cube, const Method& method, Code code, co
       .step_s = 0.05,
       .duration_s = (time_coefficient + 2) * diagonal / speed,
       .seed = seed,
-      .coincident_start = true,
+      .coincident_start = !is_from_recorded_starts(code),
       .exam = {.crit_dist_m = tuning.crit_dist_m,
                .safety_distance_m = safety_radius,
                .time_coefficient_ratio = time_coefficient}};
 
   // what the published runs left to chance
   Rng chance = Rng{seed}.stream("deployment");
+  Rng starts = Rng{seed}.stream("recorded starts");
   for (std::size_t i = 0; i < cube.team; ++i) {
     const auto id = static_cast<std::uint32_t>(i);
     VehicleSpec vehicle{.id = id,
                         .name = "robot" + std::to_string(id),
                         .model = {.name = "sparus2", .path = "model"},
-                        .avoider = avoider_of(method, code, tuning),
+                        .avoider = avoider_of(method, code, tuning, heard),
                         .steering = {.name = "turn_then_go",
                                      .params = {{"ori_error_rad", tuning.ori_error_rad}},
                                      .path = "steering"},
                         .yaw = chance.uniform(-pi, pi) * (code == Code::as_coded_north ? 0.0 : 1.0),
                         .start_delay_s = chance.uniform(0.0, 5.0),
-                        .radius_m = safety_radius,
+                        .radius_m = tuning.radius_m,
                         .priority = static_cast<std::int32_t>(i),
                         .mission = mission_of(vertices[i], cube.half_edge_m)};
     if (method.orca) vehicle.limits.max_speed = speed;
+    if (is_from_recorded_starts(code)) put_at_recorded_start(vehicle, cube, starts);
     scenario.vehicles.push_back(std::move(vehicle));
   }
   return scenario;

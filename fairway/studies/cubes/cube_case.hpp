@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -22,11 +21,22 @@ struct CubeCase {
 /// The six rows (raja2024, section V-B).
 std::span<const CubeCase> comparison_cases();
 
-/// Which code decides: what made the published data, or the printed equations in the right frames. How the
-/// published runs' vehicles headed at the origin is not known: `as_coded` draws it, `as_coded_north` lets all
-/// head north, as a simulator does that is told nothing.
-enum class Code { as_coded, as_coded_north, corrected };
-constexpr bool is_as_coded(Code code) { return code != Code::corrected; }
+/// Which code decides, under what circumstances. Of the published runs neither how the vehicles headed at the
+/// origin is known nor exactly where their crossings began.
+enum class Code {
+  as_coded,           ///< what made the published data; headings at the origin drawn
+  as_coded_north,     ///< all head north at the origin, as a simulator does that is told nothing
+  as_coded_replicas,  ///< as_coded again and again, with other seeds than the published part
+  as_coded_starts,    ///< begins as far from the goals as the result files say, instead of with a deployment
+  as_coded_timing,    ///< as_coded, with messages and odometry as AsHeard makes them
+  as_coded_starts_timing,  ///< as_coded_starts, likewise
+  corrected,               ///< the printed equations in the right frames
+  corrected_told,          ///< those, told another distance to keep
+};
+constexpr bool is_as_coded(Code code) { return code < Code::corrected; }
+constexpr bool is_from_recorded_starts(Code code) {
+  return code == Code::as_coded_starts || code == Code::as_coded_starts_timing;
+}
 std::string_view name_of(Code code);
 
 /// The tunable numbers of the published experiment. The names are those of the thesis in the spelling of
@@ -37,6 +47,7 @@ struct Tuning {
   double w2_ratio = 0.5;        ///< APF
   double time_step_s = 1.0;     ///< ORCA as coded
   double time_horizon_s = 5.0;  ///< ORCA
+  double radius_m = 3.0;        ///< of a vehicle; ORCA keeps two of them apart
 };
 
 /// One way of getting across the cube.
@@ -50,14 +61,10 @@ std::span<const Method> methods();
 /// The parameters of the comparison phase (raja2024, sections V-A and V-B).
 Tuning comparison_tuning(const CubeCase& cube, const Method& method);
 
-/// The published mean of a cell over five runs, or nothing if not published. Collisions and stuck robots are
-/// totals.
-std::optional<double> published(std::string_view cube, std::string_view method, std::string_view quantity);
-
 /// The whole experiment as a scenario: everyone from the NED origin to its vertex, wait for all, cross to the
 /// opposite vertex, hold there. What the published runs left to chance (heading at the origin, when
-/// each starts, the order of messages) is drawn from the seed.
+/// each starts, the order of messages) is drawn from the seed. `heard` are parameters of AsHeard.
 Scenario cube_scenario(const CubeCase& cube, const Method& method, Code code, const Tuning& tuning,
-                       std::uint64_t seed);
+                       std::uint64_t seed, const ParamValues& heard = {});
 
 }  // namespace fairway::cubes

@@ -6,18 +6,16 @@
 #include "fairway/avoidance/direct/direct.hpp"
 #include "fairway/experiment/measure_run.hpp"
 #include "fairway/studies/cubes/as_coded.hpp"
+#include "fairway/studies/cubes/as_heard.hpp"
 #include "fairway/studies/cubes/chosen_run.hpp"
 #include "fairway/studies/cubes/cubes_page.hpp"
-#include "fairway/studies/cubes/findings.hpp"
+#include "fairway/studies/cubes/rows.hpp"
 #include "fairway/studies/study_runs.hpp"
 
 namespace fairway::cubes {
 namespace {
 
-Scenario scenario_of(const PlannedRun& run) {
-  const Cell& cell = *run.cell;
-  return cube_scenario(*cell.cube, *cell.method, cell.code, cell.tuning, run.spec.seed);
-}
+Scenario scenario_of(const PlannedRun& run) { return run.cell->scenario(run.spec.seed); }
 
 /// The run that the report shows in detail.
 bool is_chosen(const RunSpec& spec) {
@@ -28,7 +26,10 @@ bool is_chosen(const RunSpec& spec) {
 
 Catalogs cube_catalogs() {
   Catalogs catalogs = builtin_catalogs();
-  catalogs.avoiders.add<ApfAsCoded>().add<OrcaAsCoded>().add_wrapper<StopAndWaitAsCoded, Direct>();
+  catalogs.avoiders.add<ApfAsCoded>()
+      .add<OrcaAsCoded>()
+      .add_wrapper<StopAndWaitAsCoded, Direct>()
+      .add_wrapper<AsHeard, Direct>();
   return catalogs;
 }
 
@@ -60,6 +61,10 @@ StudyResult run_cubes(const StudyOptions& options) {
   if (options.seeds > 0) {
     std::ranges::copy(heading_cells(), std::back_inserter(cells));
     std::ranges::copy(comparison_cells(Code::corrected, options.seeds), std::back_inserter(cells));
+    std::ranges::copy(replica_cells(Code::as_coded_replicas, options.seeds), std::back_inserter(cells));
+    std::ranges::copy(replica_cells(Code::as_coded_starts, options.seeds), std::back_inserter(cells));
+    std::ranges::copy(timing_cells(options.seeds), std::back_inserter(cells));
+    std::ranges::copy(told_cells(options.seeds), std::back_inserter(cells));
   }
   const std::vector<CellResults> results = run_cells(cells, options);
   if (results.empty()) return {.complete = false};

@@ -8,7 +8,8 @@
 
 #include "fairway/sim/simulation.hpp"
 #include "fairway/studies/cubes/as_coded.hpp"
-#include "fairway/studies/cubes/findings.hpp"
+#include "fairway/studies/cubes/as_heard.hpp"
+#include "fairway/studies/cubes/rows.hpp"
 
 namespace fairway::cubes {
 namespace {
@@ -136,6 +137,53 @@ TEST(OrcaAsCoded, TakesBodyVelocitiesForVelocitiesOverGround) {
   const Catalog catalog = builtin_avoiders();
   Avoider corrected = catalog.make("orca3d");
   EXPECT_GT(as_coded.decide(s).velocity.y(), corrected.decide(s).velocity.y());
+}
+
+/// Potential fields that hear as `params` say, shown somebody who backs away from 4.8 m by 0.1 m a tick; the
+/// velocity north at each tick.
+std::vector<double> surge_of(const AsHeard::Params& params, int ticks) {
+  Avoider avoider{AsHeard{params}, Avoider{ApfAsCoded{{}}}};
+  std::vector<double> surge;
+  for (int tick = 0; tick < ticks; ++tick) {
+    const std::array<Track, 1> track{Track{.id = TrackId{1}, .position = {4.8 + 0.1 * tick, 0, 0}}};
+    Situation s = with(track);
+    s.time = 0.05 * tick;
+    surge.push_back(avoider.decide(s).velocity.x());
+  }
+  return surge;
+}
+
+TEST(AsHeard, WhoHearsAllAtOnceDecidesAsTheCodeAlone) {
+  Avoider alone{ApfAsCoded{{}}};
+  const std::vector<double> heard = surge_of({}, 20);
+  for (int tick = 0; tick < 20; ++tick) {
+    const std::array<Track, 1> track{Track{.id = TrackId{1}, .position = {4.8 + 0.1 * tick, 0, 0}}};
+    EXPECT_EQ(heard[static_cast<std::size_t>(tick)], alone.decide(with(track)).velocity.x()) << tick;
+  }
+}
+
+TEST(AsHeard, LateCommandsAreThoseOfBeforeAndLostMessagesPushNobody) {
+  const std::vector<double> at_once = surge_of({}, 20), late = surge_of({.command_late_s = 0.2}, 20);
+  for (std::size_t tick = 4; tick < 20; ++tick) EXPECT_EQ(late[tick], at_once[tick - 4]) << tick;
+  EXPECT_THAT(surge_of({.lost_ratio = 1.0}, 20), ::testing::Each(::testing::DoubleNear(0.5, 1e-12)));
+}
+
+TEST(AsHeard, WhatIsLateStandsWhereItStood) {
+  // heard where it was at first for ten ticks, it pushes harder than it does where it is
+  EXPECT_LT(surge_of({.late_s = 0.5}, 11)[10], surge_of({}, 11)[10]);
+}
+
+TEST(RecordedStarts, EveryoneIsAsFarFromTheGoalAsRecordedAndFacesOutward) {
+  for (const CubeCase& cube : {comparison_cases()[1], comparison_cases()[4]}) {
+    const Scenario scenario = cube_scenario(cube, methods()[0], Code::as_coded_starts, {}, 1);
+    for (const VehicleSpec& vehicle : scenario.vehicles) {
+      const PublishedMean recorded = recorded_start(cube, vehicle.id);
+      const Vec3 to_goal = vehicle.mission.back().position - vehicle.position;
+      EXPECT_NEAR(to_goal.norm(), recorded.mean, 5 * recorded.deviation) << vehicle.name;
+      const Vec3 outward{std::cos(vehicle.yaw), std::sin(vehicle.yaw), 0};
+      EXPECT_LT(outward.dot(to_goal.normalized()), -0.7) << vehicle.name;
+    }
+  }
 }
 
 TEST(StopAndWaitAsCoded, GoesOnOnlyAfterTheHoldIsReleased) {

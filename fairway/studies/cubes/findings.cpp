@@ -6,222 +6,342 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <map>
+#include <set>
 
+#include "fairway/core/text.hpp"
 #include "fairway/experiment/statistics.hpp"
 
 namespace fairway::cubes {
 namespace {
 
-constexpr std::array quantities{Quantity{"navigation_time_s", false}, Quantity{"avoidance_time_s", false},
-                                Quantity{"avoided_count", false},     Quantity{"distance_m", false},
-                                Quantity{"collision_count", true},    Quantity{"stuck_count", true}};
+using Rows = std::span<const StudyRow>;
 
-/// What is known of a cell that comes out differently.
-std::string cause(const Cell& cell, const StudyRow& row) {
-  if (cell.code == Code::corrected || !row.published) return "";
-  if (row.verdict == Verdict::reproduced) return "";
-  const bool apf = !cell.method->orca;
-  if (row.quantity == "collision_count" || row.quantity == "stuck_count") {
-    return "a rare event: five runs fix its frequency to no better than a factor of two or three";
-  }
-  if (apf && cell.cube->half_edge_m > 10 && cell.cube->team == 8) {
-    return "depends on how the vehicles head at the origin, which is not published; see as_coded_north";
-  }
-  if (apf) return "limit cycles of approach and retreat depend on the vehicle's unpublished velocity loop";
-  return "";
-}
+constexpr double near_enough = 0.15;
+constexpr double significant = 0.05;
+constexpr std::array means{"navigation_time_s", "avoidance_time_s", "avoided_count", "distance_m"};
+constexpr std::array totals{"collision_count", "stuck_count"};
 
-StudyRow row_of(const CellResults& results, const Quantity& quantity) {
-  const Cell& cell = *results.cell;
-  StudyRow row{.cell = cell.name(),
-               .method = std::string(cell.method->name),
-               .mode = std::string(name_of(cell.code)),
-               .quantity = std::string(quantity.name),
-               .params = cell.varied(),
-               .runs = static_cast<int>(results.runs.size())};
-  if (cell.part == Part::comparison) row.published = published(row.cell, row.method, quantity.name);
-  if (cell.part == Part::tuning && quantity.name == "collision_count") row.published = 0.0;
-  if (cell.part == Part::tuning && quantity.name == "stuck_count" && cell.method->orca) row.published = 0.0;
-
-  if (quantity.is_total) {
-    const double scale = published_runs / static_cast<double>(results.runs.size());
-    const CountEstimate total = poisson_interval(results.total(quantity.name));
-    row.measured = scale * total.count;
-    row.low = scale * total.low;
-    row.high = scale * total.high;
-  } else {
-    const MeanEstimate mean = estimate_mean(results.run_means(quantity.name));
-    row.measured = mean.mean;
-    row.low = mean.low;
-    row.high = mean.high;
-  }
-  judge(row, quantity.is_total);
-  row.note = cause(cell, row);
-  return row;
-}
-
-StudyRow safety_row(const CellResults& results) {
-  const Cell& cell = *results.cell;
-  std::size_t safe = 0;
-  for (const auto& run : results.runs) {
-    safe += std::ranges::none_of(
-        run, [](const Measure& m) { return m.quantity == "pair_collision_count" && m.value > 0; });
-  }
-  const RateEstimate rate = wilson_interval(safe, results.runs.size());
-  return {.cell = cell.name(),
-          .method = std::string(cell.method->name),
-          .mode = std::string(name_of(cell.code)),
-          .quantity = "collision_free_ratio",
-          .params = cell.varied(),
-          .measured = rate.rate,
-          .low = rate.low,
-          .high = rate.high,
-          .runs = static_cast<int>(results.runs.size()),
-          .note = "share of runs in which no two vehicles came within 3 m; Wilson's interval"};
-}
-
-/// Mean navigation time of the tuning cells of a method, by the value of one parameter.
-std::map<double, double> marginal(const std::vector<CellResults>& results, bool orca,
-                                  double Tuning::*parameter) {
-  std::map<double, std::pair<double, int>> sums;
-  for (const CellResults& cell : results) {
-    if (cell.cell->part != Part::tuning || cell.cell->method->orca != orca) continue;
-    for (const double time : cell.values("navigation_time_s")) {
-      auto& [sum, count] = sums[cell.cell->tuning.*parameter];
-      sum += time;
-      ++count;
-    }
-  }
-  std::map<double, double> means;
-  for (const auto& [value, sum] : sums) means[value] = sum.first / sum.second;
-  return means;
-}
-
-std::string trend(std::string_view name, const std::map<double, double>& means, bool published_rising) {
-  std::string list;
-  std::vector<double> times;
-  for (const auto& [value, mean] : means) {
-    list += fmt::format("{}{:g}: {:.0f} s", list.empty() ? "" : ", ", value, mean);
-    times.push_back(mean);
-  }
-  const bool holds =
-      published_rising ? std::ranges::is_sorted(times) : std::ranges::is_sorted(times, std::greater{});
-  const bool ends_hold = published_rising ? times.back() > times.front() : times.back() < times.front();
-  return fmt::format("{}: mean navigation time {}. Published: {} is {}. {}.", name, list, "a larger value",
-                     published_rising ? "slower" : "faster",
-                     holds       ? "The same here"
-                     : ends_hold ? "The same here from end to end, not at every step"
-                                 : "Not so here");
-}
-
-/// "+6 %" of the navigation time in one cell, or "not run".
-std::string deviation(std::span<const StudyRow> rows, std::string_view cell, std::string_view method,
-                      std::string_view mode) {
+std::vector<const StudyRow*> rows_with(Rows rows, std::string_view mode, std::string_view quantity,
+                                       const std::function<bool(const StudyRow&)>& fits = {}) {
+  std::vector<const StudyRow*> found;
   for (const StudyRow& row : rows) {
-    if (row.cell == cell && row.method == method && row.mode == mode && row.quantity == "navigation_time_s") {
-      return fmt::format("{:+.0f} %", 100 * row.deviation_ratio().value_or(0.0));
+    if (row.mode == mode && row.quantity == quantity && std::isfinite(row.measured) && (!fits || fits(row)))
+      found.push_back(&row);
+  }
+  return found;
+}
+
+const StudyRow* row_with(Rows rows, std::string_view mode, std::string_view quantity, std::string_view cell,
+                         std::string_view method) {
+  const auto found = rows_with(rows, mode, quantity, [&](const StudyRow& row) {
+    return row.cell == cell && row.method == method && row.params.empty();
+  });
+  return found.empty() ? nullptr : found.front();
+}
+
+std::string list_of(const std::vector<std::string>& parts) {
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+/// Adds a sentence unless it was withheld.
+void say(std::vector<std::string>& text, std::string sentence) {
+  if (!sentence.empty()) text.push_back(std::move(sentence));
+}
+
+// ---- the parameter phase --------------------------------------------------------------------------
+
+bool is_tuning(const StudyRow& row) { return row.cell == "tuning" && !row.params.empty(); }
+
+std::string tuning_totals(Rows rows) {
+  const StudyRow* collisions = row_with(rows, "as_coded", "collision_count", "tuning", "all");
+  const StudyRow* apf = row_with(rows, "as_coded", "stuck_count", "tuning", "apf");
+  const StudyRow* orca = row_with(rows, "as_coded", "stuck_count", "tuning", "orca3d");
+  if (collisions == nullptr || apf == nullptr || orca == nullptr) return "";
+  return fmt::format(
+      "Parameter phase: {:.0f} counted collisions in {} runs (published: {:.0f}); {:.0f} of {} APF robots "
+      "stuck "
+      "(published: {:.0f}), {:.0f} of {} ORCA robots (published: {:.0f}).",
+      collisions->measured, collisions->runs, collisions->published.value_or(0), apf->measured, 4 * apf->runs,
+      apf->published.value_or(0), orca->measured, 4 * orca->runs, orca->published.value_or(0));
+}
+
+/// How many have a published value, and how many are within 15 % of it.
+std::string alike(const std::vector<const StudyRow*>& rows) {
+  int all = 0, near = 0;
+  for (const StudyRow* row : rows) {
+    const auto deviation = row->deviation_ratio();
+    all += deviation ? 1 : 0;
+    near += deviation && std::abs(*deviation) <= near_enough ? 1 : 0;
+  }
+  return all == 0 ? "" : fmt::format("{} of {}", near, all);
+}
+
+std::string tuning_times(Rows rows) {
+  std::vector<std::string> parts;
+  for (const std::string_view method : {"apf", "orca3d"}) {
+    const std::string near = alike(rows_with(rows, "as_coded", "navigation_time_s", [&](const StudyRow& row) {
+      return is_tuning(row) && row.method == method;
+    }));
+    if (!near.empty()) parts.push_back(fmt::format("{} of {}", near, method));
+  }
+  if (parts.empty()) return "";
+  return fmt::format("Parameter phase, navigation times of cells within 15 % of the published one: {}.",
+                     list_of(parts));
+}
+
+/// Whether the mean navigation time rises or falls with a parameter, here and as published.
+std::string trend(Rows rows, std::string_view method, std::string_view parameter) {
+  struct Sums {
+    double here{}, there{};
+    int count{};
+  };
+  std::map<double, Sums> sums;
+  for (const StudyRow* row : rows_with(rows, "as_coded", "navigation_time_s", is_tuning)) {
+    if (row->method != method || !row->published) continue;
+    for (const auto& [name, value] : row->params) {
+      const double* number = std::get_if<double>(&value);
+      if (name != parameter || number == nullptr) continue;
+      Sums& sum = sums[*number];
+      sum.here += row->measured;
+      sum.there += *row->published;
+      ++sum.count;
     }
   }
-  return "not run";
+  if (sums.size() < 2) return "";
+
+  std::vector<std::string> parts;
+  int same_steps = 0;
+  const Sums* before = nullptr;
+  for (const auto& [value, sum] : sums) {
+    parts.push_back(
+        fmt::format("{:g}: {:.0f} s ({:.0f} s)", value, sum.here / sum.count, sum.there / sum.count));
+    if (before != nullptr)
+      same_steps += (sum.here / sum.count > before->here / before->count) ==
+                            (sum.there / sum.count > before->there / before->count)
+                        ? 1
+                        : 0;
+    before = &sum;
+  }
+  return fmt::format(
+      "{}, mean navigation time by {}, in brackets published: {}; {} of {} steps go the same way.", method,
+      parameter, list_of(parts), same_steps, sums.size() - 1);
 }
+
+// ---- the comparison -------------------------------------------------------------------------------
+
+std::string within_15_percent(Rows rows) {
+  std::vector<std::string> parts;
+  for (const std::string_view quantity : means) {
+    const std::string near = alike(
+        rows_with(rows, "as_coded", quantity, [](const StudyRow& row) { return row.cell != "tuning"; }));
+    if (!near.empty()) parts.push_back(fmt::format("{} {}", quantity, near));
+  }
+  if (parts.empty()) return "";
+  return fmt::format(
+      "Comparison as coded, one draw of five runs a cell, as published. Cells within 15 % of the published "
+      "value: {}.",
+      list_of(parts));
+}
+
+std::string covered(Rows rows, std::string_view mode) {
+  std::vector<std::string> inside, near;
+  int runs = 0;
+  const auto summary = [&](const std::string& quantity) {
+    return row_with(rows, mode, quantity, "all", "all");
+  };
+  const auto add = [&](std::string_view quantity) {
+    const StudyRow* row = summary(fmt::format("{}_covered_count", quantity));
+    if (row == nullptr) return;
+    inside.push_back(fmt::format("{} {:.0f}", quantity, row->measured));
+    runs = row->runs;
+  };
+  for (const std::string_view quantity : means) {
+    add(quantity);
+    if (const StudyRow* row = summary(fmt::format("{}_within_15_percent_count", quantity)))
+      near.push_back(fmt::format("{} {:.1f} [{:.0f}, {:.0f}]", quantity, row->measured, row->low, row->high));
+  }
+  for (const std::string_view quantity : totals) add(quantity);
+  if (inside.empty()) return "";
+  return fmt::format(
+      "The published experiment, five runs a cell, drawn again and again from {} runs a cell ({}). Of 24 "
+      "published values, those "
+      "within the "
+      "middle 95 % of the repetitions: {}. Cells of a repetition within 15 % of the published value, mean "
+      "and middle "
+      "95 %: {}.",
+      runs, mode, list_of(inside), list_of(near));
+}
+
+std::string scatter(Rows rows, std::string_view mode) {
+  int less = 0, more = 0, all = 0;
+  for (const StudyRow* row : rows_with(rows, mode, "navigation_time_deviation_s")) {
+    if (!row->place_ratio || row->cell == "all") continue;
+    ++all;
+    less += *row->published < row->low ? 1 : 0;
+    more += *row->published > row->high ? 1 : 0;
+  }
+  if (all == 0) return "";
+  return fmt::format(
+      "From run to run the published navigation times scatter less than the middle 95 % of the repetitions "
+      "({}) do in "
+      "{} of {} cells, more in {}.",
+      mode, less, all, more);
+}
+
+/// "2 of 5 published, 11 of 1000 here, p = 0.0012: not reproduced", over the cells in which collisions were
+/// published.
+std::string collisions(Rows rows, std::string_view mode, std::string_view method) {
+  std::size_t there = 0, published = 0, here = 0, runs = 0;
+  std::vector<std::string> cells;
+  for (const StudyRow* row : rows_with(rows, mode, "colliding_run_ratio")) {
+    if (row->method != method || row->published.value_or(0.0) == 0.0) continue;
+    there += static_cast<std::size_t>(std::lround(5 * *row->published));
+    published += 5;
+    here += static_cast<std::size_t>(std::lround(row->measured * row->runs));
+    runs += static_cast<std::size_t>(row->runs);
+    cells.push_back(row->cell);
+  }
+  if (runs == 0) return "";
+  const double p = fisher_exact(there, published, here, runs);
+  return fmt::format(
+      "Collisions of {} as coded ({}) in {}: {} of {} published runs, {} of {} here, Fisher's p = {:.2g}: "
+      "{}.",
+      method, mode, fmt::join(cells, " and "), there, published, here, runs, p,
+      p < significant ? "not reproduced" : "no difference shown");
+}
+
+// ---- why ------------------------------------------------------------------------------------------
+
+std::string printed_equations(Rows rows) {
+  double collided = 0.0, runs = 0.0;
+  for (const StudyRow* row : rows_with(rows, "corrected", "collision_free_ratio")) {
+    if (row->method != "apf") continue;
+    collided += (1.0 - row->measured) * row->runs;
+    runs += row->runs;
+  }
+  if (runs == 0.0) return "";
+  return fmt::format(
+      "With the printed equations, where repulsion is summed afresh at every step, APF collides in "
+      "{:.0f} of {:.0f} runs; published, in 4 of 30.",
+      collided, runs);
+}
+
+std::string north(Rows rows) {
+  std::vector<std::string> parts;
+  for (const StudyRow* row : rows_with(rows, "as_coded_north", "navigation_time_s")) {
+    const StudyRow* drawn = row_with(rows, "as_coded", "navigation_time_s", row->cell, row->method);
+    if (drawn == nullptr || !drawn->deviation_ratio() || !row->deviation_ratio()) continue;
+    parts.push_back(fmt::format("{} {} {:+.0f} % ({:+.0f} %)", row->cell, row->method,
+                                100 * *row->deviation_ratio(), 100 * *drawn->deviation_ratio()));
+  }
+  if (parts.empty()) return "";
+  return fmt::format(
+      "Navigation time against published with everyone heading north at the origin, in brackets with "
+      "headings drawn: {}.",
+      list_of(parts));
+}
+
+std::string text_of(const ParamValues& params) {
+  std::vector<std::string> parts;
+  for (const auto& [name, value] : params) {
+    const double* number = std::get_if<double>(&value);
+    parts.push_back(number != nullptr ? fmt::format("{}={}", name, number_text(*number)) : name);
+  }
+  return list_of(parts);
+}
+
+/// One for each way of hearing: in how many runs of each cell potential fields collide, and whether that can
+/// be told from what was published.
+void say_timing(std::vector<std::string>& text, Rows rows, std::string_view mode) {
+  std::vector<std::string> heard;
+  for (const StudyRow* row : rows_with(rows, mode, "collision_count")) {
+    if (std::ranges::find(heard, text_of(row->params)) == heard.end()) heard.push_back(text_of(row->params));
+  }
+  for (const std::string& params : heard) {
+    std::vector<std::string> parts;
+    int told_apart = 0;
+    for (const StudyRow* row : rows_with(rows, mode, "collision_count")) {
+      if (text_of(row->params) != params || !row->p_value) continue;
+      const auto shares = rows_with(rows, mode, "collision_free_ratio", [&](const StudyRow& share) {
+        return share.cell == row->cell && share.params == row->params;
+      });
+      if (shares.empty()) continue;
+      parts.push_back(fmt::format("{} {:.1f} %", row->cell, 100 * (1.0 - shares.front()->measured)));
+      told_apart += *row->p_value < significant ? 1 : 0;
+    }
+    if (parts.empty()) continue;
+    text.push_back(
+        fmt::format("{}, {}: runs of APF with a collision: {}. Cells that Fisher's test tells from the "
+                    "published runs (p < 0.05): {} of {}.",
+                    mode, params, list_of(parts), told_apart, parts.size()));
+  }
+}
+
+// ---- clearance ------------------------------------------------------------------------------------
+
+/// A method over all its cells of a mode and, if told, of what it was told.
+std::string clearance(Rows rows, std::string_view mode, std::string_view method, std::optional<double> told) {
+  const auto fits = [&](const StudyRow& row) {
+    return row.method == method && row.cell != "tuning" &&
+           (!told || (row.params.size() == 1 && row.params.front().second == ParamValue{*told}));
+  };
+  const auto share = [&](std::string_view quantity) {
+    double kept = 0.0, runs = 0.0;
+    for (const StudyRow* row : rows_with(rows, mode, quantity, fits)) {
+      kept += row->measured * row->runs;
+      runs += row->runs;
+    }
+    return std::pair{kept, runs};
+  };
+  const auto [clear_of_3, runs] = share("collision_free_ratio");
+  const auto [clear_of_6, same_runs] = share("clear_of_6m_ratio");
+  const auto least = rows_with(rows, mode, "min_separation_m", fits);
+  if (least.empty() || runs == 0.0 || runs != same_runs) return "";
+  double nearest = least.front()->measured;
+  for (const StudyRow* row : least) nearest = std::fmin(nearest, row->measured);
+  return fmt::format(
+      "{} {}{}: of {:.0f} runs {:.0f} kept 3 m between centres and {:.0f} kept 6 m; least {:.2f} m.", mode,
+      method, told ? fmt::format(", told {:g} m", *told) : "", runs, clear_of_3, clear_of_6, nearest);
+}
+
+constexpr std::array method_names{"apf", "orca3d", "apf+saw", "orca3d+saw"};
 
 }  // namespace
 
-std::span<const Quantity> published_quantities() { return quantities; }
-
-std::vector<StudyRow> rows_of(const std::vector<CellResults>& results) {
-  std::vector<StudyRow> rows;
-  for (const CellResults& cell : results) {
-    for (const Quantity& quantity : quantities) rows.push_back(row_of(cell, quantity));
-    rows.push_back(safety_row(cell));
-  }
-  return rows;
-}
-
-std::vector<std::string> causes(std::span<const StudyRow> rows) {
-  const auto of = [&](std::string_view cell, std::string_view method, std::string_view mode) {
-    return deviation(rows, cell, method, mode);
-  };
-  return {
-      "With the printed equations alone the APF results are not reproducible: W1 = 1 and W2 = 0.5 cannot "
-      "hold two vehicles "
-      "apart, since the repulsion of one neighbour stays below half the attraction. The published code adds "
-      "the repulsion of every "
-      "message to a sum that it zeroes only when nobody is near any more; with that, the trends of W2 and "
-      "CRIT_DIST and the "
-      "trapping above 10 m come out as published.",
-      "The speed law of the published data is the clamped one: the result files are dated October and "
-      "November 2023, the "
-      "bang-bang law that the thesis prints entered the code on 10 December 2023.",
-      "Fitted, because not published: the bandwidth of the vehicle's velocity loop (0.8 rad/s in surge and "
-      "heave, 1.0 rad/s in yaw) "
-      "and the second that a hold takes to be released (stop-and-wait). Both were chosen on the published "
-      "navigation times of "
-      "APF; the times of ORCA hardly depend on them.",
-      fmt::format("APF with eight vehicles in the large cube: pairs of vehicles cross the same column of "
-                  "water in opposite vertical "
-                  "directions, and how long they bounce there depends on how far they are apart sideways, "
-                  "hence on how all headed "
-                  "when they were launched from one point. That is not published. With headings drawn at "
-                  "random: apf {}, apf+saw {}, "
-                  "retuned {} and {}. With everyone heading north: apf {}, apf+saw {}, retuned {} and {}. "
-                  "The published distances at the "
-                  "start (deep vehicles 29.3 m in the north, 28.45 m in the south) speak for a common "
-                  "heading; random headings "
-                  "reproduce the other cases better.",
-                  of("cube60_8", "apf", "as_coded"), of("cube60_8", "apf+saw", "as_coded"),
-                  of("cube60_8_retuned", "apf", "as_coded"), of("cube60_8_retuned", "apf+saw", "as_coded"),
-                  of("cube60_8", "apf", "as_coded_north"), of("cube60_8", "apf+saw", "as_coded_north"),
-                  of("cube60_8_retuned", "apf", "as_coded_north"),
-                  of("cube60_8_retuned", "apf+saw", "as_coded_north")),
-      "Collisions and stuck vehicles are rare: a count of 4 in five runs is compatible with anything between "
-      "1 and 10. No collision "
-      "in five runs bounds the rate of collisions at 45 % (95 % confidence), no more.",
-      "The published experiment gives every vehicle the exact state of the others twenty times a second. The "
-      "acoustic link that "
-      "the thesis describes gives it once in ten seconds, in which a neighbour comes up to 10 m closer.",
-  };
-}
-
-std::vector<std::string> findings(const std::vector<CellResults>& results, std::span<const StudyRow> rows) {
+std::vector<std::string> findings(Rows rows) {
   std::vector<std::string> text;
-
-  double collisions = 0, apf_stuck = 0, orca_stuck = 0;
-  int apf_robots = 0, orca_robots = 0;
-  for (const CellResults& cell : results) {
-    if (cell.cell->part != Part::tuning) continue;
-    collisions += cell.total("collision_count");
-    const int robots = static_cast<int>(cell.values("stuck_count").size());
-    (cell.cell->method->orca ? orca_stuck : apf_stuck) += cell.total("stuck_count");
-    (cell.cell->method->orca ? orca_robots : apf_robots) += robots;
+  say(text, within_15_percent(rows));
+  for (const std::string_view mode : {"as_coded_replicas", "as_coded_starts"}) {
+    say(text, covered(rows, mode));
+    say(text, scatter(rows, mode));
+    for (const std::string_view method : {"apf", "orca3d"}) say(text, collisions(rows, mode, method));
   }
-  text.push_back(fmt::format(
-      "Parameter phase: {:.0f} counted collisions in 720 runs (published: none); {:.0f} of {} APF robots "
-      "stuck (published: 196 of 720), {:.0f} of {} ORCA robots (published: none).",
-      collisions, apf_stuck, apf_robots, orca_stuck, orca_robots));
-  text.push_back(trend("APF, CRIT_DIST", marginal(results, false, &Tuning::crit_dist_m), true));
-  text.push_back(trend("APF, ORI_ERROR", marginal(results, false, &Tuning::ori_error_rad), false));
-  text.push_back(trend("APF, W2", marginal(results, false, &Tuning::w2_ratio), true));
-  text.push_back(trend("ORCA, CRIT_DIST", marginal(results, true, &Tuning::crit_dist_m), false));
-  text.push_back(trend("ORCA, ORI_ERROR", marginal(results, true, &Tuning::ori_error_rad), false));
+  say(text, tuning_totals(rows));
+  say(text, tuning_times(rows));
+  for (const std::string_view parameter : {"crit_dist_m", "ori_error_rad", "w2_ratio"})
+    say(text, trend(rows, "apf", parameter));
+  for (const std::string_view parameter : {"crit_dist_m", "ori_error_rad", "time_step_s", "time_horizon_s"})
+    say(text, trend(rows, "orca3d", parameter));
+  return text;
+}
 
-  int good = 0, all = 0;
-  std::string off;
-  for (const StudyRow& row : rows) {
-    if (row.quantity != "navigation_time_s" || row.mode != "as_coded" || row.cell == "tuning") continue;
-    ++all;
-    const double deviation = row.deviation_ratio().value_or(0.0);
-    if (std::abs(deviation) <= 0.15) {
-      ++good;
-    } else {
-      off +=
-          fmt::format("{}{} {} ({:+.0f} %)", off.empty() ? "" : ", ", row.cell, row.method, 100 * deviation);
-    }
+std::vector<std::string> causes(Rows rows) {
+  std::vector<std::string> text;
+  say(text, printed_equations(rows));
+  say(text, north(rows));
+  for (const std::string_view mode : {"as_coded_timing", "as_coded_starts_timing"})
+    say_timing(text, rows, mode);
+  return text;
+}
+
+std::vector<std::string> clearances(Rows rows) {
+  std::vector<std::string> text;
+  for (const std::string_view method : method_names) {
+    say(text, clearance(rows, "corrected", method, std::nullopt));
+    for (const double told : {3.0, 6.0}) say(text, clearance(rows, "corrected_told", method, told));
   }
-  text.push_back(fmt::format(
-      "Comparison phase as coded: {} of {} navigation times within 15 % of the published value{}{}.", good,
-      all, off.empty() ? "" : "; farther off: ", off));
   return text;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/studies/cubes/plan.hpp"
 
+#include <algorithm>
+
 #include "fairway/core/text.hpp"
 #include "fairway/experiment/digest.hpp"
 #include "fairway/experiment/version.hpp"
@@ -9,16 +11,51 @@
 namespace fairway::cubes {
 namespace {
 
-constexpr std::array crit_dists{6.0, 7.0, 10.0, 20.0};
-constexpr std::array ori_errors{0.4, 0.6, 0.8};
-constexpr std::array w2s{0.5, 2.5, 500.0};
-constexpr std::array time_steps{0.1, 0.5, 1.0};
-constexpr std::array time_horizons{5.0, 10.0, 20.0};
+using namespace parameter_phase;
+
+/// What may have happened to messages and odometry, one thing at a time and then together.
+const std::vector<ParamValues>& hearings() {
+  static const std::vector<ParamValues> all{
+      {{"late_s", 0.5}},
+      {{"jitter_s", 0.2}},
+      {{"out_of_step", true}},
+      {{"own_period_s", 0.5}},
+      {{"command_late_s", 0.2}},
+      {{"noise_m", 0.3}},
+      {{"lost_ratio", 0.5}},
+      {{"lost_ratio", 0.6}},
+      {{"late_s", 0.1},
+       {"jitter_s", 0.1},
+       {"out_of_step", true},
+       {"own_period_s", 0.1},
+       {"command_late_s", 0.1},
+       {"noise_m", 0.05}},
+  };
+  return all;
+}
+
+std::string label_of(const ParamValue& value) {
+  const double* number = std::get_if<double>(&value);
+  return number != nullptr ? number_text(*number) : "true";
+}
+
+/// Over the vehicles of a run, and how many they are.
+std::pair<double, int> sum_of(const std::vector<Measure>& run, std::string_view quantity) {
+  double sum = 0.0;
+  int count = 0;
+  for (const Measure& measure : run) {
+    if (measure.quantity != quantity) continue;
+    sum += measure.value;
+    ++count;
+  }
+  return {sum, count};
+}
 
 }  // namespace
 
 ParamValues Cell::varied() const {
-  if (part != Part::tuning) return {};
+  if (code == Code::corrected_told) return {{"told_m", told_m}};
+  if (part != Part::tuning) return heard;
   ParamValues values{{"crit_dist_m", tuning.crit_dist_m}, {"ori_error_rad", tuning.ori_error_rad}};
   if (method->orca) {
     values.emplace_back("time_step_s", tuning.time_step_s);
@@ -32,7 +69,7 @@ ParamValues Cell::varied() const {
 Labels Cell::labels() const {
   Labels labels{
       {"case", name()}, {"method", std::string(method->name)}, {"mode", std::string(name_of(code))}};
-  for (const auto& [name, value] : varied()) labels.emplace_back(name, number_text(std::get<double>(value)));
+  for (const auto& [name, value] : varied()) labels.emplace_back(name, label_of(value));
   return labels;
 }
 
@@ -79,13 +116,49 @@ std::vector<Cell> heading_cells() {
   return cells;
 }
 
+std::vector<Cell> replica_cells(Code code, int replicas) {
+  std::vector<Cell> cells = comparison_cells(code, 0);
+  for (Cell& cell : cells) {
+    cell.runs = published_runs * replicas;
+    cell.first_seed = published_runs + 1;
+  }
+  return cells;
+}
+
+std::vector<Cell> timing_cells(int runs) {
+  std::vector<Cell> cells;
+  for (const Code code : {Code::as_coded_timing, Code::as_coded_starts_timing}) {
+    for (const ParamValues& heard : hearings()) {
+      for (const CubeCase& cube : comparison_cases()) {
+        const Method& apf = methods()[0];
+        cells.push_back({Part::comparison, &cube, &apf, code, comparison_tuning(cube, apf), runs, 1, heard});
+      }
+    }
+  }
+  return cells;
+}
+
+std::vector<Cell> told_cells(int runs) {
+  std::vector<Cell> cells;
+  for (const CubeCase& cube : comparison_cases()) {
+    if (cube.retuned) continue;
+    for (const Method& method : methods()) {
+      for (const double told : {3.0, 6.0}) {
+        Tuning tuning = comparison_tuning(cube, method);
+        (method.orca ? tuning.radius_m : tuning.crit_dist_m) = method.orca ? told / 2 : 2 * told;
+        cells.push_back({Part::comparison, &cube, &method, Code::corrected_told, tuning, runs, 1, {}, told});
+      }
+    }
+  }
+  return cells;
+}
+
 std::vector<RunSpec> specs_of(const Cell& cell) {
   // the seed stands in the scenario in one place, so one digest serves the cell
-  const std::string scenario =
-      Digest::of(to_yaml(cube_scenario(*cell.cube, *cell.method, cell.code, cell.tuning, 0)));
+  const std::string scenario = Digest::of(to_yaml(cell.scenario(0)));
   std::vector<RunSpec> specs;
-  for (int run = 1; run <= cell.runs; ++run) {
-    const auto seed = static_cast<std::uint64_t>(run);
+  for (int run = 0; run < cell.runs; ++run) {
+    const std::uint64_t seed = cell.first_seed + static_cast<std::uint64_t>(run);
     std::string key = "cubes/" + cell.name() + "/" + std::string(cell.method->name) + "/" +
                       std::string(name_of(cell.code)) + "/" + scenario + "/" + std::to_string(results_epoch) +
                       "/" + std::to_string(seed);
@@ -116,21 +189,27 @@ std::vector<double> CellResults::values(std::string_view quantity, int vehicle) 
 std::vector<double> CellResults::run_means(std::string_view quantity) const {
   std::vector<double> means;
   for (const auto& run : runs) {
-    double sum = 0.0;
-    int count = 0;
-    for (const Measure& measure : run) {
-      if (measure.quantity != quantity) continue;
-      sum += measure.value;
-      ++count;
-    }
+    const auto [sum, count] = sum_of(run, quantity);
     if (count > 0) means.push_back(sum / count);
   }
   return means;
 }
 
+std::vector<double> CellResults::run_totals(std::string_view quantity) const {
+  std::vector<double> totals;
+  for (const auto& run : runs) totals.push_back(sum_of(run, quantity).first);
+  return totals;
+}
+
+std::size_t CellResults::colliding_runs() const {
+  const std::vector<double> collisions = run_totals("collision_count");
+  return static_cast<std::size_t>(
+      std::ranges::count_if(collisions, [](double count) { return count > 0.0; }));
+}
+
 double CellResults::total(std::string_view quantity) const {
   double sum = 0.0;
-  for (const double value : values(quantity)) sum += value;
+  for (const double of_run : run_totals(quantity)) sum += of_run;
   return sum;
 }
 

@@ -142,12 +142,21 @@ std::vector<StudyRow> silence_rows(const std::vector<Cell>& cells) {
   return rows;
 }
 
+bool is_complete(const std::vector<Cell>& cells, std::string_view cube, std::string_view method) {
+  const auto missing = [&](const Cell& cell) {
+    return cell.place == cube && cell.method == method && cell.results.empty();
+  };
+  return std::ranges::any_of(cells, [&](const Cell& c) { return c.place == cube && c.method == method; }) &&
+         std::ranges::none_of(cells, missing);
+}
+
 std::optional<double> safe_down_to(const std::vector<Cell>& cells, std::string_view cube,
                                    std::string_view method, double loss_ratio) {
   std::optional<double> safe;
   for (const double rate : update_rates_hz) {
     const Channel channel{Channel::Kind::acoustic, rate, loss_ratio};
-    if (collision_runs(find_cell(cells, cube, method, channel.name())) > 0) return safe;
+    const Cell& cell = find_cell(cells, cube, method, channel.name());
+    if (cell.results.empty() || collision_runs(cell) > 0) return safe;
     safe = rate;
   }
   return safe;
@@ -158,6 +167,7 @@ std::vector<std::string> silence_sentences(const std::vector<Cell>& cells) {
   for (const Method& method : silence_methods()) {
     std::string text;
     for (const std::string_view cube : silent_cubes()) {
+      if (!is_complete(cells, cube, method.name)) continue;
       const auto clear = safe_down_to(cells, cube, method.name, 0.0);
       const auto lossy = safe_down_to(cells, cube, method.name, 0.5);
       const auto phrase = [](std::optional<double> rate) {
@@ -166,6 +176,7 @@ std::vector<std::string> silence_sentences(const std::vector<Cell>& cells) {
       text += fmt::format("{}{}: {} without loss, {} with half of all messages lost",
                           text.empty() ? "" : "; ", cube, phrase(clear), phrase(lossy));
     }
+    if (text.empty()) continue;
     sentences.push_back(
         fmt::format("{}, lowest update rate down to which no run had a collision: {}.", method.name, text));
   }

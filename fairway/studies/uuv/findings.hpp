@@ -23,12 +23,15 @@ std::vector<StudyRow> gathering_rows(const std::vector<Cell>& cells);
 /// run collided.
 std::vector<StudyRow> silence_rows(const std::vector<Cell>& cells);
 
+/// Whether there are cells of the method in the cube, and all of them were run.
+bool is_complete(const std::vector<Cell>& cells, std::string_view cube, std::string_view method);
+
 /// The lowest update rate such that at it and at all higher ones no run collided; nothing if even the
-/// highest had a collision.
+/// highest had a collision or was not run.
 std::optional<double> safe_down_to(const std::vector<Cell>& cells, std::string_view cube,
                                    std::string_view method, double loss_ratio);
 
-/// "apf in cube20_8 stops being safe …", a sentence for each method.
+/// How rarely messages may come, a sentence for each method; cubes that are not complete are left out.
 std::vector<std::string> silence_sentences(const std::vector<Cell>& cells);
 
 /// Runs of which some pair of vehicles collided.

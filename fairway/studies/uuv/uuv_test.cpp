@@ -121,6 +121,39 @@ TEST(UuvSilence, IsSafeDownToTheLastRateBeforeTheFirstCollision) {
   EXPECT_EQ(safe_down_to(cells, "cube20_8", "apf", 0.5), std::nullopt);
 }
 
+/// Cells of every method in every silent cube, over every channel, with as many collisions in their one run.
+std::vector<Cell> silence(double collisions) {
+  std::vector<Cell> cells;
+  for (const std::string_view cube : silent_cubes()) {
+    for (const Method& method : silence_methods()) {
+      for (const double rate : update_rates_hz) {
+        for (const double loss : loss_ratios) {
+          Cell cell = silent_cell(Channel{Channel::Kind::acoustic, rate, loss}.name(), {collisions});
+          cell.place = std::string(cube);
+          cell.method = std::string(method.name);
+          cells.push_back(std::move(cell));
+        }
+      }
+    }
+  }
+  return cells;
+}
+
+TEST(UuvSilence, SentencesFollowTheRunsAndAreWithheldWhereThereAreNone) {
+  for (const std::string& sentence : silence_sentences(silence(0.0))) {
+    EXPECT_NE(sentence.find("0.1 Hz without loss, 0.1 Hz with half"), std::string::npos) << sentence;
+  }
+  for (const std::string& sentence : silence_sentences(silence(1.0))) {
+    EXPECT_EQ(sentence.find("0.1 Hz"), std::string::npos) << sentence;
+    EXPECT_NE(sentence.find("not even at 20 Hz"), std::string::npos) << sentence;
+  }
+  std::vector<Cell> never_run = silence(0.0);
+  for (Cell& cell : never_run) cell.results.clear();
+  EXPECT_TRUE(silence_sentences(never_run).empty());
+  EXPECT_TRUE(silence_sentences({}).empty());
+  EXPECT_EQ(silence_sentences(silence(0.0)).size(), silence_methods().size());
+}
+
 TEST(UuvSilence, TheMethodRunsOverTheChannelThatIsNamed) {
   const Method& strong = silence_methods().back();
   const Scenario scenario = silence_scenario("cube20_8", strong, {Channel::Kind::acoustic, 0.5, 0.25}, 3);
