@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "fairway/sim/catalogs.hpp"
 #include "fairway/studies/run_index.hpp"
 #include "fairway/studies/surface/plan.hpp"
 
