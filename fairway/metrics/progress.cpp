@@ -32,7 +32,10 @@ double ProgressMetric::radius_of(std::size_t index) const {
 }
 
 void ProgressMetric::see(const Frame& frame) {
-  if (own_.empty()) own_.assign(frame.vehicles.size(), {.watch = ProgressWatch{window_}});
+  if (own_.empty()) {
+    own_.assign(frame.vehicles.size(), {.watch = ProgressWatch{window_}});
+    bystanders_.reserve(frame.vehicles.size() + surroundings_.obstacles.size());
+  }
   for (std::size_t i = 0; i < own_.size(); ++i) {
     const VehicleFrame& vehicle = frame.vehicles[i];
     own_[i].watch.see(frame.time, vehicle.state.p_n, goal_of(frame, i), is_avoiding(vehicle.phase));

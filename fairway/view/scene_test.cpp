@@ -29,7 +29,8 @@ bool all_finite(const json& value) {
 
 TEST(Scene, OfEveryShippedScenarioIsWholeAndFinite) {
   std::size_t scenarios = 0, obstacles = 0, waves = 0, sonars = 0, currents = 0;
-  for (const auto& entry : std::filesystem::directory_iterator{FAIRWAY_SOURCE_DIR "/scenarios"}) {
+  for (const auto& entry : std::filesystem::recursive_directory_iterator{FAIRWAY_SOURCE_DIR "/scenarios"}) {
+    if (entry.is_directory()) continue;
     const Scenario scenario = load_scenario(entry.path().string());
     const json scene = scene_of(scenario);
     EXPECT_TRUE(all_finite(scene)) << entry.path();
