@@ -8,10 +8,10 @@
 #include <cmath>
 #include <functional>
 #include <map>
-#include <set>
 
 #include "fairway/core/text.hpp"
 #include "fairway/experiment/statistics.hpp"
+#include "fairway/studies/cubes/published.hpp"
 
 namespace fairway::cubes {
 namespace {
@@ -165,7 +165,7 @@ std::string covered(Rows rows, std::string_view mode) {
   for (const std::string_view quantity : totals) add(quantity);
   if (inside.empty()) return "";
   return fmt::format(
-      "The published experiment, five runs a cell, drawn again and again from {} runs a cell ({}). Of 24 "
+      "The published experiment, five runs a cell, drawn again and again from {} runs a cell ({}). Of the "
       "published values, those "
       "within the "
       "middle 95 % of the repetitions: {}. Cells of a repetition within 15 % of the published value, mean "
@@ -252,30 +252,44 @@ std::string text_of(const ParamValues& params) {
   return list_of(parts);
 }
 
-/// One for each way of hearing: in how many runs of each cell potential fields collide, and whether that can
-/// be told from what was published.
+/// Runs with a collision, published and here, over several cells.
+struct Collided {
+  std::size_t there{}, published{}, here{}, runs{};
+
+  void add(const StudyRow& row, const StudyRow& free) {
+    const PublishedCell* cell = published_cell(row.cell, row.method);
+    there += cell == nullptr ? 0U : static_cast<std::size_t>(cell->colliding_run_count);
+    published += published_runs;
+    here += static_cast<std::size_t>(std::lround((1.0 - free.measured) * free.runs));
+    runs += static_cast<std::size_t>(free.runs);
+  }
+  std::string text() const {
+    return fmt::format("{} of {} (published {} of {}, p = {:.2g})", here, runs, there, published,
+                       fisher_exact(there, published, here, runs));
+  }
+};
+
+/// One for each way of hearing: in how many runs potential fields collide, in the cells in which they did as
+/// published and in the others.
 void say_timing(std::vector<std::string>& text, Rows rows, std::string_view mode) {
   std::vector<std::string> heard;
   for (const StudyRow* row : rows_with(rows, mode, "collision_count")) {
     if (std::ranges::find(heard, text_of(row->params)) == heard.end()) heard.push_back(text_of(row->params));
   }
   for (const std::string& params : heard) {
-    std::vector<std::string> parts;
-    int told_apart = 0;
+    Collided colliding, others;
     for (const StudyRow* row : rows_with(rows, mode, "collision_count")) {
-      if (text_of(row->params) != params || !row->p_value) continue;
-      const auto shares = rows_with(rows, mode, "collision_free_ratio", [&](const StudyRow& share) {
+      const auto free = rows_with(rows, mode, "collision_free_ratio", [&](const StudyRow& share) {
         return share.cell == row->cell && share.params == row->params;
       });
-      if (shares.empty()) continue;
-      parts.push_back(fmt::format("{} {:.1f} %", row->cell, 100 * (1.0 - shares.front()->measured)));
-      told_apart += *row->p_value < significant ? 1 : 0;
+      if (text_of(row->params) != params || free.empty() || !row->published) continue;
+      (*row->published > 0.0 ? colliding : others).add(*row, *free.front());
     }
-    if (parts.empty()) continue;
+    if (colliding.runs == 0 || others.runs == 0) continue;
     text.push_back(
-        fmt::format("{}, {}: runs of APF with a collision: {}. Cells that Fisher's test tells from the "
-                    "published runs (p < 0.05): {} of {}.",
-                    mode, params, list_of(parts), told_apart, parts.size()));
+        fmt::format("{}, {}: runs of APF with a collision in the cases where they were published {}, in the "
+                    "others {}.",
+                    mode, params, colliding.text(), others.text()));
   }
 }
 

@@ -88,6 +88,18 @@ TEST(Findings, CoverageFollowsTheRepetitions) {
   EXPECT_THAT(words_about(made_results(cells[0], none, 90.0)), Contains(HasSubstr("navigation_time_s 0,")));
 }
 
+TEST(Findings, OfEachWayOfHearingTheCollisionsAreCountedWhereTheyWerePublishedAndWhereNot) {
+  const std::vector<Cell> cells = timing_cells(4);
+  std::vector<CellResults> results;
+  for (std::size_t i = 0; i < comparison_cases().size(); ++i)
+    results.push_back(made_results(
+        cells[i],
+        cells[i].cube->team == 8 ? std::vector<double>{2, 0, 0, 0} : std::vector<double>{0, 0, 0, 0}, 100));
+  EXPECT_THAT(causes(rows_of(results)),
+              Contains(HasSubstr("published 2 of 8 (published 4 of 10, p = 0.64), in the others 2 of 16 "
+                                 "(published 0 of 20, p = 0.19)")));
+}
+
 TEST(Findings, ATrendIsCountedStepByStep) {
   std::vector<StudyRow> rows;
   const auto add = [&](double crit_dist, double there, double here) {
