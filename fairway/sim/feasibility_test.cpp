@@ -79,7 +79,8 @@ TEST(Feasibility, AHullIsRefusedWhereTheWaterIsFarFasterThanItself) {
 
 TEST(Feasibility, EveryScenarioThatComesWithFairwayIsAccepted) {
   int count = 0;
-  for (const auto& file : std::filesystem::directory_iterator{FAIRWAY_SOURCE_DIR "/scenarios"}) {
+  for (const auto& file : std::filesystem::recursive_directory_iterator{FAIRWAY_SOURCE_DIR "/scenarios"}) {
+    if (file.is_directory()) continue;
     EXPECT_NO_THROW((Simulation{load_scenario(file.path().string()), builtin_catalogs()})) << file.path();
     ++count;
   }
