@@ -45,8 +45,8 @@ struct StudyRow {
   double low{-std::numeric_limits<double>::infinity()};  ///< of the 95 % interval
   double high{std::numeric_limits<double>::infinity()};
   int runs{};
-  /// Where the published value lies among repetitions of the published experiment: the share of them below it,
-  /// ties counted half.
+  /// Where the published value lies among repetitions of the published experiment: the share of them below
+  /// it, ties counted half.
   std::optional<double> place_ratio;
   std::optional<double> p_value;  ///< of no difference between published and measured, where that was tested
   Verdict verdict{Verdict::no_reference};
