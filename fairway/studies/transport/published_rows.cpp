@@ -106,8 +106,7 @@ std::string_view note_on(const StudyRow& row) {
     return "a run whose set-point is not latched gives about as much, and never reaches the goal";
   if (q.ends_with("power_w"))
     return "no definition of power tried gives the published tables; see the mean of the absolute power";
-  if (q.starts_with("rmse_"))
-    return "the error is what drag and inertia make of a PID without feed-forward";
+  if (q.starts_with("rmse_")) return "the error is what drag and inertia make of a PID without feed-forward";
   if (q.starts_with("detection_") || q.starts_with("peak_"))
     return "depends on the unpublished mass and drag";
   return "";
