@@ -191,8 +191,7 @@ void bind_situation(py::module_& m) {
             return self.view(solids).preferred_velocity();
           },
           "The velocity that ignores everyone: as the mission wants it, or straight to the goal, slowing "
-          "down to stop "
-          "on it; never above the speed limit [m/s, NED].")
+          "down to stop on it; never above the speed limit [m/s, NED].")
       .def_property_readonly(
           "track_positions", [](const py::object& self) { return track_rows(self, &Track::position); },
           "Of all tracks, as rows [m, NED]. No copy.")

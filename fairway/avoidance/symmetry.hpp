@@ -27,8 +27,7 @@ struct EnumNames<Symmetry> {
 /// What `symmetry` means wherever it is a parameter.
 inline constexpr std::string_view symmetry_meaning =
     "what gives a side to a conflict that is alike on both: nothing, starboard, one drawn once, or the "
-    "larger "
-    "id gives way";
+    "larger id gives way";
 
 /// `s.preferred_velocity()`, turned about the vertical by 10 degrees (`drawn`: by 5 to 15 to either side)
 /// while a conflict within `range` [m], centre to centre or to the surface of an obstacle, is symmetric:

@@ -5,54 +5,13 @@
 #include <gtest/gtest.h>
 
 #include "fairway/comms/exchange.hpp"
+#include "fairway/comms/testing/acoustic_sea.hpp"
 #include "fairway/core/testing/allocations.hpp"
 
 namespace fairway {
 namespace {
 
-constexpr double tick_s = 0.05;
-
-/// Every vehicle says at each tick how many ticks have gone by: its position is {tick, index, 0}.
-struct Sea {
-  AcousticChannel channel;
-  Mailbox said;
-  std::vector<Vec3> places;
-  Tick now{0};
-
-  Sea(const AcousticParams& params, std::vector<Vec3> where, std::uint64_t seed = 1)
-      : channel{params, where.size(), tick_s, Rng{seed}}, said(where.size()), places{std::move(where)} {
-    for (std::size_t i = 0; i < said.size(); ++i) said[i].from = VehicleId{static_cast<std::uint32_t>(i)};
-  }
-
-  void tick() {
-    for (std::size_t i = 0; i < said.size(); ++i) {
-      said[i].sent = now;
-      said[i].position = {static_cast<double>(count(now)), static_cast<double>(i), 0};
-    }
-    channel.pass_on(now, said, places);
-    now = next(now);
-  }
-
-  void run(double duration) {
-    const Tick end{count(now) + std::llround(duration / tick_s)};
-    while (now < end) tick();
-  }
-
-  const Message& heard(std::size_t receiver, std::size_t sender) const {
-    return channel.heard_by(receiver)[sender];
-  }
-  const AcousticCounts& counts() const { return channel.counts(); }
-};
-
-/// Two vehicles `distance` apart [m].
-std::vector<Vec3> pair(double distance) { return {{0, 0, 0}, {0, distance, 0}}; }
-
-/// `n` vehicles in a row, 5 m from one to the next.
-std::vector<Vec3> row(std::size_t n) {
-  std::vector<Vec3> places;
-  for (std::size_t i = 0; i < n; ++i) places.push_back({0, 5.0 * static_cast<double>(i), 0});
-  return places;
-}
+using namespace acoustic_sea;
 
 TEST(AcousticChannel, AMessageArrivesAfterItsTransmissionAndTheWayOfSound) {
   // 64 bytes at 1600 bit/s are 0.32 s, 75 m at 1500 m/s 0.05 s: 0.37 s, first whole tick at 0.4 s
@@ -64,45 +23,6 @@ TEST(AcousticChannel, AMessageArrivesAfterItsTransmissionAndTheWayOfSound) {
   EXPECT_EQ(sea.heard(1, 0).sent, Tick{0});
   EXPECT_EQ(sea.heard(1, 0).from, VehicleId{0});
   EXPECT_FALSE(sea.heard(0, 0).told) << "nobody hears itself";
-}
-
-TEST(AcousticChannel, ARelayRepeatsWhatItHearsAndReachesTwiceAsFar) {
-  // 75 m to the relay and 75 m on: 0.32 + 0.05 s each, 0.74 s in all, first whole tick at 0.75 s
-  const std::vector<Vec3> apart = pair(150);
-  Sea direct{{}, apart}, relayed{{.relay = true, .relay_east_m = 75}, apart};
-  for (int i = 0; i < 15; ++i) relayed.tick();
-  EXPECT_FALSE(relayed.heard(1, 0).told);
-  relayed.tick();
-  EXPECT_TRUE(relayed.heard(1, 0).told);
-  EXPECT_EQ(relayed.heard(1, 0).sent, Tick{0});
-  direct.run(60);
-  EXPECT_EQ(direct.counts().received, 0);
-
-  // a slot holds both: twice 0.32 s and the way over 80 m, 0.747 s
-  EXPECT_DOUBLE_EQ(relayed.channel.slot_time(), 0.75);
-  relayed.run(120);
-  EXPECT_EQ(relayed.counts().drowned, 0);
-  EXPECT_EQ(relayed.counts().lost, 0);
-}
-
-TEST(AcousticChannel, WhoIsOutOfTheRelaysRangeIsNotHeardThoughTheOtherIsNear) {
-  Sea sea{{.relay = true, .relay_east_m = -79}, pair(2)};  // 79 m and 81 m from it
-  sea.run(60);
-  EXPECT_EQ(sea.counts().received, 0);
-  EXPECT_EQ(sea.counts().out_of_range, sea.counts().sent);
-}
-
-TEST(AcousticChannel, WhatIsLostOnTheWayToTheRelayIsLostForAll) {
-  Sea sea{{.update_rate_hz = 1, .relay = true, .loss_ratio = 0.3}, row(4)};
-  sea.run(20000);
-  // each of the two ways lets 0.7 through
-  const AcousticCounts& counts = sea.counts();
-  EXPECT_NEAR(static_cast<double>(counts.received) / static_cast<double>(counts.received + counts.lost), 0.49,
-              0.02);
-}
-
-TEST(AcousticChannel, ARelayNeedsSlots) {
-  EXPECT_THROW((Sea{{.slots = false, .relay = true}, pair(10)}), InputError);
 }
 
 TEST(AcousticChannel, TellsWhatIsUnderWayUntilItHasArrived) {

@@ -12,8 +12,7 @@ const std::vector<QuantityInfo>& ProgressMetric::quantities() {
   static const std::vector<QuantityInfo> all{
       {"no_progress_time_s", true,
        "time under way in stretches, each longer than the exam's window, in which it came neither nearer to "
-       "its "
-       "goal nor to a new place, whether it waited, was deadlocked or trapped"},
+       "its goal nor to a new place, whether it waited, was deadlocked or trapped"},
       {"deadlock_time_s", true,
        "part of that in which whoever was near and could have cleared the way was at rest as well"},
   };

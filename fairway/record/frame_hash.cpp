@@ -3,7 +3,7 @@
 
 #include <bit>
 
-#include "fairway/record/record_cdr.hpp"
+#include "fairway/record/record_kinds.hpp"
 
 namespace fairway {
 

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
-#include <type_traits>
 
-#include "fairway/core/ids.hpp"
-#include "fairway/core/record.hpp"
 #include "fairway/record/message_parts.hpp"
+#include "fairway/record/record_kinds.hpp"
 
 // Any record as part of a message, and the fields of its schema. First stands what is counted or switched,
 // then whether each optional member is there, then all real numbers, zero where there is none: so numbers are
@@ -16,21 +13,6 @@
 
 namespace fairway {
 namespace detail {
-
-template <class T>
-inline constexpr bool is_optional = false;
-template <class T>
-inline constexpr bool is_optional<std::optional<T>> = true;
-
-template <class T>
-concept Id = std::same_as<T, VehicleId> || std::same_as<T, TrackId>;
-
-template <class T>
-concept Discrete = std::integral<T> || std::is_enum_v<T>;
-
-template <class T>
-concept Real =
-    std::same_as<T, double> || std::same_as<T, Vec3> || std::same_as<T, Wrench> || std::same_as<T, Mat3>;
 
 template <Discrete T>
 void put_discrete(CdrWriter& cdr, T value) {

@@ -6,9 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "fairway/core/record.hpp"
 #include "fairway/core/text.hpp"
-#include "fairway/record/record_cdr.hpp"
+#include "fairway/record/record_kinds.hpp"
 
 // Any record as columns of a table: a column for each number, switch and word, covariances row by row.
 

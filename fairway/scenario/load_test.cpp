@@ -161,8 +161,7 @@ TEST(LoadTest, WhatIsNotWrittenHasItsDefault) {
 TEST(LoadTest, ParametersKeepTheirTypes) {
   const Scenario s = parse_scenario(
       "{fairway: 1, name: a, vehicles: [{model: {name: m, a: 5, b: '5', c: true, d: 'true', e: word, f: "
-      "+1e3}, avoider: direct, "
-      "start: {position_m: [0, 0, 0]}}]}",
+      "+1e3}, avoider: direct, start: {position_m: [0, 0, 0]}}]}",
       "a");
   const ParamValues expected{{"a", 5.0},
                              {"b", std::string("5")},

@@ -189,8 +189,7 @@ TEST(RefusalTest, VehiclesMustBeAbleToStart) {
       "{model: m, avoider: a, start: {position_m: [0, 2, 3]}}]}";
   EXPECT_EQ(refusal(near),
             "f.yaml:1:146: vehicles[1].start.position_m: the spheres of radius_m of all 2 vehicles overlap "
-            "where they "
-            "start; move them apart, or write coincident_start: true");
+            "where they start; move them apart, or write coincident_start: true");
   EXPECT_EQ(refusal(near, {{"coincident_start", "true"}}), "");
   EXPECT_EQ(refusal(near, {{"vehicles[1].start.position_m[1]", "3"}}), "") << "they touch";
   EXPECT_THAT(refusal(with("obstacles: [{sphere: {position_m: [9, 8, 9], radius_m: 2}}]")),

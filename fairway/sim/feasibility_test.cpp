@@ -42,8 +42,7 @@ TEST(Feasibility, WhatFloatsIsRefusedElsewhereThanAtTheSurface) {
             "0, got 5");
   EXPECT_EQ(refusal(boat("[0, 0, 0]", "[9, 0, -1]")),
             "f.yaml:8:13: vehicles[0].mission[0].transit.position_m: otter_by_thrust lives on the surface: "
-            "expected "
-            "depth 0, got -1");
+            "expected depth 0, got -1");
   EXPECT_THAT(
       refusal(boat("[0, 0, 0]", "[9, 0, 0]", "{min_depth_m: 2}")),
       StartsWith("f.yaml:7:11: vehicles[0].limits.min_depth_m: otter_by_thrust lives on the surface"));

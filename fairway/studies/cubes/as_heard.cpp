@@ -73,7 +73,7 @@ Command AsHeard::decide(const Situation& s, Avoider& inner, Memory& memory, Cont
   // what becomes of what it decides
   memory.decided[place_of(memory.tick)] = inner.decide(known, context.sketch);
   const std::int64_t ago = std::min(ticks_of(params.command_late_s, s.period), memory.tick);
-  const Command command = memory.decided[place_of(memory.tick - ago)];
+  Command command = memory.decided[place_of(memory.tick - ago)];
   ++memory.tick;
   return command;
 }

@@ -179,8 +179,7 @@ json corrected_section(const Results& results, std::span<const StudyRow> rows, i
       "Totals of collisions and stuck robots are scaled to five runs. ORCA has no time_step of its own here, "
       "so "
       "its retuned case differs from the other in nothing. What a method is told to keep is not what it is "
-      "judged "
-      "by: 3 m between centres is a collision; ORCA is told 6 m, APF pushes from CRIT_DIST on."};
+      "judged by: 3 m between centres is a collision; ORCA is told 6 m, APF pushes from CRIT_DIST on."};
   std::ranges::copy(clearances(rows), std::back_inserter(paragraphs));
   return section("corrected", "The methods as printed, in the right frames", std::move(paragraphs),
                  {page::grid(2, std::move(blocks)),

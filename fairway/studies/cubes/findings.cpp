@@ -12,6 +12,7 @@
 #include "fairway/core/text.hpp"
 #include "fairway/experiment/statistics.hpp"
 #include "fairway/studies/cubes/published.hpp"
+#include "fairway/studies/cubes/rows.hpp"
 
 namespace fairway::cubes {
 namespace {
@@ -20,8 +21,6 @@ using Rows = std::span<const StudyRow>;
 
 constexpr double near_enough = 0.15;
 constexpr double significant = 0.05;
-constexpr std::array means{"navigation_time_s", "avoidance_time_s", "avoided_count", "distance_m"};
-constexpr std::array totals{"collision_count", "stuck_count"};
 
 std::vector<const StudyRow*> rows_with(Rows rows, std::string_view mode, std::string_view quantity,
                                        const std::function<bool(const StudyRow&)>& fits = {}) {
@@ -61,8 +60,7 @@ std::string tuning_totals(Rows rows) {
   if (collisions == nullptr || apf == nullptr || orca == nullptr) return "";
   return fmt::format(
       "Parameter phase: {:.0f} counted collisions in {} runs (published: {:.0f}); {:.0f} of {} APF robots "
-      "stuck "
-      "(published: {:.0f}), {:.0f} of {} ORCA robots (published: {:.0f}).",
+      "stuck (published: {:.0f}), {:.0f} of {} ORCA robots (published: {:.0f}).",
       collisions->measured, collisions->runs, collisions->published.value_or(0), apf->measured, 4 * apf->runs,
       apf->published.value_or(0), orca->measured, 4 * orca->runs, orca->published.value_or(0));
 }
@@ -133,7 +131,8 @@ std::string trend(Rows rows, std::string_view method, std::string_view parameter
 
 std::string within_15_percent(Rows rows) {
   std::vector<std::string> parts;
-  for (const std::string_view quantity : means) {
+  for (const auto& [quantity, is_total] : published_quantities()) {
+    if (is_total) continue;
     const std::string near = alike(
         rows_with(rows, "as_coded", quantity, [](const StudyRow& row) { return row.cell != "tuning"; }));
     if (!near.empty()) parts.push_back(fmt::format("{} {}", quantity, near));
@@ -151,26 +150,20 @@ std::string covered(Rows rows, std::string_view mode) {
   const auto summary = [&](const std::string& quantity) {
     return row_with(rows, mode, quantity, "all", "all");
   };
-  const auto add = [&](std::string_view quantity) {
-    const StudyRow* row = summary(fmt::format("{}_covered_count", quantity));
-    if (row == nullptr) return;
-    inside.push_back(fmt::format("{} {:.0f}", quantity, row->measured));
-    runs = row->runs;
-  };
-  for (const std::string_view quantity : means) {
-    add(quantity);
+  for (const Quantity& published : published_quantities()) {
+    const std::string_view quantity = published.name;
+    if (const StudyRow* row = summary(fmt::format("{}_covered_count", quantity))) {
+      inside.push_back(fmt::format("{} {:.0f}", quantity, row->measured));
+      runs = row->runs;
+    }
     if (const StudyRow* row = summary(fmt::format("{}_within_15_percent_count", quantity)))
       near.push_back(fmt::format("{} {:.1f} [{:.0f}, {:.0f}]", quantity, row->measured, row->low, row->high));
   }
-  for (const std::string_view quantity : totals) add(quantity);
   if (inside.empty()) return "";
   return fmt::format(
       "The published experiment, five runs a cell, drawn again and again from {} runs a cell ({}). Of the "
-      "published values, those "
-      "within the "
-      "middle 95 % of the repetitions: {}. Cells of a repetition within 15 % of the published value, mean "
-      "and middle "
-      "95 %: {}.",
+      "published values, those within the middle 95 % of the repetitions: {}. Cells of a repetition within "
+      "15 % of the published value, mean and middle 95 %: {}.",
       runs, mode, list_of(inside), list_of(near));
 }
 
@@ -185,8 +178,7 @@ std::string scatter(Rows rows, std::string_view mode) {
   if (all == 0) return "";
   return fmt::format(
       "From run to run the published navigation times scatter less than the middle 95 % of the repetitions "
-      "({}) do in "
-      "{} of {} cells, more in {}.",
+      "({}) do in {} of {} cells, more in {}.",
       mode, less, all, more);
 }
 
@@ -197,8 +189,8 @@ std::string collisions(Rows rows, std::string_view mode, std::string_view method
   std::vector<std::string> cells;
   for (const StudyRow* row : rows_with(rows, mode, "colliding_run_ratio")) {
     if (row->method != method || row->published.value_or(0.0) == 0.0) continue;
-    there += static_cast<std::size_t>(std::lround(5 * *row->published));
-    published += 5;
+    there += static_cast<std::size_t>(std::lround(published_runs * *row->published));
+    published += published_runs;
     here += static_cast<std::size_t>(std::lround(row->measured * row->runs));
     runs += static_cast<std::size_t>(row->runs);
     cells.push_back(row->cell);
@@ -214,18 +206,34 @@ std::string collisions(Rows rows, std::string_view mode, std::string_view method
 
 // ---- why ------------------------------------------------------------------------------------------
 
-std::string printed_equations(Rows rows) {
-  double collided = 0.0, runs = 0.0;
-  for (const StudyRow* row : rows_with(rows, "corrected", "collision_free_ratio")) {
-    if (row->method != "apf") continue;
-    collided += (1.0 - row->measured) * row->runs;
-    runs += row->runs;
+/// Runs with a collision, published and here, over several cells.
+struct Collided {
+  std::size_t there{}, published{}, here{}, runs{};
+
+  /// `free` is the row of a cell's runs without one.
+  void add(const StudyRow& free) {
+    const PublishedCell* cell = published_cell(free.cell, free.method);
+    there += cell == nullptr ? 0U : static_cast<std::size_t>(cell->colliding_run_count);
+    published += published_runs;
+    here += static_cast<std::size_t>(std::lround((1.0 - free.measured) * free.runs));
+    runs += static_cast<std::size_t>(free.runs);
   }
-  if (runs == 0.0) return "";
+  std::string text() const {
+    return fmt::format("{} of {} (published {} of {}, p = {:.2g})", here, runs, there, published,
+                       fisher_exact(there, published, here, runs));
+  }
+};
+
+std::string printed_equations(Rows rows) {
+  Collided all;
+  for (const StudyRow* row : rows_with(rows, "corrected", "collision_free_ratio")) {
+    if (row->method == "apf") all.add(*row);
+  }
+  if (all.runs == 0) return "";
   return fmt::format(
       "With the printed equations, where repulsion is summed afresh at every step, APF collides in "
-      "{:.0f} of {:.0f} runs; published, in 4 of 30.",
-      collided, runs);
+      "{} of {} runs; published, in {} of {}.",
+      all.here, all.runs, all.there, all.published);
 }
 
 std::string north(Rows rows) {
@@ -252,23 +260,6 @@ std::string text_of(const ParamValues& params) {
   return list_of(parts);
 }
 
-/// Runs with a collision, published and here, over several cells.
-struct Collided {
-  std::size_t there{}, published{}, here{}, runs{};
-
-  void add(const StudyRow& row, const StudyRow& free) {
-    const PublishedCell* cell = published_cell(row.cell, row.method);
-    there += cell == nullptr ? 0U : static_cast<std::size_t>(cell->colliding_run_count);
-    published += published_runs;
-    here += static_cast<std::size_t>(std::lround((1.0 - free.measured) * free.runs));
-    runs += static_cast<std::size_t>(free.runs);
-  }
-  std::string text() const {
-    return fmt::format("{} of {} (published {} of {}, p = {:.2g})", here, runs, there, published,
-                       fisher_exact(there, published, here, runs));
-  }
-};
-
 /// One for each way of hearing: in how many runs potential fields collide, in the cells in which they did as
 /// published and in the others.
 void say_timing(std::vector<std::string>& text, Rows rows, std::string_view mode) {
@@ -283,7 +274,7 @@ void say_timing(std::vector<std::string>& text, Rows rows, std::string_view mode
         return share.cell == row->cell && share.params == row->params;
       });
       if (text_of(row->params) != params || free.empty() || !row->published) continue;
-      (*row->published > 0.0 ? colliding : others).add(*row, *free.front());
+      (*row->published > 0.0 ? colliding : others).add(*free.front());
     }
     if (colliding.runs == 0 || others.runs == 0) continue;
     text.push_back(

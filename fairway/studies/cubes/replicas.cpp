@@ -34,10 +34,10 @@ void compare(StudyRow& row, std::vector<double> repeated, std::optional<double> 
 }
 
 /// Five different runs of so many, drawn again and again; the same for the same number of runs.
-std::vector<std::array<std::size_t, published_runs>> fives_of(std::size_t runs, std::string_view cell) {
+std::vector<std::array<std::size_t, published_runs>> fives_of(std::size_t runs, const Cell& cell) {
   std::vector<std::array<std::size_t, published_runs>> fives;
   if (runs < published_runs) return fives;
-  Rng rng = Rng{0}.stream(cell, runs);
+  Rng rng = Rng{0}.stream(cell.name() + std::string(cell.method->name), runs);
   std::vector<std::size_t> order(runs);
   std::iota(order.begin(), order.end(), std::size_t{0});
   fives.resize(repetition_count);
@@ -54,8 +54,7 @@ std::vector<std::array<std::size_t, published_runs>> fives_of(std::size_t runs, 
 std::vector<double> deviations(const CellResults& results) {
   const std::vector<double> means = results.run_means("navigation_time_s");
   std::vector<double> found;
-  for (const auto& five :
-       fives_of(means.size(), results.cell->name() + std::string(results.cell->method->name))) {
+  for (const auto& five : fives_of(means.size(), *results.cell)) {
     std::array<double, published_runs> values{};
     std::ranges::transform(five, values.begin(), [&](std::size_t run) { return means[run]; });
     found.push_back(estimate_mean(values).deviation);
@@ -115,22 +114,11 @@ StudyRow alike_row(std::span<const CellResults* const> cells, const Quantity& qu
 
 }  // namespace
 
-StudyRow blank_row(const CellResults& results, std::string_view quantity) {
-  const Cell& cell = *results.cell;
-  return {.cell = cell.name(),
-          .method = std::string(cell.method->name),
-          .mode = std::string(name_of(cell.code)),
-          .quantity = std::string(quantity),
-          .params = cell.varied(),
-          .runs = static_cast<int>(results.runs.size())};
-}
-
 std::vector<double> repetitions(const CellResults& results, const Quantity& quantity) {
   const std::vector<double> runs =
       quantity.is_total ? results.run_totals(quantity.name) : results.run_means(quantity.name);
   std::vector<double> repeated;
-  for (const auto& five :
-       fives_of(runs.size(), results.cell->name() + std::string(results.cell->method->name))) {
+  for (const auto& five : fives_of(runs.size(), *results.cell)) {
     double sum = 0.0;
     for (const std::size_t run : five) sum += runs[run];
     repeated.push_back(quantity.is_total ? sum : sum / published_runs);

@@ -12,9 +12,6 @@ constexpr bool is_repeated(Code code) {
   return code == Code::as_coded_replicas || code == Code::as_coded_starts;
 }
 
-/// A row of a cell in which only its names and its number of runs are set.
-StudyRow blank_row(const CellResults& results, std::string_view quantity);
-
 /// How often five runs are drawn.
 inline constexpr int repetition_count = 2000;
 

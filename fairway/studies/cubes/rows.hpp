@@ -17,6 +17,9 @@ struct Quantity {
 };
 std::span<const Quantity> published_quantities();
 
+/// A row of a cell in which only its names and its number of runs are set.
+StudyRow blank_row(const CellResults& results, std::string_view quantity);
+
 /// Published numbers beside measured ones.
 ///
 /// Of each cell: means with a 95 % t interval over runs; totals of collisions and stuck robots, scaled to

@@ -193,8 +193,7 @@ std::vector<std::string> scale_findings(const std::vector<Cell>& cells) {
                   "alone: in the times that it prints AVOA makes good, at no more than {:g} m/s, at most so "
                   "long a course, and "
                   "TEB on it at most so much speed: {}. What limit that is takes runs: each course at "
-                  "several scales, buoys "
-                  "and vessels of the same size.",
+                  "several scales, buoys and vessels of the same size.",
                   limits.back(), fmt::join(made_good, ", "))};
   for (const double length : lengths) {
     lines.push_back(fmt::format(

@@ -62,8 +62,7 @@ json figures_section(const std::vector<std::vector<Passage>>& passages) {
   return page::section(
       "figures", "Figures 8, 9 and 11 to 13 redrawn",
       {"Seen from above; the first seed. TEB with its package's limit of 0.4 m/s and with the paper's 1.5 "
-       "m/s, both "
-       "with dynamic obstacles left out, as its default is."},
+       "m/s, both with dynamic obstacles left out, as its default is."},
       {ways("Figures 8a, 8b: the U-shaped wall", Course::u_wall, of(Course::u_wall)),
        ways("Figures 8c, 8d: the cluttered course", Course::cluttered, of(Course::cluttered)),
        speeds(Course::cluttered), ways("Figures 11a, 11b: scenario A", Course::head_on, of(Course::head_on)),
@@ -79,8 +78,7 @@ json zones_section() {
                        {"Velocities in the vessel's frame, ahead to the right. Hue is the heading and "
                         "saturation the speed; black is "
                         "forbidden. The cost of danger runs from white, far from every zone, to dark grey at "
-                        "its edge; the metric is "
-                        "the lighter the better."},
+                        "its edge; the metric is the lighter the better."},
                        zone_figures());
 }
 

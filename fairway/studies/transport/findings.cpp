@@ -48,8 +48,7 @@ std::string of_coriolis(const Cell& cell) {
       "is "
       "141.4 m away. The forces along surge and sway are zero while it turns, and a pure yaw moment cannot "
       "change the momentum of the body in the frame of the Earth; without Coriolis terms the velocity is "
-      "kept "
-      "in body axes and turns with the body.",
+      "kept in body axes and turns with the body.",
       end);
 }
 
@@ -87,8 +86,7 @@ std::vector<std::string> claims(const std::vector<Cell>& published) {
 
   return {
       "What the claims come to on the compatible plant, each from one run in which nothing is drawn; a run "
-      "that "
-      "does not come within 1 m of its goal is not compared.",
+      "that does not come within 1 m of its goal is not compared.",
       compared("\"Wall following is faster than hard switching\"", wall, hard, "goal_time_s", "s"),
       compared("\"Wall following travels a slightly shorter distance than hard switching\", as the length of "
                "the path",
@@ -116,8 +114,7 @@ std::vector<std::string> field_findings(const std::vector<Cell>& fields, int see
       "it: on a grid of 0.5 m and 2 s, can a disc of the footprint and a tenth of a metre, at no more than "
       "0.25 m/s, stay "
       "clear of everything for two minutes? Where it cannot, the vehicle is caught between what stays and "
-      "what "
-      "drifts, and no method is blamed."};
+      "what drifts, and no method is blamed."};
   for (const FieldKind kind : field_kinds) {
     int escapes = 0;
     for (int seed = 1; seed <= seeds; ++seed)

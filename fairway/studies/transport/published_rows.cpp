@@ -88,8 +88,7 @@ std::string_view given_by(const Cell& cell, std::string_view quantity) {
     return "the polyline of Table 7, whose length is printed nowhere; the shortest path is 42.59 m";
   if (quantity == "displacement_m" && std::isfinite(cell.value(0, "goal_time_s")))
     return "that of any run that arrives, 141.4 m; as the length of a path around the obstacle, 143.8 m or "
-           "more, "
-           "it is impossible";
+           "more, it is impossible";
   if (quantity == "peak_yaw_moment_nm" && !heading_held)
     return "200 N m/rad times a quarter turn, on any plant";
   if ((quantity == "peak_yaw_moment_nm" || quantity == "rms_yaw_power_w") && heading_held)

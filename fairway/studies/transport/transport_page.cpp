@@ -37,8 +37,7 @@ json plants_section(const std::vector<Cell>& published) {
       "The publication gives neither mass nor drag of the transport system. `physical` is composed of four "
       "Minerva vehicles, a payload and links from published parts: linear and quadratic drag of every part, "
       "Coriolis and centripetal terms, and a yaw inertia in which a swap of two entries in the published "
-      "data "
-      "is put right. `paper_compat` leaves the quadratic drag and the Coriolis terms out and keeps the "
+      "data is put right. `paper_compat` leaves the quadratic drag and the Coriolis terms out and keeps the "
       "inertia "
       "as in the data. It was chosen after seeing the published times, so agreement on it is agreement under "
       "an assumption."};
@@ -90,8 +89,7 @@ json fields_section(const Results& results, const RunIndex& runs) {
                   "`field_unknown` about half of them are on no chart and are perceived 5 m from the "
                   "footprint; in `field_moving` "
                   "three spheres drift through as well. The fields of one number share their discs over the "
-                  "kinds and are the same "
-                  "for every method. Bars are 95 % intervals.",
+                  "kinds and are the same for every method. Bars are 95 % intervals.",
                   results.seeds)};
   std::ranges::copy(field_findings(results.fields, results.seeds), std::back_inserter(paragraphs));
   return page::section("fields", "Random fields: known, unknown and moving obstacles", std::move(paragraphs),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
+#include "fairway/record/record_kinds.hpp"
 #include "fairway/view/explain/decision_facts.hpp"
 #include "fairway/view/explain/explanation.hpp"
 #include "fairway/view/explain/headline.hpp"
@@ -46,7 +47,7 @@ json member_json(const T& value) {
   if constexpr (std::same_as<T, Wrench>) {
     return {{"force_n", exact(Vec3(value.template head<3>()))},
             {"moment_nm", exact(Vec3(value.template tail<3>()))}};
-  } else if constexpr (std::same_as<T, VehicleId> || std::same_as<T, TrackId>) {
+  } else if constexpr (detail::Id<T>) {
     return number(value);
   } else if constexpr (std::is_enum_v<T>) {
     return enum_name(value);

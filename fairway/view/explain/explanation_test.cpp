@@ -88,8 +88,7 @@ TEST_F(HeadOn, CallsWhoeverWasDrawnAsItsNeighboursAreCalled) {
 TEST_F(HeadOn, IsToldByTheApproachWhereNothingWasDrawn) {
   EXPECT_EQ(explained({.velocity = {0.2, 0, 0}, .mode = Mode::avoid}).headline,
             "auv slows down by 0.30 m/s to 0.20 m/s; the preferred velocity leads to 0.0 m from other in "
-            "20.0 s, both "
-            "radii are 2.0 m.");
+            "20.0 s, both radii are 2.0 m.");
 }
 
 TEST_F(HeadOn, IsToldByTheWordsOfTheMethodFirst) {
