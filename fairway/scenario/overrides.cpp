@@ -14,10 +14,11 @@ namespace fairway::yaml {
 namespace {
 
 /// What a choice written as one word is short for: `avoider: orca3d` is `{algorithm: orca3d}`.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 7> shorthands{{{"model", "name"},
+constexpr std::array<std::pair<std::string_view, std::string_view>, 8> shorthands{{{"model", "name"},
                                                                                    {"avoider", "algorithm"},
                                                                                    {"steering", "kind"},
                                                                                    {"allocation", "method"},
+                                                                                   {"autopilot", "kind"},
                                                                                    {"perception", "kind"},
                                                                                    {"exchange", "kind"},
                                                                                    {"navigation", "kind"}}};

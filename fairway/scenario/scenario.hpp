@@ -52,6 +52,7 @@ struct VehicleSpec {
   Choice avoider;     ///< of the avoidance catalog
   Choice steering;    ///< how a velocity becomes a body request; name empty = the model's usual one
   Choice allocation;  ///< how commanded forces are shared out among the thrusters; name empty = bounded
+  Choice autopilot;   ///< what drives the thrusters to a velocity; name empty = velocity_controller
   Vec3 position = Vec3::Zero();  ///< at the start [m, NED]
   double yaw{};                  ///< at the start [rad]
   double speed{};                ///< surge at the start [m/s]

@@ -93,6 +93,8 @@ const Block<VehicleSpec>& vehicle_block() {
       key("allocation", &VehicleSpec::allocation, choice("method", Needed::yes),
           "How commanded forces are shared out among the thrusters: bounded or pseudo_inverse. Default "
           "bounded."),
+      key("autopilot", &VehicleSpec::autopilot, choice("kind", Needed::no),
+          "How the thrusters are driven to a velocity: velocity_controller with its bandwidths."),
       group("start", start_block(), "Where and how it begins.", Needed::yes),
       key("radius_m", &VehicleSpec::radius_m, number(from_to(0.0, 1000.0)),
           "Of the sphere that others keep clear of. Default 1."),
@@ -130,6 +132,7 @@ Form<VehicleSpec> vehicle() {
                 vehicle.avoider.path = value.path() + ".avoider";
                 vehicle.steering.path = value.path() + ".steering";
                 vehicle.allocation.path = value.path() + ".allocation";
+                vehicle.autopilot.path = value.path() + ".autopilot";
                 read_block(value, vehicle_block(), vehicle);
                 return vehicle;
               },

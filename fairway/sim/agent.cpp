@@ -42,6 +42,17 @@ AllocationMethod allocation_of(const VehicleSpec& spec) {
   });
 }
 
+/// Bandwidths are those of thrusters: whoever gives them to a vehicle without any is told so.
+VelocityController::Params controller_of(const VehicleSpec& spec, const Vehicle& vehicle) {
+  const Choice& choice = spec.autopilot;
+  const auto refuse = [&](const std::string& why) { throw InputError(choice.where, choice.path, why); };
+  if (!choice.name.empty() && choice.name != "velocity_controller")
+    refuse("there is no " + choice.name + "; did you mean velocity_controller?");
+  if (vehicle.propulsion() == nullptr && !(choice.name.empty() && choice.params.empty()))
+    refuse(spec.model.name + " has no thrusters that it could drive: leave it out");
+  return made(choice, [&] { return params_of(choice.params, VelocityController::Params{}); });
+}
+
 SteeringParams steering_of(const VehicleSpec& spec, const Vehicle& vehicle) {
   SteeringParams params;
   const Propulsion* propulsion = vehicle.propulsion();
@@ -101,7 +112,9 @@ Agent make_agent(const VehicleSpec& spec, const Scenario& scenario, const Catalo
   Vehicle vehicle =
       made(spec.model, [&] { return catalogs.vehicles.make(spec.model.name, spec.model.params); });
   vehicle.set_state(start_of(spec));
-  Autopilot autopilot = made(spec.model, [&] { return Autopilot{vehicle, {}, allocation_of(spec)}; });
+  Autopilot autopilot = made(spec.model, [&] {
+    return Autopilot{vehicle, controller_of(spec, vehicle), allocation_of(spec)};
+  });
   const SteeringParams steering = steering_of(spec, vehicle);
   ActuatorValues demand = vehicle.actuator_state();
 

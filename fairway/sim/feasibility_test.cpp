@@ -50,6 +50,29 @@ TEST(Feasibility, WhatFloatsIsRefusedElsewhereThanAtTheSurface) {
   EXPECT_EQ(refusal(boat("[0, 0, 0]", "[9, 0, 0]", "{min_depth_m: 0, max_depth_m: 0}")), "");
 }
 
+/// How fast a Sparus II is ahead two seconds after it was told to go at 0.5 m/s [m/s].
+double speed_after_two_seconds(const Overrides& overrides) {
+  Simulation simulation{load_scenario(FAIRWAY_SOURCE_DIR "/scenarios/sparus2_head_on.yaml", overrides),
+                        builtin_catalogs()};
+  while (simulation.time() < 2.0) simulation.step({});
+  return simulation.agents()[0].vehicle.state().v_b.x();
+}
+
+TEST(Feasibility, AnAutopilotIsThatOfThrusters) {
+  const std::string slow = "vehicles[*].autopilot.surge_bandwidth_radps";
+  EXPECT_LT(speed_after_two_seconds({{slow, "0.2"}}), 0.9 * speed_after_two_seconds({}));
+  EXPECT_EQ(speed_after_two_seconds({{slow, "0.8"}}), speed_after_two_seconds({}));
+
+  const std::string yaml = boat("[0, 0, 0]", "[9, 0, 0]");
+  EXPECT_EQ(refusal(yaml, {{"vehicles[0].autopilot", "velocity_controller"}}), "");
+  EXPECT_EQ(refusal(yaml, {{"vehicles[0].autopilot", "pid"}}),
+            "--set vehicles[0].autopilot: there is no pid; did you mean velocity_controller?");
+  EXPECT_THAT(refusal(yaml, {{"vehicles[0].autopilot.surge_bandwidth_radps", "0"}}), HasSubstr("0.01"));
+  EXPECT_THAT(
+      refusal(yaml, {{"vehicles[0].model", "otter"}, {"vehicles[0].autopilot", "velocity_controller"}}),
+      HasSubstr("has no thrusters that it could drive: leave it out"));
+}
+
 TEST(Feasibility, AStepThatIsTooLongForABoatIsRefusedAndTheOneThatIsNamedWouldDo) {
   const std::string yaml = boat("[0, 0, 0]", "[9, 0, 0]");
   const std::string said = refusal(yaml, {{"step_s", "1"}});
