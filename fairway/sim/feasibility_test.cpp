@@ -69,7 +69,7 @@ TEST(Feasibility, AnAutopilotIsThatOfThrusters) {
             "--set vehicles[0].autopilot: there is no pid; did you mean velocity_controller?");
   EXPECT_THAT(refusal(yaml, {{"vehicles[0].autopilot.surge_bandwidth_radps", "0"}}), HasSubstr("0.01"));
   EXPECT_THAT(
-      refusal(yaml, {{"vehicles[0].model", "otter"}, {"vehicles[0].autopilot", "velocity_controller"}}),
+      refusal(yaml, {{"vehicles[0].model", "kinematic"}, {"vehicles[0].autopilot", "velocity_controller"}}),
       HasSubstr("has no thrusters that it could drive: leave it out"));
 }
 
