@@ -37,10 +37,10 @@ class CMakeBuild(build_ext):
             self.configure(folder)
         jobs = os.environ.get("FAIRWAY_BUILD_JOBS", str(os.cpu_count() or 1))
         subprocess.run(["cmake", "--build", folder, "--target", "fairway_python", "-j", jobs], check=True)
-        (built,) = (folder / "python" / "fairway").glob("_core*.so")
         target = pathlib.Path(self.get_ext_fullpath(ext.name)).resolve()
         target.parent.mkdir(parents=True, exist_ok=True)
-        shutil.copyfile(built, target.parent / built.name)
+        for built in (folder / "python" / "fairway").glob("_core*"):  # the module and its stubs
+            shutil.copyfile(built, target.parent / built.name)
 
     def configure(self, folder: pathlib.Path) -> None:
         choices = {

@@ -26,22 +26,20 @@ BENCHMARK_CAPTURE(path, informed_rrt_star, PathSearch::informed_rrt_star, 2000)
 BENCHMARK_CAPTURE(path, bit_star, PathSearch::bit_star, 5000)->Unit(benchmark::kMillisecond);
 
 /// Decisions of the timed elastic band on the way through a field of buoys, again and again.
-void band(benchmark::State& bench, double speed, bool dynamic, TebSolver solver) {
+void band(benchmark::State& bench, double speed, bool dynamic) {
   courses::Voyage fresh{.course = courses::cluttered(), .teb = {}};
   fresh.teb.params.max_vel_x_mps = speed;
   fresh.teb.params.include_dynamic_obstacles = dynamic;
-  fresh.teb.params.solver = solver;
   courses::Voyage voyage = fresh;
   for (auto _ : bench) {
     voyage.step();
     if (voyage.position.x() > 24.5) voyage = fresh;
   }
 }
-BENCHMARK_CAPTURE(band, slow, 0.4, false, TebSolver::banded)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(band, slow_dynamic, 0.4, true, TebSolver::banded)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(band, fast, 1.5, false, TebSolver::banded)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(band, fast_dynamic, 1.5, true, TebSolver::banded)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(band, slow_ceres, 0.4, false, TebSolver::ceres)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(band, slow, 0.4, false)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(band, slow_dynamic, 0.4, true)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(band, fast, 1.5, false)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(band, fast_dynamic, 1.5, true)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace fairway

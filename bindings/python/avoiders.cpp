@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <memory>
-#include <mutex>
 
 #include "bindings/python/bindings.hpp"
 #include "bindings/python/decide_batch.hpp"
@@ -77,10 +75,9 @@ void bind_avoiders(py::module_& m) {
   bind_parameter(m);
   bind_algorithms(m);
   using N = NamedAvoider;
-  py::class_<N> avoider{
-      m, "Avoider",
-      "Any algorithm with its memory and its randomness. copy.copy is a snapshot: two equal "
-      "avoiders shown the same situations give the same commands for ever."};
+  py::class_<N> avoider{m, "Avoider",
+                        "Any algorithm with its memory and its randomness. copy.copy is a snapshot: two "
+                        "equal avoiders shown the same situations give the same commands for ever."};
   avoider
       .def(py::init([](const std::string& name, const py::object& seed, const py::kwargs& params) {
              return N{name,
@@ -90,8 +87,7 @@ void bind_avoiders(py::module_& m) {
            }),
            py::arg("name"), py::arg("seed") = 0,
            "name as algorithms() has it; seed of all that is random; parameters of the algorithm by keyword. "
-           "Raises "
-           "InputError with the nearest name.")
+           "Raises InputError with the nearest name.")
       .def_readonly("name", &N::name, "as it was made")
       .def(
           "decide",
@@ -100,8 +96,7 @@ void bind_avoiders(py::module_& m) {
           },
           py::arg("situation"),
           "The Command, held to the situation's limits. A situation with NaN or without a period is answered "
-          "with "
-          "zero velocity and Mode.infeasible. Remembers.")
+          "with zero velocity and Mode.infeasible. Remembers.")
       .def("__copy__", [](const N& self) { return N{self}; })
       .def("__deepcopy__", [](const N& self, const py::object&) { return N{self}; })
       .def("__repr__", [](const N& self) { return "<Avoider " + self.name + ">"; });

@@ -229,8 +229,7 @@ void add_views(py::class_<Environments>& c) {
 void bind_environments(py::module_& m) {
   py::class_<Environments> c(m, "FleetEnvironments",
                              "Environments of one scenario side by side, as arrays: what fairway.gym is made "
-                             "of. Attributes are views that "
-                             "the next step overwrites.");
+                             "of. Attributes are views that the next step overwrites.");
   c.def(py::init(&make), py::arg("scenario"), py::kw_only(), py::arg("count") = 1,
         py::arg("learners") = std::vector<std::string>{}, py::arg("tracks") = py::none(),
         py::arg("obstacles") = py::none(), py::arg("axes") = "ned", py::arg("reward") = py::dict(),

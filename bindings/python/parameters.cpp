@@ -2,7 +2,6 @@
 #include "bindings/python/parameters.hpp"
 
 #include "bindings/python/values.hpp"
-#include "fairway/core/text.hpp"
 
 namespace fairway::python {
 

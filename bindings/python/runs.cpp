@@ -2,7 +2,6 @@
 #include <array>
 #include <chrono>
 #include <memory>
-#include <optional>
 
 #include "bindings/python/batch.hpp"
 #include "bindings/python/bindings.hpp"
@@ -145,11 +144,9 @@ void bind_runs(py::module_& m) {
       py::arg("scenario"), py::arg("algorithms") = py::none(), py::arg("record") = py::none(),
       py::arg("trajectories") = false, py::arg("perception") = false, py::arg("sketches") = false,
       "Runs a Scenario, or that of a file. algorithms: {name: class} written in Python. record: an MCAP file "
-      "to "
-      "write, with what vehicles perceived and what methods draw if asked. trajectories: keep what moved, as "
-      "arrays. "
-      "The interpreter's lock is released; Ctrl-C ends it. Raises InputError, RunDiverged, when what was "
-      "recorded ends before the run broke, and whatever an algorithm in Python raises.");
+      "to write, with what vehicles perceived and what methods draw if asked. trajectories: keep what moved, "
+      "as arrays. The interpreter's lock is released; Ctrl-C ends it. Raises InputError, RunDiverged, when "
+      "what was recorded ends before the run broke, and whatever an algorithm in Python raises.");
   bind_batch(m);
 }
 

@@ -97,10 +97,8 @@ void add_reading(py::class_<ScenarioText>& scenario) {
           },
           py::arg("file"), py::arg("overrides") = py::none(), py::arg("seed") = py::none(),
           "Reads a scenario file. Values that are distributions are drawn from seed, or else from the "
-          "file's. "
-          "overrides, {'vehicles[*].avoider.time_horizon_s': 8}, are put over what the file says, as by "
-          "`fairway run "
-          "--set`. Raises InputError with file, line, column and the nearest known name.")
+          "file's. overrides, {'vehicles[*].avoider.time_horizon_s': 8}, are put over what the file says, as "
+          "by `fairway run --set`. Raises InputError with file, line, column and the nearest known name.")
       .def_static(
           "parse",
           [](std::string text, const py::object& overrides, const py::object& seed, std::string file) {
@@ -131,8 +129,7 @@ void add_reading(py::class_<ScenarioText>& scenario) {
           },
           py::arg("name"),
           "Every vehicle under this algorithm, of algorithms() or one's own, with these parameters. What the "
-          "file "
-          "says of parameters stays where a vehicle has the same algorithm already.");
+          "file says of parameters stays where a vehicle has the same algorithm already.");
 }
 
 }  // namespace
@@ -225,10 +222,9 @@ void bind_scenarios(py::module_& m) {
   bind_leg(m);
   bind_scenario_vehicle(m);
   using S = ScenarioText;
-  py::class_<S> scenario{
-      m, "Scenario",
-      "One concrete case: vehicles, missions, obstacles and water, everything random drawn. Made by "
-      "load or parse; never changed."};
+  py::class_<S> scenario{m, "Scenario",
+                         "One concrete case: vehicles, missions, obstacles and water, everything random "
+                         "drawn. Made by load or parse; never changed."};
   add_reading(scenario);
   const auto read = [&scenario](const char* name, auto member, const char* doc) {
     scenario.def_property_readonly(

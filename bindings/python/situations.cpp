@@ -75,10 +75,9 @@ void bind_own_and_tracks(py::module_& m) {
 
 void bind_obstacle(py::module_& m) {
   py::class_<ObstacleSpec> obstacle =
-      ValueClass<ObstacleSpec>(
-          m, "Obstacle",
-          "Something solid: made by sphere, segment, polygon or prism. Only the fields of its "
-          "kind mean anything.\n")
+      ValueClass<ObstacleSpec>(m, "Obstacle",
+                               "Something solid: made by sphere, segment, polygon or prism. Only the fields "
+                               "of its kind mean anything.\n")
           .field("kind", &ObstacleSpec::kind, "'sphere', 'segment' or 'polygon'")
           .field("position", &ObstacleSpec::position, "of a sphere's centre [m, NED]")
           .field("radius", &ObstacleSpec::radius, "of a sphere [m]")
@@ -115,10 +114,9 @@ void bind_obstacle(py::module_& m) {
     return made;
   };
   for (const char* name : {"polygon", "prism"}) {
-    obstacle.def_static(
-        name, polygon, py::arg("vertices"), py::arg("charted") = true,
-        "A solid vertical prism through every depth over a polygon: at least three vertices of two or "
-        "three numbers, counter-clockwise with n as x and e as y [m, NED].");
+    obstacle.def_static(name, polygon, py::arg("vertices"), py::arg("charted") = true,
+                        "A solid vertical prism through every depth over a polygon: at least three vertices "
+                        "of two or three numbers, counter-clockwise with n as x and e as y [m, NED].");
   }
   obstacle.def(
       "nearest_point",
@@ -138,10 +136,9 @@ void bind_goal_and_limits(py::module_& m) {
       .members()
       .finish(check_limits);
 
-  ValueClass<OnboardModel>(
-      m, "OnboardModel",
-      "How a vehicle answers to forces, as known on board, an axis at a time: surge, sway, heave, "
-      "roll, pitch, yaw.\n")
+  ValueClass<OnboardModel>(m, "OnboardModel",
+                           "How a vehicle answers to forces, as known on board, an axis at a time: surge, "
+                           "sway, heave, roll, pitch, yaw.\n")
       .field("mass", &OnboardModel::mass, "rigid body and added mass [kg, kg m2]")
       .field("linear_damping", &OnboardModel::linear_damping, "[kg/s, kg m2/s]")
       .field("quadratic_damping", &OnboardModel::quadratic_damping, "[kg/m, kg m2]")
@@ -172,9 +169,8 @@ void bind_situation(py::module_& m) {
   };
   ValueClass<OwnedSituation>(
       m, "Situation",
-      "All that an avoider may know at one instant. It owns its tracks and obstacles, which "
-      "nobody can change: it may be kept, and arrays that it gives are views that cannot be "
-      "written.\n")
+      "All that an avoider may know at one instant. It owns its tracks and obstacles, which nobody can "
+      "change: it may be kept, and arrays that it gives are views that cannot be written.\n")
       .required("own", &OwnedSituation::own, "Ownship")
       .required("goal", &OwnedSituation::goal, "Goal")
       .required("period", &OwnedSituation::period, "until the next decision [s], above 0")

@@ -56,12 +56,9 @@ void bind_studies(py::module_& m) {
       py::arg("name"), py::arg("seeds") = 0, py::arg("jobs") = 0, py::arg("overrides") = py::none(),
       py::arg("store") = py::none(),
       "Reproduces a published experiment, on `jobs` threads (0: all cores), with this many variations per "
-      "cell beyond "
-      "what was published. The rows of `fairway study --json`: a list of dicts with case, method, mode, "
-      "quantity, "
-      "published, measured, low, high, runs, deviation_ratio, verdict and note. store: a results store to "
-      "continue. "
-      "Ctrl-C ends it.");
+      "cell beyond what was published. The rows of `fairway study --json`: a list of dicts with case, "
+      "method, mode, quantity, published, measured, low, high, runs, deviation_ratio, verdict and note. "
+      "store: a results store to continue. Ctrl-C ends it.");
 }
 
 }  // namespace fairway::python

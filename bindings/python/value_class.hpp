@@ -6,7 +6,6 @@
 #include <initializer_list>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "bindings/python/values.hpp"
@@ -38,6 +37,9 @@ class ValueClass {
     class_.def_property_readonly(
         name.c_str(), [member](const py::object& self) { return show(self.cast<const T&>().*member, self); },
         doc.c_str());
+    const Hint hint = hint_of<V>();
+    constructor_ += ", " + name + ": " + hint.given + " = ...";
+    stub_ += "    " + name + ": Final[" + hint.shown + "]\n";
     doc_ += "\n" + name + ": " + doc + (presence == Presence::required ? " (required)" : "");
     return *this;
   }
@@ -62,6 +64,7 @@ class ValueClass {
   /// Completes the class; further methods may be added to it.
   py::class_<T> finish(Settle settle = {}) {
     class_.attr("__doc__") = doc_;
+    class_.attr("_stub") = "    def __init__(self" + constructor_ + ") -> None: ...\n" + stub_;
     const auto make = [attributes = attributes_, name = name_, settle](const py::dict& given) {
       T value{};
       for (const auto& [key, item] : given) set(value, *attributes, name, py::cast<std::string>(key), item);
@@ -170,6 +173,7 @@ class ValueClass {
   py::class_<T> class_;
   std::string name_;
   std::string doc_;
+  std::string constructor_, stub_;  ///< as in a stub file
   std::shared_ptr<Attributes> attributes_;
 };
 

@@ -6,7 +6,6 @@
 #include <set>
 
 #include "bindings/python/bindings.hpp"
-#include "fairway/core/text.hpp"
 #include "fairway/sim/divergence.hpp"
 
 namespace fairway::python {
@@ -101,8 +100,7 @@ std::string_view lasting_text(const std::string& text) {
 void bind_errors(py::module_& m) {
   py::register_exception<InputError>(m, "InputError", PyExc_ValueError).doc() =
       "Input that cannot be used: a file, a name, a value. One line that says where, what was expected and, "
-      "for a "
-      "name, the nearest that there is.";
+      "for a name, the nearest that there is.";
   py::register_exception<RunDiverged>(m, "RunDiverged", PyExc_RuntimeError).doc() =
       "A run that broke: which vehicle, when, and what left what is finite and possible. It has no results.";
 }

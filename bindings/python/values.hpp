@@ -148,6 +148,39 @@ struct Read<std::vector<V>> {
   }
 };
 
+// ---- for type checkers
+
+/// The types of a field in a stub file: what a constructor takes, and what the attribute is.
+struct Hint {
+  std::string given, shown;
+};
+
+template <class V>
+Hint hint_of() {
+  if constexpr (std::is_same_v<V, bool>) {
+    return {"bool", "bool"};
+  } else if constexpr (std::is_integral_v<V> || std::is_same_v<V, VehicleId> || std::is_same_v<V, TrackId>) {
+    return {"int", "int"};
+  } else if constexpr (std::is_same_v<V, double>) {
+    return {"float", "float"};
+  } else if constexpr (std::is_same_v<V, Mode>) {
+    return {"Mode | str", "Mode"};
+  } else if constexpr (std::is_enum_v<V> || std::is_convertible_v<V, std::string_view>) {
+    return {"str", "str"};
+  } else if constexpr (std::is_base_of_v<Eigen::MatrixBase<V>, V> || std::is_same_v<V, std::vector<Vec3>>) {
+    return {"npt.ArrayLike", "_Doubles"};
+  } else if constexpr (requires { typename V::iterator; }) {
+    const Hint item = hint_of<typename V::value_type>();
+    return {"Iterable[" + item.given + "]", "tuple[" + item.shown + ", ...]"};
+  } else if constexpr (requires { typename V::value_type; }) {
+    const Hint present = hint_of<typename V::value_type>();
+    return {present.given + " | None", present.shown + " | None"};
+  } else {
+    const std::string name = py::type::of<V>().attr("__name__").template cast<std::string>();
+    return {name, name};
+  }
+}
+
 // ---- for Python: `self` owns the value, which nobody changes
 
 template <class V>

@@ -196,9 +196,8 @@ void bind_vehicle(py::module_& m) {
           py::arg("actuators"), py::arg("period"), py::arg("current") = py::make_tuple(0.0, 0.0, 0.0),
           py::arg("density") = 1000.0,
           "Lets the actuators follow these, a dict by name or one number each (NaN or not named: stays), and "
-          "moves "
-          "by period [s] in water that flows with current [m/s, NED]: one step of fourth order. The new "
-          "State.")
+          "moves by period [s] in water that flows with current [m/s, NED]: one step of fourth order. The "
+          "new State.")
       .def(
           "drive",
           [](V& v, const py::object& commands, double period, const py::object& current, double density) {
@@ -207,8 +206,7 @@ void bind_vehicle(py::module_& m) {
           py::arg("commands"), py::arg("period"), py::arg("current") = py::make_tuple(0.0, 0.0, 0.0),
           py::arg("density") = 1000.0,
           "A step for every row of commands (n x actuators). The states before and after each, (n + 1) x 13: "
-          "position "
-          "[m, NED], quaternion w x y z, velocity [m/s, body], angular velocity [rad/s, body].")
+          "position [m, NED], quaternion w x y z, velocity [m/s, body], angular velocity [rad/s, body].")
       .def("__copy__", [](const V& v) { return V{v}; })
       .def("__deepcopy__", [](const V& v, const py::object&) { return V{v}; })
       .def("__repr__", [](const V& v) { return "<Vehicle " + std::string(v.info().name) + ">"; });
@@ -275,12 +273,10 @@ void bind_vehicles(py::module_& m) {
       },
       py::arg("vehicle"), py::arg("times"), py::arg("inputs"), py::arg("settings") = py::dict(),
       "An open-loop manoeuvre, the same bits as `fairway trial`: times [s] ascending, inputs {actuator: "
-      "values}, each "
-      "held until the next time; settings {'state.u_mps': 0.5, 'current.north_mps': 0.2, "
-      "'actuator_dynamics': True, "
-      "...}. Arrays by column: time_s, x_m, y_m, z_m, roll_rad, pitch_rad, yaw_rad, u_mps, v_mps, w_mps, "
-      "p_radps, "
-      "q_radps, r_radps, the state at each time. Raises InputError with the nearest name.");
+      "values}, each held until the next time; settings {'state.u_mps': 0.5, 'current.north_mps': 0.2, "
+      "'actuator_dynamics': True, ...}. Arrays by column: time_s, x_m, y_m, z_m, roll_rad, pitch_rad, "
+      "yaw_rad, u_mps, v_mps, w_mps, p_radps, q_radps, r_radps, the state at each time. Raises InputError "
+      "with the nearest name.");
 }
 
 }  // namespace fairway::python

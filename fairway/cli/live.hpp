@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <iosfwd>
-#include <string>
 
 #include "fairway/cli/runner.hpp"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/sim/trial.hpp"
 
-#include <cstdio>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>

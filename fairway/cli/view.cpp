@@ -9,7 +9,6 @@
 #include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <optional>
 
 #include "fairway/cli/numbers.hpp"
 #include "fairway/cli/outputs.hpp"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "fairway/core/checked_params.hpp"
+#include "fairway/core/params.hpp"
 
 namespace fairway {
 namespace {

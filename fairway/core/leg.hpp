@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <string>
 
 #include "fairway/core/params.hpp"
 #include "fairway/core/vec.hpp"

@@ -3,16 +3,30 @@
 
 #include <cstdint>
 
+#include "fairway/core/record.hpp"
+
 namespace fairway {
 
 /// A message on its way from one vehicle to another.
 struct MessageFlight {
-  std::uint32_t from{};  ///< index of the sender
-  std::uint32_t to{};    ///< index of the receiver
-  double sent{};         ///< when its transmission began [s]
-  double begins{};       ///< when it begins to be heard [s]
-  double arrives{};      ///< when all of it has been heard [s]
-  bool drowned{};        ///< the receiver transmits meanwhile and will not hear it
+  std::uint32_t from{};
+  std::uint32_t to{};
+  double sent{};
+  double begins{};
+  double arrives{};
+  bool drowned{};
+
+  static consteval auto members() {
+    using R = MessageFlight;
+    return std::tuple{
+        member<&R::from>("index", "index of the sender"),
+        member<&R::to>("index", "index of the receiver"),
+        member<&R::sent>("s", "when its transmission began [s]"),
+        member<&R::begins>("s", "when it begins to be heard [s]"),
+        member<&R::arrives>("s", "when all of it has been heard [s]"),
+        member<&R::drowned>("", "the receiver transmits meanwhile and will not hear it"),
+    };
+  }
 
   friend bool operator==(const MessageFlight&, const MessageFlight&) = default;
 };

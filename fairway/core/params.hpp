@@ -290,6 +290,13 @@ void check_params(const P& params, const std::string& prefix = {}) {
   });
 }
 
+/// `params`, to be initialised with. Throws as check_params().
+template <Reflected P>
+const P& checked_params(const P& params) {
+  check_params(params);
+  return params;
+}
+
 /// `values`, with those of `over` in place of the same names.
 ParamValues merged(ParamValues values, const ParamValues& over);
 

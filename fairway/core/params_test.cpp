@@ -4,7 +4,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "fairway/core/checked_params.hpp"
 #include "fairway/core/text.hpp"
 
 namespace fairway {

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
-#include <vector>
 
 #include "fairway/core/rng.hpp"
 #include "fairway/dynamics/integrate.hpp"

@@ -3,7 +3,6 @@
 
 #include <memory>
 #include <utility>
-#include <vector>
 
 #include "fairway/dynamics/fin_drive.hpp"
 #include "fairway/dynamics/integrate.hpp"

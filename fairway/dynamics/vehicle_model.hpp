@@ -3,7 +3,6 @@
 
 #include <Eigen/Core>
 #include <concepts>
-#include <limits>
 #include <span>
 #include <string>
 #include <string_view>

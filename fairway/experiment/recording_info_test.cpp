@@ -40,10 +40,9 @@ TEST(ARecordedRun, IsRefusedWhereItsMethodIsNotAndSaysWhereItIs) {
   EXPECT_EQ(
       refusal_of("own_method", "keep_right+stop_and_wait", catalogs),
       "run.mcap: the algorithm \"keep_right\" is not in this program; use \"own_method\", which recorded it");
-  EXPECT_EQ(
-      refusal_of("fairway", "orca3d+as_coded", catalogs),
-      "run.mcap: the algorithm \"as_coded\" is not in this program; it is of a study alone, or of another "
-      "version of fairway");
+  EXPECT_EQ(refusal_of("fairway", "orca3d+as_coded", catalogs),
+            "run.mcap: the algorithm \"as_coded\" is not in this program; it is of a study alone, or of "
+            "another version of fairway");
 }
 
 TEST(ARecordedRun, IsAcceptedWhereItsMethodIs) {

@@ -36,9 +36,9 @@ void remark_identical(const Comparison& comparison, std::vector<Remark>& said) {
   }
   if (cells.empty()) return;
   said.push_back(
-      {true, fmt::format("Nothing is drawn in {}: runs of {} seeds are identical to the bit and count as "
-                         "one.",
-                         cells_text(cells), most)});
+      {true,
+       fmt::format("Nothing is drawn in {}: runs of {} seeds are identical to the bit and count as one.",
+                   cells_text(cells), most)});
 }
 
 void remark_failed(const Comparison& comparison, std::vector<Remark>& said) {
@@ -61,11 +61,11 @@ void remark_cut(const Comparison& comparison, std::vector<Remark>& said) {
   }
   if (cut.empty()) return;
   said.push_back(
-      {true, fmt::format("Times that the end of a run cut off ({}) are censored: the median is Kaplan and "
-                         "Meier's, the mean counts times up to the limit beside it, with Greenwood's error; "
-                         "differences are of these means, and the sign test asks which of a pair took "
-                         "longer, where that is known.",
-                         fmt::join(cut, ", "))});
+      {true,
+       fmt::format("Times that the end of a run cut off ({}) are censored: the median is Kaplan and Meier's, "
+                   "the mean counts times up to the limit beside it, with Greenwood's error; differences are "
+                   "of these means, and the sign test asks which of a pair took longer, where that is known.",
+                   fmt::join(cut, ", "))});
 }
 
 template <class T>
@@ -86,8 +86,7 @@ std::vector<Remark> remarks(const Comparison& comparison) {
   if (tested(comparison.means)) {
     tests +=
         "; of quantities: mean with Student's t interval, Hodges and Lehmann's median, Wilcoxon's signed "
-        "rank test with "
-        "the rank-biserial correlation as its effect";
+        "rank test with the rank-biserial correlation as its effect";
   }
   if (tested(comparison.rates))
     tests += "; of rates: Newcombe's interval, McNemar's exact test with Cohen's g as its effect";

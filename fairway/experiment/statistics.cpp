@@ -2,7 +2,6 @@
 #include "fairway/experiment/statistics.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/beta.hpp>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
@@ -88,19 +87,6 @@ RateEstimate wilson_interval(std::size_t successes, std::size_t trials, double c
   return estimate;
 }
 
-RateEstimate exact_interval(std::size_t successes, std::size_t trials, double confidence) {
-  const double beyond = tail_of(confidence);
-  RateEstimate estimate = rate_of(successes, trials);
-  const auto k = static_cast<double>(successes);
-  const auto n = static_cast<double>(trials);
-  if (successes > 0) estimate.low = quantile(boost::math::beta_distribution<>{k, n - k + 1.0}, beyond);
-  if (successes < trials) {
-    estimate.high =
-        quantile(boost::math::complement(boost::math::beta_distribution<>{k + 1.0, n - k}, beyond));
-  }
-  return estimate;
-}
-
 double fisher_exact(std::size_t first_successes, std::size_t first_trials, std::size_t second_successes,
                     std::size_t second_trials) {
   if (first_successes > first_trials || second_successes > second_trials)
@@ -135,12 +121,6 @@ CountEstimate poisson_interval(double count, double confidence) {
   estimate.high =
       quantile(boost::math::complement(boost::math::chi_squared{2.0 * count + 2.0}, beyond)) / 2.0;
   return estimate;
-}
-
-double upper_bound_of_none(std::size_t trials, double confidence) {
-  const double miss = 2.0 * tail_of(confidence);
-  if (trials == 0) return 1.0;
-  return -std::expm1(std::log(miss) / static_cast<double>(trials));
 }
 
 double quantile(std::span<const double> sorted, double p) {

@@ -45,10 +45,6 @@ struct RateEstimate {
 /// unlike rate ± z s. Throws std::invalid_argument if successes > trials.
 RateEstimate wilson_interval(std::size_t successes, std::size_t trials, double confidence = 0.95);
 
-/// Clopper and Pearson's interval (1934) from quantiles of the beta distribution: never below its
-/// confidence, hence wider. Throws likewise.
-RateEstimate exact_interval(std::size_t successes, std::size_t trials, double confidence = 0.95);
-
 /// Fisher's exact test (1922), two-sided: how likely, if both shares are the same, the totals given, is a
 /// table no likelier than this one. As R's fisher.test. Throws likewise. O(first_trials + second_trials).
 double fisher_exact(std::size_t first_successes, std::size_t first_trials, std::size_t second_successes,
@@ -64,10 +60,6 @@ struct CountEstimate {
 /// Garwood's exact interval (1936) for the mean of a Poisson count, from quantiles of chi squared. Throws
 /// std::invalid_argument for a negative count.
 CountEstimate poisson_interval(double count, double confidence = 0.95);
-
-/// "It never happened in n trials": the largest rate that leaves a chance of 1 - confidence for that,
-/// 1 - (1 - confidence)^(1/n); one-sided, about 3/n at 95 %. Of no trials, 1.
-double upper_bound_of_none(std::size_t trials, double confidence = 0.95);
 
 /// The quantile of sorted, finite values by linear interpolation at p (n - 1): type 7 of Hyndman and Fan
 /// (1996), the usual one of R and NumPy. NaN of no values; `p` in [0, 1], else std::domain_error. O(1).

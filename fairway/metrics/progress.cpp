@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/metrics/progress.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "fairway/core/text.hpp"

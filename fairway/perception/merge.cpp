@@ -4,7 +4,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 
-#include "fairway/core/checked_params.hpp"
+#include "fairway/core/params.hpp"
 #include "fairway/perception/tracker/gate.hpp"
 
 namespace fairway {

@@ -49,20 +49,12 @@ Vec3 at_depth_zero(const Vec2& p) { return {p.x(), p.y(), 0.0}; }
 }  // namespace
 
 PlanarMap::Solid PlanarMap::flattened(const Obstacle& obstacle) {
-  Solid solid{.kind = obstacle.kind};
-  switch (obstacle.kind) {
-    case Obstacle::Kind::sphere:
-      solid.position = at_depth_zero(obstacle.position);
-      solid.radius = obstacle.radius;
-      break;
-    case Obstacle::Kind::segment:
-      solid.from = at_depth_zero(obstacle.from);
-      solid.to = at_depth_zero(obstacle.to);
-      break;
-    case Obstacle::Kind::polygon:
-      for (const Vec3& vertex : obstacle.vertices) solid.vertices.push_back(at_depth_zero(vertex));
-      break;
-  }
+  Solid solid{.kind = obstacle.kind,
+              .position = at_depth_zero(obstacle.position),
+              .radius = obstacle.radius,
+              .from = at_depth_zero(obstacle.from),
+              .to = at_depth_zero(obstacle.to)};
+  for (const Vec3& vertex : obstacle.vertices) solid.vertices.push_back(at_depth_zero(vertex));
   return solid;
 }
 

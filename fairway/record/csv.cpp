@@ -27,18 +27,21 @@ std::string instant_of(const Frame& frame) {
   return std::to_string(count(frame.tick)) + ',' + number_text(frame.time) + ',';
 }
 
-void expect_perception(const Recording& recording) {
-  if (recording.info().perception) return;
-  throw InputError("what was perceived is not recorded; record with fairway run --perception");
-}
-
-/// Calls `rows` with the first fields of a row and the vehicle, for every vehicle of every frame.
-template <class Rows>
-void for_each_perceiver(const Recording& recording, Rows rows) {
+/// A row of each record that a vehicle perceived, for every vehicle of every frame.
+template <RecordType R>
+void export_perceived(const Recording& recording, std::span<const R> VehicleFrame::*list, std::ostream& out) {
+  if (!recording.info().perception)
+    throw InputError("what was perceived is not recorded; record with fairway run --perception");
+  const auto write = [&out](std::string line, const std::vector<std::string>& texts) {
+    for (const std::string& text : texts) line.append(",").append(text);
+    out << line << '\n';
+  };
+  write("tick,time_s,vehicle", record_columns<R>());
   for (std::size_t i = 0; i < recording.size(); ++i) {
     const Frame frame = recording.frame(i);
     for (std::size_t v = 0; v < frame.vehicles.size(); ++v) {
-      rows(instant_of(frame) + quoted(recording.info().vehicles[v].name), frame.vehicles[v]);
+      const std::string begin = instant_of(frame) + quoted(recording.info().vehicles[v].name);
+      for (const R& record : frame.vehicles[v].*list) write(begin, record_texts(record));
     }
   }
 }
@@ -63,7 +66,7 @@ void export_csv(const Recording& recording, std::ostream& out) {
     for (std::size_t v = 0; v < frame.vehicles.size(); ++v) {
       const VehicleFrame& vehicle = frame.vehicles[v];
       line = instant + quoted(recording.info().vehicles[v].name);
-      for (const Quantity& quantity : quantities()) line.append(",").append(quantity.text(vehicle));
+      for (const Quantity& quantity : quantities()) line.append(",").append(quantity.of(vehicle));
       for (const double a : vehicle.actuators) line.append(",").append(number_text(a));
       line.append(actuators - vehicle.actuators.size(), ',');
       out << line << '\n';
@@ -72,27 +75,11 @@ void export_csv(const Recording& recording, std::ostream& out) {
 }
 
 void export_tracks_csv(const Recording& recording, std::ostream& out) {
-  expect_perception(recording);
-  std::string line = "tick,time_s,vehicle";
-  for (const std::string& column : record_columns<Track>()) line.append(",").append(column);
-  out << line << '\n';
-  for_each_perceiver(recording, [&](const std::string& begin, const VehicleFrame& vehicle) {
-    for (const Track& track : vehicle.tracks) {
-      line = begin;
-      for (const std::string& text : record_texts(track)) line.append(",").append(text);
-      out << line << '\n';
-    }
-  });
+  export_perceived(recording, &VehicleFrame::tracks, out);
 }
 
 void export_echoes_csv(const Recording& recording, std::ostream& out) {
-  expect_perception(recording);
-  out << "tick,time_s,vehicle,range_m,bearing_rad\n";
-  for_each_perceiver(recording, [&](const std::string& begin, const VehicleFrame& vehicle) {
-    for (const auto& [range, bearing] : vehicle.echoes) {
-      out << begin << ',' << number_text(range) << ',' << number_text(bearing) << '\n';
-    }
-  });
+  export_perceived(recording, &VehicleFrame::echoes, out);
 }
 
 }  // namespace fairway

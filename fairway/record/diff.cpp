@@ -4,8 +4,7 @@
 #include <algorithm>
 
 #include "fairway/core/text.hpp"
-#include "fairway/record/perception_quantities.hpp"
-#include "fairway/record/sketch_quantities.hpp"
+#include "fairway/record/quantities.hpp"
 
 namespace fairway {
 

@@ -113,12 +113,10 @@ TEST(Csv, HasARowPerVehicleAndFrameThatReadsBackToTheBit) {
   EXPECT_EQ(
       header,
       "tick,time_s,vehicle,id,phase,x_m,y_m,z_m,qw_ratio,qx_ratio,qy_ratio,qz_ratio,roll_rad,pitch_rad,yaw_"
-      "rad,"
-      "u_mps,v_mps,w_mps,p_radps,q_radps,r_radps,goal_n_m,goal_e_m,goal_d_m,goal_speed_mps,command_n_mps,"
-      "command_e_mps,command_d_mps,command_heading_rad,command_turn_rate_radps,"
-      "command_force_x_n,command_force_y_n,command_force_z_n,command_moment_k_nm,command_moment_m_nm,"
-      "command_moment_n_nm,mode,astern,power_w,force_x_n,force_y_n,force_z_n,moment_k_nm,moment_m_nm,"
-      "moment_n_nm,actuator_0,actuator_1");
+      "rad,u_mps,v_mps,w_mps,p_radps,q_radps,r_radps,goal_n_m,goal_e_m,goal_d_m,goal_speed_mps,command_n_mps,"
+      "command_e_mps,command_d_mps,command_heading_rad,command_turn_rate_radps,command_force_x_n,command_"
+      "force_y_n,command_force_z_n,command_moment_k_nm,command_moment_m_nm,command_moment_n_nm,mode,astern,"
+      "power_w,force_x_n,force_y_n,force_z_n,moment_k_nm,moment_m_nm,moment_n_nm,actuator_0,actuator_1");
   EXPECT_THAT(first, ::testing::StartsWith("0,0,auv_1,1,"));
   EXPECT_THAT(first, HasSubstr(",0.30000000000000004,"));
   EXPECT_THAT(second, ::testing::StartsWith("0,0,\"a,\"\"b\"\"\",2,"));

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/record/hash_checker.hpp"
 
-#include <algorithm>
-
 #include "fairway/record/frame_hash.hpp"
-#include "fairway/record/perception_quantities.hpp"
 #include "fairway/record/quantities.hpp"
-#include "fairway/record/sketch_quantities.hpp"
 
 namespace fairway {
 

@@ -4,7 +4,6 @@
 
 #include <map>
 
-#include "fairway/record/crc32.hpp"
 #include "fairway/record/mcap_reader.hpp"
 #include "fairway/record/mcap_writer.hpp"
 #include "fairway/record/testing/sample_run.hpp"

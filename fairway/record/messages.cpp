@@ -2,7 +2,6 @@
 #include "fairway/record/messages.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "fairway/core/error.hpp"

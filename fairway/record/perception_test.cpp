@@ -14,7 +14,7 @@
 #include "fairway/record/frame_hash.hpp"
 #include "fairway/record/hash_checker.hpp"
 #include "fairway/record/messages.hpp"
-#include "fairway/record/perception_quantities.hpp"
+#include "fairway/record/quantities.hpp"
 #include "fairway/record/testing/sample_run.hpp"
 
 namespace fairway {

@@ -2,7 +2,6 @@
 #include "fairway/record/recording_writer.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <nlohmann/json.hpp>
 #include <utility>
 

@@ -20,44 +20,26 @@ struct Definition {
   std::string_view fields;
 };
 
-constexpr Definition time{"builtin_interfaces/Time",
-                          "int32 sec\n"
-                          "uint32 nanosec\n"};
-constexpr Definition header{"std_msgs/Header",
-                            "builtin_interfaces/Time stamp\n"
-                            "string frame_id\n"};
-constexpr Definition point{"geometry_msgs/Point",
-                           "float64 x\n"
-                           "float64 y\n"
-                           "float64 z\n"};
-constexpr Definition vector3{"geometry_msgs/Vector3",
-                             "float64 x\n"
-                             "float64 y\n"
-                             "float64 z\n"};
+constexpr Definition time{"builtin_interfaces/Time", "int32 sec\nuint32 nanosec\n"};
+constexpr Definition header{"std_msgs/Header", "builtin_interfaces/Time stamp\nstring frame_id\n"};
+constexpr std::string_view xyz = "float64 x\nfloat64 y\nfloat64 z\n";
+constexpr Definition point{"geometry_msgs/Point", xyz};
+constexpr Definition vector3{"geometry_msgs/Vector3", xyz};
 constexpr Definition quaternion{"geometry_msgs/Quaternion",
-                                "float64 x 0\n"
-                                "float64 y 0\n"
-                                "float64 z 0\n"
-                                "float64 w 1\n"};
+                                "float64 x 0\nfloat64 y 0\nfloat64 z 0\nfloat64 w 1\n"};
 constexpr Definition pose{"geometry_msgs/Pose",
-                          "geometry_msgs/Point position\n"
-                          "geometry_msgs/Quaternion orientation\n"};
+                          "geometry_msgs/Point position\ngeometry_msgs/Quaternion orientation\n"};
 constexpr Definition pose_with_covariance{"geometry_msgs/PoseWithCovariance",
-                                          "geometry_msgs/Pose pose\n"
-                                          "float64[36] covariance\n"};
+                                          "geometry_msgs/Pose pose\nfloat64[36] covariance\n"};
 constexpr Definition twist{"geometry_msgs/Twist",
-                           "geometry_msgs/Vector3 linear\n"
-                           "geometry_msgs/Vector3 angular\n"};
+                           "geometry_msgs/Vector3 linear\ngeometry_msgs/Vector3 angular\n"};
 constexpr Definition twist_with_covariance{"geometry_msgs/TwistWithCovariance",
-                                           "geometry_msgs/Twist twist\n"
-                                           "float64[36] covariance\n"};
+                                           "geometry_msgs/Twist twist\nfloat64[36] covariance\n"};
 constexpr Definition transform{"geometry_msgs/Transform",
-                               "geometry_msgs/Vector3 translation\n"
-                               "geometry_msgs/Quaternion rotation\n"};
-constexpr Definition transform_stamped{"geometry_msgs/TransformStamped",
-                                       "std_msgs/Header header\n"
-                                       "string child_frame_id\n"
-                                       "geometry_msgs/Transform transform\n"};
+                               "geometry_msgs/Vector3 translation\ngeometry_msgs/Quaternion rotation\n"};
+constexpr Definition transform_stamped{
+    "geometry_msgs/TransformStamped",
+    "std_msgs/Header header\nstring child_frame_id\ngeometry_msgs/Transform transform\n"};
 
 constexpr Definition point_field{"sensor_msgs/PointField",
                                  "uint8 INT8=1\n"

@@ -9,8 +9,8 @@
 #include "fairway/record/diff.hpp"
 #include "fairway/record/frame_hash.hpp"
 #include "fairway/record/mcap_reader.hpp"
+#include "fairway/record/quantities.hpp"
 #include "fairway/record/sketch_messages.hpp"
-#include "fairway/record/sketch_quantities.hpp"
 #include "fairway/record/testing/sample_run.hpp"
 
 namespace fairway {

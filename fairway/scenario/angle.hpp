@@ -35,10 +35,4 @@ Block<Owner> angle(const std::string& stem, const std::string& in_degrees, const
   return {degree, radian};
 }
 
-template <class Owner>
-Block<Owner> joined(Block<Owner> first, const Block<Owner>& second) {
-  first.insert(first.end(), second.begin(), second.end());
-  return first;
-}
-
 }  // namespace fairway::yaml

@@ -5,8 +5,6 @@
 
 #include <algorithm>
 
-#include "fairway/core/text.hpp"
-
 namespace fairway::yaml {
 namespace detail {
 namespace {
@@ -99,15 +97,6 @@ Form<double> number(Bounds bounds) {
           .schema = number_schema(bounds)};
 }
 
-Form<double> number_unless(double none, Bounds bounds) {
-  Form<double> form = number(bounds);
-  form.write = [none](const double& value) -> std::optional<Tree> {
-    if (value == none) return {};
-    return Tree::number(value);
-  };
-  return form;
-}
-
 Form<Vec3> vector(Bounds each) {
   return {.read = [each](const Value& value) { return value.vector(each); },
           .write = write_vector,
@@ -117,25 +106,11 @@ Form<Vec3> vector(Bounds each) {
                                {"maxItems", Tree::word("3")}})};
 }
 
-Form<Vec3> vector_unless_zero(Bounds each) {
-  Form<Vec3> form = vector(each);
-  form.write = [](const Vec3& v) { return v.isZero(0.0) ? std::nullopt : write_vector(v); };
-  return form;
-}
-
 Form<bool> flag() {
   return {
       .read = [](const Value& value) { return value.flag(); },
       .write = [](const bool& value) -> std::optional<Tree> { return Tree::word(value ? "true" : "false"); },
       .schema = type("boolean")};
-}
-
-Form<bool> flag_unless(bool usual) {
-  Form<bool> form = flag();
-  form.write = [usual, write = form.write](const bool& value) -> std::optional<Tree> {
-    return value == usual ? std::nullopt : write(value);
-  };
-  return form;
 }
 
 Form<std::string> text() {

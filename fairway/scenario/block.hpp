@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cmath>
 #include <functional>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -39,6 +39,14 @@ struct Key {
 
 template <class Owner>
 using Block = std::vector<Key<Owner>>;
+
+/// All keys of some blocks.
+template <class Owner>
+Block<Owner> joined(std::initializer_list<Block<Owner>> blocks) {
+  Block<Owner> all;
+  for (const Block<Owner>& block : blocks) all.insert(all.end(), block.begin(), block.end());
+  return all;
+}
 
 template <class Owner, class T>
 Key<Owner> key(std::string_view name, T Owner::*member, const Form<T>& form, std::string_view meaning,
@@ -148,16 +156,19 @@ Form<std::vector<T>> list_of(const Form<T>& form, std::string_view of) {
           .schema = Tree::map({{"type", Tree::quote("array")}, {"items", form.schema}})};
 }
 
+/// The same form, `usual` standing for "not given".
+template <class T>
+Form<T> unless(const std::type_identity_t<T>& usual, Form<T> form) {
+  form.write = [usual, write = form.write](const T& value) -> std::optional<Tree> {
+    return value == usual ? std::nullopt : write(value);
+  };
+  return form;
+}
+
 /// A number, or a distribution to draw it from.
 Form<double> number(Bounds bounds);
-/// The same, `none` standing for "not given".
-Form<double> number_unless(double none, Bounds bounds);
 Form<Vec3> vector(Bounds each);
-/// The same, zero standing for "not given".
-Form<Vec3> vector_unless_zero(Bounds each);
 Form<bool> flag();
-/// The same, `usual` standing for "not given".
-Form<bool> flag_unless(bool usual);
 Form<std::string> text();
 /// Text that says something.
 Form<std::string> name();

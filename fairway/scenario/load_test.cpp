@@ -4,8 +4,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "fairway/core/angles.hpp"
 #include "fairway/core/rng.hpp"
 

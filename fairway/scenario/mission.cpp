@@ -29,7 +29,7 @@ const Kinds<Leg>& leg_kinds() {
       key("position_m", &Leg::position, vector(anywhere), "The goal [n, e, d].", Needed::yes);
   const auto speed =
       key("speed_mps", &Leg::speed_mps, number(above_to(0.0, 100.0)), "Along the leg. Default 0.5.");
-  const auto box = key("box_m", &Leg::box_m, vector_unless_zero(from_to(0.0, 1e6)),
+  const auto box = key("box_m", &Leg::box_m, unless(Vec3::Zero(), vector(from_to(0.0, 1e6))),
                        "The leg is done when the error is at most this along n, e and d.");
   static const Kinds<Leg> table{
       {"go_to",

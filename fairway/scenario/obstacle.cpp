@@ -45,14 +45,8 @@ void check_polygon(const Value& value, const ObstacleSpec& polygon) {
 }
 
 Key<ObstacleSpec> charted() {
-  Key<ObstacleSpec> entry =
-      key("charted", &ObstacleSpec::charted, flag(),
-          "Known to everyone beforehand; else only once it is perceived. Default true.");
-  entry.write = [](const ObstacleSpec& spec) -> std::optional<Tree> {
-    if (spec.charted) return {};
-    return Tree::word("false");
-  };
-  return entry;
+  return key("charted", &ObstacleSpec::charted, unless(true, flag()),
+             "Known to everyone beforehand; else only once it is perceived. Default true.");
 }
 
 const Kinds<ObstacleSpec>& obstacle_kinds() {
@@ -61,7 +55,7 @@ const Kinds<ObstacleSpec>& obstacle_kinds() {
        "A ball.",
        {key("position_m", &ObstacleSpec::position, vector(anywhere), "Its centre [n, e, d].", Needed::yes),
         key("radius_m", &ObstacleSpec::radius, number(above_to(0.0, 1e6)), "Its radius.", Needed::yes),
-        key("velocity_mps", &ObstacleSpec::velocity, vector_unless_zero(from_to(-100.0, 100.0)),
+        key("velocity_mps", &ObstacleSpec::velocity, unless(Vec3::Zero(), vector(from_to(-100.0, 100.0))),
             "It drifts, [n, e, d] over ground, from its position at the start. Default: it does not."),
         charted()},
        {}},

@@ -13,9 +13,9 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// What every kind of perception has.
 Block<PerceptionSpec> perception_ranges() {
   constexpr Bounds range = above_to(0.0, 1e7);
-  return {key("range_m", &PerceptionSpec::range_m, number_unless(infinity, range),
+  return {key("range_m", &PerceptionSpec::range_m, unless(infinity, number(range)),
               "Nobody farther away is perceived. Default: no such limit."),
-          key("obstacle_range_m", &PerceptionSpec::obstacle_range_m, number_unless(infinity, range),
+          key("obstacle_range_m", &PerceptionSpec::obstacle_range_m, unless(infinity, number(range)),
               "An obstacle that is not charted, or drifts, is perceived this near to the vehicle's sphere. "
               "Default: no such limit.")};
 }
@@ -81,10 +81,9 @@ Key<Scenario> format_version() {
 
 /// Whether it is short enough is seen by whoever knows the vehicles.
 Key<Scenario> step() {
-  Key<Scenario> entry =
-      key("step_s", &Scenario::step_s, number(from_to(1e-5, 1.0)),
-          "The control period and integration step, short enough for every vehicle's fastest "
-          "motion. Default 0.05.");
+  Key<Scenario> entry = key("step_s", &Scenario::step_s, number(from_to(1e-5, 1.0)),
+                            "The control period and integration step, short enough for every vehicle's "
+                            "fastest motion. Default 0.05.");
   entry.read = [read = entry.read](const Value& value, Scenario& scenario) {
     read(value, scenario);
     scenario.step_where = value.tree().where.location();

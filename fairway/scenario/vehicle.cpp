@@ -26,35 +26,34 @@ Key<VehicleSpec> position() {
 
 Block<VehicleSpec> start_block() {
   return joined<VehicleSpec>(
-      joined<VehicleSpec>({position()},
-                          angle("yaw", "_deg", "_rad", &VehicleSpec::yaw, from_to(-360.0, 360.0),
-                                "Its heading, 0 north, 90 east. Default 0.")),
-      {key("speed_mps", &VehicleSpec::speed, number(start_speeds), "Its speed ahead. Default 0."),
-       key("delay_s", &VehicleSpec::start_delay_s, number(from_to(0.0, 1e7)),
-           "Before its mission begins. Default 0.")});
+      {{position()},
+       angle("yaw", "_deg", "_rad", &VehicleSpec::yaw, from_to(-360.0, 360.0),
+             "Its heading, 0 north, 90 east. Default 0."),
+       {key("speed_mps", &VehicleSpec::speed, number(start_speeds), "Its speed ahead. Default 0."),
+        key("delay_s", &VehicleSpec::start_delay_s, number(from_to(0.0, 1e7)),
+            "Before its mission begins. Default 0.")}});
 }
 
 Block<Limits> limits_block() {
   constexpr double none = Limits::none;
   return joined<Limits>(
-      joined<Limits>(
-          {key("max_speed_mps", &Limits::max_speed, number_unless(none, from_to(0.0, 100.0)), "Over ground."),
-           key("max_climb_rate_mps", &Limits::max_climb_rate, number_unless(none, from_to(0.0, 100.0)),
-               "Up or down; 0 for a surface vehicle."),
-           key("max_acceleration_mps2", &Limits::max_acceleration, number_unless(none, from_to(0.0, 1000.0)),
-               "For the methods that reason about reachable velocities.")},
-          angle("max_turn_rate", "_degps", "_radps", &Limits::max_turn_rate, from_to(0.0, 3600.0),
-                "For the methods that reason about reachable velocities.")),
-      {key("min_depth_m", &Limits::min_depth, number_unless(-none, from_to(-12000.0, 12000.0)),
-           "No command leads above it."),
-       key("max_depth_m", &Limits::max_depth, number_unless(none, from_to(-12000.0, 12000.0)),
-           "No command leads below it."),
-       key("min_speed_mps", &Limits::min_speed, number_unless(0.0, from_to(0.0, 100.0)),
-           "Through the water; it cannot go slower, nor stop. Default: the model's; a smaller one changes "
-           "nothing."),
-       key("sternway", &Limits::sternway, flag_unless(true),
-           "Whether it can go astern. Default: as the model; true gives it nothing that the model has not."),
-       key("sway", &Limits::sway, flag_unless(true), "Whether it can go sideways; likewise.")});
+      {{key("max_speed_mps", &Limits::max_speed, unless(none, number(from_to(0.0, 100.0))), "Over ground."),
+        key("max_climb_rate_mps", &Limits::max_climb_rate, unless(none, number(from_to(0.0, 100.0))),
+            "Up or down; 0 for a surface vehicle."),
+        key("max_acceleration_mps2", &Limits::max_acceleration, unless(none, number(from_to(0.0, 1000.0))),
+            "For the methods that reason about reachable velocities.")},
+       angle("max_turn_rate", "_degps", "_radps", &Limits::max_turn_rate, from_to(0.0, 3600.0),
+             "For the methods that reason about reachable velocities."),
+       {key("min_depth_m", &Limits::min_depth, unless(-none, number(from_to(-12000.0, 12000.0))),
+            "No command leads above it."),
+        key("max_depth_m", &Limits::max_depth, unless(none, number(from_to(-12000.0, 12000.0))),
+            "No command leads below it."),
+        key("min_speed_mps", &Limits::min_speed, unless(0.0, number(from_to(0.0, 100.0))),
+            "Through the water; it cannot go slower, nor stop. Default: the model's; a smaller one changes "
+            "nothing."),
+        key("sternway", &Limits::sternway, unless(true, flag()),
+            "Whether it can go astern. Default: as the model; true gives it nothing that the model has not."),
+        key("sway", &Limits::sway, unless(true, flag()), "Whether it can go sideways; likewise.")}});
 }
 
 Form<Limits> limits() {
@@ -100,7 +99,7 @@ const Block<VehicleSpec>& vehicle_block() {
           "Of the sphere that others keep clear of. Default 1."),
       key("priority_count", &VehicleSpec::priority, integer(),
           "The smaller number has the right of way. Default: its id."),
-      key("cooperative", &VehicleSpec::cooperative, flag_unless(true),
+      key("cooperative", &VehicleSpec::cooperative, unless(true, flag()),
           "false: it tells nobody anything, and nobody may count on it to give way. Default true."),
       placed(key("limits", &VehicleSpec::limits, limits(),
                  "What it may do. A limit that is not given does not bind."),

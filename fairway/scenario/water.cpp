@@ -80,8 +80,9 @@ Block<Owner> direction(double Owner::*member, const std::string& of) {
                         },
                     .write = [](const Owner&) -> std::optional<Tree> { return {}; },
                     .schema = schema};
-  return joined<Owner>({std::move(vector)}, angle("direction", "_deg", "_rad", member, full_turn,
-                                                  "Where " + of + " to, 0 north, 90 east. Default 0."));
+  return joined<Owner>({{std::move(vector)},
+                        angle("direction", "_deg", "_rad", member, full_turn,
+                              "Where " + of + " to, 0 north, 90 east. Default 0.")});
 }
 
 /// Throws if no wave on deep water is so high and so short: [m], [s].
@@ -95,13 +96,13 @@ void check_steepness(const Value& value, double height, double period) {
 
 Form<WaveSpec> wave() {
   Form<WaveSpec> form = block_form(
-      joined<WaveSpec>(joined<WaveSpec>({key("amplitude_m", &WaveSpec::amplitude_m,
-                                             number(above_to(0.0, 100.0)), "Half its height.", Needed::yes),
-                                         key("period_s", &WaveSpec::period_s, number(wave_periods),
-                                             "Its period, on deep water.", Needed::yes)},
-                                        direction(&WaveSpec::direction_rad, "it runs")),
-                       angle("phase", "_deg", "_rad", &WaveSpec::phase_rad, full_turn,
-                             "Of the elevation's cosine at the origin at the start. Default 0.")));
+      joined<WaveSpec>({{key("amplitude_m", &WaveSpec::amplitude_m, number(above_to(0.0, 100.0)),
+                             "Half its height.", Needed::yes),
+                         key("period_s", &WaveSpec::period_s, number(wave_periods),
+                             "Its period, on deep water.", Needed::yes)},
+                        direction(&WaveSpec::direction_rad, "it runs"),
+                        angle("phase", "_deg", "_rad", &WaveSpec::phase_rad, full_turn,
+                              "Of the elevation's cosine at the origin at the start. Default 0.")}));
   form.read = [read = form.read](const Value& value) {
     const WaveSpec wave = read(value);
     check_steepness(value, 2.0 * wave.amplitude_m, wave.period_s);
@@ -129,19 +130,18 @@ Form<SpectrumSpec> spectrum() {
     return Tree::number(spec.peakedness_ratio);
   };
   Form<SpectrumSpec> form = block_form(joined<SpectrumSpec>(
-      joined<SpectrumSpec>(
-          {key("spectrum", &SpectrumSpec::spectrum, spectrum_kind(), "Which one.", Needed::yes),
-           key("significant_height_m", &SpectrumSpec::significant_height_m, number(above_to(0.0, 100.0)),
-               "Four standard deviations of the elevation.", Needed::yes),
-           key("peak_period_s", &SpectrumSpec::peak_period_s, number(wave_periods), "Where it is highest.",
-               Needed::yes),
-           gamma},
-          direction(&SpectrumSpec::direction_rad, "the waves run")),
-      {key("spreading_count", &SpectrumSpec::spreading_count, integer(0, 100),
-           "The s of cos^2s of the angle to that direction. Default 0: all waves run there."),
-       key("components_count", &SpectrumSpec::components_count,
-           integer(1, static_cast<std::int32_t>(max_wave_components)),
-           "Waves that are drawn. Default 50.")}));
+      {{key("spectrum", &SpectrumSpec::spectrum, spectrum_kind(), "Which one.", Needed::yes),
+        key("significant_height_m", &SpectrumSpec::significant_height_m, number(above_to(0.0, 100.0)),
+            "Four standard deviations of the elevation.", Needed::yes),
+        key("peak_period_s", &SpectrumSpec::peak_period_s, number(wave_periods), "Where it is highest.",
+            Needed::yes),
+        gamma},
+       direction(&SpectrumSpec::direction_rad, "the waves run"),
+       {key("spreading_count", &SpectrumSpec::spreading_count, integer(0, 100),
+            "The s of cos^2s of the angle to that direction. Default 0: all waves run there."),
+        key("components_count", &SpectrumSpec::components_count,
+            integer(1, static_cast<std::int32_t>(max_wave_components)),
+            "Waves that are drawn. Default 50.")}}));
   form.read = [read = form.read](const Value& value) {
     const SpectrumSpec spec = read(value);
     const Tree* given = value.tree().find("peakedness_ratio");
@@ -192,32 +192,28 @@ Form<std::vector<ProfilePoint>> profile() {
 
 Form<ShearedCurrentSpec> sheared() {
   return block_form(joined<ShearedCurrentSpec>(
-      direction(&ShearedCurrentSpec::direction_rad, "it flows"),
-      {key("profile", &ShearedCurrentSpec::profile, profile(),
-           "Its speed at depths, downwards: linear between them, and beyond them as at the nearest.",
-           Needed::yes)}));
+      {direction(&ShearedCurrentSpec::direction_rad, "it flows"),
+       {key("profile", &ShearedCurrentSpec::profile, profile(),
+            "Its speed at depths, downwards: linear between them, and beyond them as at the nearest.",
+            Needed::yes)}}));
 }
 
 Form<GaussMarkovCurrentSpec> gauss_markov() {
   using Spec = GaussMarkovCurrentSpec;
   constexpr Bounds time = above_to(0.0, 1e7);
   Form<Spec> form = block_form(joined<Spec>(
-      joined<Spec>(
-          joined<Spec>({key("mean_speed_mps", &Spec::mean_speed_mps, number(flow_speeds), "Its mean speed.",
-                            Needed::yes),
-                        key("deviation_mps", &Spec::deviation_mps, number(from_to(0.0, fastest_flow)),
-                            "Standard deviation of the speed.", Needed::yes),
-                        key("correlation_time_s", &Spec::correlation_time_s, number(time),
-                            "Of the speed. Default 100."),
-                        key("min_speed_mps", &Spec::min_speed_mps, number(flow_speeds),
-                            "It is never slower. Default 0."),
-                        key("max_speed_mps", &Spec::max_speed_mps, number_unless(unlimited, flow_speeds),
-                            "It is never faster. Default: no such limit.")},
-                       direction(&Spec::direction_rad, "it flows")),
-          angle("direction_deviation", "_deg", "_rad", &Spec::direction_deviation_rad, from_to(0.0, 360.0),
-                "Standard deviation of the direction. Default 0.")),
-      {key("direction_correlation_time_s", &Spec::direction_correlation_time_s, number(time),
-           "Of the direction. Default 1000.")}));
+      {{key("mean_speed_mps", &Spec::mean_speed_mps, number(flow_speeds), "Its mean speed.", Needed::yes),
+        key("deviation_mps", &Spec::deviation_mps, number(from_to(0.0, fastest_flow)),
+            "Standard deviation of the speed.", Needed::yes),
+        key("correlation_time_s", &Spec::correlation_time_s, number(time), "Of the speed. Default 100."),
+        key("min_speed_mps", &Spec::min_speed_mps, number(flow_speeds), "It is never slower. Default 0."),
+        key("max_speed_mps", &Spec::max_speed_mps, unless(unlimited, number(flow_speeds)),
+            "It is never faster. Default: no such limit.")},
+       direction(&Spec::direction_rad, "it flows"),
+       angle("direction_deviation", "_deg", "_rad", &Spec::direction_deviation_rad, from_to(0.0, 360.0),
+             "Standard deviation of the direction. Default 0."),
+       {key("direction_correlation_time_s", &Spec::direction_correlation_time_s, number(time),
+            "Of the direction. Default 1000.")}}));
   form.read = [read = form.read](const Value& value) {
     const Spec spec = read(value);
     if (spec.min_speed_mps > spec.max_speed_mps) value.refuse("min_speed_mps is above max_speed_mps");

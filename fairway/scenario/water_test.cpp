@@ -30,9 +30,8 @@ std::string water_refusal(const std::string& water) {
 
 TEST(WaterTest, WavesOneByOneArriveWithTheirDirectionInAnySpelling) {
   const WaterSpec spec = water_of(
-      "{waves: [{amplitude_m: 0.06, period_s: 12.6, direction: [-1.0, 0.0]}, "
-      "{amplitude_m: 0.04, period_s: 3.7, direction: [-0.7, 0.7], phase_deg: 90}, "
-      "{amplitude_m: 0.03, period_s: 6.3, direction_deg: 45}, "
+      "{waves: [{amplitude_m: 0.06, period_s: 12.6, direction: [-1.0, 0.0]}, {amplitude_m: 0.04, period_s: "
+      "3.7, direction: [-0.7, 0.7], phase_deg: 90}, {amplitude_m: 0.03, period_s: 6.3, direction_deg: 45}, "
       "{amplitude_m: 0.03, period_s: 6.3, direction_rad: 0.1, phase_rad: 0.2}]}");
   ASSERT_EQ(spec.waves.components.size(), 4U);
   EXPECT_FALSE(spec.waves.spectrum);
@@ -99,8 +98,8 @@ TEST(WaterTest, CalmWaterSaysNothingOfWaves) {
 
 TEST(WaterTest, WhatIsReadIsWrittenAndReadAgainToTheSameBits) {
   for (const std::string text :
-       {"{waves: [{amplitude_m: 0.1, period_s: 3.7, direction: [-0.7, 0.7], phase_deg: 33.3}, "
-        "{amplitude_m: 0.2, period_s: 4, direction: [0.3, -0.1]}]}",
+       {"{waves: [{amplitude_m: 0.1, period_s: 3.7, direction: [-0.7, 0.7], phase_deg: 33.3}, {amplitude_m: "
+        "0.2, period_s: 4, direction: [0.3, -0.1]}]}",
         "{waves: {spectrum: jonswap, significant_height_m: 0.5, peak_period_s: {normal: [4, 0.3]}, "
         "direction: [1, 3], spreading_count: 3}, current: {gauss_markov: {mean_speed_mps: 0.3, "
         "deviation_mps: 0.1, direction_rad: 0.1, direction_deviation_deg: 7}}}",
@@ -155,8 +154,7 @@ TEST(WaterTest, BadWavesAreRefusedWithTheirPlace) {
   EXPECT_EQ(water_refusal("{waves: [{amplitude_m: 0.44, period_s: 2}]}"), "");
   EXPECT_EQ(water_refusal("{waves: [{amplitude_m: 0.45, period_s: 2}]}"),
             "f.yaml:3:17: water.waves[0]: a wave that is 0.9 m high breaks where it is 6.25 m long, as one "
-            "of 2 s is; "
-            "at most 0.89 m");
+            "of 2 s is; at most 0.89 m");
   std::string many;
   for (int i = 0; i < 1001; ++i) many += "{amplitude_m: 1, period_s: 3},";
   EXPECT_EQ(water_refusal("{waves: [" + many + "]}"),
@@ -205,10 +203,9 @@ TEST(WaterTest, BadCurrentsAreRefusedWithTheirPlace) {
               HasSubstr("mean_speed_mps is 0.3, not in [0, 0.2] of min_speed_mps and max_speed_mps"));
   EXPECT_THAT(water_refusal(wandering + "0.1, correlation_time_s: 0}}}"),
               HasSubstr("correlation_time_s: expected a number in (0, 1e+07], got 0"));
-  EXPECT_EQ(
-      water_refusal("{current: {gauss_markov: {mean_speed_mps: 5, deviation_mps: 2}}}"),
-      "f.yaml:3:33: water.current.gauss_markov: mean_speed_mps and three times deviation_mps come to 11 m/s; "
-      "expected at most 10, or a max_speed_mps");
+  EXPECT_EQ(water_refusal("{current: {gauss_markov: {mean_speed_mps: 5, deviation_mps: 2}}}"),
+            "f.yaml:3:33: water.current.gauss_markov: mean_speed_mps and three times deviation_mps come to "
+            "11 m/s; expected at most 10, or a max_speed_mps");
   EXPECT_EQ(
       water_refusal("{current: {gauss_markov: {mean_speed_mps: 5, deviation_mps: 2, max_speed_mps: 8}}}"),
       "");

@@ -4,7 +4,6 @@
 #include <bit>
 #include <cstdlib>
 #include <fstream>
-#include <sstream>
 
 #include "fairway/core/rng.hpp"
 #include "fairway/core/text.hpp"

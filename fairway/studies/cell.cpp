@@ -101,6 +101,17 @@ double least(const Cell& cell, std::string_view quantity) {
   return value;
 }
 
+std::vector<StudyRow> rows_where(std::span<const StudyRow> rows,
+                                 const std::function<bool(const StudyRow&)>& holds) {
+  std::vector<StudyRow> chosen;
+  std::ranges::copy_if(rows, std::back_inserter(chosen), holds);
+  return chosen;
+}
+
+std::vector<StudyRow> rows_in_mode(std::span<const StudyRow> rows, std::string_view mode) {
+  return rows_where(rows, [&](const StudyRow& row) { return row.mode == mode; });
+}
+
 StudyRow cell_row(const Cell& cell, std::string_view quantity, double measured, double low, double high,
                   std::string note) {
   return {.cell = cell.place,

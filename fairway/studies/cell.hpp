@@ -72,6 +72,11 @@ std::vector<double> of_arrived(const Cell& cell, std::string_view quantity);
 /// The least value of a quantity over all runs.
 double least(const Cell& cell, std::string_view quantity);
 
+/// The rows of which `holds` is true, and those in a mode.
+std::vector<StudyRow> rows_where(std::span<const StudyRow> rows,
+                                 const std::function<bool(const StudyRow&)>& holds);
+std::vector<StudyRow> rows_in_mode(std::span<const StudyRow> rows, std::string_view mode);
+
 /// A row of the cell's, without a published value.
 StudyRow cell_row(const Cell& cell, std::string_view quantity, double measured, double low, double high,
                   std::string note);

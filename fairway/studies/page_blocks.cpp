@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fairway/experiment/version.hpp"
+
 namespace fairway::page {
 
 using nlohmann::json;
@@ -116,11 +118,34 @@ json method_intervals(std::span<const StudyRow> rows, std::span<const Method> me
     }
     series.push_back({{"label", method.name}, {"points", points}});
   }
+  return intervals(label, label, places, std::move(series));
+}
+
+json intervals(std::string_view title, std::string_view y_label, json categories, json series) {
   return {{"kind", "intervals"},
-          {"title", label},
-          {"y_label", label},
-          {"categories", places},
-          {"series", series}};
+          {"title", title},
+          {"y_label", y_label},
+          {"categories", std::move(categories)},
+          {"series", std::move(series)}};
+}
+
+json fact(std::string_view label, std::string value) {
+  return {{"label", label}, {"value", std::move(value)}};
+}
+
+json fact(std::string_view label, std::span<const StudyRow> rows, Verdict verdict) {
+  return fact(label, std::to_string(std::ranges::count(rows, verdict, &StudyRow::verdict)));
+}
+
+json document(std::string_view title, std::string_view subtitle, const StudyOptions& options, json facts,
+              const RunIndex& runs, json sections) {
+  return {{"title", title},
+          {"subtitle", subtitle},
+          {"version", "fairway " + std::string(fairway_version)},
+          {"command", options.command},
+          {"facts", std::move(facts)},
+          {"runs", runs.document()},
+          {"sections", std::move(sections)}};
 }
 
 json section(const char* id, const char* title, std::vector<std::string> paragraphs,

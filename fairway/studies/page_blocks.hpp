@@ -62,6 +62,19 @@ nlohmann::json method_intervals(std::span<const StudyRow> rows, std::span<const 
                                 std::string_view quantity, const char* label,
                                 const std::vector<std::string>& places, const RunIndex& runs);
 
+/// A chart of intervals: each series has a point for each category.
+nlohmann::json intervals(std::string_view title, std::string_view y_label, nlohmann::json categories,
+                         nlohmann::json series);
+
+/// A number at the head of the report.
+nlohmann::json fact(std::string_view label, std::string value);
+/// How many rows have that verdict.
+nlohmann::json fact(std::string_view label, std::span<const StudyRow> rows, Verdict verdict);
+
+/// The report of a study.
+nlohmann::json document(std::string_view title, std::string_view subtitle, const StudyOptions& options,
+                        nlohmann::json facts, const RunIndex& runs, nlohmann::json sections);
+
 nlohmann::json section(const char* id, const char* title, std::vector<std::string> paragraphs,
                        std::vector<nlohmann::json> blocks);
 

@@ -10,6 +10,7 @@
 
 #include "fairway/experiment/run.hpp"
 #include "fairway/scenario/scenario.hpp"
+#include "fairway/sim/catalogs.hpp"
 #include "fairway/studies/study.hpp"
 
 namespace fairway {
@@ -18,6 +19,15 @@ namespace fairway {
 /// RunAbandoned once `stop` is true.
 using MeasureRun = std::function<std::vector<Measure>(const Scenario&, const std::atomic<bool>* stop,
                                                       std::span<FrameSink* const> more)>;
+
+/// `measure` with these catalogs, which must outlive what is made.
+template <class Measured>
+MeasureRun measured_with(const Catalogs& catalogs, const Measured& measure) {
+  return [&catalogs, measure](const Scenario& scenario, const std::atomic<bool>* stop,
+                              std::span<FrameSink* const> more) {
+    return measure(scenario, catalogs, stop, more);
+  };
+}
 
 /// One run of a study: what tells it from the others, what is run, and how it is measured.
 struct StudyRun {

@@ -205,7 +205,9 @@ std::vector<std::string> names_of_cubes() {
                            cubes::comparison_cells(cubes::Code::corrected, 2)})
     std::ranges::copy(more, std::back_inserter(cells));
   std::vector<std::string> names;
-  for (const cubes::PlannedRun& run : cubes::plan_of(cells)) names.push_back(name_of(run.spec));
+  for (const cubes::Cell& cell : cells) {
+    for (const RunSpec& spec : cubes::specs_of(cell)) names.push_back(name_of(spec));
+  }
   return names;
 }
 

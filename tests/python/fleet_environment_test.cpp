@@ -85,8 +85,7 @@ TEST(FleetEnvironment, refuses_a_scenario_in_which_its_learner_is_never_under_wa
     return parse_scenario(
         "fairway: 1\nname: still\nsummary: nobody goes\nduration_s: 5\n"
         "vehicles: [{model: kinematic, avoider: direct, start: {position_m: [0, 0, 5]}, mission: "
-        "[{keep_position: "
-        "{duration_s: 60}}]}]\n",
+        "[{keep_position: {duration_s: 60}}]}]\n",
         "still", {}, seed);
   };
   const Catalogs catalogs = builtin_catalogs();

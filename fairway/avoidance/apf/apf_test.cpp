@@ -10,14 +10,8 @@
 namespace fairway {
 namespace {
 
+using encounters::decide;
 using encounters::Encounter;
-
-Command decide(const Situation& s, const Apf::Params& params = {}) {
-  Rng rng{1};
-  Context context{rng};
-  NoMemory memory;
-  return Apf{params}.decide(s, memory, context);
-}
 
 /// Northbound with somebody at `position` relative to own ship.
 Encounter beside(const Vec3& position) {
@@ -28,19 +22,19 @@ Encounter beside(const Vec3& position) {
 
 TEST(Apf, GoesWhereItWasGoingWhenNobodyIsInRange) {
   const Command expected{.velocity = {1.0, 0.0, 0.0}, .mode = Mode::cruise};
-  EXPECT_EQ(decide(encounters::open_water()), expected);
-  EXPECT_EQ(decide(beside({6.001, 0.0, 0.0})), expected);
+  EXPECT_EQ(decide<Apf>(encounters::open_water()), expected);
+  EXPECT_EQ(decide<Apf>(beside({6.001, 0.0, 0.0})), expected);
 }
 
 TEST(Apf, RepulsionGrowsLinearlyFromNothingAtTheRange) {
   // 1.5 m to starboard of 6 m: V_i = (6 - 1.5) / 6 = 0.75, so V_f = (1, -0.5 * 0.75, 0), which is longer
   // than 1 m/s and is shortened
-  const Command command = decide(beside({0.0, 1.5, 0.0}));
+  const Command command = decide<Apf>(beside({0.0, 1.5, 0.0}));
   EXPECT_LT((command.velocity - unit(Vec3{1.0, -0.375, 0.0})).norm(), 1e-15);
   EXPECT_EQ(command.mode, Mode::avoid);
   EXPECT_TRUE(command.astern);
   // at the range itself it is in range, and nothing
-  EXPECT_EQ(decide(beside({0.0, 6.0, 0.0})),
+  EXPECT_EQ(decide<Apf>(beside({0.0, 6.0, 0.0})),
             (Command{.velocity = {1.0, 0.0, 0.0}, .mode = Mode::avoid, .astern = true}));
 }
 
@@ -48,7 +42,7 @@ TEST(Apf, PushesOfAllNeighboursAddUp) {
   // 3 m ahead, twice: V_f = 1 - 2 * (2 * 0.5 ) = -1 with W2 = 2
   Encounter e = beside({3.0, 0.0, 0.0});
   e.tracks.push_back(e.tracks[0]);
-  EXPECT_LT((decide(e, {.w2_ratio = 2.0}).velocity - Vec3(-1.0, 0.0, 0.0)).norm(), 1e-15);
+  EXPECT_LT((decide<Apf>(e, {.w2_ratio = 2.0}).velocity - Vec3(-1.0, 0.0, 0.0)).norm(), 1e-15);
 }
 
 TEST(Apf, DoesNotRememberThePushes) {
@@ -60,54 +54,54 @@ TEST(Apf, DoesNotRememberThePushes) {
 
 TEST(Apf, TheWeakestForceIsAStandstillOneOfTheKnownTraps) {
   // dead ahead at W2 (6 - d) / 6 = 1, which W2 = 2 gives at d = 3
-  EXPECT_LT(decide(beside({3.0, 0.0, 0.0}), {.w2_ratio = 2.0}).velocity.norm(), 1e-15);
+  EXPECT_LT(decide<Apf>(beside({3.0, 0.0, 0.0}), {.w2_ratio = 2.0}).velocity.norm(), 1e-15);
 }
 
 TEST(Apf, TheClampedLawLimitsHorizontalAndVerticalSeparately) {
   // 1.5 m below, W2 = 4: V_f = (1, 0, -3)
-  EXPECT_LT((decide(beside({0.0, 0.0, 1.5}), {.w2_ratio = 4.0}).velocity - Vec3(1.0, 0.0, -1.0)).norm(),
+  EXPECT_LT((decide<Apf>(beside({0.0, 0.0, 1.5}), {.w2_ratio = 4.0}).velocity - Vec3(1.0, 0.0, -1.0)).norm(),
             1e-15);
   // a weak push stays weak: W2 = 0.4 gives -0.3
-  EXPECT_LT((decide(beside({0.0, 0.0, 1.5}), {.w2_ratio = 0.4}).velocity - Vec3(1.0, 0.0, -0.3)).norm(),
+  EXPECT_LT((decide<Apf>(beside({0.0, 0.0, 1.5}), {.w2_ratio = 0.4}).velocity - Vec3(1.0, 0.0, -0.3)).norm(),
             1e-15);
 }
 
 TEST(Apf, TheBangBangLawKnowsOnlyFullSpeed) {
   const Apf::Params params{.w2_ratio = 0.4, .speed_law = ApfSpeedLaw::bang_bang};
-  EXPECT_LT((decide(beside({0.0, 0.0, 1.5}), params).velocity - Vec3(1.0, 0.0, -1.0)).norm(), 1e-15);
+  EXPECT_LT((decide<Apf>(beside({0.0, 0.0, 1.5}), params).velocity - Vec3(1.0, 0.0, -1.0)).norm(), 1e-15);
   // in a horizontal scene it does not dive
-  EXPECT_EQ(decide(beside({0.0, 1.5, 0.0}), params).velocity.z(), 0.0);
+  EXPECT_EQ(decide<Apf>(beside({0.0, 1.5, 0.0}), params).velocity.z(), 0.0);
 }
 
 TEST(Apf, AttractionFollowsTheMissionsVelocityAndIsAlwaysOne) {
   Encounter e = beside({-3.0, 0.0, 0.0});
   e.situation.goal.velocity = Vec3{0.0, 0.1, 0.0};
-  EXPECT_LT((decide(e).velocity - Vec3(0.25, 1.0, 0.0) / std::sqrt(1.0625)).norm(), 1e-15);
+  EXPECT_LT((decide<Apf>(e).velocity - Vec3(0.25, 1.0, 0.0) / std::sqrt(1.0625)).norm(), 1e-15);
   // with nowhere to go only the push is left: half of (6 - 3) / 6
   e.situation.goal.velocity = Vec3::Zero();
-  EXPECT_LT((decide(e).velocity - Vec3(0.25, 0.0, 0.0)).norm(), 1e-15);
+  EXPECT_LT((decide<Apf>(e).velocity - Vec3(0.25, 0.0, 0.0)).norm(), 1e-15);
 }
 
 TEST(Apf, TwoAtTheSamePlacePartByTheirIds) {
   Encounter e = beside(Vec3::Zero());
   e.situation.goal.velocity = Vec3::Zero();
-  const Vec3 first = decide(e).velocity;
+  const Vec3 first = decide<Apf>(e).velocity;
   e.situation.own.id = VehicleId{1};
   e.tracks[0].id = TrackId{0};
   EXPECT_LT((first - Vec3(0.5, 0.0, 0.0)).norm(), 1e-15);
-  EXPECT_EQ(decide(e).velocity, -first);
+  EXPECT_EQ(decide<Apf>(e).velocity, -first);
 }
 
 TEST(Apf, ObstaclesPushFromTheirNearestSurfacePoint) {
   // a sphere whose surface is 3 m to starboard pushes like a vehicle at 3 m
   Encounter e = encounters::open_water();
   e.obstacles = {{.kind = Obstacle::Kind::sphere, .position = {0.0, 5.0, 50.0}, .radius = 2.0}};
-  EXPECT_LT((decide(e).velocity - decide(beside({0.0, 3.0, 0.0})).velocity).norm(), 1e-15);
+  EXPECT_LT((decide<Apf>(e).velocity - decide<Apf>(beside({0.0, 3.0, 0.0})).velocity).norm(), 1e-15);
 
   // from inside, a full push out through the nearest side, which is 1 m to port
   const std::array<Vec3, 4> square{Vec3{-5, -1, 0}, Vec3{5, -1, 0}, Vec3{5, 9, 0}, Vec3{-5, 9, 0}};
   e.obstacles = {{.kind = Obstacle::Kind::polygon, .vertices = square}};
-  EXPECT_LT((decide(e).velocity - unit(Vec3{1.0, -0.5, 0.0})).norm(), 1e-15);
+  EXPECT_LT((decide<Apf>(e).velocity - unit(Vec3{1.0, -0.5, 0.0})).norm(), 1e-15);
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <string>
 
 #include "fairway/avoidance/drawing.hpp"
@@ -14,14 +13,8 @@
 namespace fairway {
 namespace {
 
+using encounters::decide;
 using encounters::Encounter;
-
-Command decide(const Situation& s, const Avoa::Params& params = {}, Sketch* sketch = nullptr) {
-  Rng rng{1};
-  Context context{rng, sketch};
-  Avoa::Memory memory;
-  return Avoa{params}.decide(s, memory, context);
-}
 
 /// A Zarco at the origin, northbound at 1.2 of at most 1.5 m/s for a goal 25 m ahead, every 0.2 s.
 Encounter zarco() {
@@ -43,15 +36,15 @@ double course(const Command& command) { return std::atan2(command.velocity.y(), 
 TEST(Avoa, WithNothingNearGoesExactlyWhereItWasGoing) {
   Encounter e = zarco();
   const Command expected{.velocity = {1.2, 0.0, 0.0}, .mode = Mode::cruise};
-  EXPECT_EQ(decide(e), expected);
+  EXPECT_EQ(decide<Avoa>(e), expected);
   e.obstacles = {buoy(20.0, 0.0)};  // beyond the window at any speed of the picture
-  EXPECT_EQ(decide(e), expected);
+  EXPECT_EQ(decide<Avoa>(e), expected);
 }
 
 TEST(Avoa, WithTheGoalAbeamTurnsAsFastAsItsThrustersAllow) {
   Encounter e = zarco();
   e.situation.own.yaw = -0.5;
-  const Command command = decide(e, {.search = VelocitySearch::exhaustive});
+  const Command command = decide<Avoa>(e, {.search = VelocitySearch::exhaustive});
   EXPECT_EQ(command.mode, Mode::cruise);
   const double theta = course(command) + 0.5;
   EXPECT_GT(theta, 0.2);
@@ -61,7 +54,7 @@ TEST(Avoa, WithTheGoalAbeamTurnsAsFastAsItsThrustersAllow) {
 TEST(Avoa, AnObstacleAsternIsNoReasonToTurn) {
   Encounter e = zarco();
   e.obstacles = {buoy(-4.0, 0.0)};
-  const Command command = decide(e);
+  const Command command = decide<Avoa>(e);
   EXPECT_EQ(command.mode, Mode::avoid);  // it forbids going astern
   EXPECT_LT((command.velocity - Vec3(1.2, 0.0, 0.0)).norm(), 1e-12);
 }
@@ -71,7 +64,7 @@ TEST(Avoa, ABuoyAheadIsLeftOnTheSideOnWhichItLies) {
     Encounter e = zarco();
     e.obstacles = {buoy(7.0, east)};
     for (const VelocitySearch search : {VelocitySearch::swarm, VelocitySearch::exhaustive}) {
-      const Command command = decide(e, {.search = search});
+      const Command command = decide<Avoa>(e, {.search = search});
       EXPECT_EQ(command.mode, Mode::avoid);
       EXPECT_LT(course(command) * east, 0.0);
     }
@@ -86,7 +79,7 @@ TEST(Avoa, AnswersAVelocityThatKeepsClearForTheWindow) {
     for (int k = 0; k < 6; ++k) e.obstacles.push_back(buoy(rng.uniform(2, 12), rng.uniform(-6, 6)));
     e.tracks = {encounters::track(1, {rng.uniform(3, 12), rng.uniform(-8, 8), 0},
                                   {rng.uniform(-0.6, 0.6), rng.uniform(-0.6, 0.6), 0}, 0.75)};
-    const Command command = decide(e);
+    const Command command = decide<Avoa>(e);
     if (command.mode == Mode::infeasible) continue;
     ++answered;
     avoiding += command.mode == Mode::avoid ? 1 : 0;
@@ -110,17 +103,17 @@ TEST(Avoa, PrefersWhatIsFartherFromDanger) {
   const auto how = [](double weight) {
     return Avoa::Params{.search = VelocitySearch::exhaustive, .danger_weight_ratio = weight};
   };
-  EXPECT_LT((decide(e, how(0.0)).velocity - Vec3(1.2, 0.0, 0.0)).norm(), 1e-12);
-  EXPECT_LT(course(decide(e, how(0.4))), -0.02);
+  EXPECT_LT((decide<Avoa>(e, how(0.0)).velocity - Vec3(1.2, 0.0, 0.0)).norm(), 1e-12);
+  EXPECT_LT(course(decide<Avoa>(e, how(0.4))), -0.02);
 }
 
 TEST(Avoa, TurningTheShipTurnsTheAnswerWithIt) {
   Encounter e = zarco();
   e.obstacles = {buoy(7.0, 0.3), buoy(5.0, -4.0)};
   e.tracks = {encounters::track(1, {10, 6, 0}, {0, -0.6, 0}, 0.75)};
-  const Vec3 expected = decide(e).velocity;
+  const Vec3 expected = decide<Avoa>(e).velocity;
   const Eigen::AngleAxisd turn(2.2, Vec3::UnitZ());
-  EXPECT_LT((decide(encounters::turned(e, 2.2)).velocity - turn * expected).norm(), 1e-9);
+  EXPECT_LT((decide<Avoa>(encounters::turned(e, 2.2)).velocity - turn * expected).norm(), 1e-9);
 }
 
 TEST(Avoa, WhereNoVelocityIsLeftItStops) {
@@ -131,7 +124,7 @@ TEST(Avoa, WhereNoVelocityIsLeftItStops) {
                                          2.5 * Vec3{std::cos(bearing), std::sin(bearing), 0},
                                          -0.5 * Vec3{std::cos(bearing), std::sin(bearing), 0}));
   }
-  const Command command = decide(e);
+  const Command command = decide<Avoa>(e);
   EXPECT_EQ(command.mode, Mode::infeasible);
   EXPECT_EQ(command.velocity, Vec3(0.0, 0.0, 0.0));
 }
@@ -139,24 +132,24 @@ TEST(Avoa, WhereNoVelocityIsLeftItStops) {
 TEST(Avoa, AnObstacleOverTheVesselIsLeft) {
   Encounter e = zarco();
   e.obstacles = {buoy(0.5, 0.0)};
-  const Command command = decide(e);
+  const Command command = decide<Avoa>(e);
   EXPECT_EQ(command.mode, Mode::avoid);
   EXPECT_LE(command.velocity.x(), 0.0);
 
   // exactly over it, it counts as lying south, as nearest_point() says; of tracks the smaller id goes north
   e.obstacles = {buoy(0.0, 0.0)};
-  EXPECT_LT((decide(e).velocity - Vec3(1.2, 0.0, 0.0)).norm(), 1e-12);
+  EXPECT_LT((decide<Avoa>(e).velocity - Vec3(1.2, 0.0, 0.0)).norm(), 1e-12);
   e.obstacles.clear();
   e.tracks = {encounters::track(1, {0, 0, 0}, {0, 0, 0})};
-  EXPECT_LT((decide(e).velocity - Vec3(1.2, 0.0, 0.0)).norm(), 1e-12);
+  EXPECT_LT((decide<Avoa>(e).velocity - Vec3(1.2, 0.0, 0.0)).norm(), 1e-12);
   e.situation.own.id = VehicleId{2};
-  EXPECT_LE(decide(e).velocity.x(), 0.0);
+  EXPECT_LE(decide<Avoa>(e).velocity.x(), 0.0);
 }
 
 TEST(Avoa, BetweenOverlappingTracksOnOppositeSidesThereIsOnlyTheWayAcross) {
   Encounter e = zarco();
   e.tracks = {encounters::track(1, {1, 0, 0}, {0, 0, 0}), encounters::track(2, {-1, 0, 0}, {0, 0, 0})};
-  const Command command = decide(e);
+  const Command command = decide<Avoa>(e);
   EXPECT_EQ(command.mode, Mode::avoid);
   EXPECT_LT(std::abs(command.velocity.x()), 0.02);  // half a cell
   EXPECT_GT(std::abs(command.velocity.y()), 0.19);
@@ -166,20 +159,20 @@ TEST(Avoa, SlowerThanTheLeastSpeedOnlyIfDesired) {
   Encounter e = zarco();
   e.obstacles = {buoy(4.0, 0.0), buoy(3.5, 2.0), buoy(3.5, -2.0)};
   const Avoa::Params slow{.search = VelocitySearch::exhaustive, .least_speed_mps = 0.0};
-  EXPECT_LT(decide(e, slow).velocity.norm(), 0.2);
-  EXPECT_GE(decide(e, {.search = VelocitySearch::exhaustive}).velocity.norm(), 0.2 - 1e-12);
+  EXPECT_LT(decide<Avoa>(e, slow).velocity.norm(), 0.2);
+  EXPECT_GE(decide<Avoa>(e, {.search = VelocitySearch::exhaustive}).velocity.norm(), 0.2 - 1e-12);
 
   e.situation.goal.velocity = Vec3{0.05, 0.0, 0.0};  // none of it is reached within the window
-  EXPECT_LT((decide(e).velocity - Vec3(0.05, 0.0, 0.0)).norm(), 1e-12);
+  EXPECT_LT((decide<Avoa>(e).velocity - Vec3(0.05, 0.0, 0.0)).norm(), 1e-12);
   e.situation.goal.velocity = Vec3::Zero();
-  EXPECT_EQ(decide(e).velocity, Vec3(0.0, 0.0, 0.0));
+  EXPECT_EQ(decide<Avoa>(e).velocity, Vec3(0.0, 0.0, 0.0));
 }
 
 TEST(Avoa, WhoMayNotMoveSaysSo) {
   Encounter e = zarco();
   for (const double limit : {0.0, 1e-9}) {
     e.situation.limits.max_speed = limit;
-    const Command command = decide(e);
+    const Command command = decide<Avoa>(e);
     EXPECT_EQ(command.mode, Mode::infeasible);
     EXPECT_EQ(command.velocity, Vec3(0.0, 0.0, 0.0));
   }
@@ -189,14 +182,14 @@ TEST(Avoa, WhereNoLimitIsSetItsOwnHold) {
   Encounter e = zarco();
   e.situation.limits = {};
   e.situation.goal.cruise_speed = 5.0;
-  const Command command = decide(e, {.search = VelocitySearch::exhaustive});
+  const Command command = decide<Avoa>(e, {.search = VelocitySearch::exhaustive});
   EXPECT_EQ(command.mode, Mode::cruise);
   EXPECT_LT((command.velocity - Vec3(1.5, 0.0, 0.0)).norm(), 1e-12);
 
   // and a limit that is beyond all sense is cut
   e.situation.limits.max_speed = 1e300;
   e.obstacles = {buoy(7.0, 0.3)};
-  EXPECT_TRUE(is_finite(decide(e)));
+  EXPECT_TRUE(is_finite(decide<Avoa>(e)));
 }
 
 TEST(Avoa, GridsAreOfTwoToFourHundredAndOne) {
@@ -208,7 +201,7 @@ TEST(Avoa, GridsAreOfTwoToFourHundredAndOne) {
   e.obstacles = {buoy(7.0, 0.3)};
   for (const int side : {2, 3, 100, 401}) {
     for (const VelocitySearch search : {VelocitySearch::swarm, VelocitySearch::exhaustive}) {
-      EXPECT_TRUE(is_finite(decide(e, {.search = search, .grid_count = side}))) << side;
+      EXPECT_TRUE(is_finite(decide<Avoa>(e, {.search = search, .grid_count = side}))) << side;
     }
   }
 }
@@ -226,7 +219,7 @@ TEST(Avoa, DrawsItsThreePicturesInThePapersColours) {
   e.situation.own.yaw = 0.1;
   e.obstacles = {buoy(7.0, 0.3)};
   Drawing drawing;
-  const Command command = decide(e, {.thruster_speed_mps = 100.0}, &drawing);
+  const Command command = decide<Avoa>(e, {.thruster_speed_mps = 100.0}, &drawing);
 
   const std::span<const Stroke> pictures = drawing.strokes().first(3);
   const std::array meanings{"protective zones", "cost of danger", "metric"};
@@ -262,7 +255,7 @@ TEST(Avoa, LookingDoesNotChangeTheAnswer) {
   Encounter e = zarco();
   e.obstacles = {buoy(7.0, 0.3)};
   Drawing drawing;
-  EXPECT_EQ(decide(e), decide(e, {}, &drawing));
+  EXPECT_EQ(decide<Avoa>(e), decide<Avoa>(e, {}, &drawing));
 }
 
 }  // namespace

@@ -3,9 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <limits>
-
 #include "fairway/avoidance/avoa/testing/direct_evaluation.hpp"
 #include "fairway/avoidance/testing/encounters.hpp"
 

@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cmath>
-#include <string>
 #include <vector>
 
 #include "fairway/avoidance/avoa_improved/testing/unicycle.hpp"

@@ -2,7 +2,6 @@
 #include "fairway/avoidance/avoa_improved/solid.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace fairway::avoa_improved {
 namespace {

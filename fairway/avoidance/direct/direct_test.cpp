@@ -8,27 +8,23 @@
 namespace fairway {
 namespace {
 
-Command decide(const Situation& s) {
-  Rng rng{1};
-  Context context{rng};
-  NoMemory memory;
-  return Direct{{}}.decide(s, memory, context);
-}
-
+using encounters::decide;
 TEST(Direct, RunsDownWhoeverIsInTheWay) {
-  EXPECT_EQ(decide(encounters::head_on(2.0)), (Command{.velocity = {1.0, 0.0, 0.0}, .mode = Mode::cruise}));
+  EXPECT_EQ(decide<Direct>(encounters::head_on(2.0)),
+            (Command{.velocity = {1.0, 0.0, 0.0}, .mode = Mode::cruise}));
 }
 
 TEST(Direct, StopsOnTheGoal) {
   encounters::Encounter e = encounters::open_water();
   e.situation.goal.position = e.situation.own.position + Vec3{0.0, 0.0, 0.04};
-  EXPECT_LT((decide(e).velocity - Vec3(0.0, 0.0, 0.4)).norm(), 1e-12);  // there within one period of 0.1 s
+  EXPECT_LT((decide<Direct>(e).velocity - Vec3(0.0, 0.0, 0.4)).norm(),
+            1e-12);  // there within one period of 0.1 s
 }
 
 TEST(Direct, TakesTheMissionsVelocityWhenThereIsOne) {
   encounters::Encounter e = encounters::open_water();
   e.situation.goal.velocity = Vec3{0.0, -3.0, 0.0};
-  EXPECT_EQ(decide(e).velocity, Vec3(0.0, -1.5, 0.0));  // at most 1.5 m/s
+  EXPECT_EQ(decide<Direct>(e).velocity, Vec3(0.0, -1.5, 0.0));  // at most 1.5 m/s
 }
 
 }  // namespace

@@ -8,21 +8,14 @@
 namespace fairway {
 namespace {
 
+using encounters::decide;
 using encounters::Encounter;
-using velocity_obstacle::Outcome;
 using velocity_obstacle::Tally;
-
-Vec3 velocity_of_hrvo(const Situation& s, const Hrvo::Params& params = {}) {
-  Rng rng{1};
-  Context context{rng};
-  NoMemory memory;
-  return Hrvo{params}.decide(s, memory, context).velocity;
-}
 
 TEST(Hrvo, HeadOnItIsRvoToStarboard) {
   const double cosine = std::sqrt(15.0) / 4.0;
   const Vec3 foot = cosine * Vec3(cosine, 0.25, 0.0);
-  EXPECT_LT((velocity_of_hrvo(encounters::head_on(8.0)) - foot).norm(), 1e-14);
+  EXPECT_LT((decide<Hrvo>(encounters::head_on(8.0)).velocity - foot).norm(), 1e-14);
 }
 
 TEST(Hrvo, TheSideOnWhichTheyPassAnywayIsKept) {
@@ -30,10 +23,10 @@ TEST(Hrvo, TheSideOnWhichTheyPassAnywayIsKept) {
   Encounter e = encounters::head_on(8.0);
   e.tracks[0].position.y() = -0.5;
   e.situation.goal.velocity = Vec3{0.99, -0.1, 0.0};
-  EXPECT_GT(velocity_of_hrvo(e).y(), 0.1);
+  EXPECT_GT(decide<Hrvo>(e).velocity.y(), 0.1);
   e.tracks[0].position.y() = 0.5;
   e.situation.goal.velocity = Vec3{0.99, 0.1, 0.0};
-  EXPECT_LT(velocity_of_hrvo(e).y(), -0.1);
+  EXPECT_LT(decide<Hrvo>(e).velocity.y(), -0.1);
 }
 
 TEST(Hrvo, TwoThatBothUseItNeverTouch) {
@@ -43,15 +36,7 @@ TEST(Hrvo, TwoThatBothUseItNeverTouch) {
   EXPECT_EQ(all.arrived, 1000);
 }
 
-TEST(Hrvo, TwoAlikeHeadOnPassPortToPort) {
-  for (std::uint64_t i = 0; i < 200; ++i) {
-    const Outcome outcome = velocity_obstacle::outcome_of(
-        velocity_obstacle::any_head_to_head(Rng{3}.stream("head to head", i)), Hrvo{});
-    EXPECT_TRUE(outcome.port_to_port) << i;
-    EXPECT_TRUE(outcome.arrived) << i;
-    EXPECT_GT(outcome.least_gap, -1e-9) << i;
-  }
-}
+TEST(Hrvo, TwoAlikeHeadOnPassPortToPort) { velocity_obstacle::expect_port_to_port(Hrvo{}); }
 
 }  // namespace
 }  // namespace fairway

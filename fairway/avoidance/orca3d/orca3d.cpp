@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/avoidance/orca3d/orca3d.hpp"
 
-#include <algorithm>
 #include <array>
 
 #include "fairway/avoidance/label.hpp"

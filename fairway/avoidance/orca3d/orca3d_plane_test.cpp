@@ -37,10 +37,7 @@ TEST(Orca3dInAPlane, IsOrcaInTwoDimensions) {
     const Answer expected =
         Program{lines, 0, s.preferred_velocity().head<2>().cast<long double>(), s.limits.max_speed}.solve();
 
-    Rng draws{1};
-    Context context{draws};
-    NoMemory memory;
-    const Command command = Orca3d{{}}.decide(e, memory, context);
+    const Command command = encounters::decide<Orca3d>(e);
 
     EXPECT_EQ(command.velocity.z(), 0.0);
     EXPECT_EQ(command.mode, expected.violation > 0 ? Mode::infeasible : Mode::avoid) << "case " << i;

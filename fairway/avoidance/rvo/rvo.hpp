@@ -23,7 +23,9 @@ struct Rvo {
 
   Params params;
 
-  Command decide(const Situation& s, Memory& memory, Context& context) const noexcept;
+  Command decide(const Situation& s, Memory&, Context& context) const noexcept {
+    return velocity_obstacle::decide(s, params, velocity_obstacle::Responsibility::shared, context);
+  }
 };
 
 static_assert(AvoidanceAlgorithm<Rvo>);

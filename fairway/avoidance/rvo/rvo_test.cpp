@@ -8,21 +8,14 @@
 namespace fairway {
 namespace {
 
-using velocity_obstacle::Outcome;
+using encounters::decide;
 using velocity_obstacle::Tally;
-
-Vec3 velocity_of_rvo(const Situation& s, const Rvo::Params& params = {}) {
-  Rng rng{1};
-  Context context{rng};
-  NoMemory memory;
-  return Rvo{params}.decide(s, memory, context).velocity;
-}
 
 TEST(Rvo, HeadOnTakesHalfOfTheWayToTheTangentToStarboard) {
   // p = 8 north, R = 2, the apex is 0: the foot of v_d = 1 on the leg at sine 1/4
   const double cosine = std::sqrt(15.0) / 4.0;
   const Vec3 foot = cosine * Vec3(cosine, 0.25, 0.0);
-  EXPECT_LT((velocity_of_rvo(encounters::head_on(8.0)) - foot).norm(), 1e-14);
+  EXPECT_LT((decide<Rvo>(encounters::head_on(8.0)).velocity - foot).norm(), 1e-14);
 }
 
 // One of 1000 dances: both choose the same side, see it and choose the other, until they brake.
@@ -33,15 +26,7 @@ TEST(Rvo, TwoThatBothUseItHardlyEverTouch) {
   EXPECT_EQ(all.arrived, 1000);
 }
 
-TEST(Rvo, TwoAlikeHeadOnPassPortToPort) {
-  for (std::uint64_t i = 0; i < 200; ++i) {
-    const Outcome outcome = velocity_obstacle::outcome_of(
-        velocity_obstacle::any_head_to_head(Rng{3}.stream("head to head", i)), Rvo{});
-    EXPECT_TRUE(outcome.port_to_port) << i;
-    EXPECT_TRUE(outcome.arrived) << i;
-    EXPECT_GT(outcome.least_gap, -1e-9) << i;
-  }
-}
+TEST(Rvo, TwoAlikeHeadOnPassPortToPort) { velocity_obstacle::expect_port_to_port(Rvo{}); }
 
 }  // namespace
 }  // namespace fairway

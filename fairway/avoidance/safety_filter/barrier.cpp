@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/avoidance/safety_filter/barrier.hpp"
 
-#include <algorithm>
-
 namespace fairway {
 namespace {
 

@@ -7,7 +7,6 @@
 
 #include "fairway/avoidance/direct/direct.hpp"
 #include "fairway/avoidance/testing/encounters.hpp"
-#include "fairway/core/testing/allocations.hpp"
 
 namespace fairway {
 namespace {
@@ -254,15 +253,6 @@ TEST(SafetyFilter, TooLateItBrakesToStopAtTheMarginAndSaysSo) {
   EXPECT_LE(command.velocity.x(), 3.0 - 1.125 + 1e-9);
   const Passage p = passage(e, 100.0, 1.5);
   EXPECT_GT(p.clearance, 0.5 - 1e-6);  // measured 0.50006
-}
-
-TEST(SafetyFilter, AllocatesNothing) {
-  Encounter e = at_rest();
-  for (int i = 0; i < 10; ++i) e.obstacles.push_back(sphere(6.0 + i, 2.0 * i - 9.0, 1.0));
-  Avoider avoider = around_direct();
-  const long before = allocation_count();
-  EXPECT_EQ(avoider.decide(e).mode, Mode::avoid);
-  EXPECT_EQ(allocation_count(), before);
 }
 
 }  // namespace

@@ -5,14 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <tuple>
 #include <utility>
 #include <vector>
 
-#include "fairway/avoidance/command.hpp"
-#include "fairway/avoidance/situation.hpp"
+#include "fairway/avoidance/algorithm.hpp"
 #include "fairway/core/angles.hpp"
-#include "fairway/core/rng.hpp"
 
 /// Situations with names a mariner would use, for tests, benchmarks and examples. Own ship has id 0,
 /// radius 1 m, makes 1 m/s of at most 1.5 m/s, and decides every 0.1 s, unless said otherwise.
@@ -48,6 +45,15 @@ struct Encounter {
   }
 };
 
+/// What a method answers to a situation that is the first it meets.
+template <AvoidanceAlgorithm A>
+Command decide(const Situation& s, const typename A::Params& params = {}, Sketch* sketch = nullptr) {
+  Rng rng{1};
+  Context context{rng, sketch};
+  typename A::Memory memory;
+  return A{params}.decide(s, memory, context);
+}
+
 inline Track track(std::uint32_t id, const Vec3& position, const Vec3& velocity, double radius = 1.0) {
   return {.id = TrackId{id},
           .position = position,
@@ -78,13 +84,6 @@ inline Encounter head_on(double range = 8.0, double speed = 1.0) {
 inline Encounter crossing(double time = 6.0, double speed = 1.0) {
   Encounter e = open_water(speed);
   e.tracks = {track(1, {speed * time, speed * time, 50}, {0, -speed, 0})};
-  return e;
-}
-
-/// Somebody twice as fast, from astern and a little to starboard.
-inline Encounter overtaken(double range = 8.0, double speed = 1.0) {
-  Encounter e = open_water(speed);
-  e.tracks = {track(1, {-range, 1, 50}, {2 * speed, 0, 0})};
   return e;
 }
 

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <vector>
 
 #include "fairway/avoidance/velocity_program/testing/brute_force.hpp"

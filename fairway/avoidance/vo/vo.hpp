@@ -30,7 +30,9 @@ struct Vo {
 
   Params params;
 
-  Command decide(const Situation& s, Memory& memory, Context& context) const noexcept;
+  Command decide(const Situation& s, Memory&, Context& context) const noexcept {
+    return velocity_obstacle::decide(s, params, velocity_obstacle::Responsibility::all, context);
+  }
 };
 
 static_assert(AvoidanceAlgorithm<Vo>);

@@ -8,35 +8,29 @@
 namespace fairway {
 namespace {
 
+using encounters::decide;
 using encounters::Encounter;
 using velocity_obstacle::Tally;
-
-Vec3 velocity_of_vo(const Situation& s, const Vo::Params& params = {}) {
-  Rng rng{1};
-  Context context{rng};
-  NoMemory memory;
-  return Vo{params}.decide(s, memory, context).velocity;
-}
 
 TEST(Vo, HeadOnTakesTheWholeWayToTheTangentToStarboard) {
   // p = 8 north, R = 2, v_o = -1: the legs leave -1 at sine 1/4, v_d = 1 is 2 cos along from there
   const double cosine = std::sqrt(15.0) / 4.0;
   const Vec3 foot = Vec3(-1.0, 0.0, 0.0) + 2.0 * cosine * Vec3(cosine, 0.25, 0.0);
-  EXPECT_LT((velocity_of_vo(encounters::head_on(8.0)) - foot).norm(), 1e-14);
+  EXPECT_LT((decide<Vo>(encounters::head_on(8.0)).velocity - foot).norm(), 1e-14);
 }
 
 TEST(Vo, MeetingBeyondTheHorizonChangesNothing) {
   // 8 m at 2 m/s with R = 2: they touch after 3 s
   const Encounter e = encounters::head_on(8.0);
-  EXPECT_EQ(velocity_of_vo(e, {.time_horizon_s = 2.9}), Vec3(1.0, 0.0, 0.0));
-  EXPECT_NE(velocity_of_vo(e, {.time_horizon_s = 3.1}), Vec3(1.0, 0.0, 0.0));
+  EXPECT_EQ(decide<Vo>(e, {.time_horizon_s = 2.9}).velocity, Vec3(1.0, 0.0, 0.0));
+  EXPECT_NE(decide<Vo>(e, {.time_horizon_s = 3.1}).velocity, Vec3(1.0, 0.0, 0.0));
 }
 
 TEST(Vo, SlowApproachBrakesAtTheArcOfTheHorizon) {
   // p / T = 1.6, R / T = 0.4; v_d = 1.3 north is nearest to 1.2
   Encounter e = encounters::open_water(1.3);
   e.tracks = {encounters::track(1, {8.0, 0.0, 50.0}, Vec3::Zero())};
-  EXPECT_LT((velocity_of_vo(e) - Vec3(1.2, 0.0, 0.0)).norm(), 1e-14);
+  EXPECT_LT((decide<Vo>(e).velocity - Vec3(1.2, 0.0, 0.0)).norm(), 1e-14);
 }
 
 // Both do all of it, see in the next moment that it was too much, and go back: the paper's concussive

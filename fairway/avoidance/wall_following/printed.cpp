@@ -4,7 +4,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "fairway/avoidance/hard_switching/point_sensors.hpp"
 #include "fairway/core/angles.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/dynamics/kinematic/kinematic.hpp"
 
-#include "fairway/core/checked_params.hpp"
+#include "fairway/core/params.hpp"
 
 namespace fairway {
 

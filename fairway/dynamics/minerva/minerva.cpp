@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/dynamics/minerva/minerva.hpp"
 
-#include "fairway/core/checked_params.hpp"
+#include "fairway/core/params.hpp"
 
 namespace fairway {
 namespace {
@@ -70,7 +70,7 @@ CompositeBody::Options equations_of(MinervaPlant plant, DegreesOfFreedom degrees
 }
 
 Minerva::Minerva(const Params& params)
-    : vehicle_{std::array{minerva_part(checked_params(params))},
-               equations_of(params.plant, params.degrees_of_freedom)} {}
+    : CompositeVehicle{std::array{minerva_part(checked_params(params))},
+                       equations_of(params.plant, params.degrees_of_freedom)} {}
 
 }  // namespace fairway

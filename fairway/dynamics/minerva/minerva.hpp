@@ -18,7 +18,10 @@ struct EnumNames<MinervaPlant> {
 
 /// Minerva, a hovering underwater vehicle (1.44 m x 0.82 m x 0.81 m, 460 kg) with one lateral, two vertical
 /// and two main thrusters. Where each number comes from stands in README.md beside this file.
-class Minerva {
+///
+/// Its actuators are lateral_n (positive to starboard), vertical_port_n, vertical_starboard_n (positive
+/// down), main_port_n, main_starboard_n (positive ahead); with `planar` without the vertical ones.
+class Minerva : public CompositeVehicle {
  public:
   static constexpr VehicleInfo info{.name = "minerva",
                                     .title = "Minerva HAUV",
@@ -47,20 +50,6 @@ class Minerva {
   };
 
   explicit Minerva(const Params& params);
-
-  /// lateral_n (positive to starboard), vertical_port_n, vertical_starboard_n (positive down),
-  /// main_port_n, main_starboard_n (positive ahead); with `planar` without the vertical ones.
-  std::span<const ActuatorInfo> actuators() const { return vehicle_.actuators(); }
-
-  StateRate derivative(const VehicleState& x, const ActuatorValues& u, const Water& water) const noexcept {
-    return vehicle_.derivative(x, u, water);
-  }
-  double power(const ActuatorValues& u) const noexcept { return vehicle_.power(u); }
-  const Propulsion& propulsion() const { return vehicle_.propulsion(); }
-  const CompositeBody& body() const { return vehicle_.body(); }
-
- private:
-  CompositeVehicle vehicle_;
 };
 
 /// A Minerva as a part at the origin of the whole; its thrusters give `thrust_ratio` of what they can.

@@ -4,7 +4,7 @@
 #include <Eigen/QR>
 #include <algorithm>
 
-#include "fairway/core/checked_params.hpp"
+#include "fairway/core/params.hpp"
 
 namespace fairway {
 namespace {
@@ -132,6 +132,7 @@ CompositeVehicle assembled(const Params& p) {
 
 }  // namespace
 
-MinervaTransport::MinervaTransport(const Params& params) : vehicle_{assembled(checked_params(params))} {}
+MinervaTransport::MinervaTransport(const Params& params)
+    : CompositeVehicle{assembled(checked_params(params))} {}
 
 }  // namespace fairway

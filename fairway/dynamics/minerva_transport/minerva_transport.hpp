@@ -8,7 +8,9 @@ namespace fairway {
 /// Several Minervas, a payload cube and the links between them as one rigid body (rehman2021, section II;
 /// there four vehicles in the horizontal plane). Body origin at the centre of the payload. Where each number
 /// comes from, and what is assumed, stands in README.md beside this file.
-class MinervaTransport {
+///
+/// Its actuators are Minerva's, vehicle by vehicle: vehicle0_lateral_n, ..., vehicle3_main_starboard_n.
+class MinervaTransport : public CompositeVehicle {
  public:
   static constexpr VehicleInfo info{.name = "minerva_transport",
                                     .title = "Minervas carrying a payload on rigid links",
@@ -69,19 +71,6 @@ class MinervaTransport {
   /// another or into the payload, or whose thrusters cannot push along surge, sway and yaw (and heave, where
   /// it is free).
   explicit MinervaTransport(const Params& params);
-
-  /// Minerva's, vehicle by vehicle: vehicle0_lateral_n, ..., vehicle3_main_starboard_n.
-  std::span<const ActuatorInfo> actuators() const { return vehicle_.actuators(); }
-
-  StateRate derivative(const VehicleState& x, const ActuatorValues& u, const Water& water) const noexcept {
-    return vehicle_.derivative(x, u, water);
-  }
-  double power(const ActuatorValues& u) const noexcept { return vehicle_.power(u); }
-  const Propulsion& propulsion() const { return vehicle_.propulsion(); }
-  const CompositeBody& body() const { return vehicle_.body(); }
-
- private:
-  CompositeVehicle vehicle_;
 };
 
 }  // namespace fairway

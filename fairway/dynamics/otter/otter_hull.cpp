@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fairway/core/checked_params.hpp"
+#include "fairway/core/params.hpp"
 
 namespace fairway {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "fairway/core/angles.hpp"
-#include "fairway/core/checked_params.hpp"
+#include "fairway/core/params.hpp"
 
 namespace fairway {
 namespace {

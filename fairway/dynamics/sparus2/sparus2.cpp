@@ -2,9 +2,8 @@
 #include "fairway/dynamics/sparus2/sparus2.hpp"
 
 #include <algorithm>
-#include <cmath>
 
-#include "fairway/core/checked_params.hpp"
+#include "fairway/core/params.hpp"
 
 namespace fairway {
 namespace {

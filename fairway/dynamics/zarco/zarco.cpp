@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "fairway/core/checked_params.hpp"
+#include "fairway/core/params.hpp"
 
 namespace fairway {
 namespace {

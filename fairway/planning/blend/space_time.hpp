@@ -3,7 +3,6 @@
 
 #include <optional>
 #include <span>
-#include <vector>
 
 #include "fairway/avoidance/situation.hpp"
 #include "fairway/planning/planar_map.hpp"

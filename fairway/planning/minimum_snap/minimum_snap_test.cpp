@@ -5,8 +5,6 @@
 
 #include <Eigen/Dense>
 #include <cmath>
-#include <limits>
-#include <numeric>
 
 #include "fairway/core/error.hpp"
 #include "fairway/core/rng.hpp"

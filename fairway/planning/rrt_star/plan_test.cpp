@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <limits>
 
 #include "fairway/planning/testing/four_obstacles.hpp"
 #include "fairway/planning/testing/planar_vessel.hpp"

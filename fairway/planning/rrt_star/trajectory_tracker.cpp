@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/planning/rrt_star/trajectory_tracker.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "fairway/core/angles.hpp"

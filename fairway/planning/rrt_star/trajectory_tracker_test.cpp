@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "fairway/core/angles.hpp"
 #include "fairway/planning/minimum_snap/minimum_snap.hpp"
 #include "fairway/planning/testing/four_obstacles.hpp"

@@ -111,7 +111,7 @@ void move(const Problem& problem, const NormalEquations& equations, const std::v
 
 }  // namespace
 
-void improve_banded(const Problem& problem, int iterations, Band& band) {
+void improve(const Problem& problem, int iterations, Band& band) {
   constexpr double first_damping = 1e-5;  // of the largest diagonal element
   constexpr int attempts = 10;
   NormalEquations equations{band.size()};

@@ -76,11 +76,7 @@ Cost optimise(const TebParams& params, std::span<const Barrier> barriers, double
   for (int round = 0; round < params.no_outer_iterations_count; ++round) {
     resize(params, band);
     associate(barriers, band, weight, problem);
-    if (params.solver == TebSolver::ceres) {
-      improve_ceres(problem, params.no_inner_iterations_count, band);
-    } else {
-      improve_banded(problem, params.no_inner_iterations_count, band);
-    }
+    improve(problem, params.no_inner_iterations_count, band);
     weight *= params.weight_adapt_factor_ratio;
   }
   return cost_of(problem, band);

@@ -65,10 +65,7 @@ Cost cost_of(const Problem& problem, const Band& band);
 /// At most `iterations` accepted steps of Levenberg and Marquardt's method, damped as g2o does it (Nielsen):
 /// at first 1e-5 of the largest diagonal element, ten attempts a step. The normal equations are a band of ten
 /// diagonals below the main one: O(poses) an attempt.
-void improve_banded(const Problem& problem, int iterations, Band& band);
-
-/// Likewise by Ceres Solver, with its trust region and a sparse factorisation.
-void improve_ceres(const Problem& problem, int iterations, Band& band);
+void improve(const Problem& problem, int iterations, Band& band);
 
 /// The cycle of a decision: adapts the number of poses, associates the barriers, improves, again with
 /// weight_adapt_factor times the weight of barriers. The cost is of the last of these problems.

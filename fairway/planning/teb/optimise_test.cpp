@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "fairway/core/angles.hpp"
-#include "fairway/core/rng.hpp"
 #include "fairway/planning/teb/testing/courses.hpp"
 
 namespace fairway::teb {
@@ -92,39 +91,41 @@ TEST(Optimise, NeighbouringPosesAreOneStepApart) {
   }
 }
 
-TEST(Optimise, BothSolversComeToTheSameBand) {
-  for (const double offset : {0.4, -0.7, 1.2}) {
+TEST(Optimise, AnotherSolverComesToTheSameBand) {
+  struct Reference {
+    double offset, cost, duration, clearance;
+  };
+  // Ceres Solver 2.1 (sparse Cholesky factors, its own trust region) from the same band with the same costs
+  for (const auto& [offset, cost, duration, least] : {Reference{0.4, 2.6942819, 7.4527473, 0.59740315},
+                                                      {-0.7, 2.2829899, 7.2795673, 0.5986247},
+                                                      {1.2, 2.2003513, 7.0684877, 0.5997472}}) {
     TebParams params;
     params.max_vel_x_mps = 1.5;
     const auto barriers = barriers_of({disc(4.0, offset)});
-    Band banded = straight(params, 8.0);
-    settled(params, barriers, banded);
+    Band band = straight(params, 8.0);
+    settled(params, barriers, band);
     Problem problem{.params = params, .speed = 0.5, .yaw_rate = 0.0, .close = {}};
-    associate(barriers, banded, 200.0, problem);
-    Band by_ceres = banded;
-    improve_banded(problem, 300, banded);
-    improve_ceres(problem, 300, by_ceres);
-    EXPECT_NEAR(cost_of(problem, banded).sum() / cost_of(problem, by_ceres).sum(), 1.0, 0.001);
-    EXPECT_NEAR(banded.duration() / by_ceres.duration(), 1.0, 0.005);
-    EXPECT_NEAR(clearance(barriers, banded), clearance(barriers, by_ceres), 0.005);
+    associate(barriers, band, 200.0, problem);
+    improve(problem, 300, band);
+    EXPECT_NEAR(cost_of(problem, band).sum(), cost, 1e-4);
+    EXPECT_NEAR(band.duration(), duration, 1e-4);
+    EXPECT_NEAR(clearance(barriers, band), least, 1e-4);
   }
 }
 
 TEST(Optimise, NoIterationMakesItWorse) {
   TebParams params;
   const auto barriers = barriers_of({disc(1.5, 0.2), disc(2.5, -1.2)});
-  for (const TebSolver solver : {TebSolver::banded, TebSolver::ceres}) {
-    Band band = straight(params, 3.0);
-    resize(params, band);
-    Problem problem{.params = params, .speed = 0.1, .yaw_rate = 0.0, .close = {}};
-    associate(barriers, band, 50.0, problem);
-    double before = cost_of(problem, band).sum();
-    for (int i = 0; i < 10; ++i) {
-      solver == TebSolver::banded ? improve_banded(problem, 1, band) : improve_ceres(problem, 1, band);
-      const double after = cost_of(problem, band).sum();
-      EXPECT_LE(after, before * (1.0 + 1e-12));
-      before = after;
-    }
+  Band band = straight(params, 3.0);
+  resize(params, band);
+  Problem problem{.params = params, .speed = 0.1, .yaw_rate = 0.0, .close = {}};
+  associate(barriers, band, 50.0, problem);
+  double before = cost_of(problem, band).sum();
+  for (int i = 0; i < 10; ++i) {
+    improve(problem, 1, band);
+    const double after = cost_of(problem, band).sum();
+    EXPECT_LE(after, before * (1.0 + 1e-12));
+    before = after;
   }
 }
 

@@ -5,17 +5,6 @@
 
 namespace fairway {
 
-/// What solves the band's least squares problems.
-enum class TebSolver {
-  banded,  ///< the narrow band of the normal equations, by damping as g2o does it
-  ceres,   ///< Ceres Solver, sparse: the same costs, its own damping
-};
-
-template <>
-struct EnumNames<TebSolver> {
-  static constexpr std::array names{"banded", "ceres"};
-};
-
 /// What way to the goal the bands follow.
 enum class TebGlobalPlan {
   straight,  ///< a straight line, as a global planner gives it that knows of no obstacle
@@ -79,7 +68,6 @@ struct TebParams {
   double selection_prefer_initial_plan_ratio = 0.95;
   double selection_obst_cost_scale_ratio = 2.0;
 
-  TebSolver solver = TebSolver::banded;
   bool robust = false;
 
   static consteval auto fields() {
@@ -133,7 +121,6 @@ struct TebParams {
         field<&P::selection_cost_hysteresis_ratio>({0, 10}, "the last choice's cost counts this much"),
         field<&P::selection_prefer_initial_plan_ratio>({0, 10}, "that of the plan's own class this much"),
         field<&P::selection_obst_cost_scale_ratio>({0, 1e4}, "cost of obstacles in the choice of a band"),
-        field<&P::solver>("what solves the least squares problems"),
         field<&P::robust>("no time between poses is allowed to vanish; not so in the original"),
     };
   }

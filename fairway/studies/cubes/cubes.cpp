@@ -15,8 +15,6 @@
 namespace fairway::cubes {
 namespace {
 
-Scenario scenario_of(const PlannedRun& run) { return run.cell->scenario(run.spec.seed); }
-
 /// The run that the report shows in detail.
 bool is_chosen(const RunSpec& spec) {
   return spec.seed == chosen_seed && spec.labels == chosen_cell().labels();
@@ -34,24 +32,25 @@ Catalogs cube_catalogs() {
 }
 
 std::vector<CellResults> run_cells(const std::vector<Cell>& cells, const StudyOptions& options) {
-  const std::vector<PlannedRun> plan = plan_of(cells);
-  std::vector<StudyRun> runs;
   const Catalogs catalogs = cube_catalogs();
-  const MeasureRun measure = [&](const Scenario& scenario, const std::atomic<bool>* stop,
-                                 std::span<FrameSink* const> more) {
-    return measure_run(scenario, catalogs, stop, more);
-  };
-  for (const PlannedRun& run : plan) runs.push_back({run.spec, [&run] { return scenario_of(run); }, measure});
+  const MeasureRun measure = measured_with(catalogs, measure_run);
+  std::vector<StudyRun> runs;
+  for (const Cell& cell : cells) {
+    for (const RunSpec& spec : specs_of(cell))
+      runs.push_back({spec, [&cell, seed = spec.seed] { return cell.scenario(seed); }, measure});
+  }
   auto measures = make_runs(runs, options);
   if (!measures) return {};
-  for (std::size_t i = 0; i < plan.size(); ++i) {
-    if (is_chosen(plan[i].spec)) show_run(runs[i], options);
+  for (const StudyRun& run : runs) {
+    if (is_chosen(run.spec)) show_run(run, options);
   }
 
   std::vector<CellResults> results;
-  for (const Cell& cell : cells) results.push_back({&cell, {}});
-  for (std::size_t i = 0; i < plan.size(); ++i)
-    results[static_cast<std::size_t>(plan[i].cell - cells.data())].runs.push_back(std::move((*measures)[i]));
+  auto next = measures->begin();
+  for (const Cell& cell : cells) {
+    CellResults& mine = results.emplace_back(CellResults{&cell, {}});
+    for (int run = 0; run < cell.runs; ++run) mine.runs.push_back(std::move(*next++));
+  }
   return results;
 }
 

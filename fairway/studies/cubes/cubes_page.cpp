@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "fairway/core/text.hpp"
-#include "fairway/experiment/version.hpp"
 #include "fairway/studies/cubes/chosen_run.hpp"
 #include "fairway/studies/cubes/findings.hpp"
 #include "fairway/studies/cubes/rows.hpp"
@@ -20,9 +19,8 @@ using Results = std::vector<CellResults>;
 
 constexpr auto repeated_words =
     "A published value is a mean or a total of five runs. Here the five runs of each cell are repeated; the "
-    "interval "
-    "is the middle 95 % of the repetitions, and the note says how many lie below the published value. "
-    "colliding_run_ratio is compared by Fisher's exact test instead.";
+    "interval is the middle 95 % of the repetitions, and the note says how many lie below the published "
+    "value. colliding_run_ratio is compared by Fisher's exact test instead.";
 
 struct Plotted {
   std::string_view quantity, label;
@@ -30,14 +28,6 @@ struct Plotted {
 constexpr std::array plotted{
     Plotted{"navigation_time_s", "Navigation time [s]"}, Plotted{"avoidance_time_s", "Avoidance time [s]"},
     Plotted{"avoided_count", "Avoided encounters"}, Plotted{"distance_m", "Distance [m]"}};
-
-json section(std::string id, std::string title, std::vector<std::string> paragraphs,
-             std::vector<json> blocks) {
-  return {{"id", std::move(id)},
-          {"title", std::move(title)},
-          {"paragraphs", std::move(paragraphs)},
-          {"blocks", std::move(blocks)}};
-}
 
 /// A box per value of one parameter, over all cells of the tuning of a method (Figures 16 and 17).
 json tuning_boxes(const Results& results, bool orca, double Tuning::*parameter, std::string_view name,
@@ -131,18 +121,11 @@ json intervals(const Results& results, Code code, const Plotted& what, const Run
     }
     series.push_back({{"label", method.name}, {"points", points}});
   }
-  return {{"kind", "intervals"},
-          {"title", what.label},
-          {"y_label", what.label},
-          {"categories", categories},
-          {"series", series}};
+  return page::intervals(what.label, what.label, std::move(categories), std::move(series));
 }
 
 std::vector<StudyRow> chosen_rows(std::span<const StudyRow> rows, std::string_view mode) {
-  std::vector<StudyRow> chosen;
-  std::ranges::copy_if(rows, std::back_inserter(chosen),
-                       [&](const StudyRow& row) { return row.mode == mode && row.cell != "tuning"; });
-  return chosen;
+  return rows_where(rows, [&](const StudyRow& row) { return row.mode == mode && row.cell != "tuning"; });
 }
 
 RunIndex index_of(const Results& results, const StudyOptions& options) {
@@ -159,10 +142,10 @@ json facts(const Results& results, std::span<const StudyRow> rows) {
     if (row.mode == "as_coded_replicas" && row.quantity == "navigation_time_s_covered_count")
       covered = fmt::format("{:.0f} of 24", row.measured);
   }
-  return {{{"label", "Runs"}, {"value", std::to_string(runs)}},
-          {{"label", "Published navigation times within repetitions"}, {"value", covered}},
-          {{"label", "Published cases"}, {"value", "6 cubes × 4 methods"}},
-          {{"label", "Parameter cells"}, {"value", "36 APF, 108 ORCA"}}};
+  return {page::fact("Runs", std::to_string(runs)),
+          page::fact("Published navigation times within repetitions", covered),
+          page::fact("Published cases", "6 cubes × 4 methods"),
+          page::fact("Parameter cells", "36 APF, 108 ORCA")};
 }
 
 json corrected_section(const Results& results, std::span<const StudyRow> rows, int seeds,
@@ -170,21 +153,20 @@ json corrected_section(const Results& results, std::span<const StudyRow> rows, i
   std::vector<json> blocks;
   for (const Plotted& what : plotted) blocks.push_back(intervals(results, Code::corrected, what, runs));
   std::vector<std::string> paragraphs{
-      fmt::format(
-          "The comparison again with the general methods of this library: repulsion summed afresh at each "
-          "step, velocities in NED, one consistent step of 0.05 s. {} seeds a cell, the same for every "
-          "method, so that differences pair. Bars are 95 % intervals of the mean; the mark beside each is "
-          "the published value, which came from other code.",
-          seeds),
+      fmt::format("The comparison again with the general methods of this library: repulsion summed afresh at "
+                  "each step, velocities in NED, one consistent step of 0.05 s. {} seeds a cell, the same "
+                  "for every method, so that differences pair. Bars are 95 % intervals of the mean; the mark "
+                  "beside each is the published value, which came from other code.",
+                  seeds),
       "Totals of collisions and stuck robots are scaled to five runs. ORCA has no time_step of its own here, "
-      "so "
-      "its retuned case differs from the other in nothing. What a method is told to keep is not what it is "
-      "judged by: 3 m between centres is a collision; ORCA is told 6 m, APF pushes from CRIT_DIST on."};
+      "so its retuned case differs from the other in nothing. What a method is told to keep is not what it "
+      "is judged by: 3 m between centres is a collision; ORCA is told 6 m, APF pushes from CRIT_DIST on."};
   std::ranges::copy(clearances(rows), std::back_inserter(paragraphs));
-  return section("corrected", "The methods as printed, in the right frames", std::move(paragraphs),
-                 {page::grid(2, std::move(blocks)),
-                  page::comparison_table("Corrected, all cells", chosen_rows(rows, "corrected"), runs),
-                  page::comparison_table("All told the same", chosen_rows(rows, "corrected_told"), runs)});
+  return page::section(
+      "corrected", "The methods as printed, in the right frames", std::move(paragraphs),
+      {page::grid(2, std::move(blocks)),
+       page::comparison_table("Corrected, all cells", chosen_rows(rows, "corrected"), runs),
+       page::comparison_table("All told the same", chosen_rows(rows, "corrected_told"), runs)});
 }
 
 }  // namespace
@@ -193,23 +175,23 @@ json page_of(const Results& results, std::span<const StudyRow> rows, const Study
   const RunIndex runs = index_of(results, options);
   json sections = json::array();
   sections.push_back(
-      section("published", "Published against measured", findings(rows),
-              {page::grid(2, {intervals(results, Code::as_coded, plotted[0], runs),
-                              intervals(results, Code::as_coded, plotted[3], runs)}),
-               page::comparison_table("As coded, all cells", chosen_rows(rows, "as_coded"), runs)}));
+      page::section("published", "Published against measured", findings(rows),
+                    {page::grid(2, {intervals(results, Code::as_coded, plotted[0], runs),
+                                    intervals(results, Code::as_coded, plotted[3], runs)}),
+                     page::comparison_table("As coded, all cells", chosen_rows(rows, "as_coded"), runs)}));
   if (options.seeds > 0) {
-    sections.push_back(section(
+    sections.push_back(page::section(
         "repeated", "The five runs again and again", {repeated_words},
         {page::comparison_table("As coded, other seeds", chosen_rows(rows, "as_coded_replicas"), runs),
          page::comparison_table("From the recorded starts", chosen_rows(rows, "as_coded_starts"), runs)}));
-    sections.push_back(section("causes", "What was tried", causes(rows),
-                               {page::comparison_table("Everyone heading north at the origin",
-                                                       chosen_rows(rows, "as_coded_north"), runs)}));
+    sections.push_back(page::section("causes", "What was tried", causes(rows),
+                                     {page::comparison_table("Everyone heading north at the origin",
+                                                             chosen_rows(rows, "as_coded_north"), runs)}));
   }
-  sections.push_back(
-      section("tuning-apf", "Parameter setting, APF (Figure 16)", {}, {tuning_grid(results, false, runs)}));
-  sections.push_back(
-      section("tuning-orca", "Parameter setting, ORCA (Figure 17)", {}, {tuning_grid(results, true, runs)}));
+  sections.push_back(page::section("tuning-apf", "Parameter setting, APF (Figure 16)", {},
+                                   {tuning_grid(results, false, runs)}));
+  sections.push_back(page::section("tuning-orca", "Parameter setting, ORCA (Figure 17)", {},
+                                   {tuning_grid(results, true, runs)}));
 
   std::vector<json> figures;
   for (const CubeCase& cube : comparison_cases()) {
@@ -220,23 +202,19 @@ json page_of(const Results& results, std::span<const StudyRow> rows, const Study
                                  cube.retuned ? ", retuned" : "");
     figures.push_back(std::move(block));
   }
-  sections.push_back(section("robots", "Comparison by robot (Figures 18 to 23)",
-                             {"As coded, five runs a box."}, std::move(figures)));
+  sections.push_back(page::section("robots", "Comparison by robot (Figures 18 to 23)",
+                                   {"As coded, five runs a box."}, std::move(figures)));
   if (options.seeds > 0) sections.push_back(corrected_section(results, rows, options.seeds, runs));
 
-  sections.push_back(
-      section("run", "A run in detail",
-              {"Eight vehicles in the small cube under ORCA as printed, from the first tick under way."},
-              chosen_run_blocks(options.overrides, runs)));
+  sections.push_back(page::section(
+      "run", "A run in detail",
+      {"Eight vehicles in the small cube under ORCA as printed, from the first tick under way."},
+      chosen_run_blocks(options.overrides, runs)));
 
-  return {
-      {"title", "Crossing a cube"},
-      {"subtitle", "raja2024: APF and ORCA, each with and without stop-and-wait; 4 and 8 Sparus II vehicles"},
-      {"version", fmt::format("fairway {}", fairway_version)},
-      {"command", options.command},
-      {"facts", facts(results, rows)},
-      {"runs", runs.document()},
-      {"sections", std::move(sections)}};
+  return page::document(
+      "Crossing a cube",
+      "raja2024: APF and ORCA, each with and without stop-and-wait; 4 and 8 Sparus II vehicles", options,
+      facts(results, rows), runs, std::move(sections));
 }
 
 }  // namespace fairway::cubes

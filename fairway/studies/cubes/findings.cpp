@@ -231,8 +231,8 @@ std::string printed_equations(Rows rows) {
   }
   if (all.runs == 0) return "";
   return fmt::format(
-      "With the printed equations, where repulsion is summed afresh at every step, APF collides in "
-      "{} of {} runs; published, in {} of {}.",
+      "With the printed equations, where repulsion is summed afresh at every step, APF collides in {} of {} "
+      "runs; published, in {} of {}.",
       all.here, all.runs, all.there, all.published);
 }
 
@@ -277,10 +277,9 @@ void say_timing(std::vector<std::string>& text, Rows rows, std::string_view mode
       (*row->published > 0.0 ? colliding : others).add(*free.front());
     }
     if (colliding.runs == 0 || others.runs == 0) continue;
-    text.push_back(
-        fmt::format("{}, {}: runs of APF with a collision in the cases where they were published {}, in the "
-                    "others {}.",
-                    mode, params, colliding.text(), others.text()));
+    text.push_back(fmt::format(
+        "{}, {}: runs of APF with a collision in the cases where they were published {}, in the others {}.",
+        mode, params, colliding.text(), others.text()));
   }
 }
 

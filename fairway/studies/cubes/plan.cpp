@@ -2,6 +2,7 @@
 #include "fairway/studies/cubes/plan.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "fairway/core/text.hpp"
 #include "fairway/experiment/digest.hpp"
@@ -167,19 +168,11 @@ std::vector<RunSpec> specs_of(const Cell& cell) {
   return specs;
 }
 
-std::vector<PlannedRun> plan_of(const std::vector<Cell>& cells) {
-  std::vector<PlannedRun> plan;
-  for (const Cell& cell : cells) {
-    for (RunSpec& spec : specs_of(cell)) plan.push_back({&cell, std::move(spec)});
-  }
-  return plan;
-}
-
-std::vector<double> CellResults::values(std::string_view quantity, int vehicle) const {
+std::vector<double> CellResults::values(std::string_view quantity, std::optional<int> vehicle) const {
   std::vector<double> found;
   for (const auto& run : runs) {
     for (const Measure& measure : run) {
-      if (measure.quantity == quantity && (vehicle == -2 || measure.vehicle == vehicle))
+      if (measure.quantity == quantity && (!vehicle || measure.vehicle == *vehicle))
         found.push_back(measure.value);
     }
   }
@@ -208,9 +201,8 @@ std::size_t CellResults::colliding_runs() const {
 }
 
 double CellResults::total(std::string_view quantity) const {
-  double sum = 0.0;
-  for (const double of_run : run_totals(quantity)) sum += of_run;
-  return sum;
+  const std::vector<double> totals = run_totals(quantity);
+  return std::accumulate(totals.begin(), totals.end(), 0.0);
 }
 
 }  // namespace fairway::cubes

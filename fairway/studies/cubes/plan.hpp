@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <map>
 #include <string>
 #include <vector>
 
@@ -61,26 +60,16 @@ std::vector<Cell> timing_cells(int runs);
 /// repulsion depends on distance / CRIT_DIST alone.
 std::vector<Cell> told_cells(int runs);
 
-/// One run of a cell.
-struct PlannedRun {
-  const Cell* cell{};
-  RunSpec spec;
-};
-
-/// The runs of one cell, by seed.
+/// The runs of one cell, by seed; those of different cells pair by it.
 std::vector<RunSpec> specs_of(const Cell& cell);
-
-/// Every run of the cells; runs of different cells pair by seed. `cells` must
-/// outlive the plan.
-std::vector<PlannedRun> plan_of(const std::vector<Cell>& cells);
 
 /// The results of a cell: for each run, by seed, its measures.
 struct CellResults {
   const Cell* cell{};
   std::vector<std::vector<Measure>> runs;
 
-  /// The values of a quantity, one for each vehicle and run; or for vehicle `index` only.
-  std::vector<double> values(std::string_view quantity, int vehicle = -2) const;
+  /// The values of a quantity, one for each vehicle and run; or of one vehicle only.
+  std::vector<double> values(std::string_view quantity, std::optional<int> vehicle = {}) const;
 
   /// One for each run: the mean over its vehicles.
   std::vector<double> run_means(std::string_view quantity) const;

@@ -3,7 +3,6 @@
 
 #include <cmath>
 
-#include "fairway/core/angles.hpp"
 #include "fairway/sim/simulation.hpp"
 #include "fairway/studies/page_blocks.hpp"
 #include "fairway/studies/study_runs.hpp"

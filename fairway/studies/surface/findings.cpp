@@ -4,8 +4,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <cmath>
-
 #include "fairway/experiment/statistics.hpp"
 #include "fairway/studies/claim.hpp"
 

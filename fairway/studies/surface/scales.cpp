@@ -189,11 +189,9 @@ std::vector<std::string> scale_findings(const std::vector<Cell>& cells) {
   }
   std::vector<std::string> lines{
       fmt::format("The paper prints neither the length of its courses nor what limit TEB really had. From "
-                  "its own numbers "
-                  "alone: in the times that it prints AVOA makes good, at no more than {:g} m/s, at most so "
-                  "long a course, and "
-                  "TEB on it at most so much speed: {}. What limit that is takes runs: each course at "
-                  "several scales, buoys and vessels of the same size.",
+                  "its own numbers alone: in the times that it prints AVOA makes good, at no more than {:g} "
+                  "m/s, at most so long a course, and TEB on it at most so much speed: {}. What limit that "
+                  "is takes runs: each course at several scales, buoys and vessels of the same size.",
                   limits.back(), fmt::join(made_good, ", "))};
   for (const double length : lengths) {
     lines.push_back(fmt::format(

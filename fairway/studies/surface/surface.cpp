@@ -13,14 +13,8 @@ StudyResult run_surface(const StudyOptions& options) {
                   .scales = options.seeds > 0 ? scale_cells() : std::vector<Cell>{},
                   .seeds = options.seeds};
   const Catalogs catalogs = builtin_catalogs();
-  const MeasureRun measure = [&](const Scenario& scenario, const std::atomic<bool>* stop,
-                                 std::span<FrameSink* const> more) {
-    return measure_run(scenario, catalogs, stop, more);
-  };
-  const MeasureRun of_scale = [&](const Scenario& scenario, const std::atomic<bool>* stop,
-                                  std::span<FrameSink* const> more) {
-    return measure_scale(scenario, catalogs, stop, more);
-  };
+  const MeasureRun measure = measured_with(catalogs, measure_run);
+  const MeasureRun of_scale = measured_with(catalogs, measure_scale);
   const std::array groups{MeasuredCells{&results.published, measure},
                           MeasuredCells{&results.variations, measure},
                           MeasuredCells{&results.scales, of_scale}};

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "fairway/experiment/version.hpp"
 #include "fairway/studies/page_blocks.hpp"
 #include "fairway/studies/surface/figures.hpp"
 #include "fairway/studies/surface/scales.hpp"
@@ -20,12 +19,7 @@ constexpr std::array figure_methods{"avoa", "avoa_improved", "teb_0.4", "teb_1.5
 
 json published_section(const Results& results, const RunIndex& runs) {
   const std::span rows = std::span{results.rows}.first(results.published_rows);
-  const auto sailed_by = [&](Vessel vessel) {
-    std::vector<StudyRow> chosen;
-    std::ranges::copy_if(rows, std::back_inserter(chosen),
-                         [&](const StudyRow& row) { return row.mode == name_of(vessel); });
-    return chosen;
-  };
+  const auto sailed_by = [&](Vessel vessel) { return rows_in_mode(rows, name_of(vessel)); };
   return page::section(
       "published", "Published against measured", claims(results.published),
       {page::note(
@@ -76,9 +70,8 @@ json figures_section(const std::vector<std::vector<Passage>>& passages) {
 json zones_section() {
   return page::section("zones", "Figures 3 to 6 redrawn: protective zones",
                        {"Velocities in the vessel's frame, ahead to the right. Hue is the heading and "
-                        "saturation the speed; black is "
-                        "forbidden. The cost of danger runs from white, far from every zone, to dark grey at "
-                        "its edge; the metric is the lighter the better."},
+                        "saturation the speed; black is forbidden. The cost of danger runs from white, far "
+                        "from every zone, to dark grey at its edge; the metric is the lighter the better."},
                        zone_figures());
 }
 
@@ -97,31 +90,28 @@ json decision_times_section(const std::vector<std::vector<Passage>>& passages) {
   const auto column = [](const char* key, const char* label, const char* type) {
     return json{{"key", key}, {"label", label}, {"type", type}, {"digits", 0}};
   };
-  return page::section(
-      "decision_times", "Decision times",
-      {"Of the passages in the figures, on the machine that wrote this report; not a result that "
-       "another machine gives."},
-      {{{"kind", "table"},
-        {"title", "Time of a decision [us]"},
-        {"columns",
-         {column("case", "Course", "text"), column("method", "Method", "text"),
-          column("mean", "Mean", "number"), column("worst", "Worst", "number")}},
-        {"rows", std::move(lines)},
-        {"filter", {"case", "method"}}}});
+  return page::section("decision_times", "Decision times",
+                       {"Of the passages in the figures, on the machine that wrote this report; not a result "
+                        "that another machine gives."},
+                       {{{"kind", "table"},
+                         {"title", "Time of a decision [us]"},
+                         {"columns",
+                          {column("case", "Course", "text"), column("method", "Method", "text"),
+                           column("mean", "Mean", "number"), column("worst", "Worst", "number")}},
+                         {"rows", std::move(lines)},
+                         {"filter", {"case", "method"}}}});
 }
 
 json variations_section(const Results& results, const RunIndex& runs) {
   const std::span rows = std::span{results.rows}.subspan(results.published_rows, results.varied_rows);
   std::vector<std::string> places;
   for (const Course course : courses) places.emplace_back(name_of(course));
-  std::vector<std::string> paragraphs{fmt::format(
-      "{} variations of each course, the same for every method: start by up to 1 m and 0.3 rad, buoys by 0.3 "
-      "m, the "
-      "other vessel by 1 m, 20 % of its speed and 0.2 rad, in a JONSWAP sea of up to 0.3 m and a current of "
-      "up to 0.2 "
-      "m/s from anywhere. Bars are 95 % intervals, of AVOA and TEB; the table has every method. Times are of "
-      "the runs that arrived within 90 s.",
-      results.seeds)};
+  std::vector<std::string> paragraphs{
+      fmt::format("{} variations of each course, the same for every method: start by up to 1 m and 0.3 rad, "
+                  "buoys by 0.3 m, the other vessel by 1 m, 20 % of its speed and 0.2 rad, in a JONSWAP sea "
+                  "of up to 0.3 m and a current of up to 0.2 m/s from anywhere. Bars are 95 % intervals, of "
+                  "AVOA and TEB; the table has every method. Times are of the runs that arrived within 90 s.",
+                  results.seeds)};
   std::ranges::move(ablation(results.variations), std::back_inserter(paragraphs));
   const auto bars = [&](const char* quantity, const char* label) {
     return page::method_intervals(rows, compared_methods(), quantity, label, places, runs);
@@ -136,13 +126,10 @@ json variations_section(const Results& results, const RunIndex& runs) {
 
 json facts(const Results& results) {
   const std::array groups{&results.published, &results.variations, &results.scales};
-  const auto count = [&](Verdict verdict) {
-    return std::to_string(std::ranges::count(results.rows, verdict, &StudyRow::verdict));
-  };
-  return {{{"label", "Runs"}, {"value", std::to_string(run_count(groups))}},
-          {{"label", "Rows reproduced, assuming"}, {"value", count(Verdict::reproduced_assuming)}},
-          {{"label", "Partly"}, {"value", count(Verdict::partly)}},
-          {{"label", "Not reproduced"}, {"value", count(Verdict::not_reproduced)}}};
+  return {page::fact("Runs", std::to_string(run_count(groups))),
+          page::fact("Rows reproduced, assuming", results.rows, Verdict::reproduced_assuming),
+          page::fact("Partly", results.rows, Verdict::partly),
+          page::fact("Not reproduced", results.rows, Verdict::not_reproduced)};
 }
 
 }  // namespace
@@ -158,14 +145,10 @@ json page_of(const Results& results, const StudyOptions& options) {
     sections.push_back(variations_section(results, runs));
   }
   sections.push_back(decision_times_section(shown));
-  return {{"title", "A surface vessel among buoys and vessels"},
-          {"subtitle",
-           "campos2019: AVOA and TEB on five courses; then improved, varied, and beside every other method"},
-          {"version", fmt::format("fairway {}", fairway_version)},
-          {"command", options.command},
-          {"facts", facts(results)},
-          {"runs", runs.document()},
-          {"sections", std::move(sections)}};
+  return page::document(
+      "A surface vessel among buoys and vessels",
+      "campos2019: AVOA and TEB on five courses; then improved, varied, and beside every other method",
+      options, facts(results), runs, std::move(sections));
 }
 
 }  // namespace fairway::surface

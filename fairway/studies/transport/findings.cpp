@@ -45,10 +45,9 @@ std::string of_coriolis(const Cell& cell) {
   if (!std::isfinite(end)) return "Hard switching on the physical plant: not measured.";
   return fmt::format(
       "Hard switching on the physical plant does not arrive: it ends {:.1f} m from the start, and the goal "
-      "is "
-      "141.4 m away. The forces along surge and sway are zero while it turns, and a pure yaw moment cannot "
-      "change the momentum of the body in the frame of the Earth; without Coriolis terms the velocity is "
-      "kept in body axes and turns with the body.",
+      "is 141.4 m away. The forces along surge and sway are zero while it turns, and a pure yaw moment "
+      "cannot change the momentum of the body in the frame of the Earth; without Coriolis terms the velocity "
+      "is kept in body axes and turns with the body.",
       end);
 }
 
@@ -110,11 +109,9 @@ std::vector<std::string> claims(const std::vector<Cell>& published) {
 std::vector<std::string> field_findings(const std::vector<Cell>& fields, int seeds) {
   std::vector<std::string> lines{
       "Whether there is a way out of a touch is decided at the moment when something last came into sight "
-      "before "
-      "it: on a grid of 0.5 m and 2 s, can a disc of the footprint and a tenth of a metre, at no more than "
-      "0.25 m/s, stay "
-      "clear of everything for two minutes? Where it cannot, the vehicle is caught between what stays and "
-      "what drifts, and no method is blamed."};
+      "before it: on a grid of 0.5 m and 2 s, can a disc of the footprint and a tenth of a metre, at no more "
+      "than 0.25 m/s, stay clear of everything for two minutes? Where it cannot, the vehicle is caught "
+      "between what stays and what drifts, and no method is blamed."};
   for (const FieldKind kind : field_kinds) {
     int escapes = 0;
     for (int seed = 1; seed <= seeds; ++seed)

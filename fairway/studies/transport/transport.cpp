@@ -13,10 +13,7 @@ StudyResult run_transport(const StudyOptions& options) {
                   .fields = options.seeds > 0 ? field_cells(options.seeds) : std::vector<Cell>{},
                   .seeds = options.seeds};
   const Catalogs catalogs = builtin_catalogs();
-  const MeasureRun measure = [&](const Scenario& scenario, const std::atomic<bool>* stop,
-                                 std::span<FrameSink* const> more) {
-    return measure_voyage(scenario, catalogs, stop, more);
-  };
+  const MeasureRun measure = measured_with(catalogs, measure_voyage);
   const std::array groups{MeasuredCells{&results.published, measure}, MeasuredCells{&results.cases, measure},
                           MeasuredCells{&results.fields, measure}};
   if (!make_cells(groups, options)) return {.complete = false};

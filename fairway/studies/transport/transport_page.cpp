@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fairway/experiment/version.hpp"
 #include "fairway/studies/page_blocks.hpp"
 #include "fairway/studies/transport/figures.hpp"
 
@@ -14,13 +13,6 @@ namespace fairway::transport {
 namespace {
 
 using nlohmann::json;
-
-std::vector<StudyRow> rows_in_mode(std::span<const StudyRow> rows, std::string_view mode) {
-  std::vector<StudyRow> chosen;
-  std::ranges::copy_if(rows, std::back_inserter(chosen),
-                       [&](const StudyRow& row) { return row.mode == mode; });
-  return chosen;
-}
 
 json published_section(const Results& results, const RunIndex& runs) {
   const std::span rows = std::span{results.rows}.first(results.published_rows);
@@ -38,9 +30,8 @@ json plants_section(const std::vector<Cell>& published) {
       "Minerva vehicles, a payload and links from published parts: linear and quadratic drag of every part, "
       "Coriolis and centripetal terms, and a yaw inertia in which a swap of two entries in the published "
       "data is put right. `paper_compat` leaves the quadratic drag and the Coriolis terms out and keeps the "
-      "inertia "
-      "as in the data. It was chosen after seeing the published times, so agreement on it is agreement under "
-      "an assumption."};
+      "inertia as in the data. It was chosen after seeing the published times, so agreement on it is "
+      "agreement under an assumption."};
   for (const PublishedRun& run : published_runs()) {
     const Cell& cell = find_cell(published, name_of(run.which), run.method.name, physical);
     const double time = cell.value(0, "goal_time_s");
@@ -72,25 +63,22 @@ json cases_section(const Results& results, const Overrides& overrides, const Run
     blocks.push_back(ways(which, compared_methods(), overrides, runs));
   blocks.push_back(
       page::comparison_table("Every method on the three cases", comparison_rows(results.cases), runs));
-  return page::section(
-      "cases", "Every method on the published cases, and on one with an unknown obstacle",
-      {"On the physical plant. A run is a success if it arrives and the footprint, a disc of 3.2 m that "
-       "holds the four tips, touches nothing."},
-      std::move(blocks));
+  return page::section("cases", "Every method on the published cases, and on one with an unknown obstacle",
+                       {"On the physical plant. A run is a success if it arrives and the footprint, a disc "
+                        "of 3.2 m that holds the four tips, touches nothing."},
+                       std::move(blocks));
 }
 
 json fields_section(const Results& results, const RunIndex& runs) {
   const std::vector<StudyRow> rows = comparison_rows(results.fields);
   std::vector<std::string> places;
   for (const FieldKind kind : field_kinds) places.emplace_back(name_of(kind));
-  std::vector<std::string> paragraphs{
-      fmt::format("{} random fields of each kind: 8 to 14 discs of 1 to 4 m in a square of 50 m, crossed "
-                  "from corner to corner. In "
-                  "`field_unknown` about half of them are on no chart and are perceived 5 m from the "
-                  "footprint; in `field_moving` "
-                  "three spheres drift through as well. The fields of one number share their discs over the "
-                  "kinds and are the same for every method. Bars are 95 % intervals.",
-                  results.seeds)};
+  std::vector<std::string> paragraphs{fmt::format(
+      "{} random fields of each kind: 8 to 14 discs of 1 to 4 m in a square of 50 m, crossed from corner to "
+      "corner. In `field_unknown` about half of them are on no chart and are perceived 5 m from the "
+      "footprint; in `field_moving` three spheres drift through as well. The fields of one number share "
+      "their discs over the kinds and are the same for every method. Bars are 95 % intervals.",
+      results.seeds)};
   std::ranges::copy(field_findings(results.fields, results.seeds), std::back_inserter(paragraphs));
   return page::section("fields", "Random fields: known, unknown and moving obstacles", std::move(paragraphs),
                        {page::grid(2, {page::method_intervals(rows, compared_methods(), "success_ratio",
@@ -106,16 +94,15 @@ json fields_section(const Results& results, const RunIndex& runs) {
 
 json facts(const Results& results) {
   const std::array groups{&results.published, &results.cases, &results.fields};
-  const auto count = [&](std::initializer_list<Verdict> verdicts) {
-    const auto is_one = [&](const StudyRow& row) { return std::ranges::count(verdicts, row.verdict) > 0; };
-    return std::to_string(std::ranges::count_if(results.rows, is_one));
+  const auto disagrees = [](const StudyRow& row) {
+    return row.verdict == Verdict::not_reproduced || row.verdict == Verdict::partly ||
+           row.verdict == Verdict::another_course;
   };
-  return {{{"label", "Runs"}, {"value", std::to_string(run_count(groups))}},
-          {{"label", "Reproduced"}, {"value", count({Verdict::reproduced})}},
-          {{"label", "Reproduced, assuming"}, {"value", count({Verdict::reproduced_assuming})}},
-          {{"label", "Not reproduced"},
-           {"value", count({Verdict::not_reproduced, Verdict::partly, Verdict::another_course})}},
-          {{"label", "Follow from inputs, not counted"}, {"value", count({Verdict::follows_from_inputs})}}};
+  return {page::fact("Runs", std::to_string(run_count(groups))),
+          page::fact("Reproduced", results.rows, Verdict::reproduced),
+          page::fact("Reproduced, assuming", results.rows, Verdict::reproduced_assuming),
+          page::fact("Not reproduced", std::to_string(std::ranges::count_if(results.rows, disagrees))),
+          page::fact("Follow from inputs, not counted", results.rows, Verdict::follows_from_inputs)};
 }
 
 }  // namespace
@@ -127,15 +114,10 @@ json page_of(const Results& results, const StudyOptions& options) {
                                figures_section(options.overrides, runs),
                                cases_section(results, options.overrides, runs)});
   if (results.seeds > 0) sections.push_back(fields_section(results, runs));
-  return {{"title", "A transport system among obstacles"},
-          {"subtitle",
-           "rehman2021: hard switching, wall following and a planned path; then corrected, filtered and "
-           "blended"},
-          {"version", fmt::format("fairway {}", fairway_version)},
-          {"command", options.command},
-          {"facts", facts(results)},
-          {"runs", runs.document()},
-          {"sections", std::move(sections)}};
+  return page::document(
+      "A transport system among obstacles",
+      "rehman2021: hard switching, wall following and a planned path; then corrected, filtered and blended",
+      options, facts(results), runs, std::move(sections));
 }
 
 }  // namespace fairway::transport

@@ -3,11 +3,10 @@
 
 #include <atomic>
 #include <optional>
-#include <string_view>
 #include <vector>
 
 #include "fairway/metrics/measure.hpp"
-#include "fairway/planning/minimum_snap/minimum_snap.hpp"
+#include "fairway/planning/minimum_snap/trajectory.hpp"
 #include "fairway/scenario/scenario.hpp"
 #include "fairway/sim/catalogs.hpp"
 #include "fairway/sim/simulation.hpp"

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "fairway/sim/simulation.hpp"
 #include "fairway/studies/page_blocks.hpp"

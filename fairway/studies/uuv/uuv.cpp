@@ -15,14 +15,8 @@ StudyResult run_uuv(const StudyOptions& options) {
     results.silence = silence_cells(options.seeds);
   }
   const Catalogs catalogs = builtin_catalogs();
-  const MeasureRun meet = [&](const Scenario& scenario, const std::atomic<bool>* stop,
-                              std::span<FrameSink* const> more) {
-    return measure_encounter(scenario, catalogs, stop, more);
-  };
-  const MeasureRun gather = [&](const Scenario& scenario, const std::atomic<bool>* stop,
-                                std::span<FrameSink* const> more) {
-    return measure_fleet(scenario, catalogs, stop, more);
-  };
+  const MeasureRun meet = measured_with(catalogs, measure_encounter);
+  const MeasureRun gather = measured_with(catalogs, measure_fleet);
   const std::array groups{MeasuredCells{&results.published, meet}, MeasuredCells{&results.variations, meet},
                           MeasuredCells{&results.gatherings, gather},
                           MeasuredCells{&results.silence, gather}};
@@ -51,8 +45,7 @@ Study study() {
           .title = "UUVs that meet: velocity obstacles, fifty at once, sonar and acoustic messages",
           .source =
               "cao2022: Cao et al., Dynamic Obstacle Avoidance for Unmanned Underwater Vehicles based on "
-              "Velocity Obstacle, sections "
-              "4.1 and 4.2",
+              "Velocity Obstacle, sections 4.1 and 4.2",
           .run = run_uuv};
 }
 

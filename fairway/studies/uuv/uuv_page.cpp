@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "fairway/experiment/version.hpp"
 #include "fairway/studies/page_blocks.hpp"
 #include "fairway/studies/uuv/figures.hpp"
 
@@ -16,13 +15,6 @@ using nlohmann::json;
 
 constexpr std::array<std::string_view, 5> drawn_methods{"rvo", "vo", "hrvo", "orca2d", "apf"};
 
-std::vector<StudyRow> rows_where(std::span<const StudyRow> rows,
-                                 const std::function<bool(const StudyRow&)>& holds) {
-  std::vector<StudyRow> chosen;
-  std::ranges::copy_if(rows, std::back_inserter(chosen), holds);
-  return chosen;
-}
-
 json published_section(const Results& results, const RunIndex& runs) {
   const std::span<const StudyRow> rows = results.published_rows;
   const auto judged = rows_where(rows, [](const StudyRow& row) { return row.published.has_value(); });
@@ -30,13 +22,11 @@ json published_section(const Results& results, const RunIndex& runs) {
   return page::section(
       "published", "Published against measured",
       {"Moments are means over both UUVs; the note has each. A setting is named and then what sails: the "
-       "point that "
-       "goes any way at once, or a unicycle that turns at up to 1 rad/s."},
-      {page::note(
-           "info",
-           "The paper gives no radius, time step, acceleration or horizon, and its head-on times fit no "
-           "constant speed: settings that come near its times stand in. Its second encounter names no goals: "
-           "crossing ones are adopted, since with parallel ones nobody needs to brake."),
+       "point that goes any way at once, or a unicycle that turns at up to 1 rad/s."},
+      {page::note("info",
+                  "The paper gives no radius, time step, acceleration or horizon, and its head-on times fit "
+                  "no constant speed: settings that come near its times stand in. Its second encounter names "
+                  "no goals: crossing ones are adopted, since with parallel ones nobody needs to brake."),
        page::comparison_table("RVO, as the paper has it", judged, runs),
        page::comparison_table("All that was measured of single encounters", others, runs)});
 }
@@ -68,8 +58,8 @@ json variations_section(const Results& results, const RunIndex& runs) {
   return page::section(
       "variations", "Every method on variations of both encounters",
       {fmt::format(
-          "{} variations of each, the same for every method: starts and ships by up to 2 m, each UUV up "
-          "to 1 s late, the ships' speed by 10 % and course by 0.1 rad. Bars are 95 % intervals.",
+          "{} variations of each, the same for every method: starts and ships by up to 2 m, each UUV up to 1 "
+          "s late, the ships' speed by 10 % and course by 0.1 rad. Bars are 95 % intervals.",
           results.seeds)},
       {page::grid(2, {bars("contact_ratio", "runs with a contact"),
                       bars("arrived_ratio", "runs in which both arrived"),
@@ -83,8 +73,7 @@ json gatherings_section(const Results& results, const RunIndex& runs) {
   for (const Gathering& gathering : gatherings()) places.push_back(gathering.name());
   std::vector<json> blocks;
   for (const Awareness& awareness : awarenesses()) {
-    const auto rows =
-        rows_where(results.gathering_rows, [&](const StudyRow& row) { return row.mode == awareness.name; });
+    const auto rows = rows_in_mode(results.gathering_rows, awareness.name);
     const auto bars = [&](const char* quantity, const char* label) {
       return page::method_intervals(rows, gathering_methods(), quantity,
                                     fmt::format("{}, {}", awareness.name, label).c_str(), places, runs);
@@ -99,8 +88,7 @@ json gatherings_section(const Results& results, const RunIndex& runs) {
       "gatherings", "Up to fifty",
       {"Swaps across a circle, two columns that cross, and crowds in a square: everyone at 1 m/s, keeping "
        "spheres of 1 m clear, bodies of 0.75 m that collide. Awareness is perception and exchange: "
-       "\"sonar+none\" "
-       "sees and is told nothing, \"perfect+acoustic\" knows others by their messages alone."},
+       "\"sonar+none\" sees and is told nothing, \"perfect+acoustic\" knows others by their messages alone."},
       std::move(blocks));
 }
 
@@ -120,12 +108,10 @@ json silence_chart(const Results& results, std::string_view cube, double loss, c
     }
     series.push_back({{"label", method.name}, {"points", points}});
   }
-  return {{"kind", "intervals"},
-          {"title", fmt::format("{}, {:.0f} % of messages lost", cube, 100.0 * loss)},
-          {"y_label", "runs with a collision"},
-          {"categories", categories},
-          {"category_label", "update rate"},
-          {"series", series}};
+  json chart = page::intervals(fmt::format("{}, {:.0f} % of messages lost", cube, 100.0 * loss),
+                               "runs with a collision", categories, std::move(series));
+  chart["category_label"] = "update rate";
+  return chart;
 }
 
 json silence_section(const Results& results, const RunIndex& runs) {
@@ -143,13 +129,11 @@ json silence_section(const Results& results, const RunIndex& runs) {
 
 json facts(const Results& results) {
   const std::array groups{&results.published, &results.variations, &results.gatherings, &results.silence};
-  const auto count = [&](Verdict verdict) {
-    return std::to_string(std::ranges::count(results.published_rows, verdict, &StudyRow::verdict));
-  };
-  return {{{"label", "Runs"}, {"value", std::to_string(run_count(groups))}},
-          {{"label", "Reproduced, assuming"}, {"value", count(Verdict::reproduced_assuming)}},
-          {{"label", "Partly"}, {"value", count(Verdict::partly)}},
-          {{"label", "Not reproduced"}, {"value", count(Verdict::not_reproduced)}}};
+  const std::span<const StudyRow> rows = results.published_rows;
+  return {page::fact("Runs", std::to_string(run_count(groups))),
+          page::fact("Reproduced, assuming", rows, Verdict::reproduced_assuming),
+          page::fact("Partly", rows, Verdict::partly),
+          page::fact("Not reproduced", rows, Verdict::not_reproduced)};
 }
 
 }  // namespace
@@ -164,16 +148,10 @@ json page_of(const Results& results, const StudyOptions& options) {
     sections.push_back(gatherings_section(results, runs));
     sections.push_back(silence_section(results, runs));
   }
-  return {{"title", "UUVs that meet, and what they know of each other"},
-          {"subtitle",
-           "cao2022: velocity obstacles head-on and among ships; then every method, up to fifty vehicles, "
-           "sonar and "
-           "acoustic messages"},
-          {"version", fmt::format("fairway {}", fairway_version)},
-          {"command", options.command},
-          {"facts", facts(results)},
-          {"runs", runs.document()},
-          {"sections", std::move(sections)}};
+  return page::document("UUVs that meet, and what they know of each other",
+                        "cao2022: velocity obstacles head-on and among ships; then every method, up to fifty "
+                        "vehicles, sonar and acoustic messages",
+                        options, facts(results), runs, std::move(sections));
 }
 
 }  // namespace fairway::uuv

@@ -1,25 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <vector>
 
-#include "fairway/avoidance/orca2d/orca2d.hpp"
 #include "fairway/avoidance/testing/encounters.hpp"
 #include "fairway/core/angles.hpp"
 #include "fairway/core/rng.hpp"
 
 /// Situations of the horizontal plane, with walls and shores.
 namespace fairway::flat_scenes {
-
-inline Command decide(const Situation& s, const Orca2d::Params& params = {}, Sketch* sketch = nullptr) {
-  Rng rng{1};
-  Context context{rng, sketch};
-  NoMemory memory;
-  return Orca2d{params}.decide(s, memory, context);
-}
 
 /// Any horizontal direction.
 inline Vec3 bearing(Rng& rng) {

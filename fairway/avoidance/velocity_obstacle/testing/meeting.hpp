@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <array>
 
@@ -131,6 +133,17 @@ inline Meeting any_head_to_head(Rng rng) {
   const double speed = rng.uniform(0.3, 1.5);
   const double max_acceleration = rng.uniform(0.2, 1.0);
   return head_to_head(distance, speed, max_acceleration, rng.uniform(-pi, pi));
+}
+
+/// Two alike who meet head to head, on 200 such courses: each passes the other port to port, without a touch.
+template <class Algorithm>
+void expect_port_to_port(const Algorithm& algorithm) {
+  for (std::uint64_t i = 0; i < 200; ++i) {
+    const Outcome outcome = outcome_of(any_head_to_head(Rng{3}.stream("head to head", i)), algorithm);
+    EXPECT_TRUE(outcome.port_to_port) << i;
+    EXPECT_TRUE(outcome.arrived) << i;
+    EXPECT_GT(outcome.least_gap, -1e-9) << i;
+  }
 }
 
 }  // namespace fairway::velocity_obstacle

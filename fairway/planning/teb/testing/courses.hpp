@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <vector>
 
-#include "fairway/core/angles.hpp"
 #include "fairway/planning/teb/teb.hpp"
 
 /// The courses on which the original was measured: from (0, 0), heading north, to (25, 0), own radius 0.75 m,

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+// What ORCA in space and in the plane have in common.
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "fairway/avoidance/orca2d/orca2d.hpp"
+#include "fairway/avoidance/orca3d/orca3d.hpp"
+#include "fairway/avoidance/testing/encounters.hpp"
+
+namespace fairway {
+namespace {
+
+using encounters::decide;
+using encounters::Encounter;
+
+template <class>
+class Orca : public ::testing::Test {};
+using Orcas = ::testing::Types<Orca2d, Orca3d>;
+TYPED_TEST_SUITE(Orca, Orcas);
+
+TYPED_TEST(Orca, GoesWhereItWasGoingWhenNobodyIsInRange) {
+  const Command expected{.velocity = {1.0, 0.0, 0.0}, .mode = Mode::cruise};
+  EXPECT_EQ(decide<TypeParam>(encounters::open_water()), expected);
+  EXPECT_EQ(decide<TypeParam>(encounters::head_on(20.5)), expected);
+}
+
+TYPED_TEST(Orca, SomebodyInRangeIsAvoidanceEvenIfTheCourseIsClear) {
+  Encounter e = encounters::open_water();
+  e.tracks = {encounters::track(1, {-19.0, 0.0, 50.0}, {-1.0, 0.0, 0.0})};
+  const Command command = decide<TypeParam>(e);
+  EXPECT_EQ(command.velocity, Vec3(1.0, 0.0, 0.0));
+  EXPECT_EQ(command.mode, Mode::avoid);
+  EXPECT_TRUE(command.astern);
+}
+
+TYPED_TEST(Orca, HeadOnTakesHalfOfTheLeastChangeToStarboard) {
+  // p = 8 north, v = 2 north, R = 2: sin 1/4, cos sqrt(15)/4. The change is u = sin * 2 along the normal
+  // (-sin, cos, 0); half of it is 1/4, and the preferred velocity (1, 0, 0) lies 1/4 beyond the plane
+  const Command command = decide<TypeParam>(encounters::head_on(8.0));
+  const Vec3 normal{-0.25, std::sqrt(15.0) / 4.0, 0.0};
+  EXPECT_LT((command.velocity - (Vec3(1.0, 0.0, 0.0) + 0.25 * normal)).norm(), 1e-14);
+  EXPECT_EQ(command.mode, Mode::avoid);
+}
+
+TYPED_TEST(Orca, FullResponsibilityTakesAllOfTheChange) {
+  const Command command = decide<TypeParam>(encounters::head_on(8.0), {.responsibility_ratio = 1.0});
+  const Vec3 normal{-0.25, std::sqrt(15.0) / 4.0, 0.0};
+  EXPECT_LT((command.velocity - (Vec3(1.0, 0.0, 0.0) + 0.5 * normal)).norm(), 1e-14);
+}
+
+TYPED_TEST(Orca, WhatDoesNotReactLeavesAllOfTheChangeToUs) {
+  Encounter e = encounters::head_on(8.0);
+  const Command shared = decide<TypeParam>(e);
+  e.tracks[0].reacts = false;
+  EXPECT_EQ(decide<TypeParam>(e), decide<TypeParam>(encounters::head_on(8.0), {.responsibility_ratio = 1.0}));
+  EXPECT_EQ(decide<TypeParam>(e), decide<TypeParam>(e, {.responsibility_ratio = 0.0}));
+  EXPECT_GT((decide<TypeParam>(e).velocity - shared.velocity).norm(), 0.2);
+}
+
+TYPED_TEST(Orca, TwoAtTheSamePlacePartAlongOneLineByTheirIds) {
+  Encounter e = encounters::open_water();
+  e.situation.own.velocity = Vec3::Zero();
+  e.situation.goal.velocity = Vec3::Zero();
+  e.tracks = {encounters::track(1, e.situation.own.position, Vec3::Zero())};
+  const Command first = decide<TypeParam>(e);
+  e.situation.own.id = VehicleId{1};
+  e.tracks[0].id = TrackId{0};
+  const Command second = decide<TypeParam>(e);
+  EXPECT_GT(first.velocity.norm(), 1.0);
+  EXPECT_EQ(first.velocity, -second.velocity);
+}
+
+TYPED_TEST(Orca, LooksAtTheNearestWhenThereAreTooMany) {
+  Encounter e = encounters::head_on(8.0);
+  e.tracks.push_back(encounters::track(2, {0.0, 9.0, 50.0}, {0.0, -2.0, 0.0}));
+  EXPECT_EQ(decide<TypeParam>(e, {.max_neighbours_count = 1}), decide<TypeParam>(encounters::head_on(8.0)));
+  EXPECT_EQ(decide<TypeParam>(e, {.max_neighbours_count = 0}).mode, Mode::cruise);
+}
+
+TYPED_TEST(Orca, FromInsideASolidTheWayIsOutThroughTheNearestSide) {
+  const std::array<Vec3, 4> square{Vec3{-1, -5, 0}, Vec3{9, -5, 0}, Vec3{9, 5, 0}, Vec3{-1, 5, 0}};
+  Encounter e = encounters::open_water();
+  e.obstacles = {{.kind = Obstacle::Kind::polygon, .vertices = square}};
+  const Command command = decide<TypeParam>(e);
+  EXPECT_EQ(command.mode, Mode::infeasible);  // 2 m in 0.1 s
+  EXPECT_LT((command.velocity - Vec3(-1.5, 0.0, 0.0)).norm(), 1e-9);
+}
+
+}  // namespace
+}  // namespace fairway
