@@ -10,6 +10,8 @@ struct BodyRequest {
   double heave_mps{};       ///< positive down
   double yaw_rate_radps{};  ///< positive to starboard
   bool through_water{};     ///< whether the velocities are through the water, instead of over ground
+
+  friend bool operator==(const BodyRequest&, const BodyRequest&) = default;
 };
 
 }  // namespace fairway

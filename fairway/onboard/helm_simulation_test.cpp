@@ -84,11 +84,6 @@ class Helms {
   bool measure_water_;
 };
 
-bool same(const BodyRequest& a, const BodyRequest& b) {
-  return a.surge_mps == b.surge_mps && a.sway_mps == b.sway_mps && a.heave_mps == b.heave_mps &&
-         a.yaw_rate_radps == b.yaw_rate_radps;
-}
-
 struct Case {
   const char* algorithm;
   std::int32_t steps_per_decision;
@@ -119,7 +114,7 @@ TEST_P(HelmBesideASimulation, DecidesAndAsksTheSameToTheBit) {
       ASSERT_EQ(order.decided, deciding[i]) << agent.ship().name << " at " << now;
       ASSERT_EQ(order.command, agent.pilot.command()) << agent.ship().name << " at " << now;
       const BodyRequest request = agent.pilot.request(agent.own, agent.estimated_current);
-      ASSERT_TRUE(same(order.request, request)) << agent.ship().name << " at " << now;
+      ASSERT_TRUE(order.request == request) << agent.ship().name << " at " << now;
       decisions += order.decided ? 1 : 0;
       avoided += order.decided && order.command.mode == Mode::avoid ? 1 : 0;
       held += order.command.mode == Mode::hold ? 1 : 0;
@@ -205,12 +200,12 @@ double apart(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
 TEST(HelmInACurrent, AVehicleThatCannotStopMakesTheSimulationsTrackByItsEstimate) {
   const std::vector<Vec3> known = track_of(crossing(0.0), false);
   const std::vector<Vec3> biased = track_of(crossing(0.1), false);
-  EXPECT_LT(apart(known, track_of(crossing(0.0), true)), 1e-9);
+  EXPECT_LT(apart(known, track_of(crossing(0.0), true)), 1e-9);  // measured 0, and so is the next
   EXPECT_LT(apart(biased, track_of(crossing(0.1), true)), 1e-9);
-  EXPECT_GT(apart(known, biased), 1.0) << "otherwise the bias was not put to the test";
+  EXPECT_GT(apart(known, biased), 20.0) << "otherwise the bias was not put to the test";  // 39.8
 
   // without the velocity through the water it is set down by the current
-  EXPECT_GT(apart(known, track_of(crossing(0.0), true, false)), 10.0);
+  EXPECT_GT(apart(known, track_of(crossing(0.0), true, false)), 20.0);  // 39.4
 }
 
 }  // namespace
