@@ -137,7 +137,7 @@ py::tuple outline(Environments& all, std::size_t index) {
       positions.mutable_at(i, axis) = position[axis];
       goals.mutable_at(i, axis) = goal[axis];
     }
-    radii.mutable_at(i) = vehicle.radius;
+    radii.mutable_at(i) = vehicle.ship().radius;
   }
   return py::make_tuple(positions, goals, radii);
 }

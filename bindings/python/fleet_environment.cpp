@@ -227,7 +227,7 @@ double FleetEnvironment::clearance_of(std::size_t index) const {
     const Obstacle now = obstacle.at(simulation_->time());
     nearest = std::fmin(nearest, nearest_point(now, agent.vehicle.state().p_n).distance);
   }
-  return nearest - agent.radius;
+  return nearest - agent.ship().radius;
 }
 
 void FleetEnvironment::turn_to_leg(std::size_t row) {

@@ -82,7 +82,7 @@ std::vector<std::pair<std::string, std::string>> simulate(const Scenario& scenar
   run.simulated_s = simulation.time();
   std::vector<std::pair<std::string, std::string>> notes;
   for (const Agent& agent : simulation.agents()) {
-    if (!agent.note.empty()) notes.emplace_back(agent.name, std::string(agent.note));
+    if (!agent.note.empty()) notes.emplace_back(agent.ship().name, std::string(agent.note));
   }
   return notes;
 }

@@ -102,7 +102,7 @@ RunOutcome run_scenario(const Scenario& scenario, const RecordingChoice& recordi
   if (!outcome.divergence) outcome.measures = metrics.measures();
   outcome.decisions = simulation.decision_times();
   for (const Agent& agent : simulation.agents()) {
-    if (!agent.note.empty()) outcome.notes.emplace_back(agent.name, std::string(agent.note));
+    if (!agent.note.empty()) outcome.notes.emplace_back(agent.ship().name, std::string(agent.note));
   }
   outcome.simulated_s = simulation.time();
   if (!outcome.divergence && outcome.simulated_s > 0.0)

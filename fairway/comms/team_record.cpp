@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "fairway/core/angles.hpp"
 
@@ -67,7 +66,6 @@ constexpr double times_per_second = 50.0;
 constexpr double yaws_per_radian = (1 << yaw_bits) / (2.0 * pi);
 constexpr double radii_per_metre = 10.0;
 constexpr std::int64_t last_of_all = (1 << (priority_bits - 1)) - 1;
-constexpr std::int32_t last_priority = std::numeric_limits<std::int32_t>::max();
 
 /// The nearest whole number in [lo, hi]; `lo` for what is not a number.
 std::int64_t nearest(double value, std::int64_t lo, std::int64_t hi) {

@@ -9,6 +9,9 @@ struct BodyRequest {
   double sway_mps{};
   double heave_mps{};       ///< positive down
   double yaw_rate_radps{};  ///< positive to starboard
+  bool through_water{};     ///< whether the velocities are through the water, instead of over ground
+
+  friend bool operator==(const BodyRequest&, const BodyRequest&) = default;
 };
 
 }  // namespace fairway

@@ -71,7 +71,8 @@ BodyRequest steer_through_water(const SteeringParams& params, const Command& com
   const double error = wrap_angle(command.heading.value_or(course) - yaw);
   return {.surge_mps = std::fmax(wanted.norm(), params.min_speed_mps),
           .heave_mps = wanted.z(),
-          .yaw_rate_radps = command.turn_rate.value_or(turn_rate(params, error))};
+          .yaw_rate_radps = command.turn_rate.value_or(turn_rate(params, error)),
+          .through_water = true};
 }
 
 }  // namespace fairway

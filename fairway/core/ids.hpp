@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 namespace fairway {
 
@@ -13,6 +14,11 @@ enum class TrackId : std::uint32_t {};
 // exactly; what a sensor found, and obstacles that drift, are counted from these.
 inline constexpr std::uint32_t first_tracker_id = 0x4000'0000U;
 inline constexpr std::uint32_t first_drifter_id = 0x8000'0000U;
+
+// The smaller priority has the right of way.
+inline constexpr std::int32_t first_priority =
+    std::numeric_limits<std::int32_t>::min();  // gives way to nobody
+inline constexpr std::int32_t last_priority = std::numeric_limits<std::int32_t>::max();  // to everyone
 
 constexpr std::uint32_t number(VehicleId id) { return static_cast<std::uint32_t>(id); }
 constexpr std::uint32_t number(TrackId id) { return static_cast<std::uint32_t>(id); }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+
 #include "fairway/core/params.hpp"
 #include "fairway/core/state.hpp"
 
@@ -10,6 +12,7 @@ namespace fairway {
 struct Fix {
   double time{};  ///< [s, of the clock that the helm is updated with]
   VehicleState state;
+  std::optional<Vec3> through_water_b;  ///< velocity through the water, where it is measured [m/s, body]
 };
 
 /// What became of a fix that was handed in. Whatever is not `accepted` changes nothing but a count.

@@ -57,6 +57,8 @@ TEST(FixWatch, WhatIsNotANumberOrNoAttitudeOrAbsurdIsInvalid) {
   EXPECT_EQ(broken([](Fix& f) { f.state.q_nb.coeffs().setZero(); }), invalid);
   EXPECT_EQ(broken([](Fix& f) { f.state.p_n.x() = 1e9; }), invalid);
   EXPECT_EQ(broken([](Fix& f) { f.state.v_b.x() = 1e300; }), invalid);
+  EXPECT_EQ(broken([](Fix& f) { f.through_water_b = Vec3{0, nan, 0}; }), invalid);
+  EXPECT_EQ(broken([](Fix& f) { f.through_water_b = Vec3{1e300, 0, 0}; }), invalid);
 }
 
 TEST(FixWatch, AnAttitudeThatIsUnitToWithinAThousandthIsOne) {

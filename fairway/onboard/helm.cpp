@@ -22,20 +22,15 @@ bool is_place(const Vec3& position) {
   return is_finite(position) && position.cwiseAbs().maxCoeff() <= farthest;
 }
 
-/// What is left, without knowing where it is, to a vehicle that cannot stop.
-BodyRequest circle_blind(const SteeringParams& steering) {
-  return {.surge_mps = steering.min_speed_mps,
-          .yaw_rate_radps = steering.min_speed_mps / steering.circle_radius_m};
-}
-
 }  // namespace
 
 Helm::Helm(HelmSetup setup, Avoider avoider)
     : setup_{std::move(setup)},
       avoider_{std::move(avoider)},
       fresh_{avoider_},
+      pilot_{setup_.ship, setup_.period},
       progress_watch_{setup_.policy.progress_window_s} {
-  check_params(setup_.steering);
+  check_params(setup_.ship.steering);
   check_params(setup_.policy);
   for (const TeamMate& mate : setup_.team)
     neighbours_.push_back({.radius = mate.radius, .priority = mate.priority});
@@ -56,23 +51,25 @@ void Helm::see_clock(double now) noexcept {
 void Helm::begin_again() noexcept {
   ++clock_restarts_;
   avoider_ = fresh_;
+  pilot_ = Pilot{setup_.ship, setup_.period};
   own_watch_ = {};
   for (std::size_t i = 0; i < neighbours_.size(); ++i)
     neighbours_[i] = {.radius = setup_.team[i].radius, .priority = setup_.team[i].priority};
-  command_ = {};
+  current_ = Vec3::Zero();
+  current_time_.reset();
   progress_watch_ = ProgressWatch{setup_.policy.progress_window_s};
-  updated_ = next_decision_ = -std::numeric_limits<double>::infinity();
+  updated_ = -std::numeric_limits<double>::infinity();
   task_ = Task::none;
   health_ = Health::good;
-  arrived_ = holding_ = false;
+  arrived_ = false;
 }
 
-bool Helm::set_out(Task task, const Leg& leg) noexcept {
+bool Helm::set_out(const Leg& leg) noexcept {
   const double depth = leg.position.z();
   if (!is_place(leg.position) || !is_place(leg.from) || !std::isfinite(leg.speed_mps) ||
-      leg.speed_mps <= 0.0 || std::fabs(within(setup_.limits, depth) - depth) > leg.arrival_m)
+      leg.speed_mps <= 0.0 || std::fabs(within(setup_.ship.limits, depth) - depth) > leg.arrival_m)
     return false;
-  task_ = task;
+  task_ = Task::go;
   leg_ = leg;
   arrived_ = false;
   return true;
@@ -80,24 +77,27 @@ bool Helm::set_out(Task task, const Leg& leg) noexcept {
 
 bool Helm::go_to(const Vec3& position, double speed) noexcept {
   return set_out(
-      Task::go,
       {.kind = LegKind::transit, .position = position, .speed_mps = speed, .arrival_m = setup_.arrival});
 }
 
 bool Helm::follow(const Leg& leg) noexcept {
-  return (leg.position - leg.from).norm() > 0.0 && set_out(Task::section, leg);
+  Leg section = leg;
+  section.kind = LegKind::section;
+  return (leg.position - leg.from).norm() > 0.0 && set_out(section);
 }
 
 void Helm::keep_position() noexcept {
-  if (task_ != Task::keep) holding_ = false;
+  if (task_ != Task::keep) {
+    pilot_.end_hold();
+    pilot_.ask_at_once();
+  }
   task_ = Task::keep;
 }
 
 void Helm::stand_by() noexcept { task_ = Task::none; }
 
 std::optional<Vec3> Helm::goal() const noexcept {
-  const bool goes = (task_ == Task::go || task_ == Task::section) && !arrived_;
-  return goes ? std::optional{leg_.position} : std::nullopt;
+  return task_ == Task::go && !arrived_ ? std::optional{leg_.position} : std::nullopt;
 }
 
 const HelmOrder& Helm::update(double now, Sketch* sketch) noexcept {
@@ -128,11 +128,14 @@ const HelmOrder& Helm::update(double now, Sketch* sketch) noexcept {
   } else {
     order_.state = HelmState::under_way;
     order_.in_charge = true;
-    if (is_due()) decide(sketch);
+    if (pilot_.is_due(now_, now_ - updated_)) decide(sketch);
   }
   if (order_.state != HelmState::under_way) stop_watching_progress();
   order_.progress = progress_;
-  if (order_.in_charge) carry_out();
+  if (order_.in_charge) {
+    order_.command = pilot_.command();
+    order_.request = is_blind() ? pilot_.blind_request() : pilot_.request(own_, current_);
+  }
   updated_ = now_;
   return order_;
 }
@@ -141,16 +144,17 @@ void Helm::let_go(HelmState state, std::string_view reason) noexcept {
   order_.state = state;
   order_.reason = reason;
   order_.in_charge = false;
-  holding_ = false;
-  next_decision_ = now_;
+  pilot_.end_hold();
+  pilot_.ask_at_once();
 }
 
 void Helm::hold_because(HelmState state, std::string_view reason) noexcept {
   order_.state = state;
   order_.reason = reason;
   order_.in_charge = true;
-  command_ = {.mode = Mode::hold};
-  next_decision_ = now_;
+  pilot_.obey({.mode = Mode::hold}, here());
+  if (is_blind()) pilot_.end_hold();
+  pilot_.ask_at_once();
 }
 
 void Helm::see_health() noexcept {
@@ -167,23 +171,15 @@ void Helm::see_health() noexcept {
 }
 
 void Helm::see_arrival() noexcept {
-  const bool goes = task_ == Task::go || task_ == Task::section;
-  if (!goes) arrived_ = false;
-  if (goes && own_watch_.last() && health_ == Health::good &&
+  if (task_ != Task::go) arrived_ = false;
+  if (task_ == Task::go && own_watch_.last() && health_ == Health::good &&
       (leg_.position - own_.position).norm() <= leg_.arrival_m)
     arrived_ = true;
 }
 
 Ownship Helm::own_at(const Fix& fix) const noexcept {
-  const VehicleState& x = fix.state;
   const double age = now_ - fix.time;
-  Ownship own{.id = setup_.id,
-              .position = x.p_n,
-              .velocity = x.v_n(),
-              .yaw = yaw_of(x.q_nb),
-              .yaw_rate = x.omega_b.z(),
-              .radius = setup_.radius,
-              .priority = arrived_ ? std::numeric_limits<std::int32_t>::max() : setup_.priority};
+  Ownship own = pilot_.own_ship(fix.state, arrived_);
   if (age != 0.0) {
     own.position += age * own.velocity;
     own.yaw = wrap_angle(own.yaw + age * own.yaw_rate);
@@ -221,7 +217,7 @@ Track Helm::track_of(std::size_t index) const noexcept {
               .yaw = yaw_of(fix.state.q_nb),
               .radius = neighbour.radius + growth_of(age),
               .age = since,
-              .priority = neighbour.arrived ? std::numeric_limits<std::int32_t>::max() : neighbour.priority,
+              .priority = neighbour.arrived ? last_priority : neighbour.priority,
               .destination = neighbour.arrived ? std::nullopt : neighbour.goal,
               .reacts = mate.reacts,
               .position_covariance = 0.25 * since * since * drift * drift * Mat3::Identity(),
@@ -255,35 +251,23 @@ void Helm::look_round() noexcept {
   for (const Near& near : near_) tracks_.push_back(track_of(near.index));
 }
 
-bool Helm::is_due() const noexcept {
-  const double interval = std::clamp(now_ - updated_, 0.0, setup_.period);
-  return now_ + 0.5 * interval >= next_decision_;
-}
-
 void Helm::decide(Sketch* sketch) noexcept {
   look_round();
-  Situation situation{.time = now_,
-                      .period = setup_.period,
-                      .own = own_,
-                      .goal = {.position = leg_.position, .cruise_speed = leg_.speed_mps},
-                      .limits = setup_.limits,
-                      .model = setup_.model ? &*setup_.model : nullptr,
-                      .tracks = tracks_,
-                      .obstacles = setup_.chart};
-  if (task_ == Task::section) situation.goal.velocity = follow_section(leg_, own_).velocity;
-  command_ = avoider_.decide(situation, sketch);
-  lead_back(command_);
+  const Situation situation = pilot_.situation(now_, own_, leg_, tracks_, setup_.chart);
+  Command command = avoider_.decide(situation, sketch);
+  lead_back(command);
+  pilot_.obey(command, here());
+  pilot_.note_decision(now_);
   see_progress(situation);
-  next_decision_ = now_ + setup_.period;
   order_.decided = true;
   ++decisions_;
-  if (command_.mode == Mode::infeasible) ++infeasible_;
+  if (command.mode == Mode::infeasible) ++infeasible_;
 }
 
 void Helm::see_progress(const Situation& situation) noexcept {
   const double window = setup_.policy.progress_window_s;
   Goal goal = situation.goal;
-  goal.cruise_speed = std::fmin(goal.cruise_speed, setup_.limits.max_speed);
+  goal.cruise_speed = std::fmin(goal.cruise_speed, setup_.ship.limits.max_speed);
   progress_watch_.see(now_, own_.position, goal, true);
   bystanders_.clear();
   for (std::size_t k = 0; k < near_.size(); ++k) {
@@ -295,43 +279,27 @@ void Helm::see_progress(const Situation& situation) noexcept {
                            .rests_since = neighbour.trail.since(),
                            .may_clear_way = track.reacts && !neighbour.arrived});
   }
-  progress_ = progress_watch_.judge(command_.mode, bystanders_);
+  progress_ = progress_watch_.judge(pilot_.command().mode, bystanders_);
 }
 
 void Helm::stop_watching_progress() noexcept {
   progress_watch_.see(now_, own_.position, {.position = leg_.position}, false);
-  progress_ = progress_watch_.judge(command_.mode, {});
+  progress_ = progress_watch_.judge(pilot_.command().mode, {});
 }
 
 void Helm::lead_back(Command& command) const noexcept {
-  const double error = within(setup_.limits, own_.position.z()) - own_.position.z();
-  const double fastest = std::fmin(return_speed, setup_.limits.max_climb_rate);
+  const double error = within(setup_.ship.limits, own_.position.z()) - own_.position.z();
+  const double fastest = std::fmin(return_speed, setup_.ship.limits.max_climb_rate);
   const double back = std::clamp(return_gain * error, -fastest, fastest);
   double& down = command.velocity.z();
   if (error > 0.0) down = std::fmax(down, back);
   if (error < 0.0) down = std::fmin(down, back);
 }
 
-void Helm::carry_out() noexcept {
-  order_.command = command_;
-  const bool hold_here = command_.mode == Mode::hold && !is_blind();
-  if (hold_here && !holding_) {
-    hold_ = {own_.position, own_.yaw};
-    hold_.position.z() = within(setup_.limits, own_.position.z());
-  }
-  holding_ = hold_here;
-  order_.request = request();
-}
-
-BodyRequest Helm::request() const noexcept {
-  const SteeringParams& steering = setup_.steering;
-  const bool can_stop = steering.kind != SteeringKind::crab;
-  if (is_blind()) return can_stop ? BodyRequest{} : circle_blind(steering);
-  if (can_stop) return holding_ ? ::fairway::keep_position(hold_, own_) : steer(steering, command_, own_.yaw);
-
-  const Command command =
-      holding_ ? circle(hold_, steering.circle_radius_m, steering.min_speed_mps, own_) : command_;
-  return steer_through_water(steering, command, own_.yaw, Vec3::Zero());
+HoldPoint Helm::here() const noexcept {
+  Vec3 place = own_.position;
+  place.z() = within(setup_.ship.limits, place.z());
+  return {place, own_.yaw};
 }
 
 }  // namespace fairway

@@ -14,9 +14,7 @@
 #include "fairway/avoidance/avoider.hpp"
 #include "fairway/avoidance/progress.hpp"
 #include "fairway/comms/team_record.hpp"
-#include "fairway/control/body_request.hpp"
-#include "fairway/control/guidance.hpp"
-#include "fairway/control/steering.hpp"
+#include "fairway/control/pilot.hpp"
 #include "fairway/onboard/fix.hpp"
 #include "fairway/onboard/fix_watch.hpp"
 #include "fairway/onboard/policy.hpp"
@@ -35,17 +33,11 @@ struct TeamMate {
 
 /// A helm's constants.
 struct HelmSetup {
-  VehicleId id{};
-  std::string name;
-  double radius{1.0};  ///< [m]
-  std::int32_t priority{};
+  Particulars ship;
   double period{0.05};         ///< between decisions [s]
   double record_period{0.05};  ///< of the ticks that team records are stamped with [s]
   double arrival{1.0};         ///< arrived when this near to the goal [m]
   double range{std::numeric_limits<double>::infinity()};  ///< neighbours beyond it are left out [m]
-  Limits limits;
-  SteeringParams steering;
-  std::optional<OnboardModel> model;
   std::vector<Obstacle> chart;  ///< obstacles known beforehand; their vertices must outlive the helm
   std::vector<TeamMate> team;
   OnboardPolicy policy;
@@ -73,7 +65,7 @@ struct HelmOrder {
   double time{};        ///< [s]
   bool in_charge{};     ///< false: there is nothing to send; the vehicle is left to others
   bool decided{};       ///< the avoider was asked in this update
-  BodyRequest request;  ///< over ground
+  BodyRequest request;  ///< over ground, or through the water for a vehicle that cannot stop (`crab`)
   Command command;      ///< that the request carries out
   HelmState state{HelmState::waiting};
   std::string_view
@@ -153,8 +145,6 @@ class Helm {
   std::optional<Vec3> goal() const noexcept;
   /// Where it was taken to be at the last update [m, NED].
   const Ownship& own() const { return own_; }
-  /// The next decision [s].
-  double next_decision() const { return next_decision_; }
   /// The time of the oldest last fix of own vehicle and all team mates [s]; minus infinity while one is
   /// missing: to wait for everyone's fix of one instant.
   double common_time() const noexcept;
@@ -165,7 +155,7 @@ class Helm {
   HelmReport report(double now) const;
 
  private:
-  enum class Task : std::uint8_t { none, go, section, keep };
+  enum class Task : std::uint8_t { none, go, keep };
   enum class Health : std::uint8_t { good, stale, lost };
 
   struct Neighbour {
@@ -189,7 +179,8 @@ class Helm {
   std::optional<std::size_t> index_of(std::uint32_t id, std::uint32_t modulus) const noexcept;
   FixVerdict see_neighbour(std::size_t index, const Fix& fix) noexcept;
   void see_arrival_of(std::size_t index) noexcept;
-  bool set_out(Task task, const Leg& leg) noexcept;
+  bool set_out(const Leg& leg) noexcept;
+  void see_current(const Fix& fix) noexcept;
 
   void see_health() noexcept;
   void see_arrival() noexcept;
@@ -207,12 +198,12 @@ class Helm {
   bool waits_for_neighbour() const noexcept;
   void let_go(HelmState state, std::string_view reason = {}) noexcept;
   void hold_because(HelmState state, std::string_view reason = {}) noexcept;
-  void carry_out() noexcept;
-  BodyRequest request() const noexcept;
+  HoldPoint here() const noexcept;
 
   HelmSetup setup_;
   Avoider avoider_;
   Avoider fresh_;  ///< as it was before its first decision
+  Pilot pilot_;
   FixWatch own_watch_;
   std::vector<Neighbour> neighbours_;  ///< as in `HelmSetup::team`
   std::vector<Near> near_;
@@ -221,13 +212,12 @@ class Helm {
   ProgressWatch progress_watch_;
 
   Leg leg_;
-  HoldPoint hold_;
   Ownship own_;
-  Command command_;
+  Vec3 current_ = Vec3::Zero();         ///< as own fixes tell it [m/s, NED]
+  std::optional<double> current_time_;  ///< of the last fix that told it [s]
   ProgressReport progress_;
   double now_{-std::numeric_limits<double>::infinity()};
   double updated_{-std::numeric_limits<double>::infinity()};  ///< when it was asked before this [s]
-  double next_decision_{-std::numeric_limits<double>::infinity()};
   std::int64_t decisions_{};
   std::int64_t infeasible_{};
   std::int64_t clock_restarts_{};
@@ -236,7 +226,6 @@ class Helm {
   Task task_{Task::none};
   Health health_{Health::good};
   bool arrived_{};
-  bool holding_{};
 };
 
 }  // namespace fairway

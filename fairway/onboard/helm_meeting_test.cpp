@@ -34,9 +34,9 @@ struct Outcome {
 Outcome outcome_of(const Meeting& meeting) {
   HelmSetup setup = fixes::setup();
   setup.policy = meeting.policy;
-  setup.steering.kind = SteeringKind::proportional;
+  setup.ship.steering.kind = SteeringKind::proportional;
   HelmSetup other = setup;
-  other.id = VehicleId{1};
+  other.ship.id = VehicleId{1};
   other.team = {{.id = VehicleId{0}, .name = "zero", .radius = 1.5}};
   std::array<Helm, 2> helms{fixes::helm_of(setup), fixes::helm_of(other)};
   std::array<VehicleState, 2> states{VehicleState{.p_n = {0, 0, 10}}, VehicleState{.p_n = {60, 0.5, 10}}};

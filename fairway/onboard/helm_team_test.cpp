@@ -119,7 +119,7 @@ TEST(HelmInATeam, AStrangerIsIgnored) {
 TEST(HelmInATeam, ANeighbourThatCameToItsGoalGivesWay) {
   // one has the right of way, until it has arrived
   HelmSetup with = setup();
-  with.priority = 5;
+  with.ship.priority = 5;
   with.team[0].arrival = 1.0;
   Helm helm = helm_of(with, "direct+stop_and_wait", {{"crit_dist_m", 20.0}});
   helm.go_to({500, 0, 10}, 0.5);

@@ -183,9 +183,9 @@ TEST(Helm, ASectionIsFollowedByTheVelocityOfItsLine) {
 
 TEST(Helm, OutsideTheDepthBandEveryOrderLeadsBack) {
   HelmSetup with = setup();
-  with.limits.min_depth = 5.0;
-  with.limits.max_depth = 20.0;
-  with.limits.max_climb_rate = 0.2;
+  with.ship.limits.min_depth = 5.0;
+  with.ship.limits.max_depth = 20.0;
+  with.ship.limits.max_climb_rate = 0.2;
   for (const double depth : {2.0, 23.0}) {
     const double back = depth < 10 ? 1.0 : -1.0;
     for (const char* algorithm : {"direct", "apf", "orca3d", "orca2d", "orca3d+stop_and_wait"}) {
@@ -204,8 +204,8 @@ TEST(Helm, OutsideTheDepthBandEveryOrderLeadsBack) {
 
 TEST(Helm, AVehicleThatIsTooDeepOrTooShallowComesBackOnItsWay) {
   HelmSetup with = setup();
-  with.limits.min_depth = 5.0;
-  with.limits.max_depth = 20.0;
+  with.ship.limits.min_depth = 5.0;
+  with.ship.limits.max_depth = 20.0;
   for (const double depth : {2.0, 23.0}) {
     Helm helm = helm_of(with);
     ASSERT_TRUE(helm.go_to({500, 0, 12}, 0.5));
@@ -221,7 +221,7 @@ TEST(Helm, AVehicleThatIsTooDeepOrTooShallowComesBackOnItsWay) {
 
 TEST(Helm, AGoalOutsideTheDepthBandIsRefusedUnlessItCanBeReachedFromWithin) {
   HelmSetup with = setup();
-  with.limits.max_depth = 20.0;
+  with.ship.limits.max_depth = 20.0;
   Helm helm = helm_of(with);
   EXPECT_FALSE(helm.go_to({50, 0, 21.5}, 0.5));
   EXPECT_TRUE(helm.go_to({50, 0, 20.5}, 0.5)) << "arrival is at 1 m";
@@ -229,8 +229,8 @@ TEST(Helm, AGoalOutsideTheDepthBandIsRefusedUnlessItCanBeReachedFromWithin) {
 
 TEST(Helm, AVehicleThatCannotStopHoldsInACircle) {
   HelmSetup with = setup();
-  with.steering = {.kind = SteeringKind::crab, .min_speed_mps = 0.8, .circle_radius_m = 20.0};
-  with.limits.max_speed = 1.5;
+  with.ship.steering = {.kind = SteeringKind::crab, .min_speed_mps = 0.8, .circle_radius_m = 20.0};
+  with.ship.limits.max_speed = 1.5;
   Helm helm = under_way(1.0, with);
   EXPECT_GE(helm.order().request.surge_mps, 0.8);
   helm.keep_position();
@@ -241,6 +241,28 @@ TEST(Helm, AVehicleThatCannotStopHoldsInACircle) {
   const HelmOrder& blind = helm.update(2.0);
   EXPECT_EQ(blind.state, HelmState::holding);
   EXPECT_NEAR(blind.request.surge_mps / blind.request.yaw_rate_radps, 20.0, 1e-9) << "the circle's radius";
+}
+
+TEST(Helm, EstimatesTheCurrentFromTheVelocityThroughTheWaterAndFiltersIt) {
+  HelmSetup with = setup();
+  with.ship.steering = {.kind = SteeringKind::crab, .min_speed_mps = 0.1};
+  Helm helm = helm_of(with, "direct");
+  helm.go_to({500, 0, 10}, 0.5);
+  const auto surge_at = [&](int instant, std::optional<double> through_water) {
+    Fix fix = on_course(h * instant);
+    if (through_water) fix.through_water_b = Vec3{*through_water, 0, 0};
+    EXPECT_EQ(helm.own_fix(fix, fix.time), FixVerdict::accepted);
+    return helm.update(fix.time).request.surge_mps;
+  };
+  EXPECT_NEAR(surge_at(0, {}), 0.5, 1e-9) << "in still water, as far as it knows";
+  EXPECT_NEAR(surge_at(1, 0.7), 0.7, 1e-9) << "against 0.2 m/s, which it takes as it is told first";
+  EXPECT_NEAR(surge_at(2, {}), 0.7, 1e-9) << "kept while it is told nothing";
+  double surge{};
+  for (int i = 3; i <= 101; ++i) surge = surge_at(i, 0.5);
+  EXPECT_NEAR(surge, 0.5 + 0.2 * std::exp(-1.0), 1e-9) << "10 s later, the time constant of the filter";
+  helm.update(0.0);
+  helm.go_to({500, 0, 10}, 0.5);
+  EXPECT_NEAR(surge_at(0, {}), 0.5, 1e-9) << "forgotten by a clock that begins again";
 }
 
 TEST(Helm, AClockThatBeginsAgainMakesItForgetEverythingHeard) {

@@ -22,7 +22,17 @@ Fix fix_of(const Message& message, double record_period) {
 
 FixVerdict Helm::own_fix(const Fix& fix, double now) noexcept {
   see_clock(now);
-  return own_watch_.see(fix, now_, setup_.policy);
+  const FixVerdict verdict = own_watch_.see(fix, now_, setup_.policy);
+  if (verdict == FixVerdict::accepted) see_current(fix);
+  return verdict;
+}
+
+void Helm::see_current(const Fix& fix) noexcept {
+  if (!fix.through_water_b) return;
+  const Vec3 told = fix.state.q_nb * (fix.state.v_b - *fix.through_water_b);
+  const double since = current_time_ ? fix.time - *current_time_ : std::numeric_limits<double>::infinity();
+  current_ += (1.0 - std::exp(-since / setup_.policy.current_time_constant_s)) * (told - current_);
+  current_time_ = fix.time;
 }
 
 std::optional<std::size_t> Helm::index_of(std::uint32_t id, std::uint32_t modulus) const noexcept {
@@ -101,15 +111,15 @@ std::optional<TeamRecord> Helm::own_record(double now) const noexcept {
   const std::optional<Fix>& fix = own_watch_.last();
   if (!fix || own_watch_.age(now) > setup_.policy.own_lost_s || std::fabs(fix->time) > 1e9) return {};
   const Tick sent{std::llround(fix->time / setup_.record_period)};
-  const Vec3 velocity = fix->state.v_n();
+  const Ownship own = pilot_.own_ship(fix->state, arrived_);
   const double since = seconds(sent, setup_.record_period) - fix->time;
-  const Message message{.from = setup_.id,
+  const Message message{.from = own.id,
                         .sent = sent,
-                        .position = fix->state.p_n + since * velocity,
-                        .velocity = velocity,
-                        .yaw = yaw_of(fix->state.q_nb),
-                        .radius = setup_.radius,
-                        .priority = arrived_ ? std::numeric_limits<std::int32_t>::max() : setup_.priority,
+                        .position = own.position + since * own.velocity,
+                        .velocity = own.velocity,
+                        .yaw = own.yaw,
+                        .radius = own.radius,
+                        .priority = own.priority,
                         .destination = goal()};
   return encode(message, setup_.record_period);
 }

@@ -8,7 +8,7 @@ namespace {
 TEST(HelmMadeInCpp, RefusesAParameterOfItsSteeringOutsideItsRangeByName) {
   testing::expect_ranges_kept<SteeringParams>([](const SteeringParams& params) {
     HelmSetup setup = fixes::setup();
-    setup.steering = params;
+    setup.ship.steering = params;
     (void)fixes::helm_of(setup);
   });
 }

@@ -37,6 +37,7 @@ struct OnboardPolicy {
   double recovery_s = 1.0;
   double watchdog_s = 1.0;
   double progress_window_s = 30.0;
+  double current_time_constant_s = 10.0;
 
   static consteval auto fields() {
     using P = OnboardPolicy;
@@ -64,6 +65,8 @@ struct OnboardPolicy {
                               "a helm that is not updated for so long: the vehicle is told to hold"),
         field<&P::progress_window_s>(
             {0.01, 1e6}, "neither nearer to the goal nor at a new place for so long: it makes no progress"),
+        field<&P::current_time_constant_s>(
+            {0.01, 1e6}, "of the low-pass filter on the current that own fixes tell, for crab steering"),
     };
   }
 };

@@ -26,6 +26,8 @@ Navigation::Navigation(std::string_view kind, const ParamValues& params, Rng rng
   params_ = params_of<NavigationParams>(params);
   position_error_ = params_.position_sigma_m * Vec2{rng_.normal(), rng_.normal()};
   heading_error_ = radians(params_.heading_sigma_deg) * rng_.normal();
+  Rng of_current = rng.stream("current");
+  current_bias_ = params_.current_sigma_mps * Vec3{of_current.normal(), of_current.normal(), 0.0};
 }
 
 VehicleState Navigation::estimate(const VehicleState& truth, double period) {

@@ -20,6 +20,7 @@ struct NavigationParams {
   double velocity_sigma_mps = 0.002;
   double heading_sigma_deg = 0.5;
   double heading_correlation_s = 300.0;
+  double current_sigma_mps = 0.0;
 
   static consteval auto fields() {
     return std::tuple{
@@ -30,6 +31,8 @@ struct NavigationParams {
         field<&NavigationParams::velocity_sigma_mps>({0, 10}, "standard deviation of each axis, white"),
         field<&NavigationParams::heading_sigma_deg>({0, 180}, "standard deviation, a Gauss-Markov process"),
         field<&NavigationParams::heading_correlation_s>({0.1, 1e6}, "how long that error stays alike"),
+        field<&NavigationParams::current_sigma_mps>(
+            {0, 10}, "standard deviation of north and of east of the estimated current, a constant bias"),
     };
   }
 };
@@ -45,12 +48,18 @@ class Navigation {
   /// call.
   VehicleState estimate(const VehicleState& truth, double period);
 
+  /// What the vehicle estimates the current round it to be, which is `truth_n` [m/s, NED]: its velocity over
+  /// ground less the one through the water, as a Doppler log that tracks both gives it. The estimate is off
+  /// by a bias that stays the same for the run, and does not share the errors of `estimate`.
+  Vec3 current(const Vec3& truth_n) const { return truth_n + current_bias_; }
+
  private:
   bool is_perfect_{true};
   NavigationParams params_;
   Rng rng_;
   Vec2 position_error_ = Vec2::Zero();  // [m]
   double heading_error_{};              // [rad]
+  Vec3 current_bias_ = Vec3::Zero();    // [m/s, NED]
 };
 
 /// The kinds of navigation that there are.

@@ -76,6 +76,29 @@ TEST(Navigation, PositionAndHeadingStayAlikeForTheirCorrelationTimes) {
   EXPECT_NEAR(heading, std::exp(-20.0 / 20.0), 4.0 / std::sqrt(runs) * 1.1);
 }
 
+TEST(Navigation, TheEstimateOfTheCurrentIsOffByABiasThatChangesNoOtherDraw) {
+  const Vec3 current{0.3, -0.1, 0.02};
+  EXPECT_EQ(Navigation("perfect", {}, Rng{1}).current(current), current);
+  EXPECT_EQ(Navigation("drifting", wandering, Rng{1}).current(current), current);
+  ParamValues params = wandering;
+  params.emplace_back("current_sigma_mps", 0.05);
+  Vec3 variance = Vec3::Zero();
+  const int runs = 2000;
+  for (int run = 0; run < runs; ++run) {
+    const Rng rng = Rng{1}.stream("run", run);
+    Navigation biased{"drifting", params, rng};
+    Navigation plain{"drifting", wandering, rng};
+    const Vec3 off = biased.current(current) - current;
+    ASSERT_EQ(biased.estimate(state(), 1.0).p_n, plain.estimate(state(), 1.0).p_n);
+    ASSERT_EQ(biased.current(current) - current, off) << "constant";
+    variance += off.cwiseAbs2() / runs;
+  }
+  const double error = 4.0 * std::sqrt(2.0 / runs);
+  EXPECT_NEAR(variance.x() / 0.0025, 1.0, error);
+  EXPECT_NEAR(variance.y() / 0.0025, 1.0, error);
+  EXPECT_EQ(variance.z(), 0.0);
+}
+
 TEST(Navigation, TheHeadingIsTurnedAboutTheVerticalAndNothingElse) {
   const VehicleState x = state();
   const VehicleState believed = Navigation{"drifting", wandering, Rng{3}}.estimate(x, 0.1);

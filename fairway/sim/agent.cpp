@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/sim/agent.hpp"
 
+#include "fairway/control/onboard_model.hpp"
 #include "fairway/control/vehicle_limits.hpp"
 
 namespace fairway {
@@ -92,6 +93,26 @@ Exchange make_exchange(const Scenario& scenario) {
   });
 }
 
+Vehicle make_vehicle(const VehicleSpec& spec, const VehicleCatalog& vehicles) {
+  return made(spec.model, [&] { return vehicles.make(spec.model.name, spec.model.params); });
+}
+
+Avoider make_avoider(const VehicleSpec& spec, std::uint64_t seed, const Catalog& avoiders) {
+  return made(spec.avoider, [&] {
+    return avoiders.make(spec.avoider.name, spec.avoider.params, Rng{seed}.stream("avoider", spec.id));
+  });
+}
+
+Particulars particulars_of(const VehicleSpec& spec, const Vehicle& vehicle) {
+  return {.id = VehicleId{spec.id},
+          .name = spec.name,
+          .radius = spec.radius_m,
+          .priority = spec.priority,
+          .limits = narrowed(spec.limits, vehicle),
+          .steering = steering_of(spec, vehicle),
+          .model = onboard_model(vehicle)};
+}
+
 std::vector<Limits> limits_in_force(const Scenario& scenario, const VehicleCatalog& vehicles) {
   std::vector<Limits> limits;
   for (const VehicleSpec& spec : scenario.vehicles) {
@@ -109,33 +130,21 @@ Agent make_agent(const VehicleSpec& spec, const Scenario& scenario, const Catalo
   const auto drawn_for = [&](std::string_view user) { return rng.stream(user, spec.id); };
   const PerceptionSpec& perception = scenario.perception;
   const std::size_t track_count = scenario.vehicles.size() + scenario.obstacles.size();
-  Vehicle vehicle =
-      made(spec.model, [&] { return catalogs.vehicles.make(spec.model.name, spec.model.params); });
+  Vehicle vehicle = make_vehicle(spec, catalogs.vehicles);
   vehicle.set_state(start_of(spec));
   Autopilot autopilot = made(spec.model, [&] {
     return Autopilot{vehicle, controller_of(spec, vehicle), allocation_of(spec)};
   });
-  const SteeringParams steering = steering_of(spec, vehicle);
   ActuatorValues demand = vehicle.actuator_state();
 
   Agent agent{
-      .id = VehicleId{spec.id},
-      .own_priority = spec.priority,
-      .name = spec.name,
-      .radius = spec.radius_m,
       .start_delay = spec.start_delay_s,
       .cooperative = spec.cooperative,
-      .limits = narrowed(spec.limits, vehicle),
-      .steering = steering,
-      .model = onboard_model(vehicle),
       .vehicle = vehicle,
+      .pilot = Pilot{particulars_of(spec, vehicle), scenario.steps_per_decision * scenario.step_s},
       .autopilot = std::move(autopilot),
       .mission = Mission{spec.mission, scenario.exam.time_coefficient_ratio},
-      .avoider = made(spec.avoider,
-                      [&] {
-                        return catalogs.avoiders.make(spec.avoider.name, spec.avoider.params,
-                                                      drawn_for("avoider"));
-                      }),
+      .avoider = make_avoider(spec, scenario.seed, catalogs.avoiders),
       .navigation = made(
           scenario.navigation,
           [&] {

@@ -9,11 +9,8 @@
 #include "fairway/avoidance/avoider.hpp"
 #include "fairway/comms/exchange.hpp"
 #include "fairway/control/autopilot.hpp"
-#include "fairway/control/guidance.hpp"
 #include "fairway/control/mission.hpp"
-#include "fairway/control/onboard_model.hpp"
-#include "fairway/control/steering.hpp"
-#include "fairway/core/tick.hpp"
+#include "fairway/control/pilot.hpp"
 #include "fairway/perception/lookout.hpp"
 #include "fairway/perception/navigation.hpp"
 #include "fairway/scenario/scenario.hpp"
@@ -23,19 +20,12 @@ namespace fairway {
 
 /// One simulated vehicle with all that is on board. A value: a copy is a snapshot.
 struct Agent {
-  // constants
-  VehicleId id{};
-  std::int32_t own_priority{};
-  std::string name;
-  double radius{};
   double start_delay{};
   bool cooperative{true};
-  Limits limits;
-  SteeringParams steering;
-  std::optional<OnboardModel> model;  ///< of its dynamics, as known on board
 
   // what moves and remembers
   Vehicle vehicle;
+  Pilot pilot;
   Autopilot autopilot;
   Mission mission;
   Avoider avoider;
@@ -43,19 +33,24 @@ struct Agent {
   Lookout lookout;
 
   // this tick's values
-  VehicleState estimate;  ///< where it believes to be
+  VehicleState estimate;                  ///< where it believes to be
+  Vec3 current = Vec3::Zero();            ///< of the water round it [m/s, NED]
+  Vec3 estimated_current = Vec3::Zero();  ///< what it believes that to be
   Ownship own;
   std::vector<Track> tracks;
-  std::vector<Obstacle> obstacles;  ///< as far as it knows of them
-  Tick next_decision{0};            ///< when the avoider is asked again
-  Command command;
+  std::vector<Obstacle> obstacles;     ///< as far as it knows of them
   std::optional<Command> order;        ///< from outside, instead of asking the avoider
-  std::optional<BodyRequest> request;  ///< that the order is made of, instead of steering
-  HoldPoint hold;
-  bool holding{false};
-  std::string_view note;  ///< of the last command that had one
+  std::optional<BodyRequest> request;  ///< that carries out the order, instead of the pilot's
+  std::string_view note;               ///< of the last command that had one
   ActuatorValues demand;
+
+  const Particulars& ship() const { return pilot.ship(); }
 };
+
+/// The vehicle, the avoider and the particulars of a spec, each alone. They throw as `make_agent` does.
+Vehicle make_vehicle(const VehicleSpec& spec, const VehicleCatalog& vehicles);
+Avoider make_avoider(const VehicleSpec& spec, std::uint64_t seed, const Catalog& avoiders);
+Particulars particulars_of(const VehicleSpec& spec, const Vehicle& vehicle);
 
 /// An agent as its spec describes it, everything random on board drawn from streams of the scenario's seed.
 /// Throws InputError, with the place in the file, where a catalog does not know a name or refuses a

@@ -30,6 +30,12 @@ std::string_view why_impossible(const Command& command) noexcept {
   return is_finite(command) ? std::string_view{} : "its command is not finite";
 }
 
+std::string_view why_impossible(const BodyRequest& request) noexcept {
+  const Vec3 velocity_b{request.surge_mps, request.sway_mps, request.heave_mps};
+  const bool finite = is_finite(velocity_b) && std::isfinite(request.yaw_rate_radps);
+  return finite ? std::string_view{} : "what is asked of its controller is not finite";
+}
+
 std::string_view why_impossible(const ActuatorValues& demand) noexcept {
   return demand.allFinite() ? std::string_view{} : "what is demanded of its actuators is not finite";
 }

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "fairway/avoidance/command.hpp"
+#include "fairway/control/body_request.hpp"
 #include "fairway/core/state.hpp"
 #include "fairway/core/tick.hpp"
 #include "fairway/dynamics/vehicle_model.hpp"
@@ -23,8 +24,10 @@ inline constexpr double fastest_turn_radps = 200.0;
 
 /// Why no vehicle can be in this state, or empty; of static storage. Four comparisons where one can.
 std::string_view why_impossible(const VehicleState& x) noexcept;
-/// Likewise of a command to a vehicle and of a demand of its actuators: both are finite.
+/// Likewise of a command to a vehicle, of a request to its controller and of a demand of its actuators: all
+/// are finite.
 std::string_view why_impossible(const Command& command) noexcept;
+std::string_view why_impossible(const BodyRequest& request) noexcept;
 std::string_view why_impossible(const ActuatorValues& demand) noexcept;
 
 /// How a run broke. It ends there, is recorded up to the instant before, and is never a result.

@@ -77,15 +77,16 @@ TEST(Divergence, ACommandThatIsNotFiniteIsNeitherCarriedOutNorRecorded) {
     simulation.step(sinks);
     simulation.look();
     if (by_request) {
-      simulation.order(1, BodyRequest{.surge_mps = nan});
+      simulation.order(1, {}, BodyRequest{.surge_mps = nan});
     } else {
-      simulation.order(1, Command{.velocity = {0, infinity, 0}});
+      simulation.order(1, {.velocity = {0, infinity, 0}});
     }
     simulation.act(sinks);
     ASSERT_TRUE(simulation.is_done());
     EXPECT_EQ(simulation.divergence()->vehicle, 1U);
     EXPECT_EQ(simulation.divergence()->tick, Tick{1});
-    EXPECT_EQ(simulation.divergence()->why, "its command is not finite");
+    EXPECT_EQ(simulation.divergence()->why,
+              by_request ? "what is asked of its controller is not finite" : "its command is not finite");
     EXPECT_EQ(last.count, 1);
     EXPECT_TRUE(is_finite(simulation.agents()[1].vehicle.state()));
   }

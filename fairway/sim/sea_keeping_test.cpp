@@ -165,7 +165,7 @@ TEST(SeaKeeping, EveryoneArrivesThroughWavesAndCurrents) {
   Simulation simulation{scenario, builtin_catalogs()};
   simulation.run({});
   for (const Agent& agent : simulation.agents())
-    EXPECT_EQ(agent.mission.phase(), Phase::arrived) << agent.name;
+    EXPECT_EQ(agent.mission.phase(), Phase::arrived) << agent.ship().name;
 }
 
 TEST(SeaKeeping, TheSameSeedIsTheSameRunAndAnotherSeaIsNot) {

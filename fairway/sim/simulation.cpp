@@ -13,17 +13,14 @@ namespace {
 /// Apart from the ids of vehicles, which count from 0.
 TrackId id_of(const Drifter& drifter) { return TrackId{first_drifter_id + drifter.number}; }
 
-/// Whoever gives way to nobody goes first.
-constexpr std::int32_t first_of_all = std::numeric_limits<std::int32_t>::min();
-
 Mover mover_of(const Agent& agent, bool is_silent) {
   const VehicleState& x = agent.vehicle.state();
-  return {.id = TrackId{number(agent.id)},
+  return {.id = TrackId{number(agent.ship().id)},
           .position = x.p_n,
           .velocity = x.v_n(),
           .q_nb = x.q_nb,
-          .radius = agent.radius,
-          .priority = agent.cooperative ? agent.own.priority : first_of_all,
+          .radius = agent.ship().radius,
+          .priority = agent.cooperative ? agent.own.priority : first_priority,
           .reacts = agent.cooperative,
           .silent = is_silent};
 }
@@ -33,7 +30,7 @@ Mover mover_of(const Drifter& drifter) {
           .position = drifter.position,
           .velocity = drifter.velocity,
           .radius = drifter.radius,
-          .priority = first_of_all,
+          .priority = first_priority,
           .reacts = false,
           .silent = true,
           .is_vehicle = false};
@@ -44,12 +41,12 @@ Message message_of(const Agent& agent, Tick now) {
   const Leg* leg = agent.mission.leg();
   const bool going =
       leg != nullptr && leg->kind != LegKind::rendezvous && leg->kind != LegKind::keep_position;
-  return {.from = agent.id,
+  return {.from = agent.ship().id,
           .sent = now,
           .position = agent.own.position,
           .velocity = agent.own.velocity,
           .yaw = agent.own.yaw,
-          .radius = agent.radius,
+          .radius = agent.ship().radius,
           .priority = agent.own.priority,
           .destination = going ? std::optional{leg->position} : std::nullopt,
           .told = agent.cooperative};
@@ -62,41 +59,19 @@ Wrench wrench_of(const Vehicle& vehicle) {
   return propulsion->effectiveness * vehicle.actuator_state();
 }
 
-bool is_steered_from_outside(const Agent& agent) {
-  return agent.request && is_avoiding(agent.mission.phase());
-}
-
-/// What it is asked from outside, or else what holds its position or carries out its command.
-BodyRequest request_over_ground(const Agent& agent, const SteeringParams& steering) {
-  if (is_steered_from_outside(agent)) return *agent.request;
-  return agent.holding ? keep_position(agent.hold, agent.own) : steer(steering, agent.command, agent.own.yaw);
-}
-
-/// What the vehicle asks of its autopilot to carry out its command in this current.
-BodyRequest request_through_water(const Agent& agent, const Vec3& current_n, const Vec3& current_b) {
-  const double yaw = agent.own.yaw;
-  SteeringParams steering = agent.steering;
-  if (steering.kind == SteeringKind::crab && !is_steered_from_outside(agent)) {
-    const Command command =
-        agent.holding ? circle(agent.hold, steering.circle_radius_m, steering.min_speed_mps, agent.own)
-                      : agent.command;
-    return steer_through_water(steering, command, yaw, current_n);
-  }
-
-  const bool transit = is_avoiding(agent.mission.phase());
-  if (!transit) steering.kind = SteeringKind::proportional;
-  const BodyRequest over_ground = request_over_ground(agent, steering);
+/// What a request over ground is through the water.
+BodyRequest through_water(const BodyRequest& over_ground, const Vec3& current_b) {
   return {.surge_mps = over_ground.surge_mps - current_b.x(),
           .sway_mps = over_ground.sway_mps - current_b.y(),
           .heave_mps = over_ground.heave_mps - current_b.z(),
-          .yaw_rate_radps = over_ground.yaw_rate_radps};
+          .yaw_rate_radps = over_ground.yaw_rate_radps,
+          .through_water = true};
 }
 
 }  // namespace
 
 Simulation::Simulation(const Scenario& scenario, const Catalogs& catalogs)
     : period_{scenario.step_s},
-      steps_per_decision_{scenario.steps_per_decision},
       last_tick_{static_cast<std::int64_t>(std::floor(scenario.duration_s / scenario.step_s + 1e-9))},
       stop_when_done_{scenario.stop_when_done},
       sea_{scenario.water, Rng{scenario.seed}},
@@ -128,10 +103,6 @@ void Simulation::act(std::span<FrameSink* const> sinks) {
   if (divergence_) return;
   decide();
   control();
-  for (std::size_t i = 0; i < agents_.size(); ++i) {
-    notice(i, why_impossible(agents_[i].command));
-    notice(i, why_impossible(agents_[i].demand));
-  }
   if (divergence_) return;
   record(sinks);
   move();
@@ -145,19 +116,12 @@ void Simulation::notice(std::size_t index, std::string_view impossible) {
 }
 
 void Simulation::refuse_divergence() const {
-  if (divergence_) throw RunDiverged{*divergence_, agents_[divergence_->vehicle].name};
+  if (divergence_) throw RunDiverged{*divergence_, agents_[divergence_->vehicle].ship().name};
 }
 
-void Simulation::order(std::size_t index, const Command& command) {
+void Simulation::order(std::size_t index, const Command& command, const std::optional<BodyRequest>& request) {
   agents_[index].order = command;
-  agents_[index].request.reset();
-}
-
-void Simulation::order(std::size_t index, const BodyRequest& over_ground) {
-  Agent& agent = agents_[index];
-  const Vec3 velocity_b{over_ground.surge_mps, over_ground.sway_mps, over_ground.heave_mps};
-  agent.order = Command{.velocity = Eigen::AngleAxisd(agent.own.yaw, Vec3::UnitZ()) * velocity_b};
-  agent.request = over_ground;
+  agents_[index].request = request;
 }
 
 void Simulation::release(std::size_t index) {
@@ -180,18 +144,11 @@ bool Simulation::is_done() const {
 
 void Simulation::locate() {
   for (Agent& agent : agents_) {
-    agent.estimate = agent.navigation.estimate(agent.vehicle.state(), period_);
-    const bool arrived = agent.mission.phase() == Phase::arrived;
-
-    // who has arrived gives way to everyone
-    const VehicleState& x = agent.estimate;
-    agent.own = {.id = agent.id,
-                 .position = x.p_n,
-                 .velocity = x.v_n(),
-                 .yaw = yaw_of(x.q_nb),
-                 .yaw_rate = x.omega_b.z(),
-                 .radius = agent.radius,
-                 .priority = arrived ? std::numeric_limits<std::int32_t>::max() : agent.own_priority};
+    const VehicleState& truth = agent.vehicle.state();
+    agent.current = sea_.water_at(truth.p_n, time()).current_n;
+    agent.estimated_current = agent.navigation.current(agent.current);
+    agent.estimate = agent.navigation.estimate(truth, period_);
+    agent.own = agent.pilot.own_ship(agent.estimate, agent.mission.phase() == Phase::arrived);
   }
 }
 
@@ -228,15 +185,14 @@ void Simulation::perceive() {
     Agent& agent = agents_[i];
     if (time() >= agent.start_delay) agent.mission.advance(agent.own, time(), everyone_ready(i));
     const Scene scene = scene_of(i);
-    const Viewpoint own{agent.vehicle.state(), agent.estimate, agent.radius};
+    const Viewpoint own{agent.vehicle.state(), agent.estimate, agent.ship().radius};
     agent.lookout.sense(scene, own);
-    if (!is_avoiding(agent.mission.phase())) agent.next_decision = tick_;
     if (is_deciding(agent)) agent.lookout.report(scene, own, agent.tracks, agent.obstacles);
   }
 }
 
 bool Simulation::is_deciding(const Agent& agent) const {
-  return is_avoiding(agent.mission.phase()) && agent.next_decision <= tick_;
+  return is_avoiding(agent.mission.phase()) && agent.pilot.is_due(time(), period_);
 }
 
 Command Simulation::decide(std::size_t index) {
@@ -259,15 +215,7 @@ Command Simulation::decide(std::size_t index) {
 
 Situation Simulation::situation(std::size_t index) const {
   const Agent& agent = agents_[index];
-  const Leg& leg = *agent.mission.leg();
-  return {.time = time(),
-          .period = steps_per_decision_ * period_,
-          .own = agent.own,
-          .goal = {.position = leg.position, .cruise_speed = leg.speed_mps},
-          .limits = agent.limits,
-          .model = agent.model ? &*agent.model : nullptr,
-          .tracks = agent.tracks,
-          .obstacles = agent.obstacles};
+  return agent.pilot.situation(time(), agent.own, *agent.mission.leg(), agent.tracks, agent.obstacles);
 }
 
 Command Simulation::ask(std::size_t index) {
@@ -285,41 +233,51 @@ void Simulation::decide() {
     const bool deciding = is_deciding(agent);
     if (is_avoiding(agent.mission.phase()) && !deciding) continue;
     drawings_[i].clear();
-    if (deciding) agent.next_decision = Tick{count(tick_) + steps_per_decision_};
-    if (!timing_ || !deciding) {
-      agent.command = decide(i);
-      continue;
+    using Clock = std::chrono::steady_clock;
+    const bool timed = timing_ && deciding;
+    const Clock::time_point begin = timed ? Clock::now() : Clock::time_point{};
+    const Command command = decide(i);
+    if (timed) {
+      const double took = std::chrono::duration<double>(Clock::now() - begin).count();
+      times_ = {times_.count + 1, times_.total_s + took, std::fmax(times_.worst_s, took)};
     }
-    const auto begin = std::chrono::steady_clock::now();
-    agent.command = decide(i);
-    const double took = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    times_ = {times_.count + 1, times_.total_s + took, std::fmax(times_.worst_s, took)};
+    agent.pilot.obey(command, {agent.own.position, agent.own.yaw});
+    if (deciding) agent.pilot.note_decision(time());
+    if (!deciding) agent.pilot.ask_at_once();
   }
 }
 
 void Simulation::control() {
-  for (Agent& agent : agents_) {
-    if (!agent.command.note.empty()) agent.note = agent.command.note;
-    if (agent.command.wrench) {
-      if (const std::optional<ActuatorValues> pushed = agent.autopilot.push(*agent.command.wrench)) {
-        agent.demand = *pushed;
-        agent.holding = false;
-        continue;
-      }
-    }
-
-    // a hold begins where the vehicle is when it is told to
-    const bool hold = agent.command.mode == Mode::hold;
-    if (hold && !agent.holding) agent.hold = {agent.own.position, agent.own.yaw};
-    agent.holding = hold;
-
-    // the vehicle's own controller works on velocities through the water
-    const VehicleState& x = agent.vehicle.state();
-    const Vec3 current_n = sea_.water_at(x.p_n, time()).current_n;
-    const Vec3 current_b = x.q_nb.conjugate() * current_n;
-    const BodyRequest request = request_through_water(agent, current_n, current_b);
-    agent.demand = agent.autopilot.control(request, x.v_b - current_b, x.omega_b, period_, x.q_nb);
+  for (std::size_t i = 0; i < agents_.size(); ++i) {
+    Agent& agent = agents_[i];
+    const Command& command = agent.pilot.command();
+    notice(i, why_impossible(command));
+    if (!command.note.empty()) agent.note = command.note;
+    agent.demand = demanded(i);
+    notice(i, why_impossible(agent.demand));
   }
+}
+
+ActuatorValues Simulation::demanded(std::size_t index) {
+  Agent& agent = agents_[index];
+  const bool avoids = is_avoiding(agent.mission.phase());
+  const bool steered_from_outside = avoids && agent.request;
+  const Command& command = agent.pilot.command();
+  if (command.wrench && !steered_from_outside) {
+    if (const std::optional<ActuatorValues> pushed = agent.autopilot.push(*command.wrench)) {
+      agent.pilot.end_hold();
+      return *pushed;
+    }
+  }
+  const BodyRequest request =
+      steered_from_outside ? *agent.request : agent.pilot.request(agent.own, agent.estimated_current, avoids);
+  notice(index, why_impossible(request));
+
+  // the vehicle's own controller works on velocities through the water
+  const VehicleState& x = agent.vehicle.state();
+  const Vec3 current_b = x.q_nb.conjugate() * agent.current;
+  return agent.autopilot.control(request.through_water ? request : through_water(request, current_b),
+                                 x.v_b - current_b, x.omega_b, period_, x.q_nb);
 }
 
 void Simulation::record(std::span<FrameSink* const> sinks) {
@@ -328,9 +286,9 @@ void Simulation::record(std::span<FrameSink* const> sinks) {
     const Agent& agent = agents_[i];
     const Leg* leg = agent.mission.leg();
     const ActuatorValues& actuators = agent.vehicle.actuator_state();
-    frame_[i] = {.id = agent.id,
+    frame_[i] = {.id = agent.ship().id,
                  .state = agent.vehicle.state(),
-                 .command = agent.command,
+                 .command = agent.pilot.command(),
                  .phase = agent.mission.phase(),
                  .goal = leg != nullptr ? leg->position : agent.own.position,
                  .goal_speed = leg != nullptr ? leg->speed_mps : 0.0,

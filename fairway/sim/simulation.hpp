@@ -50,10 +50,9 @@ class Simulation {
   /// What its avoider is shown then. Only of a vehicle that is to decide; valid between look() and act().
   Situation situation(std::size_t index) const;
 
-  /// From now on vehicle `index`, while it avoids, does this instead of asking its avoider.
-  void order(std::size_t index, const Command& command);
-  /// Likewise, with velocities over ground for its own controller.
-  void order(std::size_t index, const BodyRequest& over_ground);
+  /// From now on vehicle `index`, while it avoids, obeys this command instead of its avoider's. `request`
+  /// carries it out if there is one; otherwise the vehicle's own pilot does.
+  void order(std::size_t index, const Command& command, const std::optional<BodyRequest>& request = {});
   /// Its avoider is asked again.
   void release(std::size_t index);
 
@@ -98,9 +97,9 @@ class Simulation {
   Scene scene_of(std::size_t index) const;
   Command decide(std::size_t index);
   Command ask(std::size_t index);
+  ActuatorValues demanded(std::size_t index);
 
   double period_;
-  std::int32_t steps_per_decision_;
   Tick last_tick_;
   bool stop_when_done_;
   Sea sea_;

@@ -73,10 +73,10 @@ TEST(Simulation, BetweenDecisionsACommandStands) {
   Simulation simulation{scenario, builtin_catalogs()};
   simulation.time_decisions();
   int changes = 0;
-  Command before = simulation.agents()[0].command;
+  Command before = simulation.agents()[0].pilot.command();
   for (int i = 0; i < 400; ++i) {
     simulation.step({});
-    const Command& now = simulation.agents()[0].command;
+    const Command& now = simulation.agents()[0].pilot.command();
     if (i % 4 != 0) {
       EXPECT_EQ(now, before) << i;
     }
@@ -165,7 +165,7 @@ TEST(Simulation, OrdersFromOutsideLeadWhereTheAvoidersWouldHave) {
       const Command command = avoiders[v].decide(commanded.situation(v));
       commanded.order(v, command);
       const Agent& agent = steered.agents()[v];
-      steered.order(v, steer(agent.steering, command, agent.own.yaw));
+      steered.order(v, command, steer(agent.ship().steering, command, agent.own.yaw));
     }
     commanded.act({});
     steered.act({});
@@ -218,7 +218,7 @@ TEST(Simulation, AVehicleThatArrivedHoldsItsPlaceAndGivesWay) {
   simulation.run({});
   const Agent& agent = simulation.agents()[0];
   EXPECT_EQ(agent.mission.phase(), Phase::arrived);
-  EXPECT_EQ(agent.own.priority, std::numeric_limits<std::int32_t>::max());
+  EXPECT_EQ(agent.own.priority, last_priority);
   EXPECT_LT((agent.vehicle.state().p_n - Vec3(4.0, 0, 5)).norm(), 1.5);  // it entered the 2 m at x = 4
   EXPECT_LT(agent.vehicle.state().v_b.norm(), 0.02);
 }

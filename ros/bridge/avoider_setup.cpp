@@ -18,7 +18,6 @@ namespace fairway::bridge {
 namespace {
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
-constexpr std::int32_t first_of_all = std::numeric_limits<std::int32_t>::min();
 
 /// What settings change.
 struct Draft {
@@ -262,7 +261,7 @@ TeamMate mate_of(const VehicleSpec& spec) {
   return {.id = VehicleId{spec.id},
           .name = spec.name,
           .radius = spec.radius_m,
-          .priority = spec.cooperative ? spec.priority : first_of_all,
+          .priority = spec.cooperative ? spec.priority : first_priority,
           .reacts = spec.cooperative,
           .arrival = arrival_of(spec)};
 }
@@ -319,19 +318,12 @@ AvoiderSetup avoider_setup(const AvoiderOptions& options) {
   apply_stage(draft, options, Stage::team);
   check(draft);
 
-  Agent agent = make_agent(draft.vehicle(), draft.scenario, draft.catalogs);
-  HelmSetup& helm = draft.helm;
-  helm.id = agent.id;
-  helm.name = agent.name;
-  helm.radius = agent.radius;
-  helm.priority = agent.own_priority;
-  helm.limits = agent.limits;
-  helm.steering = agent.steering;
-  helm.model = agent.model;
+  const VehicleSpec& own = draft.vehicle();
+  draft.helm.ship = particulars_of(own, make_vehicle(own, draft.catalogs.vehicles));
   AvoiderSetup setup{.obstacles = std::move(draft.scenario.obstacles),
-                     .algorithm = draft.vehicle().avoider.name,
-                     .helm = std::move(helm),
-                     .avoider = std::move(agent.avoider)};
+                     .algorithm = own.avoider.name,
+                     .helm = std::move(draft.helm),
+                     .avoider = make_avoider(own, draft.scenario.seed, draft.catalogs.avoiders)};
   for (const ObstacleSpec& obstacle : setup.obstacles) {
     if (obstacle.charted && !obstacle.moves()) setup.helm.chart.push_back(obstacle.view());
   }

@@ -190,7 +190,7 @@ cli::RunOutcome FleetHost::Self::outcome(double wall_s) const {
   if (!outcome.divergence) outcome.measures = metrics.measures();
   if (autonomous) outcome.decisions = simulation.decision_times();
   for (const Agent& agent : simulation.agents()) {
-    if (!agent.note.empty()) outcome.notes.emplace_back(agent.name, std::string(agent.note));
+    if (!agent.note.empty()) outcome.notes.emplace_back(agent.ship().name, std::string(agent.note));
   }
   outcome.simulated_s = simulation.time();
   if (!outcome.divergence && outcome.simulated_s > 0.0)
@@ -219,10 +219,13 @@ bool FleetHost::command(std::size_t index, const BodyVelocity& over_ground) {
   Self& self = *self_;
   FleetVehicle& vehicle = self.vehicles[index];
   if (self.autonomous || !vehicle.wants_command || !is_finite_velocity(over_ground)) return false;
-  self.simulation.order(index, BodyRequest{.surge_mps = over_ground.surge_mps,
-                                           .sway_mps = over_ground.sway_mps,
-                                           .heave_mps = over_ground.heave_mps,
-                                           .yaw_rate_radps = over_ground.yaw_rate_radps});
+  const BodyRequest request{.surge_mps = over_ground.surge_mps,
+                            .sway_mps = over_ground.sway_mps,
+                            .heave_mps = over_ground.heave_mps,
+                            .yaw_rate_radps = over_ground.yaw_rate_radps};
+  const Eigen::AngleAxisd heading{self.simulation.agents()[index].own.yaw, Vec3::UnitZ()};
+  const Vec3 velocity_b{request.surge_mps, request.sway_mps, request.heave_mps};
+  self.simulation.order(index, {.velocity = heading * velocity_b}, request);
   self.told[index] = time();
   vehicle.holding = false;
   return true;

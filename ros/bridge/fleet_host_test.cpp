@@ -24,8 +24,7 @@ BodyVelocity body_velocity_of(const BodyRequest& request) {
 
 /// What the agent's own avoider made it ask of its controller at this instant.
 BodyVelocity asked_by(const Agent& agent) {
-  return body_velocity_of(agent.holding ? keep_position(agent.hold, agent.own)
-                                        : steer(agent.steering, agent.command, agent.own.yaw));
+  return body_velocity_of(agent.pilot.request(agent.own, agent.estimated_current));
 }
 
 void expect_same(const Motion& motion, const VehicleState& x) {

@@ -24,8 +24,8 @@ inline Fix on_course(double time, const Vec3& from = {0, 0, 10}, double speed = 
 
 /// Vehicle 0 of two, decides ten times a second, 0.5 m/s, turns on the spot.
 inline HelmSetup setup() {
-  HelmSetup setup{.id = VehicleId{0}, .name = "zero", .radius = 1.5, .period = 0.1, .record_period = 0.05};
-  setup.limits.max_speed = 0.5;
+  HelmSetup setup{.ship = {.id = VehicleId{0}, .name = "zero", .radius = 1.5}, .period = 0.1};
+  setup.ship.limits.max_speed = 0.5;
   setup.team = {{.id = VehicleId{1}, .name = "one", .radius = 1.5, .priority = 1}};
   return setup;
 }

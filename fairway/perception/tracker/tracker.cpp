@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "fairway/perception/tracker/gate.hpp"
 
@@ -161,7 +160,7 @@ void Tracker::report(double time, std::vector<Track>& tracks) const {
                       .yaw = std::atan2(now.velocity.y(), now.velocity.x()),
                       .radius = target.radius,
                       .age = time - target.seen,
-                      .priority = params_.contacts_react ? 0 : std::numeric_limits<std::int32_t>::min(),
+                      .priority = params_.contacts_react ? 0 : first_priority,
                       .reacts = params_.contacts_react,
                       .position_covariance = now.position_covariance + target.lasting,
                       .velocity_covariance = now.velocity_covariance});

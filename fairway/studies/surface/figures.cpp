@@ -64,7 +64,7 @@ Passage passage_of(Course course, const Method& method, const Overrides& overrid
   const Scenario scenario = under(overrides, passage(course, layout_of(course), Vessel::zarco, method, 1));
   Simulation simulation{scenario, builtin_catalogs()};
   simulation.time_decisions();
-  Log log{simulation.agents().front().steering};
+  Log log{simulation.agents().front().ship().steering};
   const std::array<FrameSink*, 1> sinks{&log};
   simulation.run(sinks);
 
