@@ -117,7 +117,6 @@ struct FleetHost::Self {
       vehicle.shape = hull.shape;
       vehicle.length_m = hull.length;
       vehicle.beam_m = hull.beam;
-      vehicle.radius_m = spec.radius_m;
     }
     if (autonomous) simulation.time_decisions();
     done = simulation.is_done();
@@ -173,7 +172,6 @@ void FleetHost::Self::watch(std::size_t index) {
   vehicle.alert = static_cast<Alert>(events.film.alerts()[index]);
   vehicle.goal_n.reset();
   if (vehicle.wants_command) vehicle.goal_n = triple_of(leg->position);
-  vehicle.goal_speed_mps = vehicle.wants_command ? leg->speed_mps : 0.0;
   if (autonomous) return;
 
   // a tick late is late; rounding is not
@@ -206,7 +204,6 @@ FleetHost::~FleetHost() = default;
 
 std::size_t FleetHost::size() const { return self_->vehicles.size(); }
 double FleetHost::step_period() const { return self_->scenario.step_s; }
-std::int64_t FleetHost::steps_per_decision() const { return self_->scenario.steps_per_decision; }
 double FleetHost::time() const { return self_->simulation.time(); }
 double FleetHost::duration() const { return self_->scenario.duration_s; }
 bool FleetHost::is_done() const { return self_->done; }
@@ -240,10 +237,6 @@ std::vector<Mark> FleetHost::obstacles() const {
   for (const ObstacleSpec& spec : self_->scenario.obstacles)
     marks.push_back(mark_of(spec, time(), self_->depth));
   return marks;
-}
-
-bool FleetHost::has_drifting_obstacles() const {
-  return std::ranges::any_of(self_->scenario.obstacles, &ObstacleSpec::moves);
 }
 
 std::string FleetHost::summary_json() const {
