@@ -284,7 +284,7 @@ TEST(NodeSettings, SayInALineWhatIsWrong) {
   EXPECT_EQ(said("frame", "nwu"), "frame: is \"nwu\"; expected one of enu, ned");
   EXPECT_EQ(said("seed", "1.5"), "seed: is 1.5; expected a whole number");
   EXPECT_THAT(said("seed", "three"), HasSubstr("is \"three\"; expected a number"));
-  EXPECT_EQ(said("sped", "3"), "sped: unknown parameter; did you mean seed?");
+  EXPECT_EQ(said("sped", "3"), "sped: unknown setting; did you mean seed?");
   EXPECT_EQ(said("seed", "12345678901"), "");
 }
 

@@ -25,11 +25,6 @@ const char* word_of(Alert alert) {
   return words[static_cast<std::size_t>(alert)];
 }
 
-bool is_finite(const BodyVelocity& v) {
-  return std::isfinite(v.surge_mps) && std::isfinite(v.sway_mps) && std::isfinite(v.heave_mps) &&
-         std::isfinite(v.yaw_rate_radps);
-}
-
 }  // namespace
 
 FleetDuty::FleetDuty(FleetNodeSettings settings)

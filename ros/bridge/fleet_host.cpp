@@ -17,11 +17,10 @@
 #include "fairway/sim/simulation.hpp"
 #include "fairway/view/film_events.hpp"
 #include "fairway/view/scene_hull.hpp"
+#include "ros/bridge/avoider_parts.hpp"
 
 namespace fairway::bridge {
 namespace {
-
-Triple triple_of(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
 Motion motion_of(const VehicleState& x, double time) {
   return {time,
@@ -81,11 +80,6 @@ Scenario accepted(const FleetOptions& options) {
   return scenario;
 }
 
-bool is_finite_velocity(const BodyVelocity& v) {
-  return std::isfinite(v.surge_mps) && std::isfinite(v.sway_mps) && std::isfinite(v.heave_mps) &&
-         std::isfinite(v.yaw_rate_radps);
-}
-
 }  // namespace
 
 struct FleetHost::Self {
@@ -135,7 +129,7 @@ struct FleetHost::Self {
     FilmEvents film;
     struct Sink final : FrameSink {
       explicit Sink(FilmEvents& its_film) : film{its_film} {}
-      void write(const Frame& frame) override { film.see(frame); }
+      void write(const fairway::Frame& frame) override { film.see(frame); }
       FilmEvents& film;
     } sink;
   };
@@ -215,7 +209,7 @@ const FleetVehicle& FleetHost::vehicle(std::size_t index) const { return self_->
 bool FleetHost::command(std::size_t index, const BodyVelocity& over_ground) {
   Self& self = *self_;
   FleetVehicle& vehicle = self.vehicles[index];
-  if (self.autonomous || !vehicle.wants_command || !is_finite_velocity(over_ground)) return false;
+  if (self.autonomous || !vehicle.wants_command || !is_finite(over_ground)) return false;
   self.simulation.order(index, BodyRequest{.surge_mps = over_ground.surge_mps,
                                            .sway_mps = over_ground.sway_mps,
                                            .heave_mps = over_ground.heave_mps,

@@ -136,7 +136,7 @@ FleetNodeSettings fleet_node_settings(const Settings& settings) {
     if (name.starts_with(override_)) {
       made.overrides.emplace_back(name.substr(override_.size()), text);
     } else if (!set(made, name, text)) {
-      throw InputError({}, name, "unknown parameter" + suggestion(name, param_names<FleetParams>()));
+      throw InputError({}, name, "unknown setting" + suggestion(name, param_names<FleetParams>()));
     }
   }
   if (made.scenario.empty())

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -26,6 +27,11 @@ struct Motion {
 struct BodyVelocity {
   double surge_mps{}, sway_mps{}, heave_mps{}, yaw_rate_radps{};
 };
+
+inline bool is_finite(const BodyVelocity& v) {
+  return std::isfinite(v.surge_mps) && std::isfinite(v.sway_mps) && std::isfinite(v.heave_mps) &&
+         std::isfinite(v.yaw_rate_radps);
+}
 
 /// Settings as text, by name: what `--set` and ROS parameters hold.
 using Settings = std::vector<std::pair<std::string, std::string>>;

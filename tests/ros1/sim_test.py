@@ -235,7 +235,7 @@ def test_lockstep_goes_on_without_those_who_do_not_answer_and_counts(graph):
 @pytest.mark.parametrize(
     "settings, words",
     [
-        (["_sped:=3", "_scenario:=" + HEAD_ON], "sped: unknown parameter; did you mean"),
+        (["_sped:=3", "_scenario:=" + HEAD_ON], "sped: unknown setting; did you mean"),
         ([], "scenario: expected the file of a scenario"),
         (["_scenario:=nowhere.yaml"], "nowhere.yaml: cannot be read"),
         (["_scenario:=" + HEAD_ON, "_speed:=quick"], "speed: is \"quick\"; expected a number in [0"),
