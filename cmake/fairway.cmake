@@ -61,13 +61,21 @@ function(fairway_precompile target first)
   endif()
 endfunction()
 
-# fairway_library(name [COLD] [FACADE] [USES lib...] [LINKS target...]): declares fairway/<name>/**
-# as target fairway::<name>; fairway_make_libraries() makes it. COLD: outside the step, so built for a quick build rather
+# What each library may see, of tools/layers.toml.
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS tools/layers.toml)
+file(STRINGS tools/layers.toml fairway_layers REGEX "^[a-z]+ +=")
+foreach(line IN LISTS fairway_layers)
+  string(REGEX MATCH "^[a-z]+" name "${line}")
+  string(REGEX MATCHALL "\"[a-z]+\"" uses "${line}")
+  string(REPLACE "\"" "" fairway_uses_${name} "${uses}")
+endforeach()
+
+# fairway_library(name [COLD] [FACADE] [LINKS target...]): declares fairway/<name>/** as target fairway::<name>, which uses what
+# tools/layers.toml lets it see; fairway_make_libraries() makes it. COLD: outside the step, so built for a quick build rather
 # than for speed. FACADE: its headers are C++17 and show nothing of what it uses, so neither does its target.
 function(fairway_library name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "COLD;FACADE" "" "USES;LINKS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "COLD;FACADE" "" "LINKS")
   set(fairway_libraries ${fairway_libraries} ${name} PARENT_SCOPE)
-  set(fairway_uses_${name} ${arg_USES} PARENT_SCOPE)
   set(fairway_links_${name} ${arg_LINKS} PARENT_SCOPE)
   set(fairway_is_cold_${name} ${arg_COLD} PARENT_SCOPE)
   set(fairway_is_facade_${name} ${arg_FACADE} PARENT_SCOPE)

@@ -13,10 +13,16 @@
 #include <thread>
 #include <vector>
 
-#include "bindings/python/fleet_environment.hpp"
 #include "bindings/python/user_algorithms.hpp"
+#include "fairway/environment/fleet_environment.hpp"
 
 namespace fairway::python {
+
+using environment::Axes;
+using environment::DrawScenario;
+using environment::EnvironmentOptions;
+using environment::FleetEnvironment;
+using environment::RewardWeights;
 
 /// Threads that wait for work and share it out among themselves. Which thread takes what is open, so pieces
 /// of work share nothing.

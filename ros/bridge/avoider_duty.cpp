@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::chrono::milliseconds look_period{200};       // at the own state, for changes to report
 constexpr std::chrono::milliseconds diagnose_period{1000};  // without changes
+constexpr std::chrono::milliseconds draw_period{100};
 constexpr std::chrono::seconds warn_period{5};
 constexpr double restart_s = 1.0;  // a clock that is behind by more has begun again
 constexpr double early_s = 0.1;    // a clock that is behind navigation by so much is still on its way
@@ -28,14 +29,21 @@ std::string bare(const std::string& frame_id) {
   return !frame_id.empty() && frame_id.front() == '/' ? frame_id.substr(1) : frame_id;
 }
 
-bool is_place(const Triple& place) {
-  return std::all_of(place.begin(), place.end(), [](double x) { return std::isfinite(x); });
+/// What about an order cannot be carried out.
+std::string fault_of(const std::vector<Triple>& places, double speed) {
+  const auto is_place = [](const Triple& place) {
+    return std::all_of(place.begin(), place.end(), [](double x) { return std::isfinite(x); });
+  };
+  if (!std::all_of(places.begin(), places.end(), is_place)) return "a position is not a number";
+  if (!(speed > 0.0) || !std::isfinite(speed))
+    return "a speed of " + std::to_string(speed) + " m/s; expected more than 0";
+  return places.empty() ? "no position is given" : "out of what the avoider accepts";
 }
 
 }  // namespace
 
 AvoiderDuty::AvoiderDuty(const AvoiderNodeSettings& settings, AvoiderOutlet& outlet)
-    : settings_{settings}, outlet_{outlet}, host_{settings.host} {}
+    : settings_{settings}, outlet_{outlet}, host_{settings} {}
 
 /// The time to go by: the graph's clock, but never behind navigation that has come: the clock of a simulation
 /// and its odometry travel apart, so either may be first. In lockstep navigation is the clock, as long as it
@@ -85,42 +93,51 @@ void AvoiderDuty::judge(const std::string& whose, const char* verdict) {
   if (is_due(warned_, warn_period)) outlet_.warn(whose + " is refused: " + verdict);
 }
 
-/// A place in another frame than that of the own navigation is not what it seems to be.
-bool AvoiderDuty::is_told_here(const std::string& frame_id, const std::string& what) {
-  if (frame_id.empty() || own_frame_.empty() || bare(frame_id) == bare(own_frame_)) return true;
-  outlet_.warn("a " + what + " in the frame '" + frame_id + "' is refused; own odometry is in '" +
-               own_frame_ + "'");
-  return false;
+std::string AvoiderDuty::refused(const Task& task, const std::string& why) const {
+  outlet_.warn(std::string{"a "} + task.word + " is refused: " + why);
+  return "refused: " + why;
 }
 
-void AvoiderDuty::take_up(const Task& task) {
+/// A place in another frame than that of the own navigation is not what it seems to be.
+std::string AvoiderDuty::accept(const Task& task, const std::string& frame_id) {
+  if (!frame_id.empty() && !own_frame_.empty() && bare(frame_id) != bare(own_frame_))
+    return refused(task, "it is in the frame '" + frame_id + "'; own odometry is in '" + own_frame_ + "'");
   if (settings_.lockstep && own_ && task.stamp > *own_ && task.stamp <= *own_ + lead_s) {
     next_task_ = task;
-    return;
+    return "";
   }
+  return take_up(task);
+}
+
+std::string AvoiderDuty::take_up(Task task) {
   next_task_.reset();
-  const bool accepted = task.is_path ? host_.follow_path(task.places, settings_.speed_mps)
-                                     : host_.go_to(task.places.front(), settings_.speed_mps);
-  if (accepted) {
-    if (answered_ == task.stamp) answered_.reset();
-    return;
-  }
-  const bool are_places =
-      !task.places.empty() && std::all_of(task.places.begin(), task.places.end(), is_place);
-  outlet_.warn(std::string{"a "} + (task.is_path ? "path" : "goal") +
-               " is refused: " + (are_places ? "out of what the avoider accepts" : "not a place"));
+  const std::string_view word = task.word;
+  const std::vector<Triple>& places = task.places;
+  if (task.speed == 0.0) task.speed = settings_.speed_mps;
+  const bool accepted = word == "path"      ? host_.follow_path(places, task.speed)
+                        : word == "section" ? host_.follow(places[0], places[1], task.speed)
+                                            : host_.go_to(places[0], task.speed);
+  if (!accepted) return refused(task, fault_of(places, task.speed));
+  if (task.stamp == 0.0 || answered_ == task.stamp) answered_.reset();
+  return "";
 }
 
-void AvoiderDuty::go_to(const Triple& place, const std::string& frame_id, double stamp) {
-  if (is_told_here(frame_id, "goal")) take_up({false, {place}, stamp});
+std::string AvoiderDuty::go_to(const Triple& place, const std::string& frame_id, double stamp, double speed) {
+  return accept({"goal", {place}, stamp, speed}, frame_id);
 }
 
-void AvoiderDuty::follow(const std::vector<Triple>& places, const std::string& frame_id, double stamp) {
-  if (is_told_here(frame_id, "path")) take_up({true, places, stamp});
+std::string AvoiderDuty::follow(const std::vector<Triple>& places, const std::string& frame_id,
+                                double stamp) {
+  return accept({"path", places, stamp, 0.0}, frame_id);
+}
+
+std::string AvoiderDuty::follow_section(const Triple& start, const Triple& end, double speed) {
+  return take_up({"section", {start, end}, 0.0, speed});
 }
 
 void AvoiderDuty::keep_position() {
   next_task_.reset();
+  answered_.reset();
   host_.keep_position();
 }
 
@@ -132,7 +149,7 @@ void AvoiderDuty::stand_by() {
 void AvoiderDuty::settle(double clock) {
   if (settings_.lockstep) {
     if (!own_ || answered_ == own_ || !host_.is_complete(*own_)) return;
-    if (next_task_ && next_task_->stamp <= *own_) take_up(Task{*next_task_});
+    if (next_task_ && next_task_->stamp <= *own_) take_up(*next_task_);
     answered_ = own_;
     answer(clock_at(clock), *own_);
     const auto later =
@@ -159,7 +176,7 @@ void AvoiderDuty::answer(double now, double stamp) {
   const Order& order = host_.update(now, settings_.draw);
   in_charge_.store(order.in_charge, std::memory_order_relaxed);
   if (order.in_charge) outlet_.send_command(order.request, stamp);
-  if (settings_.draw && order.decided) outlet_.send_marks(host_.marks(), now);
+  if (settings_.draw && order.decided && is_due(drawn_, draw_period)) outlet_.send_marks(host_.marks(), now);
   if (order.state + order.reason != reported_) report(true);
 }
 
@@ -185,7 +202,7 @@ void AvoiderDuty::report(bool at_once) {
 Diagnosis AvoiderDuty::with_counts(Diagnosis diagnosis) const {
   diagnosis.values.insert(diagnosis.values.begin(), {{"algorithm", host_.algorithm()},
                                                      {"advisory", settings_.advisory ? "true" : "false"},
-                                                     {"refused_count", std::to_string(refused_)},
+                                                     {"refused_count", std::to_string(refused_.load())},
                                                      {"watchdog_count", std::to_string(alarms_.load())}});
   return diagnosis;
 }
@@ -208,7 +225,7 @@ std::string AvoiderDuty::status(const Order& order) const {
       {"command_mps",
        body_in(frame, {order.request.surge_mps, order.request.sway_mps, order.request.heave_mps})},
       {"yaw_rate_radps", body_in(frame, {0, 0, order.request.yaw_rate_radps})[2]},
-      {"refused_count", refused_},
+      {"refused_count", refused_.load()},
       {"watchdog_count", alarms_.load()},
       {"values", values},
   };
@@ -224,7 +241,7 @@ void AvoiderDuty::raise_alarm(double stood_still, double clock) {
   diagnosis.level = Diagnosis::Level::error;
   diagnosis.summary = "watchdog: the loop has stood still for " + std::to_string(stood_still) + " s" +
                       (sends ? "; the vehicle is told to stand still" : "");
-  outlet_.send_diagnosis(diagnosis, clock);
+  outlet_.send_diagnosis(with_counts(diagnosis), clock);
 }
 
 }  // namespace fairway::bridge

@@ -38,7 +38,7 @@ class AvoiderDuty {
   AvoiderDuty(const AvoiderNodeSettings& settings, AvoiderOutlet& outlet);
 
   const AvoiderHost& host() const { return host_; }
-  const std::string& vehicle() const { return settings_.host.vehicle; }
+  const std::string& vehicle() const { return settings_.vehicle; }
 
   // what it hears; `clock` is the graph's now [s]; places in NED
   void hear_own(const Motion& motion, const std::string& frame_id, double clock);
@@ -46,10 +46,13 @@ class AvoiderDuty {
   void hear_mate_goal(std::size_t mate, const Triple& place, double stamp);
   void hear_record(const std::uint8_t* bytes, std::size_t size, double clock);
 
-  // what it shall do; in lockstep from the instant on that it is stamped with, be that still to come or just
-  // answered
-  void go_to(const Triple& place, const std::string& frame_id, double stamp);
-  void follow(const std::vector<Triple>& places, const std::string& frame_id, double stamp);
+  // What it shall do; in lockstep from the instant on that it is stamped with, be that still to come or just
+  // answered; stamped 0, at once. Each says why it is refused, which warns too; empty if it is accepted.
+  // `speed` [m/s]; 0: as set up.
+  std::string go_to(const Triple& place, const std::string& frame_id, double stamp, double speed = 0.0);
+  std::string follow(const std::vector<Triple>& places, const std::string& frame_id, double stamp);
+  /// At once, along the line from `start` to `end` [m, NED].
+  std::string follow_section(const Triple& start, const Triple& end, double speed);
   void keep_position();
   void stand_by();
 
@@ -64,13 +67,15 @@ class AvoiderDuty {
   double clock_at(double clock);
   double clock_at(double clock, double stamp);
   void judge(const std::string& whose, const char* verdict);
-  bool is_told_here(const std::string& frame_id, const std::string& what);
   struct Task {
-    bool is_path{};
+    const char* word{};          // "goal", "section" or "path"
     std::vector<Triple> places;  // [m, NED]
     double stamp{};              // [s]
+    double speed{};              // [m/s]; 0: as set up
   };
-  void take_up(const Task& task);
+  std::string accept(const Task& task, const std::string& frame_id);
+  std::string take_up(Task task);
+  std::string refused(const Task& task, const std::string& why) const;
   void answer(double now, double stamp);
   void tell_team(double now);
   void report(bool at_once);
@@ -97,8 +102,8 @@ class AvoiderDuty {
   double next_record_{};            // [s]
   std::string reported_;            // state and reason last reported
   Diagnosis diagnosis_;             // last looked at
-  Steady::time_point looked_, diagnosed_, warned_;
-  std::int64_t refused_{};
+  Steady::time_point looked_, diagnosed_, drawn_, warned_;
+  std::atomic<std::int64_t> refused_{0};
   std::atomic<std::int64_t> alarms_{0};
   std::atomic<bool> in_charge_{false};
 };

@@ -90,6 +90,7 @@ class Painter {
 
   void add(Mark::Kind kind, const std::string& meaning, const std::vector<Vec3>& points,
            const Colour& colour) {
+    if (points.size() < 2) return;  // viewers complain of a line of one point
     Mark mark{.kind = kind, .meaning = meaning, .points = {}, .colour = colour};
     for (const Vec3& point : points) mark.points.push_back(triple_of(point));
     marks_.push_back(std::move(mark));

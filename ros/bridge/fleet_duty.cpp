@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "ros/bridge/messages.hpp"
+
 namespace fairway::bridge {
 namespace {
 
@@ -23,28 +25,15 @@ const char* word_of(Alert alert) {
   return words[static_cast<std::size_t>(alert)];
 }
 
-bool is_finite(const BodyVelocity& v) {
-  return std::isfinite(v.surge_mps) && std::isfinite(v.sway_mps) && std::isfinite(v.heave_mps) &&
-         std::isfinite(v.yaw_rate_radps);
-}
-
 }  // namespace
 
-std::int64_t nanoseconds_of(double seconds) {
-  const double whole = std::floor(seconds);
-  return static_cast<std::int64_t>(whole) * 1000000000 + std::llround((seconds - whole) * 1e9);
-}
-
 FleetDuty::FleetDuty(FleetNodeSettings settings)
-    : settings_{std::move(settings)},
-      fleet_{settings_.fleet},
-      ports_(fleet_.size()),
-      paused_{settings_.paused} {}
+    : settings_{std::move(settings)}, fleet_{settings_}, ports_(fleet_.size()), paused_{settings_.paused} {}
 
 void FleetDuty::command(std::size_t vehicle, const BodyVelocity& velocity, std::int64_t stamp) {
   const double age = std::fabs(static_cast<double>(stamp - now_)) * 1e-9;
   const bool is_of_now =
-      settings_.lockstep ? stamp == now_ : stamp == 0 || age <= settings_.fleet.command_timeout_s;
+      settings_.lockstep ? stamp == now_ : stamp == 0 || age <= settings_.command_timeout_s;
   if (!is_of_now || !is_finite(velocity)) {
     ++refused_;
     return;
@@ -94,7 +83,7 @@ void FleetDuty::await_listeners() {
   if (settings_.wait_for_subscribers == 0) return;
   const auto is_ready = [this](std::size_t vehicle) {
     return outlet_->listeners(vehicle) >= settings_.wait_for_subscribers &&
-           (settings_.fleet.autonomous || outlet_->is_steered(vehicle));
+           (settings_.autonomous || outlet_->is_steered(vehicle));
   };
   const auto all_ready = [&] {
     for (std::size_t i = 0; i < ports_.size(); ++i)

@@ -96,7 +96,4 @@ class FleetDuty {
   bool paused_{};
 };
 
-/// To the nearest nanosecond, as in a stamp.
-std::int64_t nanoseconds_of(double seconds);
-
 }  // namespace fairway::bridge

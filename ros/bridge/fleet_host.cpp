@@ -17,11 +17,10 @@
 #include "fairway/sim/simulation.hpp"
 #include "fairway/view/film_events.hpp"
 #include "fairway/view/scene_hull.hpp"
+#include "ros/bridge/avoider_parts.hpp"
 
 namespace fairway::bridge {
 namespace {
-
-Triple triple_of(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
 Motion motion_of(const VehicleState& x, double time) {
   return {time,
@@ -81,11 +80,6 @@ Scenario accepted(const FleetOptions& options) {
   return scenario;
 }
 
-bool is_finite_velocity(const BodyVelocity& v) {
-  return std::isfinite(v.surge_mps) && std::isfinite(v.sway_mps) && std::isfinite(v.heave_mps) &&
-         std::isfinite(v.yaw_rate_radps);
-}
-
 }  // namespace
 
 struct FleetHost::Self {
@@ -117,7 +111,6 @@ struct FleetHost::Self {
       vehicle.shape = hull.shape;
       vehicle.length_m = hull.length;
       vehicle.beam_m = hull.beam;
-      vehicle.radius_m = spec.radius_m;
     }
     if (autonomous) simulation.time_decisions();
     done = simulation.is_done();
@@ -136,7 +129,7 @@ struct FleetHost::Self {
     FilmEvents film;
     struct Sink final : FrameSink {
       explicit Sink(FilmEvents& its_film) : film{its_film} {}
-      void write(const Frame& frame) override { film.see(frame); }
+      void write(const fairway::Frame& frame) override { film.see(frame); }
       FilmEvents& film;
     } sink;
   };
@@ -173,7 +166,6 @@ void FleetHost::Self::watch(std::size_t index) {
   vehicle.alert = static_cast<Alert>(events.film.alerts()[index]);
   vehicle.goal_n.reset();
   if (vehicle.wants_command) vehicle.goal_n = triple_of(leg->position);
-  vehicle.goal_speed_mps = vehicle.wants_command ? leg->speed_mps : 0.0;
   if (autonomous) return;
 
   // a tick late is late; rounding is not
@@ -206,7 +198,6 @@ FleetHost::~FleetHost() = default;
 
 std::size_t FleetHost::size() const { return self_->vehicles.size(); }
 double FleetHost::step_period() const { return self_->scenario.step_s; }
-std::int64_t FleetHost::steps_per_decision() const { return self_->scenario.steps_per_decision; }
 double FleetHost::time() const { return self_->simulation.time(); }
 double FleetHost::duration() const { return self_->scenario.duration_s; }
 bool FleetHost::is_done() const { return self_->done; }
@@ -218,7 +209,7 @@ const FleetVehicle& FleetHost::vehicle(std::size_t index) const { return self_->
 bool FleetHost::command(std::size_t index, const BodyVelocity& over_ground) {
   Self& self = *self_;
   FleetVehicle& vehicle = self.vehicles[index];
-  if (self.autonomous || !vehicle.wants_command || !is_finite_velocity(over_ground)) return false;
+  if (self.autonomous || !vehicle.wants_command || !is_finite(over_ground)) return false;
   const BodyRequest request{.surge_mps = over_ground.surge_mps,
                             .sway_mps = over_ground.sway_mps,
                             .heave_mps = over_ground.heave_mps,
@@ -243,10 +234,6 @@ std::vector<Mark> FleetHost::obstacles() const {
   for (const ObstacleSpec& spec : self_->scenario.obstacles)
     marks.push_back(mark_of(spec, time(), self_->depth));
   return marks;
-}
-
-bool FleetHost::has_drifting_obstacles() const {
-  return std::ranges::any_of(self_->scenario.obstacles, &ObstacleSpec::moves);
 }
 
 std::string FleetHost::summary_json() const {

@@ -35,14 +35,12 @@ struct FleetVehicle {
   std::string shape;  ///< auv, torpedo, rov, catamaran, transport, or point for a kinematic vehicle
   double length_m{};
   double beam_m{};
-  double radius_m{};
   Motion truth;                  ///< where it is
   Motion estimate;               ///< where it believes to be: what it publishes
   std::string phase;             ///< deploying, waiting, under_way, stuck, arrived
   std::optional<Triple> goal_n;  ///< of a transit under way [m, NED]
-  double goal_speed_mps{};
-  bool wants_command{};  ///< it is under way: somebody must steer it
-  bool holding{};        ///< under way without a command: it holds
+  bool wants_command{};          ///< it is under way: somebody must steer it
+  bool holding{};                ///< under way without a command: it holds
   Alert alert{Alert::clear};
 };
 
@@ -58,10 +56,9 @@ class FleetHost {
 
   std::size_t size() const;
   double step_period() const;  ///< [s]
-  std::int64_t steps_per_decision() const;
-  double time() const;      ///< of the instant that is seen [s]
-  double duration() const;  ///< [s]
-  bool is_done() const;     ///< the run of the command would have ended before this instant
+  double time() const;         ///< of the instant that is seen [s]
+  double duration() const;     ///< [s]
+  bool is_done() const;        ///< the run of the command would have ended before this instant
   std::string name() const;
 
   double crit_dist_m() const;        ///< diameter of the detection spheres to draw
@@ -78,7 +75,6 @@ class FleetHost {
   /// What stands or drifts in the water, to draw. Walls reach from the surface down to below every vehicle's
   /// mission.
   std::vector<Mark> obstacles() const;
-  bool has_drifting_obstacles() const;  ///< whether obstacles() changes
   /// How it went, as `fairway run --json` prints it; the measures so far.
   std::string summary_json() const;
   /// The same as `fairway run` prints it, with the time [s] that it took.

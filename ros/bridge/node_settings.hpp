@@ -14,28 +14,27 @@ namespace fairway::bridge {
 /// Where an avoider hears of the others.
 enum class AvoiderInput { odometry, team_record, both };
 
-/// The node of an avoider: its own settings, and those that it hands on to its host.
-struct AvoiderNodeSettings {
-  AvoiderOptions host;
+/// The node of an avoider: its own settings, and those of its host.
+struct AvoiderNodeSettings : AvoiderOptions {
   Frame frame{Frame::enu};
   AvoiderInput input{AvoiderInput::odometry};
-  double rate_hz{20.0};        ///< it answers at least so often, with or without new navigation
+  double rate_hz{10.0};        ///< it answers at least so often, with or without new navigation
   double record_rate_hz{1.0};  ///< how often it tells the team of itself; 0: never
   double speed_mps{0.5};       ///< towards goals, which say nothing of speed
   bool advisory{false};        ///< advises only: it sends no command
   bool lockstep{false};        ///< decides when everyone's navigation of the same instant is there
   bool draw{false};            ///< publishes what the method draws
-  bool use_sim_time{false};    ///< goes by the graph's clock; lockstep always does
+  bool use_sim_time{false};    ///< goes by the graph's clock; lockstep always does. ROS 1 has its own
+  bool test_hooks{false};      ///< lets a test make the node hang; ROS 1 alone
 };
 
 /// The node of a simulated fleet.
-struct FleetNodeSettings {
-  FleetOptions fleet;
+struct FleetNodeSettings : FleetOptions {
   Frame frame{Frame::enu};
-  double speed{1.0};               ///< seconds of the run per second; 0: as fast as it can
-  double lockstep_timeout_s{1.0};  ///< of wall time
-  double marker_rate_hz{10.0};     ///< of wall time; 0: none are drawn
-  std::uint64_t wait_for_subscribers{0};
+  double speed{1.0};                      ///< seconds of the run per second; 0: as fast as it can
+  double lockstep_timeout_s{1.0};         ///< of wall time
+  double marker_rate_hz{10.0};            ///< of wall time; 0: none are drawn
+  std::uint64_t wait_for_subscribers{0};  ///< it begins when every odometry has so many
   bool lockstep{false};
   bool paused{false};
   bool until_done{false};

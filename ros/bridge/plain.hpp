@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -27,17 +28,25 @@ struct BodyVelocity {
   double surge_mps{}, sway_mps{}, heave_mps{}, yaw_rate_radps{};
 };
 
+inline bool is_finite(const BodyVelocity& v) {
+  return std::isfinite(v.surge_mps) && std::isfinite(v.sway_mps) && std::isfinite(v.heave_mps) &&
+         std::isfinite(v.yaw_rate_radps);
+}
+
 /// Settings as text, by name: what `--set` and ROS parameters hold.
 using Settings = std::vector<std::pair<std::string, std::string>>;
 
 /// What was drawn, ready to be shown: one primitive.
 struct Mark {
-  enum class Kind { line, points, sphere, triangles };
+  /// The values are those of visualization_msgs/Marker.
+  enum class Kind { sphere = 2, line = 4, words = 9, triangles = 11 };
   Kind kind{Kind::line};
   std::string meaning;                      ///< "velocity obstacle", as in the viewer's key
   std::vector<Triple> points;               ///< [m, NED]; a line's in order, triangles' by threes
   double radius{};                          ///< of a sphere [m]
   std::array<float, 4> colour{1, 1, 1, 1};  ///< red, green, blue, alpha
+  double width{0.05};                       ///< of a line, and the height of words [m]
+  std::string words{};                      ///< above the first point
 };
 
 }  // namespace fairway::bridge

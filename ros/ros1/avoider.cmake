@@ -40,12 +40,7 @@ add_library(fairway_ros_messages INTERFACE)
 add_dependencies(fairway_ros_messages fairway_ros_services)
 target_include_directories(fairway_ros_messages SYSTEM INTERFACE ${fairway_ros_headers})
 
-add_library(fairway_ros1_avoider STATIC avoider_node.cpp avoider_orders.cpp avoider_report.cpp avoider_settings.cpp)
-set_target_properties(fairway_ros1_avoider PROPERTIES CXX_STANDARD 17)
-fairway_unity(fairway_ros1_avoider)
-target_link_libraries(fairway_ros1_avoider PUBLIC fairway_ros1 fairway_ros_messages nlohmann_json::nlohmann_json Threads::Threads
-                      PRIVATE fairway_options)
-fairway_ros1_program(fairway_avoider avoider_main.cpp LINKS fairway_ros1_avoider)
+fairway_ros1_program(fairway_avoider avoider_main.cpp avoider_node.cpp LINKS fairway_ros_messages)
 fairway_ros1_program(fairway_latency latency.cpp LINKS fairway_ros1)
 
 # where COLA2's messages are not installed, its adapter is built for its test alone
@@ -53,13 +48,6 @@ find_package(cola2_msgs QUIET)
 if(cola2_msgs_FOUND)
   fairway_ros1_program(fairway_cola2 cola2/cola2_node.cpp LINKS fairway_ros1)
   target_include_directories(fairway_cola2_node SYSTEM PRIVATE ${cola2_msgs_INCLUDE_DIRS})
-endif()
-
-if(FAIRWAY_TESTS)
-  fairway_test_program(ros1_test SOURCES avoider_clock_test.cpp avoider_gate_test.cpp avoider_settings_test.cpp cola2/adapter_test.cpp
-                       LINKS fairway_ros1_avoider)
-  set_target_properties(ros1_test PROPERTIES CXX_STANDARD 17)
-  fairway_unity(ros1_test)
 endif()
 
 install(DIRECTORY ${fairway_ros_headers}/fairway_ros DESTINATION include COMPONENT ros1)

@@ -1,71 +1,82 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ros/ros1/avoider_node.hpp"
 
+#include <diagnostic_msgs/DiagnosticArray.h>
+#include <fairway_ros/GoTo.h>
+#include <fairway_ros/Section.h>
+#include <nav_msgs/Path.h>
+#include <std_msgs/Float64.h>
 #include <std_msgs/String.h>
-#include <visualization_msgs/MarkerArray.h>
+#include <std_msgs/UInt8MultiArray.h>
+#include <std_srvs/Trigger.h>
 
 #include <algorithm>
-#include <cctype>
-#include <string>
 
 #include "ros/bridge/watchdog.hpp"
-#include "ros/ros1/avoider_report.hpp"
-#include "ros/ros1/conversions.hpp"
 
 namespace fairway::ros1 {
 namespace {
 
-constexpr double look_period_s = 0.2;      // at the own state, for changes to report
-constexpr double diagnose_period_s = 1.0;  // without changes
-constexpr double draw_period_s = 0.1;
-constexpr double idle_s = 0.01;  // the loop comes round so often at least
+constexpr double idle_s = 0.01;             // the loop comes round so often at least
+constexpr std::uint32_t few = 10;           // messages that are kept
+constexpr std::uint32_t of_lockstep = 100;  // a fleet waits for the answer to each
 
 double clock_now() { return seconds_of(ros::Time::now()); }
 
-bool is_due(ros::SteadyTime& last, double period) {
-  const ros::SteadyTime now = ros::SteadyTime::now();
-  if ((now - last).toSec() < period) return false;
-  last = now;
-  return true;
-}
-
-/// A vehicle's name as topics have it.
-std::string topic_name(std::string name) {
-  std::replace_if(
-      name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
-  return name;
-}
-
 }  // namespace
 
-AvoiderNode::AvoiderNode(const ros::NodeHandle& vehicle, const AvoiderSettings& settings)
-    : settings_{settings},
-      vehicle_{settings.host.vehicle},
-      host_{settings.host},
-      gate_{1 + host_.team().size()},
-      vehicle_node_{vehicle},
-      mates_node_{vehicle},
-      marks_{settings.frame, "world"} {
-  // what mates tell waits until it is needed: to wake up for each of it would double the work. In lockstep
+AvoiderNode::AvoiderNode(const bridge::AvoiderNodeSettings& settings)
+    : settings_{settings}, duty_{settings, *this} {
+  // What mates tell waits until it is needed: to wake up for each of it would double the work. In lockstep
   // each may be the last that is missing.
-  vehicle_node_.setCallbackQueue(&queue_);
-  mates_node_.setCallbackQueue(settings_.lockstep ? &queue_ : &mates_queue_);
+  own_.setCallbackQueue(&queue_);
+  mates_.setCallbackQueue(settings_.lockstep ? &queue_ : &mates_queue_);
   advertise();
+  offer_services();
   subscribe();
 }
 
 void AvoiderNode::advertise() {
-  ros::NodeHandle& own = vehicle_node_;
-  command_ =
-      own.advertise<geometry_msgs::TwistStamped>(settings_.advisory ? "advice" : "velocity_command", 10);
-  diagnostics_ = own.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 10);
-  status_ = own.advertise<std_msgs::String>("status", 10);
-  record_ = own.advertise<std_msgs::UInt8MultiArray>("team_record", 10);
-  if (settings_.draw) sketch_ = own.advertise<visualization_msgs::MarkerArray>("sketch", 2);
-  services_ = {own.advertiseService("go_to", &AvoiderNode::go_to, this),
-               own.advertiseService("section", &AvoiderNode::follow_section, this),
-               own.advertiseService("keep_position", &AvoiderNode::keep_position, this),
-               own.advertiseService("stand_by", &AvoiderNode::stand_by, this)};
+  const char* command = settings_.advisory ? "advice" : "velocity_command";
+  command_ = own_.advertise<geometry_msgs::TwistStamped>(command, few);
+  diagnostics_ = own_.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", few);
+  status_ = own_.advertise<std_msgs::String>("status", few);
+  record_ = own_.advertise<std_msgs::UInt8MultiArray>("team_record", few);
+  if (settings_.draw) sketch_ = own_.advertise<visualization_msgs::MarkerArray>("sketch", 2);
+}
+
+template <class Service, class Answer>
+void AvoiderNode::offer(const std::string& name, Answer answer) {
+  using Request = typename Service::Request;
+  using Response = typename Service::Response;
+  const boost::function<bool(Request&, Response&)> call = [answer](Request& request, Response& response) {
+    answer(request, response);
+    return true;
+  };
+  services_.push_back(own_.advertiseService(name, call));
+}
+
+void AvoiderNode::offer_services() {
+  const Frame frame = settings_.frame;
+  offer<fairway_ros::GoTo>("go_to", [this, frame](const auto& request, auto& response) {
+    response.message = duty_.go_to(place_of(request.position, frame), "", 0.0, request.speed_mps);
+    response.ok = response.message.empty();
+  });
+  offer<fairway_ros::Section>("section", [this, frame](const auto& request, auto& response) {
+    response.message =
+        duty_.follow_section(place_of(request.start, frame), place_of(request.end, frame), request.speed_mps);
+    response.ok = response.message.empty();
+  });
+  offer<std_srvs::Trigger>("keep_position", [this](const auto&, auto& response) {
+    duty_.keep_position();
+    response.success = true;
+    response.message = "keeping the position where it is";
+  });
+  offer<std_srvs::Trigger>("stand_by", [this](const auto&, auto& response) {
+    duty_.stand_by();
+    response.success = true;
+    response.message = "standing by: the vehicle is left to others";
+  });
 }
 
 template <class Message, class Listener>
@@ -78,175 +89,107 @@ void AvoiderNode::hear(ros::NodeHandle& whose, const std::string& topic, std::ui
 }
 
 void AvoiderNode::subscribe() {
+  const Frame frame = settings_.frame;
   // an old odometry is of no use when a newer one is there, unless a fleet waits for the answer to each
-  const std::uint32_t kept = settings_.lockstep ? 100 : 1;
-  hear<nav_msgs::Odometry>(vehicle_node_, "odometry", kept,
-                           [this](const nav_msgs::Odometry& m) { on_own_odometry(m); });
-  hear<geometry_msgs::PoseStamped>(vehicle_node_, "goal", 10,
-                                   [this](const geometry_msgs::PoseStamped& m) { on_goal(m); });
-  hear<nav_msgs::Path>(vehicle_node_, "path", 10, [this](const nav_msgs::Path& m) { on_path(m); });
+  const std::uint32_t kept = settings_.lockstep ? of_lockstep : 1;
+  hear<nav_msgs::Odometry>(own_, "odometry", kept, [this, frame](const auto& m) {
+    world_ = m.header.frame_id;
+    own_stamp_ = m.header.stamp.toNSec();
+    duty_.hear_own(motion_of(m, frame), world_, clock_now());
+  });
+  hear<geometry_msgs::PoseStamped>(own_, "goal", few, [this, frame](const auto& m) {
+    duty_.go_to(place_of(m.pose.position, frame), m.header.frame_id, seconds_of(m.header.stamp));
+  });
+  hear<nav_msgs::Path>(own_, "path", few, [this, frame](const auto& m) {
+    std::vector<Triple> places;
+    for (const auto& pose : m.poses) places.push_back(place_of(pose.pose.position, frame));
+    duty_.follow(places, m.header.frame_id, seconds_of(m.header.stamp));
+  });
   if (settings_.test_hooks) {
-    hear<std_msgs::Float64>(vehicle_node_, "test_hang", 1, [](const std_msgs::Float64& m) {
-      ros::WallDuration{std::clamp(m.data, 0.0, 60.0)}.sleep();
+    hear<std_msgs::Float64>(own_, "test_hang", 1,
+                            [](const auto& m) { ros::WallDuration{std::clamp(m.data, 0.0, 60.0)}.sleep(); });
+  }
+  for (std::size_t i = 0; i < duty_.host().team().size(); ++i) hear_mate(i, kept);
+}
+
+void AvoiderNode::hear_mate(std::size_t mate, std::uint32_t kept) {
+  const Frame frame = settings_.frame;
+  const std::string topics = "/" + bridge::topic_name(duty_.host().team()[mate]);
+  if (settings_.input != bridge::AvoiderInput::team_record) {
+    hear<nav_msgs::Odometry>(mates_, topics + "/odometry", kept, [this, mate, frame](const auto& m) {
+      duty_.hear_mate(mate, motion_of(m, frame), clock_now());
+    });
+    hear<geometry_msgs::PoseStamped>(mates_, topics + "/goal", few, [this, mate, frame](const auto& m) {
+      duty_.hear_mate_goal(mate, place_of(m.pose.position, frame), seconds_of(m.header.stamp));
     });
   }
-  for (std::size_t i = 0; i < host_.team().size(); ++i) hear_mate(i, "/" + topic_name(host_.team()[i]), kept);
-}
-
-void AvoiderNode::hear_mate(std::size_t mate, const std::string& topics, std::uint32_t kept) {
-  if (settings_.input != AvoiderInput::team_record) {
-    hear<nav_msgs::Odometry>(mates_node_, topics + "/odometry", kept,
-                             [this, mate](const nav_msgs::Odometry& m) { on_mate_odometry(mate, m); });
-    hear<geometry_msgs::PoseStamped>(mates_node_, topics + "/goal", 10,
-                                     [this, mate](const geometry_msgs::PoseStamped& m) {
-                                       host_.neighbour_goal(mate, place_of(m.pose.position, settings_.frame));
-                                     });
+  if (settings_.input != bridge::AvoiderInput::odometry) {
+    hear<std_msgs::UInt8MultiArray>(mates_, topics + "/team_record", few, [this](const auto& m) {
+      duty_.hear_record(m.data.data(), m.data.size(), clock_now());
+    });
   }
-  if (settings_.input != AvoiderInput::odometry) {
-    hear<std_msgs::UInt8MultiArray>(mates_node_, topics + "/team_record", 10,
-                                    [this](const std_msgs::UInt8MultiArray& m) { on_record(m); });
-  }
-}
-
-std::vector<std::string> AvoiderNode::services() const {
-  std::vector<std::string> names;
-  for (const ros::ServiceServer& service : services_) names.push_back(service.getService());
-  return names;
 }
 
 void AvoiderNode::run() {
-  bridge::Watchdog watchdog{host_.watchdog_period(),
-                            [this](double stood_still) { raise_alarm(stood_still); }};
+  std::vector<std::string> services;
+  for (const ros::ServiceServer& service : services_) services.push_back(service.getService());
+  const MasterWatch master{services};
+  bridge::Watchdog watchdog{duty_.host().watchdog_period(),
+                            [this](double stood_still) { duty_.raise_alarm(stood_still, clock_now()); }};
   while (ros::ok()) {
     queue_.callAvailable(ros::WallDuration{idle_s});
     mates_queue_.callAvailable();
     watchdog.come_round();
-    answer_now();
-    tell_team(clock_.now());
-    report(false);
+    duty_.settle(clock_now());
+    duty_.come_round(clock_now());
   }
 }
 
-void AvoiderNode::on_own_odometry(const nav_msgs::Odometry& odometry) {
-  const bridge::Motion motion = motion_of(odometry, settings_.frame);
-  own_frame_ = odometry.header.frame_id;
-  if (settings_.lockstep) {
-    own_stamp_ = odometry.header.stamp;
-    gate_.hear(0, motion);
-    answer_together();
-    return;
-  }
-  mates_queue_.callAvailable();
-  const double now = clock_.at(clock_now(), motion.time);
-  answer(now, judge_own(motion, now) ? odometry.header.stamp : stamp_of(now));
+/// Seconds of the wall's clock have no nanoseconds: whoever waits for a stamp gets the one that came.
+ros::Time AvoiderNode::stamp_again(double time) const {
+  ros::Time own;
+  own.fromNSec(own_stamp_);
+  return seconds_of(own) == time ? own : stamp_of(time);
 }
 
-void AvoiderNode::on_mate_odometry(std::size_t mate, const nav_msgs::Odometry& odometry) {
-  const bridge::Motion motion = motion_of(odometry, settings_.frame);
-  if (settings_.lockstep) {
-    gate_.hear(mate + 1, motion);
-    answer_together();
-    return;
-  }
-  judge_mate(mate, motion, clock_.at(clock_now(), motion.time));
+void AvoiderNode::send_command(const BodyVelocity& velocity, double time) {
+  auto command = twist_of(velocity, time, settings_.frame, bridge::topic_name(duty_.vehicle()));
+  command.header.stamp = stamp_again(time);
+  command_.publish(command);
 }
 
-void AvoiderNode::on_record(const std_msgs::UInt8MultiArray& record) {
-  judge("a team record", host_.team_record(record.data.data(), record.data.size(), clock_.at(clock_now())));
-}
-
-bool AvoiderNode::judge_own(const bridge::Motion& motion, double now) {
-  return judge("own odometry", host_.own_motion(motion, now));
-}
-
-void AvoiderNode::judge_mate(std::size_t mate, const bridge::Motion& motion, double now) {
-  judge("odometry of " + host_.team()[mate], host_.neighbour_motion(mate, motion, now));
-}
-
-/// Whether it is accepted.
-bool AvoiderNode::judge(const std::string& whose, const std::string& verdict) {
-  if (verdict == "accepted") return true;
-  ROS_WARN_STREAM_THROTTLE(5.0, whose << " is refused: " << verdict);
-  return false;
-}
-
-/// Time is that of the messages, whatever the clock shows: everyone's of one instant are answered together.
-void AvoiderNode::answer_together() {
-  if (!gate_.opens()) return;
-  const double now = clock_.begin(gate_.motion(0).time);
-  judge_own(gate_.motion(0), now);
-  for (std::size_t i = 0; i < host_.team().size(); ++i) judge_mate(i, gate_.motion(i + 1), now);
-  answer(now, own_stamp_);
-}
-
-/// What is due without new navigation: policies act on what does not come.
-void AvoiderNode::answer_now() {
-  if (settings_.lockstep || ros::Time::now().isZero()) return;  // zero: a simulation that has not begun
-  const double now = clock_.at(clock_now());
-  const double since = now - host_.order().time;
-  if (since >= 1.0 / settings_.rate_hz || since < 0.0) answer(now, stamp_of(now));
-}
-
-void AvoiderNode::answer(double now, const ros::Time& stamp) {
-  const bridge::Order& order = host_.update(now, settings_.draw);
-  in_charge_.store(order.in_charge, std::memory_order_relaxed);
-  if (order.in_charge) {
-    geometry_msgs::TwistStamped command = twist_of(order.request, now, settings_.frame, vehicle_);
-    command.header.stamp = stamp;
-    command_.publish(command);
-  }
-  if (settings_.draw && order.decided) show_marks();
-  if (order.state + order.reason != reported_) report(true);
-}
-
-/// Where what was drawn is: in the frame of the own navigation.
-void AvoiderNode::show_marks() {
-  if (!is_due(drawn_, draw_period_s)) return;
-  marks_.begin(clock_.now());
-  for (const bridge::Mark& mark : host_.marks()) marks_.add_mark(mark);
-  sketch_.publish(marks_.finish());
-}
-
-void AvoiderNode::tell_team(double now) {
-  if (settings_.record_rate_hz <= 0.0 || (now < next_record_ && next_record_ - now < 100.0)) return;
-  next_record_ = now + 1.0 / settings_.record_rate_hz;
+void AvoiderNode::send_record(const std::vector<std::uint8_t>& bytes) {
   std_msgs::UInt8MultiArray record;
-  record.data = host_.own_record(now);
-  if (!record.data.empty()) record_.publish(record);
+  record.data = bytes;
+  record_.publish(record);
 }
 
-void AvoiderNode::report(bool at_once) {
-  if (!is_due(looked_, at_once ? 0.0 : look_period_s)) return;
-  const bridge::Order& order = host_.order();
-  const bridge::Diagnosis before = std::move(diagnosis_);
-  diagnosis_ = host_.diagnosis(clock_.now());
-  reported_ = order.state + order.reason;
-  const AvoiderCircumstances circumstances{vehicle_,     host_.algorithm(),  settings_.frame,
-                                           clock_.now(), settings_.advisory, alarms_.load()};
+void AvoiderNode::send_status(const std::string& json) {
   std_msgs::String status;
-  status.data = status_json(order, diagnosis_, circumstances);
+  status.data = json;
   status_.publish(status);
-  if (is_due(diagnosed_, at_once || before.level != diagnosis_.level ? 0.0 : diagnose_period_s)) {
-    diagnostics_.publish(diagnostics_of(diagnosis_, circumstances));
-  }
 }
 
-/// In the thread of the watchdog: it touches nothing that the loop may be in the middle of.
-void AvoiderNode::raise_alarm(double stood_still) {
-  const std::int64_t alarms = alarms_.fetch_add(1) + 1;
-  const bool sends = in_charge_.load(std::memory_order_relaxed) && !settings_.advisory;
-  const double now = clock_now();
-  if (sends) command_.publish(twist_of({}, now, settings_.frame, vehicle_));
-  bridge::Diagnosis diagnosis;
-  diagnosis.level = bridge::Diagnosis::Level::error;
-  diagnosis.summary = "watchdog: the loop has stood still for " + std::to_string(stood_still) + " s" +
-                      (sends ? "; the vehicle is told to stand still" : "");
-  AvoiderCircumstances circumstances;
-  circumstances.vehicle = vehicle_;
-  circumstances.time = now;
-  circumstances.advisory = settings_.advisory;
-  circumstances.alarms = alarms;
-  diagnostics_.publish(diagnostics_of(diagnosis, circumstances));
+void AvoiderNode::send_diagnosis(const bridge::Diagnosis& diagnosis, double time) {
+  diagnostic_msgs::DiagnosticArray array;
+  array.header.stamp = stamp_of(time);
+  diagnostic_msgs::DiagnosticStatus& status = array.status.emplace_back();
+  status.level = static_cast<std::int8_t>(diagnosis.level);
+  status.name = "fairway: " + duty_.vehicle();
+  status.message = diagnosis.summary;
+  status.hardware_id = duty_.vehicle();
+  for (const auto& [key, value] : diagnosis.values) {
+    status.values.emplace_back();
+    status.values.back().key = key;
+    status.values.back().value = value;
+  }
+  diagnostics_.publish(array);
 }
+
+void AvoiderNode::send_marks(const std::vector<Mark>& marks, double time) {
+  sketch_.publish(markers_of(marks, time, settings_.frame, world_));
+}
+
+void AvoiderNode::warn(const std::string& words) { ROS_WARN_STREAM(words); }
 
 }  // namespace fairway::ros1

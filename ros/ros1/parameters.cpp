@@ -1,85 +1,78 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ros/ros1/parameters.hpp"
 
-#include <cmath>
-#include <cstdlib>
+#include <array>
+#include <charconv>
 #include <sstream>
 #include <stdexcept>
 
 namespace fairway::ros1 {
 namespace {
 
+using bridge::Settings;
 using XmlRpc::XmlRpcValue;
 
-std::string shown(XmlRpcValue value) {
-  std::ostringstream text;
-  if (value.getType() == XmlRpcValue::TypeString) {
-    text << "'" << static_cast<std::string>(value) << "'";
-  } else {
-    text << value;
+template <class Number>
+std::string shortest(Number number) {
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), number).ptr;
+  return {text.data(), end};
+}
+
+/// As `--set` would have it; a list's items with `between` between them.
+std::string text_of(const std::string& name, XmlRpcValue value, const std::string& between) {
+  switch (value.getType()) {
+    case XmlRpcValue::TypeBoolean:
+      return static_cast<bool>(value) ? "true" : "false";
+    case XmlRpcValue::TypeInt:
+      return shortest(static_cast<int>(value));
+    case XmlRpcValue::TypeDouble:
+      return shortest(static_cast<double>(value));
+    case XmlRpcValue::TypeString:
+      return static_cast<std::string>(value);
+    case XmlRpcValue::TypeArray: {
+      std::string words;
+      for (int i = 0; i < value.size(); ++i)
+        words += (i > 0 ? between : "") + text_of(name, value[i], between);
+      return words;
+    }
+    default:
+      throw std::runtime_error(name + ": expected a number, a truth value, text or a list of them");
   }
-  return text.str();
 }
 
-[[noreturn]] void refuse(const std::string& name, const XmlRpcValue& value, const std::string& expected) {
-  throw std::runtime_error("~" + name + ": " + shown(value) + ": expected " + expected);
+void add_overrides(const std::string& name, const XmlRpcValue& value, Settings& settings) {
+  std::istringstream parts{text_of(name, value, ";")};
+  for (std::string part; std::getline(parts, part, ';');) {
+    if (part.empty()) continue;
+    const std::size_t equals = part.find('=');
+    if (equals == std::string::npos)
+      throw std::runtime_error(name + ": '" + part + "': expected path=value, several as a list");
+    settings.emplace_back("override." + part.substr(0, equals), part.substr(equals + 1));
+  }
 }
 
-std::string short_text(double number) {
-  std::ostringstream text;
-  text << number;
-  return text.str();
+void flatten(const std::string& name, XmlRpcValue value, Settings& settings) {
+  if (name == "overrides") return add_overrides(name, value, settings);
+  if (value.getType() != XmlRpcValue::TypeStruct) {
+    settings.emplace_back(name, text_of(name, value, " "));
+    return;
+  }
+  if (name == "team") {  // a parameter is a value or a folder: as a folder, its names are the team
+    std::string mates;
+    for (auto& [mate, of_mate] : value) mates += (mates.empty() ? "" : " ") + mate;
+    settings.emplace_back(name, mates);
+  }
+  for (auto& [inner, inner_value] : value)
+    flatten(name.empty() ? inner : name + "." + inner, inner_value, settings);
 }
 
 }  // namespace
 
-double number_in(const std::string& name, XmlRpcValue value, double least, double most) {
-  double number = std::nan("");
-  if (value.getType() == XmlRpcValue::TypeInt) number = static_cast<int>(value);
-  if (value.getType() == XmlRpcValue::TypeDouble) number = static_cast<double>(value);
-  if (value.getType() == XmlRpcValue::TypeString) {
-    const std::string text = value;
-    char* end = nullptr;
-    const double read = std::strtod(text.c_str(), &end);
-    if (!text.empty() && *end == '\0') number = read;
-  }
-  if (!(number >= least && number <= most))
-    refuse(name, value, "a number from " + short_text(least) + " to " + short_text(most));
-  return number;
-}
-
-std::uint64_t count_in(const std::string& name, XmlRpcValue value) {
-  constexpr double greatest_exact = 9007199254740992.0;
-  const double number = number_in(name, value, 0.0, greatest_exact);
-  if (number != std::floor(number)) refuse(name, value, "a whole number");
-  return static_cast<std::uint64_t>(number);
-}
-
-bool truth_in(const std::string& name, XmlRpcValue value) {
-  if (value.getType() == XmlRpcValue::TypeBoolean) return static_cast<bool>(value);
-  if (value.getType() == XmlRpcValue::TypeString) {
-    const std::string text = value;
-    if (text == "true" || text == "false") return text == "true";
-  }
-  refuse(name, value, "true or false");
-}
-
-std::string words_in(const std::string& name, XmlRpcValue value) {
-  if (value.getType() != XmlRpcValue::TypeString) refuse(name, value, "text");
-  return value;
-}
-
-std::vector<std::string> list_in(const std::string& name, XmlRpcValue value) {
-  std::vector<std::string> parts;
-  if (value.getType() == XmlRpcValue::TypeArray) {
-    for (int i = 0; i < value.size(); ++i) parts.push_back(words_in(name, value[i]));
-    return parts;
-  }
-  std::istringstream text{words_in(name, value)};
-  for (std::string part; std::getline(text, part, ';');) {
-    if (!part.empty()) parts.push_back(part);
-  }
-  return parts;
+Settings settings_of(const XmlRpcValue& parameters) {
+  Settings settings;
+  if (parameters.getType() == XmlRpcValue::TypeStruct) flatten("", parameters, settings);
+  return settings;
 }
 
 }  // namespace fairway::ros1

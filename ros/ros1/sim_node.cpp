@@ -5,11 +5,8 @@
 #include <rosgraph_msgs/Clock.h>
 #include <std_msgs/String.h>
 #include <tf2_msgs/TFMessage.h>
-#include <visualization_msgs/MarkerArray.h>
 
 #include <iostream>
-
-#include "ros/ros1/conversions.hpp"
 
 namespace fairway::ros1 {
 namespace {
@@ -20,7 +17,7 @@ constexpr double goal_head_start_s = 0.02;
 }  // namespace
 
 SimNode::SimNode(const bridge::FleetNodeSettings& settings)
-    : duty_{settings}, marks_{duty_.fleet(), settings.frame, world}, ports_(duty_.fleet().size()) {
+    : duty_{settings}, marks_{duty_.fleet()}, ports_(duty_.fleet().size()) {
   node_.setCallbackQueue(&queue_);
   advertise();
 }
@@ -36,7 +33,7 @@ void SimNode::advertise() {
     port.odometry = node_.advertise<nav_msgs::Odometry>(name + "/odometry", 100);
     port.truth = node_.advertise<nav_msgs::Odometry>(name + "/ground_truth", 100);
     port.goal = node_.advertise<geometry_msgs::PoseStamped>(name + "/goal", 10, true);
-    if (duty_.settings().fleet.autonomous) continue;
+    if (duty_.settings().autonomous) continue;
     const auto listen = [this, i](const geometry_msgs::TwistStampedConstPtr& twist) {
       duty_.command(i, body_velocity_of(*twist, duty_.settings().frame),
                     static_cast<std::int64_t>(twist->header.stamp.toNSec()));
@@ -125,7 +122,9 @@ void SimNode::show_state(const std::string& json) {
 }
 
 void SimNode::show_picture() {
-  if (markers_.getNumSubscribers() > 0) markers_.publish(marks_.draw(duty_.fleet()));
+  if (markers_.getNumSubscribers() == 0) return;
+  markers_.publish(
+      markers_of(marks_.draw(duty_.fleet()), duty_.fleet().time(), duty_.settings().frame, world));
 }
 
 std::size_t SimNode::listeners(std::size_t vehicle) { return ports_[vehicle].odometry.getNumSubscribers(); }

@@ -12,7 +12,8 @@
 #include <vector>
 
 #include "ros/bridge/fleet_duty.hpp"
-#include "ros/ros1/fleet_markers.hpp"
+#include "ros/bridge/fleet_marks.hpp"
+#include "ros/ros1/conversions.hpp"
 #include "ros/ros1/master_watch.hpp"
 
 namespace fairway::ros1 {
@@ -54,7 +55,7 @@ class SimNode final : bridge::FleetOutlet {
   void warn(const std::string& words) override;
 
   bridge::FleetDuty duty_;
-  FleetMarkers marks_;
+  bridge::FleetMarks marks_;
   ros::CallbackQueue queue_;
   ros::NodeHandle node_;
   std::vector<Port> ports_;  // by vehicle

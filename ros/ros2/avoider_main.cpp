@@ -12,7 +12,7 @@ int main(int argc, char** argv) {
                              std::string& space = arguments.graph.space;
                              const auto settings = bridge::avoider_node_settings(
                                  arguments.settings, space.substr(space.rfind('/') + 1));
-                             if (space == "/") space = "/" + bridge::topic_name(settings.host.vehicle);
+                             if (space == "/") space = "/" + bridge::topic_name(settings.vehicle);
                              ros2::AvoiderNode node{settings, arguments.graph};
                              node.run(stop);
                              return 0;

@@ -45,7 +45,7 @@ void SimNode::subscribe() {
   when("pause", [this] { duty_.pause(); });
   when("resume", [this] { duty_.resume(); });
   when("step", [this] { duty_.step_once(); });
-  if (duty_.settings().fleet.autonomous) return;
+  if (duty_.settings().autonomous) return;
   for (std::size_t i = 0; i < ports_.size(); ++i)
     graph_.subscribe<TwistStamped>(
         "/" + ports_[i].name + "/velocity_command",

@@ -177,7 +177,8 @@ def test_markers_show_vehicles_spheres_and_goals_and_tf_moves(graph):
     assert all(m.header.frame_id == "world" for m in last)
     hull = spaces["vehicles"][0]
     assert hull.type == Marker.TRIANGLE_LIST and len(hull.points) % 3 == 0
-    assert max(p.x for p in hull.points) - min(p.x for p in hull.points) == pytest.approx(1.6, abs=0.01)
+    corners = [(p.x, p.y, p.z) for p in hull.points]
+    assert max(math.dist(a, b) for a in corners for b in corners) == pytest.approx(1.6, abs=0.01)
     assert {t.child_frame_id for m in transforms.all() for t in m.transforms} == set(VEHICLES)
     goal = goals["north_bound"].last().pose.position  # 30 north, 5 deep
     assert (goal.x, goal.y, goal.z) == (0, 30, -5)
@@ -234,13 +235,13 @@ def test_lockstep_goes_on_without_those_who_do_not_answer_and_counts(graph):
 @pytest.mark.parametrize(
     "settings, words",
     [
-        (["_sped:=3", "_scenario:=" + HEAD_ON], "~sped: unknown parameter; did you mean"),
-        ([], "~scenario: expected the file of a scenario"),
+        (["_sped:=3", "_scenario:=" + HEAD_ON], "sped: unknown setting; did you mean"),
+        ([], "scenario: expected the file of a scenario"),
         (["_scenario:=nowhere.yaml"], "nowhere.yaml: cannot be read"),
-        (["_scenario:=" + HEAD_ON, "_speed:=quick"], "~speed: 'quick': expected a number from 0"),
-        (["_scenario:=" + HEAD_ON, "_frame:=nwu"], "frame: nwu: expected enu or ned"),
-        (["_scenario:=" + HEAD_ON, "_lockstep:=perhaps"], "~lockstep: 'perhaps': expected true or false"),
-        (["_scenario:=" + HEAD_ON, "_seed:=-1"], "~seed: -1: expected a number from 0"),
+        (["_scenario:=" + HEAD_ON, "_speed:=quick"], "speed: is \"quick\"; expected a number in [0"),
+        (["_scenario:=" + HEAD_ON, "_frame:=nwu"], "frame: is \"nwu\"; expected one of enu, ned"),
+        (["_scenario:=" + HEAD_ON, "_lockstep:=perhaps"], "lockstep: is \"perhaps\"; expected true or false"),
+        (["_scenario:=" + HEAD_ON, "_seed:=-1"], "seed: is -1; expected a number in [0"),
         (["_scenario:=" + HEAD_ON, "_overrides:=duraton_s=3"], "did you mean duration_s?"),
         (["_scenario:=" + HEAD_ON, "_overrides:=duration_s"], "expected path=value"),
         (["_scenario:=" + HEAD_ON, "_record:=/nowhere/run.mcap"], "/nowhere/run.mcap"),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The environments of Python, without Python.
-#include "bindings/python/fleet_environment.hpp"
+#include "fairway/environment/fleet_environment.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include "fairway/core/testing/allocations.hpp"
 #include "fairway/scenario/load.hpp"
 
-namespace fairway::python {
+namespace fairway::environment {
 namespace {
 
 class Environment {
@@ -127,4 +127,4 @@ TEST(Reward, nearness_falls_from_a_collision_to_nothing) {
 }
 
 }  // namespace
-}  // namespace fairway::python
+}  // namespace fairway::environment

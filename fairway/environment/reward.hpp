@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-namespace fairway::python {
+namespace fairway::environment {
 
 /// What a learner is paid for one step: added up over its ticks while it is under way.
 struct RewardWeights {
@@ -34,4 +34,4 @@ constexpr double nearness(double separation, double clearance, double safety_dis
   return span > 0.0 ? std::clamp(1.0 - room / span, 0.0, 1.0) : 0.0;
 }
 
-}  // namespace fairway::python
+}  // namespace fairway::environment

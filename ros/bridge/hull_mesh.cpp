@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ros/ros1/hull_mesh.hpp"
+#include "ros/bridge/hull_mesh.hpp"
 
 #include <array>
 #include <cmath>
 #include <utility>
 
-namespace fairway::ros1 {
+namespace fairway::bridge {
 namespace {
-
-using bridge::Triple;
 
 constexpr int sides = 12;
 constexpr double full_turn = 6.283185307179586;
@@ -108,4 +106,4 @@ std::vector<Triple> hull_mesh(const std::string& shape, double length, double be
   return mesh.take();
 }
 
-}  // namespace fairway::ros1
+}  // namespace fairway::bridge

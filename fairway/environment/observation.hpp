@@ -9,7 +9,7 @@
 
 #include "fairway/avoidance/situation.hpp"
 
-namespace fairway::python {
+namespace fairway::environment {
 
 /// The axes of all that has a direction, seen or asked.
 enum class Axes : std::uint8_t {
@@ -53,4 +53,4 @@ void observe(const ObservationShape& shape, const Sight& sight, std::span<float>
 Vec3 to_axes(Axes axes, double yaw, const Vec3& v) noexcept;
 Vec3 from_axes(Axes axes, double yaw, const Vec3& v) noexcept;
 
-}  // namespace fairway::python
+}  // namespace fairway::environment

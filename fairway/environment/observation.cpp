@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bindings/python/observation.hpp"
+#include "fairway/environment/observation.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-namespace fairway::python {
+namespace fairway::environment {
 namespace {
 
 /// Fills a row from its front.
@@ -127,4 +127,4 @@ Vec3 to_axes(Axes axes, double yaw, const Vec3& v) noexcept {
 
 Vec3 from_axes(Axes axes, double yaw, const Vec3& v) noexcept { return to_axes(axes, -yaw, v); }
 
-}  // namespace fairway::python
+}  // namespace fairway::environment

@@ -9,13 +9,13 @@
 #include <string>
 #include <vector>
 
-#include "bindings/python/observation.hpp"
-#include "bindings/python/reward.hpp"
+#include "fairway/environment/observation.hpp"
+#include "fairway/environment/reward.hpp"
 #include "fairway/metrics/run_metrics.hpp"
 #include "fairway/scenario/scenario.hpp"
 #include "fairway/sim/simulation.hpp"
 
-namespace fairway::python {
+namespace fairway::environment {
 
 /// The case of a seed. Called by several threads at once.
 using DrawScenario = std::function<Scenario(std::uint64_t seed)>;
@@ -159,4 +159,4 @@ class FleetEnvironment {
   bool truncated_{false};
 };
 
-}  // namespace fairway::python
+}  // namespace fairway::environment

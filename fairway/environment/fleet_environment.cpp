@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bindings/python/fleet_environment.hpp"
+#include "fairway/environment/fleet_environment.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 #include "fairway/experiment/measure_run.hpp"
 
-namespace fairway::python {
+namespace fairway::environment {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -285,7 +285,7 @@ void FleetEnvironment::observe(std::size_t row, std::span<float> numbers) const 
     sight.tracks = seen_by.tracks;
     sight.obstacles = seen_by.obstacles;
   }
-  python::observe(options_.observation, sight, numbers);
+  environment::observe(options_.observation, sight, numbers);
 }
 
 std::optional<Situation> FleetEnvironment::situation(std::size_t row) const {
@@ -316,4 +316,4 @@ void FleetEnvironment::advise(std::span<double> actions) {
   }
 }
 
-}  // namespace fairway::python
+}  // namespace fairway::environment

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// C++17.
+#pragma once
+
+#include <ros/ros.h>
+
+#include <exception>
+#include <iostream>
+#include <string>
+
+#include "ros/ros1/parameters.hpp"
+
+namespace fairway::ros1 {
+
+/// What every node's main() does: ROS, the private parameters, and errors in one line with exit code 2.
+/// `work` gets the parameters and returns the exit code.
+template <class Work>
+int run_program(int argc, char** argv, const std::string& name, Work work) {
+  try {
+    ros::init(argc, argv, name);
+    const ros::NodeHandle first;  // ROS runs from here on, whatever is wrong with the parameters
+    XmlRpc::XmlRpcValue parameters;
+    ros::param::get(ros::this_node::getName(), parameters);
+    return work(settings_of(parameters));
+  } catch (const std::exception& error) {
+    std::cerr << name << ": " << error.what() << "\n";
+    return 2;
+  }
+}
+
+}  // namespace fairway::ros1
