@@ -8,7 +8,7 @@ import type { Chart, Palettes } from './charts/chart';
 import { intervals_chart } from './charts/intervals';
 import { lines_chart } from './charts/lines';
 import { raster_chart } from './charts/raster';
-import { trajectories_chart } from './charts/trajectories';
+import { is_flat, trajectories_chart } from './charts/trajectories';
 import { figure, type FigureOptions } from './figure';
 import type { Block, ChartBlock, GridBlock } from './model';
 import { table } from './table';
@@ -84,6 +84,11 @@ export function block_element(block: Block, context: Context): HTMLElement {
       return table(block, `table-${number}`, `Table ${number}`, context.palettes.series);
     }
     case 'grid': return grid_element(block, context);
+    case 'trajectories':
+      return is_flat(block) ? chart_element(block, context) : grid_element({
+        kind: 'grid', title: block.title, columns: 2,
+        blocks: [{ ...block, title: 'From above' }, { ...block, title: 'From the south', side: 'south' }],
+      }, context);
     case 'note':
       return h('div', { class: `note ${block.tone}`, role: 'note' },
         h('b', {}, block.tone === 'warning' ? 'Caution' : 'Note'), h('p', {}, block.text));

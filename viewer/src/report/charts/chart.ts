@@ -40,10 +40,6 @@ export interface Chart {
   draw(view: View): Drawing;
   /** The runs behind the drawing as a whole. */
   made?: Made | null;
-  /** Buttons and sliders of this kind of chart. */
-  controls?(redraw: () => void): HTMLElement;
-  /** Gestures on the drawing, beyond pointing; once per figure. */
-  attach?(plot: HTMLElement, redraw: () => void): void;
 }
 
 export interface Palettes {
