@@ -98,7 +98,6 @@ const event = (vehicles: number) => record({
   kind: one_of(['detected', 'collision', 'avoided', 'collided', 'arrived', 'stuck']),
 });
 export type RunEvent = Of<ReturnType<typeof event>>;
-export type EventKind = RunEvent['kind'];
 
 /** A stretch of the film: its frames, column after column, and what was thought, told and counted in it. */
 export const part = (vehicles: number) => record({

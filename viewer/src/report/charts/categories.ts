@@ -4,9 +4,9 @@ import { fit_texts, s, text_width } from '../../common/dom';
 import type { LegendEntry } from '../../common/legend';
 import { bands } from '../../common/scale';
 import type { Tip } from '../../common/tooltip';
-import type { BoxesBlock, Cell, Column, IntervalsBlock, Made } from '../model';
+import type { BoxesBlock, Cell, IntervalsBlock, Made } from '../model';
 import { canvas, least_left, type Canvas } from './cartesian';
-import { leads_to, pick_along_x, type Chart, type Drawing, type Palettes, type Target, type View } from './chart';
+import { leads_to, numbers_table, pick_along_x, type Chart, type Drawing, type Palettes, type Target, type View } from './chart';
 
 /** The place of one series in one category. */
 export interface Slot {
@@ -101,16 +101,14 @@ export function category_chart<M extends { made: Made | null }>(of: Marks<M>, pa
   const { block } = of;
   const rows = block.series.flatMap(({ label }, i) => of.marks[i]!.flatMap((mark, c) =>
     mark === null ? [] : [{ category: block.categories[c]!, series: label, ...of.cells(mark) }]));
-  const column = (key: string, label = key, type: Column['type'] = 'text'): Column => ({ key, label, unit: '', type, digits: null });
   const keys = Object.keys(rows[0] ?? {}).slice(2);
   return {
     legend: [...of.legend, ...block.lines.map(({ label }) => ({ label, glyph: 'rule' as const, toggles: false }))],
     summary: of.summary,
-    data: () => ({
-      kind: 'table', title: block.title, note: '', filter: [], rows,
-      columns: [column('category', block.category_label || 'category'), column('series'),
-        ...keys.map((key) => column(key, key, key === 'outliers' ? 'text' : 'number'))],
-    }),
+    data: () => numbers_table(block.title, [
+      ['category', block.category_label || 'category', 'text'], ['series', 'series', 'text'],
+      ...keys.map((key) => [key, key, key === 'outliers' ? 'text' : 'number'] as const),
+    ], rows),
     draw: (view) => draw(of, palettes, view),
   };
 }

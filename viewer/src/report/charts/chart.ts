@@ -3,7 +3,7 @@
 import type { Palette } from '../../common/colour';
 import type { LegendEntry } from '../../common/legend';
 import type { Tip } from '../../common/tooltip';
-import type { Made, TableBlock } from '../model';
+import type { Column, Made, Row, TableBlock } from '../model';
 
 export interface View {
   width: number;
@@ -45,6 +45,20 @@ export interface Chart {
 export interface Palettes {
   series: Palette;
   vehicles: Palette;
+}
+
+/** The colours of a name: one that is a vehicle's elsewhere on the page has the vehicle's colour everywhere. */
+export function palette_of(label: string, { series, vehicles }: Palettes): Palette {
+  return vehicles.has(label) ? vehicles : series;
+}
+
+/** The numbers behind a chart, as a table; of numbers where a column does not say. */
+export function numbers_table(title: string, columns: (readonly [key: string, label: string, type?: Column['type'], unit?: string])[],
+                              rows: Row[]): TableBlock {
+  return {
+    kind: 'table', title, note: '', filter: [], rows,
+    columns: columns.map(([key, label, type = 'number', unit = '']) => ({ key, label, unit, type, digits: null })),
+  };
 }
 
 /** What a target leads to; nothing where the runs are not known. */

@@ -5,7 +5,7 @@ import { finite, short } from '../../common/format';
 import { linear } from '../../common/scale';
 import type { LinesBlock } from '../model';
 import { canvas, dot, draw_x_ticks, extent } from './cartesian';
-import { leads_to, pick_along_x, type Chart, type Drawing, type Palettes, type Target, type View } from './chart';
+import { leads_to, numbers_table, palette_of, pick_along_x, type Chart, type Drawing, type Palettes, type Target, type View } from './chart';
 
 interface Curve {
   label: string;
@@ -15,10 +15,9 @@ interface Curve {
   points: { x: number; y: number | null }[];
 }
 
-/** A name that is a vehicle's elsewhere on the page has the vehicle's colour here too. */
-function curves_of(block: LinesBlock, { series, vehicles }: Palettes): Curve[] {
+function curves_of(block: LinesBlock, palettes: Palettes): Curve[] {
   return block.series.map(({ label, x, y }) => {
-    const palette = vehicles.has(label) ? vehicles : series;
+    const palette = palette_of(label, palettes);
     const points = x.flatMap((value, i) => value === null ? [] : [{ x: value, y: y[i] ?? null }]);
     return { label, colour: palette.colour(label), dash: palette.dash(label), points: points.sort((a, b) => a.x - b.x) };
   });
@@ -93,15 +92,8 @@ export function lines_chart(block: LinesBlock, palettes: Palettes): Chart {
       ...block.lines.map(({ label }) => ({ label, glyph: 'rule' as const, toggles: false })),
     ],
     summary: `Lines of ${block.y_label || 'y'} over ${block.x_label || 'x'}. ${ranges.join('; ')}.`,
-    data: () => ({
-      kind: 'table', title: block.title, note: '', filter: [],
-      columns: [
-        { key: 'series', label: 'series', unit: '', type: 'text', digits: null },
-        { key: 'x', label: block.x_label || 'x', unit: '', type: 'number', digits: null },
-        { key: 'y', label: block.y_label || 'y', unit: '', type: 'number', digits: null },
-      ],
-      rows: curves.flatMap(({ label, points }) => points.map(({ x, y }) => ({ series: label, x, y }))),
-    }),
+    data: () => numbers_table(block.title, [['series', 'series', 'text'], ['x', block.x_label || 'x'], ['y', block.y_label || 'y']],
+      curves.flatMap(({ label, points }) => points.map(({ x, y }) => ({ series: label, x, y })))),
     draw: (view) => draw(block, curves, view),
     made: block.made,
   };

@@ -4,8 +4,8 @@ import { shape_path } from '../../common/colour';
 import { h, s, type Attributes } from '../../common/dom';
 import { fixed, short } from '../../common/format';
 import type { Tip } from '../../common/tooltip';
-import type { Column, RasterBlock } from '../model';
-import type { Chart, Drawing, Palettes, Target, View } from './chart';
+import type { RasterBlock } from '../model';
+import { numbers_table, palette_of, type Chart, type Drawing, type Palettes, type Target, type View } from './chart';
 import { plane, type Plane } from './plane';
 
 function colour_at(block: RasterBlock, column: number, row: number): string {
@@ -70,9 +70,8 @@ function cell_target(block: RasterBlock, on: Plane, column: number, row: number)
 
 type Mark = RasterBlock['marks'][number];
 
-/** A name that is a vehicle's elsewhere on the page has the vehicle's colour here too. */
-function mark_style({ label }: Mark, { series, vehicles }: Palettes) {
-  const palette = vehicles.has(label) ? vehicles : series;
+function mark_style({ label }: Mark, palettes: Palettes) {
+  const palette = palette_of(label, palettes);
   return { colour: palette.colour(label), shape: palette.shape(label) };
 }
 
@@ -139,20 +138,14 @@ export function raster_chart(block: RasterBlock, palettes: Palettes): Chart {
   const [x_name, y_name] = [block.x_label || 'x', block.y_label || 'y'];
   const span = ([low, high]: RasterBlock['x']): string => `from ${short(low)} to ${short(high)}`;
   const marks = block.marks.map(({ label, x, y }) => `${label} at ${fixed(x, 2)}, ${fixed(y, 2)}`);
-  const column = (key: string, label: string, type: Column['type']): Column => ({ key, label, unit: '', type, digits: null });
   let image: SVGImageElement | null = null;
   return {
     legend: named.map((mark) => ({ label: mark.label, glyph: 'point', ...mark_style(mark, palettes), toggles: true })),
     summary: `Image of ${block.width} by ${block.height} cells over ${x_name} ${span(block.x)} and ${y_name} ${span(block.y)}.` +
       (marks.length === 0 ? '' : ` Marks: ${marks.join('; ')}.`),
-    data: () => ({
-      kind: 'table', title: block.title, note: '', filter: [],
-      columns: [
-        ...(named.length === 0 ? [] : [column('mark', 'mark', 'text')]),
-        column('x', x_name, 'number'), column('y', y_name, 'number'), column('colour', 'colour', 'text'),
-      ],
-      rows: rows_of(block),
-    }),
+    data: () => numbers_table(block.title, [
+      ...(named.length === 0 ? [] : [['mark', 'mark', 'text'] as const]), ['x', x_name], ['y', y_name], ['colour', 'colour', 'text'],
+    ], rows_of(block)),
     draw: (view) => draw(block, image ??= picture(block), palettes, view),
   };
 }

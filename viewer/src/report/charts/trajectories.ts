@@ -4,7 +4,7 @@ import { path_data, s } from '../../common/dom';
 import { fixed, short } from '../../common/format';
 import type { Made, Point, TrajectoriesBlock } from '../model';
 import { dot, extent } from './cartesian';
-import { leads_to, type Chart, type Drawing, type Palettes, type Target, type View } from './chart';
+import { leads_to, numbers_table, type Chart, type Drawing, type Palettes, type Target, type View } from './chart';
 import { plane, type Plane } from './plane';
 
 /** What is to the right and what is upwards; the depth grows downwards. */
@@ -105,16 +105,9 @@ export function trajectories_chart(block: TrajectoriesBlock, palettes: Palettes)
     ],
     summary: `The ways of ${vehicles.length} vehicles from ${block.side === 'above' ? 'above' : 'the south'}` +
       (times === null ? '.' : ` over ${short(times[1] - times[0])} seconds.`),
-    data: () => ({
-      kind: 'table', title: block.title, note: '', filter: [],
-      columns: [
-        { key: 'vehicle', label: 'vehicle', unit: '', type: 'text', digits: null },
-        ...[['t', 's'], ['n', 'm'], ['e', 'm'], ['d', 'm']].map(([key, unit]) =>
-          ({ key: key!, label: key!, unit: unit!, type: 'number' as const, digits: null })),
-      ],
-      rows: vehicles.flatMap(({ label, n, e, d, t }) => n.map((_, i) =>
-        ({ vehicle: label, t: t[i] ?? null, n: n[i]!, e: e[i]!, d: d[i]! }))),
-    }),
+    data: () => numbers_table(block.title,
+      [['vehicle', 'vehicle', 'text'], ['t', 't', 'number', 's'], ...['n', 'e', 'd'].map((key) => [key, key, 'number', 'm'] as const)],
+      vehicles.flatMap(({ label, n, e, d, t }) => n.map((_, i) => ({ vehicle: label, t: t[i] ?? null, n: n[i]!, e: e[i]!, d: d[i]! })))),
     draw: (view) => draw(block, palettes, view),
     made: all_made(block),
   };
