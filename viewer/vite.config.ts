@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
-import { sample_data, single_page } from './bundle/single_page.ts';
+import { data_of, single_page } from './bundle/single_page.ts';
 
 // One page per mode: `vite build --mode report` makes report.html into the template that the C++ library
 // fairway/report embeds, and so on.
@@ -9,6 +9,8 @@ const templates: Record<string, string> = {
   report: '../fairway/report/template.html',
   view: '../fairway/view/template.html',
 };
+// Of scripts/demo: their data are shown while developing.
+const demo: Record<string, string> = { report: '../out/cubes/report.html', view: '../out/cube20_8.html' };
 const here = (path: string): string => fileURLToPath(new URL(path, import.meta.url));
 
 export default defineConfig(({ mode, command }) => {
@@ -26,6 +28,6 @@ export default defineConfig(({ mode, command }) => {
       reportCompressedSize: false,
       rollupOptions: { input: here(`./${command === 'build' ? mode : 'report'}.html`) },
     },
-    plugins: [sample_data((page) => here(`./sample/${page}.json`)), ...(template ? [single_page(here(template))] : [])],
+    plugins: [data_of((page) => here(demo[page] ?? '')), ...(template ? [single_page(here(template))] : [])],
   };
 });

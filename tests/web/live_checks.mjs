@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page of a live run, served by a small server that does as `fairway run --live` does.
+// The page of a live run, served by a small server that does as `fairway run --live` does; tests/live/browser.test.mjs orders a real one.
 import { createServer } from 'node:http';
 import { ViewPage } from './view_page.mjs';
 
@@ -23,26 +23,21 @@ function part_of(sample, first, count, generation) {
   };
 }
 
-/** Serves the page and so many frames; `seen` lists what was asked, `under_way` counts questions at once. */
+/** Serves the page and so many frames; `under_way` counts questions at once. */
 function serve(html, sample) {
-  const run = { frames: 120, paused: false, done: false, divergence: '', generation: 0, seen: [], under_way: 0, most: 0, asked: 0 };
+  const run = { frames: 120, done: false, divergence: '', generation: 0, under_way: 0, most: 0, asked: 0 };
   const answer = (query) => {
     const from = Number(query.get('from'));
     const first = Number(query.get('generation')) === run.generation ? from : 0;
     const count = Math.min(chunk, run.frames - first);
     return {
       part: count > 0 ? part_of(sample, first, count, run.generation) : null,
-      state: { paused: run.paused, done: run.done, time_s: run.frames * sample.period_s, speed: 2, divergence: run.divergence },
+      state: { paused: false, done: run.done, time_s: run.frames * sample.period_s, speed: 2, divergence: run.divergence },
     };
   };
   const server = createServer((request, response) => {
     const { pathname, searchParams } = new URL(request.url, 'http://localhost');
-    if (request.method === 'POST') {
-      run.seen.push(request.headers['x-fairway'] === '1' ? pathname : `${pathname} without X-Fairway`);
-      if (pathname !== '/step') run.paused = pathname === '/pause';
-      if (pathname === '/step') ++run.frames;
-      response.writeHead(204).end();
-    } else if (pathname === '/part') {
+    if (pathname === '/part') {
       ++run.asked;
       run.most = Math.max(run.most, ++run.under_way);
       setTimeout(() => {
@@ -52,7 +47,6 @@ function serve(html, sample) {
     } else if (pathname === '/') {
       response.writeHead(200, { 'content-type': 'text/html' }).end(html);
     } else {
-      run.seen.push(`GET ${pathname}`);
       response.writeHead(404).end();
     }
   });
@@ -77,13 +71,6 @@ export async function look_at_live(browser, sample) {
     expect(await until((n) => window.fairway.film.count === n, 170) && await shown() === 20, 'scrubbing back does not hold');
     await page.click('.live-controls .live');
     expect(await shown() === 169, 'Live does not return to the newest frame');
-    await page.click('text=Pause run');
-    expect(await until(() => document.querySelector('.live-status').textContent.includes('paused')), 'the run is not said to be paused');
-    await page.click('text=Step run');
-    expect(await until((n) => window.fairway.film.count === n, 171), 'a step brings no frame');
-    await page.click('text=Resume run');
-    await until(() => document.querySelector('.live-status').textContent.includes('Running'));
-    expect(run.seen.join() === '/pause,/step,/resume', `it asked for ${run.seen}`);
     run.generation = 1;
     run.frames = 90;
     expect(await until(() => window.fairway.film.generation === 1 && window.fairway.film.count === 90), 'a thinned film does not replace the old one');

@@ -1,47 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures of a page as pixels: reads the PNG that the browser makes of what it shows.
-import { inflateSync } from 'node:zlib';
+// Pictures of a page as pixels.
 
-/** Of the byte before, above and diagonally before, the one nearest to their plane. */
-function paeth(a, b, c) {
-  const p = a + b - c;
-  const [pa, pb, pc] = [Math.abs(p - a), Math.abs(p - b), Math.abs(p - c)];
-  return pa <= pb && pa <= pc ? a : pb <= pc ? b : c;
-}
+export const png_uri = (png) => `data:image/png;base64,${png.toString('base64')}`;
 
-/** 8 bits a channel, RGB or RGBA, not interlaced, which is what Chromium writes. */
 export class Picture {
-  constructor(png) {
-    this.width = png.readUInt32BE(16);
-    this.height = png.readUInt32BE(20);
-    this.channels = { 2: 3, 6: 4 }[png[25]];
-    if (png[24] !== 8 || this.channels === undefined || png[28] !== 0) throw new Error('a PNG of another kind');
-    const parts = [];
-    for (let at = 8; at < png.length; at += 12 + png.readUInt32BE(at)) {
-      if (png.toString('latin1', at + 4, at + 8) === 'IDAT') parts.push(png.subarray(at + 8, at + 8 + png.readUInt32BE(at)));
-    }
-    this.unfilter(inflateSync(Buffer.concat(parts)));
-  }
-
-  unfilter(raw) {
-    const step = this.channels;
-    const stride = this.width * step;
-    this.data = Buffer.alloc(stride * this.height);
-    for (let y = 0; y < this.height; ++y) {
-      const filter = raw[y * (stride + 1)];
-      const row = y * stride;
-      for (let x = 0; x < stride; ++x) {
-        const left = x < step ? 0 : this.data[row + x - step];
-        const up = y === 0 ? 0 : this.data[row + x - stride];
-        const corner = x < step || y === 0 ? 0 : this.data[row + x - stride - step];
-        const from = [0, left, up, (left + up) >> 1, paeth(left, up, corner)][filter];
-        this.data[row + x] = raw[y * (stride + 1) + 1 + x] + from;
-      }
-    }
+  /** Of a data URI, as a page's browser reads it. */
+  static async of(uri, page) {
+    const { width, height, bytes } = await page.evaluate(async (uri) => {
+      const image = new Image();
+      image.src = uri;
+      await image.decode();
+      const canvas = new OffscreenCanvas(image.width, image.height).getContext('2d');
+      canvas.drawImage(image, 0, 0);
+      const { data } = canvas.getImageData(0, 0, image.width, image.height);
+      let text = '';
+      for (let i = 0; i < data.length; i += 8192) text += String.fromCharCode(...data.subarray(i, i + 8192));
+      return { width: image.width, height: image.height, bytes: btoa(text) };
+    }, uri);
+    return Object.assign(new Picture(), { width, height, data: Buffer.from(bytes, 'base64') });
   }
 
   at(x, y) {
-    const i = (Math.min(Math.max(0, Math.round(y)), this.height - 1) * this.width + Math.min(Math.max(0, Math.round(x)), this.width - 1)) * this.channels;
+    const i = (Math.min(Math.max(0, Math.round(y)), this.height - 1) * this.width + Math.min(Math.max(0, Math.round(x)), this.width - 1)) * 4;
     return [this.data[i], this.data[i + 1], this.data[i + 2]];
   }
 

@@ -173,33 +173,19 @@ async function pointing_shows_values(page, expect) {
   }
 }
 
-async function trajectories_turn_and_play(page, expect) {
-  const figure = page.locator('.chart-trajectories:has(.turnable)').first();
-  if (await figure.count() === 0) return;
-  const plot = figure.locator('.plot');
-  const path = () => plot.locator('.track').first().getAttribute('d');
-  const before = await path();
-  await plot.focus();
-  await page.keyboard.press('ArrowLeft');
-  const turned = await path();
-  expect(turned !== before, 'arrow keys do not turn the view');
+/** Of each way the end is marked, and says when it was reached and where, as all the points before. */
+async function trajectories_tell_time_and_place(page, expect) {
+  const plot = page.locator('.chart-trajectories .plot').first();
+  if (await plot.count() === 0) return;
   await plot.scrollIntoViewIfNeeded();
-  const box = await plot.boundingBox();
-  await page.mouse.move(box.x + box.width * 0.4, box.y + box.height * 0.5);
-  await page.mouse.down();
-  await page.mouse.move(box.x + box.width * 0.4 + 60, box.y + box.height * 0.5 + 10);
-  await page.mouse.up();
-  expect(await path() !== turned, 'dragging does not turn the view');
-  await figure.locator('[data-view=top]').click();
-  expect(await figure.locator('[data-view=top]').getAttribute('aria-pressed') === 'true', 'the view from above is not chosen');
-  const slider = figure.locator('input[type=range]');
-  if (await slider.count() > 0) {
-    const at_end = await plot.locator('.vehicle').first().getAttribute('cx');
-    await slider.fill('250');
-    expect(await plot.locator('.vehicle').first().getAttribute('cx') !== at_end, 'the slider moves nobody');
-    await slider.fill('1000');
-  }
-  await figure.locator('[data-view=turn]').click();
+  const ways = await plot.locator('.curve').count();
+  expect(ways > 0 && await plot.locator('.marks .dot').count() === ways && await plot.locator('.start').count() === ways,
+    `${ways} ways have another number of ends`);
+  const end = await plot.locator('.marks .dot').last().boundingBox();
+  await page.mouse.move(end.x + end.width / 2, end.y + end.height / 2);
+  const said = (await page.locator('.tip:visible').allInnerTexts()).join();
+  expect(/time\s.* s\s+north, east, down\s.* m/.test(said), `the end of a way says ${said}`);
+  await page.mouse.move(0, 0);
 }
 
 async function files_can_be_saved(page, expect) {
@@ -240,5 +226,5 @@ async function files_can_be_saved(page, expect) {
 export const checks = [
   nothing_overflows, headings_and_links_are_sound, charts_are_drawn, verdicts_are_in_sight, categories_read_differently,
   theme_follows_and_toggles, tables_sort_by_keyboard,
-  tables_filter_and_tally, legends_toggle, pointing_shows_values, trajectories_turn_and_play, files_can_be_saved,
+  tables_filter_and_tally, legends_toggle, pointing_shows_values, trajectories_tell_time_and_place, files_can_be_saved,
 ];

@@ -3,14 +3,13 @@
 //
 //   node tests/web/view.mjs [PAGE.html] [--screenshots DIR]
 //
-// Without a file, the committed template is filled with the sample (viewer/sample/playback.mjs); broken documents, links to
+// Without a file, the committed template is filled with the sample (sample_playback.mjs); broken documents, links to
 // a moment and a live run are tried as well. CHECKS=word leaves out the checks of a page without that word in their name.
 // Ends with 0 when every check held, else with 1 and a list of those that did not.
-import { execFileSync } from 'node:child_process';
-import { existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { Browser, command_line, root } from './browser.mjs';
+import { Browser, command_line } from './browser.mjs';
 import { look_at_divergence, look_at_live } from './live_checks.mjs';
+import { playback } from './sample_playback.mjs';
 import { checks, phone_checks, theme_checks } from './view_checks.mjs';
 import { ViewPage } from './view_page.mjs';
 
@@ -120,15 +119,12 @@ async function look_at_markup(sample) {
 if (given !== null) {
   await look_at_every_side(given);
 } else {
-  const file = join(root, 'viewer/sample/view.json');
-  if (!existsSync(file)) execFileSync(process.execPath, [join(root, 'viewer/sample/playback.mjs')]);
-  const json = readFileSync(file, 'utf8');
-  const path = browser.write('view.html', json);
+  const path = browser.write('view.html', JSON.stringify(playback));
   await look_at_every_side(path);
   await look_at_links(path);
-  await look_at_broken(JSON.parse(json));
-  await look_at_markup(JSON.parse(json));
-  await look_at_live(browser, JSON.parse(json));
-  await look_at_divergence(browser, JSON.parse(json));
+  await look_at_broken(playback);
+  await look_at_markup(playback);
+  await look_at_live(browser, playback);
+  await look_at_divergence(browser, playback);
 }
 browser.finish();

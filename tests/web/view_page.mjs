@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A page of `fairway view` in the browser, as the checks drive it.
-import { Picture } from './picture.mjs';
+import { Picture, png_uri } from './picture.mjs';
 
 export class ViewPage {
   constructor(page) {
@@ -69,7 +69,7 @@ export class ViewPage {
   async shot() {
     await this.page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
     const clip = await this.page.locator('.picture').boundingBox();
-    return new Picture(await this.page.screenshot({ clip, scale: 'css', style: '.cameras { visibility: hidden }' }));
+    return Picture.of(png_uri(await this.page.screenshot({ clip, scale: 'css', style: '.cameras { visibility: hidden }' })), this.page);
   }
 
   /** The same once nothing moves any more, as a camera that glides. */

@@ -5,11 +5,6 @@ import type { Plugin } from 'vite';
 
 export const marker = '__FAIRWAY_DATA__';
 
-/** JSON that can stand inside a script element, as fairway/report/page.cpp writes it. */
-export function script_safe(json: string): string {
-  return json.replaceAll('</', '<\\/').replaceAll('<!', '\\u003c!');
-}
-
 // Nothing may be loaded from anywhere: the page says so itself, and browsers hold it to that.
 const policy =
   "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:; font-src data:";
@@ -54,12 +49,13 @@ export function single_page(target: string): Plugin {
   };
 }
 
-/** While developing, the marker of each page is replaced with its sample's data. */
-export function sample_data(file_of: (page: string) => string): Plugin {
+/** While developing, the marker of each page is replaced with the data of a page that fairway made. */
+export function data_of(made: (page: string) => string): Plugin {
+  const data = /<script id="fairway-data" type="application\/json">([^]*?)<\/script>/;
   return {
-    name: 'fairway-sample-data',
+    name: 'fairway-data',
     apply: 'serve',
     transformIndexHtml: (html, { path }) =>
-      html.replace(marker, () => script_safe(readFileSync(file_of(path.replace(/^\/|\.html$/g, '')), 'utf8'))),
+      html.replace(marker, () => data.exec(readFileSync(made(path.replace(/^\/|\.html$/g, '')), 'utf8'))?.[1] ?? marker),
   };
 }

@@ -52,15 +52,15 @@ export function legend(entries: LegendEntry[], hidden: Set<string>, changed: () 
   return h('ul', { class: 'legend', 'aria-label': 'Legend' }, ...items);
 }
 
-/** The legend drawn as part of a saved image: its marks and its height for a width. */
-export function drawn_legend(entries: LegendEntry[], width: number): { marks: SVGElement; height: number } {
+/** The legend drawn as part of a saved image, each name beside its sign: its marks and its height for a width. */
+export function drawn_legend(entries: readonly { label: string; sign: SVGElement[] }[], width: number): { marks: SVGElement; height: number } {
   const group = s('g', {});
   let [x, row] = [0, 0];
-  for (const entry of entries) {
-    const advance = size + 6 + text_width(entry.label, 12) + 18;
+  for (const { label, sign } of entries) {
+    const advance = size + 6 + text_width(label, 12) + 18;
     if (x > 0 && x + advance > width) [x, row] = [0, row + 1];
-    group.append(s('g', { transform: `translate(${x.toFixed(1)} ${row * 20})` }, s('g', {}, ...glyph(entry)),
-      s('text', { class: 'saved-label', x: size + 6, y: 12 }, entry.label)));
+    group.append(s('g', { transform: `translate(${x.toFixed(1)} ${row * 20})` }, s('g', {}, ...sign),
+      s('text', { class: 'saved-label', x: size + 6, y: 12 }, label)));
     x += advance;
   }
   return { marks: group, height: entries.length === 0 ? 0 : (row + 1) * 20 };

@@ -2,7 +2,7 @@
 // The data inside a page, and what the page says when they cannot be read.
 import { buoy } from './buoy';
 import { h } from './dom';
-import { DataError } from './reader';
+import { DataError } from './read';
 import { theme_toggle } from './theme';
 
 /** The text that fairway put into the template; throws DataError where it did not. */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A chart as a file that stands alone: styles resolved, title and legend inside, in the light theme.
 import { fit_text, s } from './dom';
-import { drawn_legend, type LegendEntry } from './legend';
+import { drawn_legend, glyph, type LegendEntry } from './legend';
 import { in_light_theme } from './theme';
 
 // What the style sheet sets on marks, with the values that need not be written.
@@ -37,7 +37,7 @@ export function standalone_svg(drawing: SVGSVGElement, title: string, entries: L
   const height = drawing.viewBox.baseVal.height;
   const margin = 16;
   const head = 26;
-  const { marks, height: legend_height } = drawn_legend(entries, width);
+  const { marks, height: legend_height } = drawn_legend(entries.map((entry) => ({ label: entry.label, sign: glyph(entry) })), width);
   const offset = margin + head + (legend_height > 0 ? legend_height + 6 : 0);
   const total = { width: width + 2 * margin, height: offset + height + margin };
 

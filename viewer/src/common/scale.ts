@@ -3,14 +3,13 @@
 export interface Scale {
   (value: number): number;
   domain: readonly [number, number];
-  invert(position: number): number;
 }
 
 /** A straight line from the domain to pixels. */
 export function linear(domain: readonly [number, number], range: readonly [number, number]): Scale {
   const slope = (range[1] - range[0]) / (domain[1] - domain[0] || 1);
   const scale = (value: number): number => range[0] + (value - domain[0]) * slope;
-  return Object.assign(scale, { domain, invert: (position: number) => domain[0] + (position - range[0]) / slope });
+  return Object.assign(scale, { domain });
 }
 
 /** The step among 1, 2, 5 times a power of ten that divides `span` into about `count` parts. */

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-import { csv_field } from '../common/csv';
+import { csv_text } from '../common/csv';
 import type { Film } from './film';
 import { alerts, modes, phases, progresses, shortfalls, type ColumnSpec, type Scene } from './model';
 
@@ -32,20 +32,18 @@ function headings_of({ name, width }: ColumnSpec): string[] {
 /** The film, a line per frame and vehicle, with full precision. */
 export function frames_csv(scene: Scene, columns: ColumnSpec[], film: Film): string {
   const shown = columns.filter(({ per }) => per === 'vehicle');
-  const labels = scene.vehicles.map(({ name }) => csv_field(name));
-  const lines = [['time_s', 'vehicle', 'name', ...shown.flatMap(headings_of)].join(',')];
+  const rows: (string | number)[][] = [['time_s', 'vehicle', 'name', ...shown.flatMap(headings_of)]];
   for (let i = 0; i < film.count; ++i) {
-    const time = String(film.time(i));
     for (let vehicle = 0; vehicle < film.vehicles; ++vehicle) {
-      const fields = [time, String(vehicle), labels[vehicle]!];
+      const fields: (string | number)[] = [film.time(i), vehicle, scene.vehicles[vehicle]!.name];
       for (const { name, width, type } of shown) {
         for (let k = 0; k < width; ++k) {
           const value = film.value(name, i, vehicle, k);
           fields.push(names[name]?.[value] ?? exact(value, type === 'f32'));
         }
       }
-      lines.push(fields.join(','));
+      rows.push(fields);
     }
   }
-  return lines.join('\r\n') + '\r\n';
+  return csv_text(rows);
 }

@@ -1,29 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 // A run that is still going on: asks the server that this page came from for what is new, and may tell it to
 // pause, go on or step. It asks for nothing else.
-import { Reader } from '../common/reader';
-import { decode_part } from './decode';
+import { flag, number, optional, or_null, record, text, type Of } from '../common/read';
 import type { Film } from './film';
+import { part } from './model';
 
-export interface RunState {
-  paused: boolean;
-  done: boolean;
-  time_s: number;
-  speed: number;
+const run_state = record({
+  paused: flag,
+  done: flag,
+  time_s: number,
+  speed: number,
   /** How the run broke, in a line; empty if it is whole. */
-  divergence: string;
-}
+  divergence: optional(text, ''),
+});
+export type RunState = Of<typeof run_state>;
 export type Order = 'pause' | 'resume' | 'step';
 
 const least_gap_ms = 50;
 const gap_without_answer_ms = 2000;
-
-function decode_state(at: Reader): RunState {
-  return {
-    paused: at.at('paused').flag(), done: at.at('done').flag(), time_s: at.at('time_s').number(), speed: at.at('speed').number(),
-    divergence: at.at('divergence').text(''),
-  };
-}
 
 export class LiveRun {
   /** Null before the first answer. */
@@ -69,7 +63,7 @@ export class LiveRun {
       return false;
     }
     try {
-      return this.take(new Reader(answer, ''));
+      return this.take(answer);
     } catch (error) {
       this.trouble = `What the run sent cannot be read: ${error instanceof Error ? error.message : String(error)}.`;
       return false;
@@ -77,12 +71,12 @@ export class LiveRun {
   }
 
   /** True where the film has grown by it. */
-  private take(answer: Reader): boolean {
-    this.state = decode_state(answer.at('state'));
+  private take(answer: unknown): boolean {
+    const { state, part: found } = record({ state: run_state, part: or_null(part(this.film.vehicles)) })(answer, '');
+    this.state = state;
     this.trouble = '';
-    const part = decode_part(answer.at('part'), this.film.vehicles);
-    if (part === null || part.count === 0) return false;
-    this.film.append(part);
+    if (found === null || found.count === 0) return false;
+    this.film.append(found);
     return true;
   }
 }

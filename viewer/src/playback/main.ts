@@ -7,11 +7,10 @@ import './transport.css';
 import './panel.css';
 import { h } from '../common/dom';
 import { embedded_text, show_problem } from '../common/problem';
-import { DataError } from '../common/reader';
-import { decode } from './decode';
+import { DataError } from '../common/read';
 import { Film } from './film';
 import { LiveRun } from './live';
-import type { Document, Part } from './model';
+import { decode, type Document, type Part } from './model';
 import { show_page } from './page';
 
 const into = document.getElementById('page')!;

@@ -8,7 +8,7 @@ import type { Chart, Palettes } from './charts/chart';
 import { intervals_chart } from './charts/intervals';
 import { lines_chart } from './charts/lines';
 import { raster_chart } from './charts/raster';
-import { trajectories_chart } from './charts/trajectories';
+import { is_flat, trajectories_chart } from './charts/trajectories';
 import { figure, type FigureOptions } from './figure';
 import type { Block, ChartBlock, GridBlock } from './model';
 import { table } from './table';
@@ -29,18 +29,14 @@ export interface Context {
   numbering: Numbering;
 }
 
+const charts = { boxes: boxes_chart, intervals: intervals_chart, lines: lines_chart, raster: raster_chart, trajectories: trajectories_chart };
+
 function is_chart(block: Block): block is ChartBlock {
-  return ['boxes', 'intervals', 'lines', 'raster', 'trajectories'].includes(block.kind);
+  return block.kind in charts;
 }
 
 function chart_of(block: ChartBlock, palettes: Palettes): Chart {
-  switch (block.kind) {
-    case 'boxes': return boxes_chart(block, palettes);
-    case 'intervals': return intervals_chart(block, palettes);
-    case 'lines': return lines_chart(block, palettes);
-    case 'raster': return raster_chart(block, palettes);
-    case 'trajectories': return trajectories_chart(block, palettes);
-  }
+  return (charts[block.kind] as (block: ChartBlock, palettes: Palettes) => Chart)(block, palettes);
 }
 
 function chart_element(block: ChartBlock, context: Context, within: Partial<FigureOptions> = {}): HTMLElement {
@@ -53,15 +49,15 @@ function chart_element(block: ChartBlock, context: Context, within: Partial<Figu
 
 /** Small charts side by side: one figure with lettered panels and, where they agree, one legend. */
 function grid_element(block: GridBlock, context: Context): HTMLElement {
-  const charts = block.blocks.filter(is_chart);
+  const drawn = block.blocks.filter(is_chart);
   const compact = block.columns > 2;
-  const legends = charts.map((chart) => chart_of(chart, context.palettes).legend);
+  const legends = drawn.map((chart) => chart_of(chart, context.palettes).legend);
   const names = legends.map((entries) => JSON.stringify(entries.filter(({ toggles }) => toggles).map(({ label }) => label)));
-  const alike = charts.length > 1 && new Set(names).size === 1;
+  const alike = drawn.length > 1 && new Set(names).size === 1;
   const shared = alike ? { hidden: new Set<string>(), redraws: [] as (() => void)[] } : null;
   const entries = [...new Map(legends.flat().map((entry) => [`${entry.glyph} ${entry.label}`, entry])).values()];
 
-  const number = charts.length > 0 && charts.length === block.blocks.length ? context.numbering.figure() : null;
+  const number = drawn.length > 0 && drawn.length === block.blocks.length ? context.numbering.figure() : null;
   const panels = block.blocks.map((inner, i) => {
     if (!is_chart(inner)) return block_element(inner, context);
     if (number === null) return chart_element(inner, context, { compact, shared });
@@ -84,6 +80,11 @@ export function block_element(block: Block, context: Context): HTMLElement {
       return table(block, `table-${number}`, `Table ${number}`, context.palettes.series);
     }
     case 'grid': return grid_element(block, context);
+    case 'trajectories':
+      return is_flat(block) ? chart_element(block, context) : grid_element({
+        kind: 'grid', title: block.title, columns: 2,
+        blocks: [{ ...block, title: 'From above' }, { ...block, title: 'From the south', side: 'south' }],
+      }, context);
     case 'note':
       return h('div', { class: `note ${block.tone}`, role: 'note' },
         h('b', {}, block.tone === 'warning' ? 'Caution' : 'Note'), h('p', {}, block.text));

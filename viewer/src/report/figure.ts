@@ -170,11 +170,7 @@ export function figure(chart: Chart, options: FigureOptions): HTMLElement {
   const { id, number, title, compact, shared } = options;
   const hidden = shared?.hidden ?? new Set<string>();
   const plot = new Plot(chart, hidden, compact, title || number);
-  const controls_box = h('div', {});
-  const redraw = (): void => {
-    plot.redraw();
-    controls_box.firstElementChild?.dispatchEvent(new Event('redrawn'));
-  };
+  const redraw = (): void => plot.redraw();
   shared?.redraws.push(redraw);
 
   const name = slug(title || id);
@@ -192,16 +188,10 @@ export function figure(chart: Chart, options: FigureOptions): HTMLElement {
   const runs = runs_button(chart, title || number);
   const panel = h('div', { class: 'data-panel', id: `${id}-data`, hidden: true });
 
-  const controls = chart.controls?.(redraw);
-  if (controls !== undefined) {
-    controls_box.append(controls);
-    controls.dispatchEvent(new Event('redrawn'));
-  }
-  chart.attach?.(plot.element, redraw);
   const caption = h('figcaption', {},
     number === '' ? null : h('a', { class: 'ref', href: `#${id}` }, number), h('span', { class: 'title' }, title));
   return h('figure', { class: `figure chart-${options.kind}${compact ? ' compact' : ''}`, id },
     h('div', { class: 'head' }, caption, h('div', { class: 'actions' }, runs, data_button(chart, panel), csv, save)),
     shared === null && chart.legend.length > 0 ? legend(chart.legend, hidden, redraw) : null,
-    controls === undefined ? null : controls_box, plot.element, panel);
+    plot.element, panel);
 }

@@ -6,7 +6,7 @@ import './chart.css';
 import './runs.css';
 import './print.css';
 import { embedded_text, show_problem } from '../common/problem';
-import { decode } from './decode';
+import { decode } from './model';
 import { show_document } from './page';
 
 const into = document.getElementById('page')!;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the picture is made of: parts that draw themselves at a moment.
-import type { Object3D } from 'three';
+import { Group, type Object3D } from 'three';
 import type { Moment } from '../film';
 import type { Colours } from './colours';
+import type { Ink } from './ink/instances';
 import type { Label } from './labels';
 import type { Poses } from './poses';
 
@@ -28,6 +29,26 @@ export interface Part {
   /** What is written beside it, placed anew with every camera. */
   labels?(): Label[];
   key?(): KeyLine[];
+}
+
+/** A part whose inks are drawn with anew at every moment. */
+export abstract class Drawn implements Part {
+  readonly object = new Group();
+  private readonly inks: Ink[] = [];
+
+  protected ink<I extends Ink>(ink: I): I {
+    this.inks.push(ink);
+    this.object.add(ink.object);
+    return ink;
+  }
+
+  show(now: Now): void {
+    for (const ink of this.inks) ink.clear();
+    this.draw(now);
+    for (const ink of this.inks) ink.commit();
+  }
+
+  protected abstract draw(now: Now): void;
 }
 
 /** Translucent things are drawn in this order, whatever their distance. */

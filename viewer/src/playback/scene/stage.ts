@@ -7,7 +7,7 @@ import type { Scene } from '../model';
 import { Cameras } from './cameras';
 import { read_colours, type Colours } from './colours';
 import { extent_of, type Extent } from './extent';
-import { viewport } from './ink/lines';
+import { viewport } from './ink/instances';
 import { Labels, project, type Label } from './labels';
 import type { Part } from './part';
 import { fit_parts, make_parts, type Parts } from './parts/all';

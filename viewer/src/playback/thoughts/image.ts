@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // An image over velocities, turned as the vehicle is.
+import { s } from '../../common/dom';
 import { from_base64 } from '../film';
 import { image_width, type ImageStroke } from '../model';
 
-export function pixels_of({ side, rgb }: ImageStroke): HTMLCanvasElement {
+function pixels_of({ side, rgb }: ImageStroke): HTMLCanvasElement {
   const canvas = document.createElement('canvas');
   canvas.width = canvas.height = side;
   const context = canvas.getContext('2d');
@@ -20,16 +21,11 @@ export function pixels_of({ side, rgb }: ImageStroke): HTMLCanvasElement {
   return canvas;
 }
 
-/** Paints the image below a horizontal plane of `size` px that reaches so far [m/s]. */
-export function paint_image(canvas: HTMLCanvasElement, stroke: ImageStroke | null, size: number, reach: number): void {
-  const ratio = window.devicePixelRatio || 1;
-  canvas.width = canvas.height = Math.round(size * ratio);
-  canvas.style.width = canvas.style.height = `${size}px`;
-  const context = canvas.getContext('2d');
-  if (stroke === null || context === null) return;
-  const width = (image_width(stroke) / (2 * reach)) * canvas.width;
-  context.imageSmoothingEnabled = false;
-  context.translate(canvas.width / 2, canvas.height / 2);
-  context.rotate(stroke.yaw);
-  context.drawImage(pixels_of(stroke), -width / 2, -width / 2, width, width);
+/** The image in a horizontal plane of `size` px that reaches so far [m/s]. */
+export function image_under(stroke: ImageStroke, size: number, reach: number): SVGElement {
+  const width = (image_width(stroke) / (2 * reach)) * size;
+  return s('image', {
+    href: pixels_of(stroke).toDataURL(), x: (size - width) / 2, y: (size - width) / 2, width, height: width,
+    'image-rendering': 'pixelated', transform: `rotate(${(stroke.yaw * 180) / Math.PI} ${size / 2} ${size / 2})`,
+  });
 }

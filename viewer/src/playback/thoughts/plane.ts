@@ -3,7 +3,8 @@
 import { path_data, s } from '../../common/dom';
 import { fixed } from '../../common/format';
 import { tick_digits, ticks } from '../../common/scale';
-import type { Stroke, Vec3 } from '../model';
+import type { ImageStroke, Stroke, Vec3 } from '../model';
+import { image_under } from './image';
 import type { Look, Meanings } from './meanings';
 import { cut_half_space, dot, forbidden_part, projected, type Point, type Slice } from './slice';
 
@@ -19,6 +20,8 @@ export interface PlaneOptions {
   /** Regions are outlines in the horizontal plane alone. */
   regions: boolean;
   meanings: Meanings;
+  /** Lies under everything else. */
+  image: ImageStroke | null;
 }
 export interface Spot {
   x: number;
@@ -39,7 +42,7 @@ export function draw_plane(strokes: readonly Stroke[], options: PlaneOptions): P
   const place = ([x, y]: Point): Point => [((x / reach + 1) * size) / 2, ((1 - y / reach) * size) / 2];
   const clip = `plane-clip-${++clip_count}`;
   const spots: Spot[] = [];
-  const areas: SVGElement[] = [];
+  const areas = options.image === null ? [] : [image_under(options.image, size, reach)];
   const edges: SVGElement[] = [];
   const halos: SVGElement[] = [];
   const marks: SVGElement[] = [];

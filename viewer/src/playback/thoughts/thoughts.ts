@@ -8,7 +8,6 @@ import { hide_tip, show_tip } from '../../common/tooltip';
 import type { Film, Moment } from '../film';
 import type { ImageStroke, Scene, SketchRecord, Stroke } from '../model';
 import type { Panel } from '../panel';
-import { paint_image } from './image';
 import { entries_of, meaning_key, told, Wanted } from './key';
 import { commanded, Meanings, own_velocity } from './meanings';
 import { Perceived } from './perceived';
@@ -164,10 +163,8 @@ class Thoughts implements Panel {
     const size = Math.floor(Math.min(this.width, largest_plane, beside ? this.width * 0.62 : Infinity));
     const small = Math.floor(beside ? Math.min(this.width - size - 16, size * 0.72) : Math.min(size, 260));
     const shown = strokes.filter((stroke) => this.wanted.shows(stroke, plane));
-    this.planes.replaceChildren(...this.parts(decision, shown, size, small).map(({ drawn, caption, image }) => {
-      const canvas = h('canvas', { 'aria-hidden': 'true' });
-      if (image !== undefined) paint_image(canvas, image, size, decision.reach);
-      const host = h('div', { class: 'plane-host' }, image === undefined ? null : canvas, drawn.svg);
+    this.planes.replaceChildren(...this.parts(decision, shown, size, small).map(({ drawn, caption }) => {
+      const host = h('div', { class: 'plane-host' }, drawn.svg);
       host.addEventListener('pointermove', (event) => point_at(drawn, host, event));
       return h('figure', {}, host, h('figcaption', {}, caption));
     }));
@@ -177,19 +174,18 @@ class Thoughts implements Panel {
   }
 
   private parts({ horizontal, vertical, reach, down }: Decision, shown: readonly Stroke[], size: number, small: number):
-      { drawn: Plane; caption: string; image?: ImageStroke | null }[] {
+      { drawn: Plane; caption: string }[] {
     const image = shown.find((stroke): stroke is ImageStroke => stroke.kind === 'image') ?? null;
     const forbidden = shown.some(({ kind }) => kind === 'half_space' || kind === 'region') ? '; shaded ones are forbidden' : '';
     const level = Math.abs(down) < 5e-4 ? '' : `, all at ${fixed(Math.abs(down), 2)} m/s ${down > 0 ? 'down' : 'up'}`;
     const parts = [{
-      drawn: draw_plane(shown, { slice: horizontal, reach, size, up: 'north', right: 'east', regions: true, meanings: this.meanings }),
+      drawn: draw_plane(shown, { slice: horizontal, reach, size, up: 'north', right: 'east', regions: true, meanings: this.meanings, image }),
       caption: vertical === null ? `Horizontal velocities${image === null ? '' : ` over their ${image.meaning}`}${forbidden}.`
         : `Horizontal cut through the chosen velocity${level}${forbidden}.`,
-      image,
     }];
     if (vertical === null) return parts;
     return [...parts, {
-      drawn: draw_plane(shown, { slice: vertical, reach, size: small, up: 'up', right: 'on course', regions: false, meanings: this.meanings }),
+      drawn: draw_plane(shown, { slice: vertical, reach, size: small, up: 'up', right: 'on course', regions: false, meanings: this.meanings, image: null }),
       caption: 'Vertical cut through the chosen velocity, along its course.',
     }];
   }
@@ -204,7 +200,7 @@ class Thoughts implements Panel {
     const name = this.scene.vehicles[decision.record.vehicle]!.name;
     const title = `${name}, decided at t = ${fixed(decision.record.time_s, 2)} s`;
     save_text(`${slug(`${name} ${decision.record.time_s}`)}.svg`, 'image/svg+xml',
-      planes_svg(title, parts.map(({ drawn, caption }) => ({ svg: drawn.svg, caption })), entries, parts[0]!.image ?? null, decision.reach));
+      planes_svg(title, parts.map(({ drawn, caption }) => ({ svg: drawn.svg, caption })), entries));
     return true;
   }
 }

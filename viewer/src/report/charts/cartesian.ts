@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The part that charts over x and y share: margins, grid lines, labels and reference lines.
-import { fit_text, fit_texts, s, text_width } from '../../common/dom';
+import { fit_text, s, text_width } from '../../common/dom';
 import { fixed, short } from '../../common/format';
 import { linear, nice_domain, tick_digits, ticks, type Scale } from '../../common/scale';
 import type { Rule } from '../model';
 import type { View } from './chart';
 
 /** Room left of the drawing, for labels of ticks and for the first label under it. */
-const least_left = 24;
+export const least_left = 24;
 
 export interface Area {
   left: number;
@@ -35,6 +35,16 @@ export interface CanvasOptions {
   x_label: string;
   /** Space under the axis for its labels, given the inner width. */
   x_space(inner: number, font: number): number;
+}
+
+/** The least and the largest of the values, of which there may be more than a call can have arguments; null of none. */
+export function extent(values: readonly number[]): [number, number] | null {
+  return values.length === 0 ? null : [values.reduce((a, b) => Math.min(a, b)), values.reduce((a, b) => Math.max(a, b))];
+}
+
+/** A point of a curve. */
+export function dot(colour: string, cx: number, cy: number): SVGElement {
+  return s('circle', { colour, class: 'dot', cx, cy, r: 3.5 });
 }
 
 /** The height of the drawing; slanted labels get their space on top of it. */
@@ -126,36 +136,4 @@ function rule_marks(rule: Rule, y: Scale, area: Area, font: number): SVGElement[
     s('line', { class: 'rule', x1: area.left, x2: area.right, y1: at, y2: at }),
     label(below ? at + font + 2 : at - 4, name),
   ];
-}
-
-/** Labels under categories: level where they fit, slanted where they do not. */
-export function category_layout(categories: string[], inner: number, font: number) {
-  const widest = Math.max(0, ...categories.map((name) => text_width(name, font)));
-  const slanted = widest > inner / Math.max(1, categories.length) - 4;
-  // The first label may not reach beyond the left edge: half a band and the least room for ticks are beside it.
-  const room = Math.min(widest, 92, (inner / Math.max(1, categories.length) / 2 + least_left - 2) / 0.71);
-  const labels = slanted ? fit_texts(categories, room, font) : categories;
-  const longest = Math.max(0, ...labels.map((name) => text_width(name, font)));
-  return { slanted, labels, space: slanted ? longest * 0.71 + font + 4 : font + 10 };
-}
-
-export function draw_categories(on: Canvas, categories: string[], centre: (i: number) => number): void {
-  const { slanted, labels } = category_layout(categories, on.area.right - on.area.left, on.font);
-  labels.forEach((label, i) => {
-    const x = centre(i);
-    const y = on.area.bottom + (slanted ? 10 : on.font + 6);
-    on.svg.append(s('text', {
-      class: 'tick', x, y, 'text-anchor': slanted ? 'end' : 'middle',
-      transform: slanted ? `rotate(-45 ${x.toFixed(1)} ${y.toFixed(1)})` : undefined,
-    }, label));
-  });
-}
-
-/** Faint bands behind every other category, where several series share one. */
-export function draw_bands(on: Canvas, count: number, width: number): void {
-  for (let i = 1; i < count; i += 2) {
-    on.svg.insertBefore(s('rect', {
-      class: 'band', x: on.area.left + i * width, y: on.area.top, width, height: on.area.bottom - on.area.top,
-    }), on.svg.firstChild);
-  }
 }

@@ -3,7 +3,7 @@
 import type { Palette } from '../../common/colour';
 import type { LegendEntry } from '../../common/legend';
 import type { Tip } from '../../common/tooltip';
-import type { Made, TableBlock } from '../model';
+import type { Column, Made, Row, TableBlock } from '../model';
 
 export interface View {
   width: number;
@@ -40,15 +40,25 @@ export interface Chart {
   draw(view: View): Drawing;
   /** The runs behind the drawing as a whole. */
   made?: Made | null;
-  /** Buttons and sliders of this kind of chart. */
-  controls?(redraw: () => void): HTMLElement;
-  /** Gestures on the drawing, beyond pointing; once per figure. */
-  attach?(plot: HTMLElement, redraw: () => void): void;
 }
 
 export interface Palettes {
   series: Palette;
   vehicles: Palette;
+}
+
+/** The colours of a name: one that is a vehicle's elsewhere on the page has the vehicle's colour everywhere. */
+export function palette_of(label: string, { series, vehicles }: Palettes): Palette {
+  return vehicles.has(label) ? vehicles : series;
+}
+
+/** The numbers behind a chart, as a table; of numbers where a column does not say. */
+export function numbers_table(title: string, columns: (readonly [key: string, label: string, type?: Column['type'], unit?: string])[],
+                              rows: Row[]): TableBlock {
+  return {
+    kind: 'table', title, note: '', filter: [], rows,
+    columns: columns.map(([key, label, type = 'number', unit = '']) => ({ key, label, unit, type, digits: null })),
+  };
 }
 
 /** What a target leads to; nothing where the runs are not known. */

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A square over x and y, both to their very ends, with ticks outside of it.
+// A rectangle over x and y, both to their very ends, with ticks outside of it.
 import { s, text_width } from '../../common/dom';
 import { fixed } from '../../common/format';
 import { linear, tick_digits, ticks, type Scale } from '../../common/scale';
@@ -17,19 +17,22 @@ export interface PlaneOptions {
   y: Range;
   x_label: string;
   y_label: string;
+  /** Its height over its width; a square where it is not given. */
+  ratio?: number;
 }
 
 /** As large as the view is wide, up to a size that still fits a window. */
-export function plane({ view, x, y, x_label, y_label }: PlaneOptions): Plane {
+export function plane({ view, x, y, x_label, y_label, ratio = 1 }: PlaneOptions): Plane {
   const [font, most] = view.compact ? [10.5, 300] : [11.5, 460];
   const count = Math.max(2, Math.round(Math.min(most, view.width) / (view.compact ? 48 : 60)));
-  const marks_y = ticks(y[0], y[1], count);
+  const marks_y = ticks(y[0], y[1], Math.max(2, Math.round(count * Math.min(1, ratio))));
   const digits = tick_digits(marks_y);
   const left = Math.ceil(Math.max(...marks_y.map((value) => text_width(fixed(value, digits), font)))) + 12;
   const room = 14;
-  const side = Math.max(40, Math.floor(Math.min(most, view.width - left - room)));
+  const across = Math.max(40, Math.floor(Math.min(most / Math.max(ratio, 1e-3), view.width - left - room)));
+  const side = { x: across, y: Math.max(24, Math.round(across * ratio)) };
   const top = y_label === '' ? 10 : Math.ceil(font) + 16;
-  const area = { left, right: left + side, top, bottom: top + side };
+  const area = { left, right: left + side.x, top, bottom: top + side.y };
   const width = area.right + room;
   const height = Math.ceil(area.bottom + font + (x_label === '' ? 14 : font + 20));
 
@@ -47,6 +50,6 @@ export function plane({ view, x, y, x_label, y_label }: PlaneOptions): Plane {
   }
   svg.append(...axis_labels({ x_label, y_label, view, area, font, height }), on.marks);
   draw_x_ticks(on, on.x, count, width);
-  svg.append(s('rect', { class: 'face', x: left - 0.5, y: top - 0.5, width: side + 1, height: side + 1 }));
+  svg.append(s('rect', { class: 'face', x: left - 0.5, y: top - 0.5, width: side.x + 1, height: side.y + 1 }));
   return on;
 }

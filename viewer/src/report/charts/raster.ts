@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // An image over a plane, such as what an avoider thinks of each velocity, cell by cell.
-import { h, s } from '../../common/dom';
+import { shape_path } from '../../common/colour';
+import { h, s, type Attributes } from '../../common/dom';
 import { fixed, short } from '../../common/format';
 import type { Tip } from '../../common/tooltip';
-import type { Column, RasterBlock } from '../model';
-import type { Chart, Drawing, Palettes, Target, View } from './chart';
-import { draw_pins, edged, pin_style } from './pins';
+import type { RasterBlock } from '../model';
+import { numbers_table, palette_of, type Chart, type Drawing, type Palettes, type Target, type View } from './chart';
 import { plane, type Plane } from './plane';
 
 function colour_at(block: RasterBlock, column: number, row: number): string {
@@ -68,6 +68,38 @@ function cell_target(block: RasterBlock, on: Plane, column: number, row: number)
   };
 }
 
+type Mark = RasterBlock['marks'][number];
+
+function mark_style({ label }: Mark, palettes: Palettes) {
+  const palette = palette_of(label, palettes);
+  return { colour: palette.colour(label), shape: palette.shape(label) };
+}
+
+/** An outline that is seen on every colour. */
+function edged(tag: 'circle' | 'rect', attributes: Attributes): SVGElement[] {
+  return ['pin-edge', 'pin-ring'].map((name) => s(tag, { class: name, ...attributes }));
+}
+
+const pin_radius = 4.5;
+
+/** Draws a mark; one beyond the image becomes an arrow head at its edge. */
+function draw_mark(block: RasterBlock, on: Plane, mark: Mark, palettes: Palettes): Target {
+  const { left, right, top, bottom } = on.area;
+  const { colour, shape } = mark_style(mark, palettes);
+  const [to_x, to_y] = [on.x(mark.x), on.y(mark.y)];
+  const [x, y] = [Math.max(left, Math.min(right, to_x)), Math.max(top, Math.min(bottom, to_y))];
+  const beyond = x !== to_x || y !== to_y;
+  const d = beyond ? 'M0 0L-9 5V-5Z' : shape_path(shape, pin_radius);
+  const turn = beyond ? ` rotate(${((Math.atan2(to_y - y, to_x - x) * 180) / Math.PI).toFixed(1)})` : '';
+  on.marks.append(s('g', { colour, transform: `translate(${x.toFixed(1)} ${y.toFixed(1)})${turn}` },
+    s('path', { class: 'pin-edge', d }), s('path', { class: 'pin', d })));
+  return {
+    x, y,
+    tip: () => ({ title: mark.label, rows: position_rows(block, mark).map((row, i) => (i === 0 ? { ...row, colour } : row)) }),
+    cursor: () => edged('circle', { cx: x, cy: y, r: pin_radius + 4 }),
+  };
+}
+
 function pick(block: RasterBlock, on: Plane, pins: Target[], x: number, y: number): Target | null {
   const pin = pins.find((target) => Math.hypot(target.x - x, target.y - y) < 8);
   if (pin !== undefined) return pin;
@@ -84,8 +116,8 @@ function draw(block: RasterBlock, image: SVGImageElement, palettes: Palettes, vi
   const place = { x: left, y: top, width: right - left, height: bottom - top };
   for (const [name, value] of Object.entries(place)) image.setAttribute(name, String(value));
   on.marks.append(image);
-  const pins = draw_pins(on, block.marks.filter(({ label }) => !view.hidden.has(label)), palettes,
-    (pin, colour) => ({ title: pin.label, rows: position_rows(block, pin).map((row, i) => i === 0 ? { ...row, colour } : row) }));
+  const pins = block.marks.filter(({ label }) => !view.hidden.has(label)).map((mark) => draw_mark(block, on, mark, palettes))
+    .sort((a, b) => a.x - b.x);
   // Without marks the arrow keys go along the middle row.
   const middle = Math.floor(block.height / 2);
   const targets = pins.length > 0 ? pins
@@ -102,24 +134,18 @@ function rows_of(block: RasterBlock) {
 }
 
 export function raster_chart(block: RasterBlock, palettes: Palettes): Chart {
-  const names = [...new Set(block.marks.map(({ label }) => label))];
+  const named = [...new Map(block.marks.map((mark) => [mark.label, mark])).values()];
   const [x_name, y_name] = [block.x_label || 'x', block.y_label || 'y'];
   const span = ([low, high]: RasterBlock['x']): string => `from ${short(low)} to ${short(high)}`;
   const marks = block.marks.map(({ label, x, y }) => `${label} at ${fixed(x, 2)}, ${fixed(y, 2)}`);
-  const column = (key: string, label: string, type: Column['type']): Column => ({ key, label, unit: '', type, digits: null });
   let image: SVGImageElement | null = null;
   return {
-    legend: names.map((label) => ({ label, glyph: 'point', ...pin_style(label, palettes), toggles: true })),
+    legend: named.map((mark) => ({ label: mark.label, glyph: 'point', ...mark_style(mark, palettes), toggles: true })),
     summary: `Image of ${block.width} by ${block.height} cells over ${x_name} ${span(block.x)} and ${y_name} ${span(block.y)}.` +
       (marks.length === 0 ? '' : ` Marks: ${marks.join('; ')}.`),
-    data: () => ({
-      kind: 'table', title: block.title, note: '', filter: [],
-      columns: [
-        ...(names.length === 0 ? [] : [column('mark', 'mark', 'text')]),
-        column('x', x_name, 'number'), column('y', y_name, 'number'), column('colour', 'colour', 'text'),
-      ],
-      rows: rows_of(block),
-    }),
+    data: () => numbers_table(block.title, [
+      ...(named.length === 0 ? [] : [['mark', 'mark', 'text'] as const]), ['x', x_name], ['y', y_name], ['colour', 'colour', 'text'],
+    ], rows_of(block)),
     draw: (view) => draw(block, image ??= picture(block), palettes, view),
   };
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Arrows: a line some pixels wide and a cone, two draw calls for all of them.
-import { ConeGeometry, Group, Mesh, Quaternion, ShaderMaterial, Vector3, type Color } from 'three';
-import { Instances } from './instances';
-import { Lines, viewport } from './lines';
+import { ConeGeometry, Group, Quaternion, Vector3, type Color } from 'three';
+import { Instances, plain_fragment, type Ink } from './instances';
+import { Lines } from './lines';
 
 const vertex = `
 attribute vec3 tip;
@@ -22,19 +22,12 @@ void main() {
   v_tint = vec4(tint.rgb * tint.rgb, tint.a);
   gl_Position = projectionMatrix * modelViewMatrix * vec4(tip + turned, 1.0);
 }`;
-const fragment = `
-varying vec4 v_tint;
-void main() {
-  gl_FragColor = v_tint;
-  #include <colorspace_fragment>
-}`;
-
 const up = new Vector3(0, 1, 0);
 const along = new Vector3();
 const neck = new Vector3();
 const turn = new Quaternion();
 
-export class Arrows {
+export class Arrows implements Ink {
   readonly object = new Group();
   private readonly shafts: Lines;
   private readonly heads: Instances;
@@ -42,12 +35,8 @@ export class Arrows {
   constructor(width_px: number, render_order: number) {
     this.shafts = new Lines(width_px, render_order);
     const cone = new ConeGeometry(0.3, 1, 20).translate(0, -0.5, 0);
-    this.heads = new Instances(cone, [['tip', 3], ['turn', 4], ['reach', 1]]);
-    const material = new ShaderMaterial({ vertexShader: vertex, fragmentShader: fragment, transparent: true, depthWrite: false, uniforms: { ...viewport } });
-    const cones = new Mesh(this.heads.geometry, material);
-    cones.frustumCulled = false;
-    cones.renderOrder = render_order;
-    this.object.add(this.shafts.object, cones);
+    this.heads = new Instances(cone, [['tip', 3], ['turn', 4], ['reach', 1]], render_order, { vertexShader: vertex, fragmentShader: plain_fragment });
+    this.object.add(this.shafts.object, this.heads.object);
   }
 
   clear(): void {
@@ -61,7 +50,7 @@ export class Arrows {
     turn.setFromUnitVectors(up, along.divideScalar(length));
     // The line ends within the head, so that it does not blunt the tip.
     this.shafts.add(from, neck.copy(to).addScaledVector(along, -0.04 * length), colour, alpha);
-    this.heads.add([to.x, to.y, to.z, turn.x, turn.y, turn.z, turn.w, length], colour, alpha);
+    this.heads.put([...to, ...turn, length], colour, alpha);
   }
   commit(): void {
     this.shafts.commit();

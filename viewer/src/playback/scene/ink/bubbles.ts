@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Translucent spheres with an equator and two meridians, all of them in one draw call.
-import { DoubleSide, Mesh, ShaderMaterial, SphereGeometry, type Color, type Vector3 } from 'three';
+import { DoubleSide, SphereGeometry, type Color, type Vector3 } from 'three';
 import { Instances } from './instances';
-import { viewport } from './lines';
 
 const vertex = `
 attribute vec3 centre;
@@ -53,30 +52,15 @@ export interface BubbleStyle {
 }
 
 /** Of a `crowd`, each is drawn with fewer faces. */
-export class Bubbles {
-  readonly object: Mesh<Instances['geometry'], ShaderMaterial>;
-  private readonly instances: Instances;
-
-  constructor(style: BubbleStyle, render_order: number, crowd = 1) {
-    this.instances = new Instances(crowd > 16 ? new SphereGeometry(1, 32, 20) : new SphereGeometry(1, 60, 36), [['centre', 3], ['radius', 1]], 16);
-    const material = new ShaderMaterial({
-      vertexShader: vertex, fragmentShader: fragment, transparent: true, depthWrite: false, side: DoubleSide,
-      uniforms: {
-        fill: { value: style.fill }, rim: { value: style.rim }, circles: { value: style.circles }, hatch: { value: style.hatch ?? 0 }, ratio: viewport.ratio,
-      },
-    });
-    this.object = new Mesh(this.instances.geometry, material);
-    this.object.frustumCulled = false;
-    this.object.renderOrder = render_order;
+export class Bubbles extends Instances {
+  constructor({ fill, rim, circles, hatch = 0 }: BubbleStyle, render_order: number, crowd = 1) {
+    super(crowd > 16 ? new SphereGeometry(1, 32, 20) : new SphereGeometry(1, 60, 36), [['centre', 3], ['radius', 1]], render_order, {
+      vertexShader: vertex, fragmentShader: fragment, side: DoubleSide,
+      uniforms: { fill: { value: fill }, rim: { value: rim }, circles: { value: circles }, hatch: { value: hatch } },
+    }, 16);
   }
 
-  clear(): void {
-    this.instances.clear();
-  }
   add(centre: Vector3, radius: number, colour: Color, alpha = 1): void {
-    this.instances.add([centre.x, centre.y, centre.z, radius], colour, alpha);
-  }
-  commit(): void {
-    this.instances.commit();
+    this.put([...centre, radius], colour, alpha);
   }
 }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Marks of constant size in pixels: discs, rings and targets, all of them in one draw call.
-import { BufferAttribute, BufferGeometry, Mesh, ShaderMaterial, type Color, type Vector3 } from 'three';
+import { BufferAttribute, BufferGeometry, type Color, type Vector3 } from 'three';
 import { Instances } from './instances';
-import { viewport } from './lines';
 
 const dot_kinds = { disc: 0, ring: 1, target: 2 } as const;
 export type DotKind = keyof typeof dot_kinds;
@@ -55,28 +54,14 @@ void main() {
 }`;
 
 /** `through`: seen through everything else. */
-export class Dots {
-  readonly object: Mesh<Instances['geometry'], ShaderMaterial>;
-  private readonly instances: Instances;
-
+export class Dots extends Instances {
   constructor(render_order: number, through = false) {
-    this.instances = new Instances(square(), [['centre', 3], ['mark', 4]], 32);
-    const material = new ShaderMaterial({
-      vertexShader: vertex, fragmentShader: fragment, transparent: true, depthWrite: false, depthTest: !through, uniforms: { ...viewport },
-    });
-    this.object = new Mesh(this.instances.geometry, material);
-    this.object.frustumCulled = false;
-    this.object.renderOrder = render_order;
+    super(square(), [['centre', 3], ['mark', 4]], render_order,
+      { vertexShader: vertex, fragmentShader: fragment, depthTest: !through }, 32);
   }
 
-  clear(): void {
-    this.instances.clear();
-  }
   /** `gone_px`: fades out where `metres` of the picture are longer than that. */
   add(centre: Vector3, kind: DotKind, diameter_px: number, colour: Color, alpha = 1, metres = 0, gone_px = 0): void {
-    this.instances.add([centre.x, centre.y, centre.z, diameter_px, dot_kinds[kind], metres, gone_px], colour, alpha);
-  }
-  commit(): void {
-    this.instances.commit();
+    this.put([...centre, diameter_px, dot_kinds[kind], metres, gone_px], colour, alpha);
   }
 }

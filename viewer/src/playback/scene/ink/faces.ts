@@ -1,33 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
 // Flat translucent faces, all of them in one draw call.
-import {
-  BufferAttribute, BufferGeometry, DoubleSide, DynamicDrawUsage, Mesh, MeshBasicMaterial, ShapeUtils, Vector2, type Color, type Vector3,
-} from 'three';
+import { BufferAttribute, BufferGeometry, DoubleSide, ShapeUtils, Vector2, type Color, type Vector3 } from 'three';
+import { Instances, plain_fragment } from './instances';
 
-export class Faces {
-  readonly object: Mesh<BufferGeometry, MeshBasicMaterial>;
-  private capacity = 0;
-  private count = 0;
+/** Each corner takes its place from the attribute of which it is the unit. */
+const corners = new BufferGeometry().setAttribute('position', new BufferAttribute(new Float32Array([1, 0, 0, 0, 1, 0, 0, 0, 1]), 3));
 
+const vertex = `
+attribute vec3 a;
+attribute vec3 b;
+attribute vec3 c;
+attribute vec4 tint;
+varying vec4 v_tint;
+void main() {
+  v_tint = vec4(tint.rgb * tint.rgb, tint.a);
+  gl_Position = projectionMatrix * modelViewMatrix * vec4(position.x * a + position.y * b + position.z * c, 1.0);
+}`;
+
+export class Faces extends Instances {
   constructor(render_order: number) {
-    const material = new MeshBasicMaterial({ vertexColors: true, transparent: true, depthWrite: false, side: DoubleSide });
-    this.object = new Mesh(new BufferGeometry(), material);
-    this.object.frustumCulled = false;
-    this.object.renderOrder = render_order;
-    this.reserve(96);
-    this.commit();
+    super(corners, [['a', 3], ['b', 3], ['c', 3]], render_order, { vertexShader: vertex, fragmentShader: plain_fragment, side: DoubleSide });
   }
 
-  clear(): void {
-    this.count = 0;
-  }
   triangle(a: Vector3, b: Vector3, c: Vector3, colour: Color, alpha: number): void {
-    if (this.count + 3 > this.capacity) this.reserve(2 * this.capacity);
-    for (const p of [a, b, c]) {
-      this.attribute('position').setXYZ(this.count, p.x, p.y, p.z);
-      this.attribute('color').setXYZW(this.count, colour.r, colour.g, colour.b, alpha);
-      ++this.count;
-    }
+    this.put([...a, ...b, ...c], colour, alpha);
   }
   quad(a: Vector3, b: Vector3, c: Vector3, d: Vector3, colour: Color, alpha: number): void {
     this.triangle(a, b, c, colour, alpha);
@@ -43,26 +39,5 @@ export class Faces {
   }
   fan(centre: Vector3, outline: Vector3[], colour: Color, alpha: number): void {
     for (let i = 0; i + 1 < outline.length; ++i) this.triangle(centre, outline[i]!, outline[i + 1]!, colour, alpha);
-  }
-  /** Sends what was added since `clear` to the next picture. */
-  commit(): void {
-    this.object.visible = this.count > 0;
-    this.object.geometry.setDrawRange(0, this.count);
-    for (const name of ['position', 'color'] as const) this.attribute(name).needsUpdate = true;
-  }
-
-  private attribute(name: 'position' | 'color'): BufferAttribute {
-    return this.object.geometry.getAttribute(name) as BufferAttribute;
-  }
-
-  private reserve(capacity: number): void {
-    const { geometry } = this.object;
-    if (this.capacity > 0) geometry.dispose();
-    for (const [name, width] of [['position', 3], ['color', 4]] as const) {
-      const array = new Float32Array(capacity * width);
-      if (this.capacity > 0) array.set(this.attribute(name).array as Float32Array);
-      geometry.setAttribute(name, new BufferAttribute(array, width).setUsage(DynamicDrawUsage));
-    }
-    this.capacity = capacity;
   }
 }

@@ -1,6 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
-// Buffers of one entry per instance that grow by doubling, so that a picture of many things is one draw call.
-import { DynamicDrawUsage, InstancedBufferAttribute, InstancedBufferGeometry, type BufferGeometry, type Color } from 'three';
+// What is drawn anew at every moment: meshes of one entry per instance that grow by doubling, so that a picture of many things is
+// one draw call.
+import {
+  DynamicDrawUsage, InstancedBufferAttribute, InstancedBufferGeometry, Mesh, ShaderMaterial, Vector2,
+  type BufferGeometry, type Color, type Object3D, type ShaderMaterialParameters,
+} from 'three';
+
+/** Everything of one kind that a part draws: `clear`, then whatever there is, then `commit`, which shows it. */
+export interface Ink {
+  readonly object: Object3D;
+  clear(): void;
+  commit(): void;
+}
+
+/** The drawing buffer's size and pixel ratio, shared by everything that is measured in pixels. */
+export const viewport = { size: { value: new Vector2(1, 1) }, ratio: { value: 1 } };
+
+/** Of a shader whose colour needs nothing but `v_tint`. */
+export const plain_fragment = `
+varying vec4 v_tint;
+void main() {
+  gl_FragColor = v_tint;
+  #include <colorspace_fragment>
+}`;
 
 interface Field {
   name: string;
@@ -16,16 +38,19 @@ function tint_bytes(colour: Color, alpha: number, out: Uint8Array, at: number): 
   out[at + 3] = Math.round(255 * Math.min(Math.max(alpha, 0), 1));
 }
 
-/** Instances of `shape`: floats by name, and a colour with opacity called `tint` (colour as its square root). */
-export class Instances {
-  readonly geometry = new InstancedBufferGeometry();
+/** Translucent instances of `shape`: floats by name, and a colour with opacity called `tint` (colour as its square root). */
+export class Instances implements Ink {
+  readonly object: Mesh<InstancedBufferGeometry, ShaderMaterial>;
   count = 0;
   private capacity = 0;
   private readonly fields: Field[] = [];
-  private readonly widths: readonly (readonly [string, number])[];
 
-  constructor(shape: BufferGeometry, widths: readonly (readonly [string, number])[], capacity = 64) {
-    this.widths = widths;
+  constructor(shape: BufferGeometry, private readonly widths: readonly (readonly [string, number])[], render_order: number,
+              { uniforms, ...material }: ShaderMaterialParameters, capacity = 64) {
+    this.object = new Mesh(new InstancedBufferGeometry(),
+      new ShaderMaterial({ transparent: true, depthWrite: false, ...material, uniforms: { ...viewport, ...uniforms } }));
+    this.object.frustumCulled = false;
+    this.object.renderOrder = render_order;
     this.geometry.setAttribute('position', shape.getAttribute('position'));
     this.geometry.setIndex(shape.getIndex());
     this.reserve(capacity);
@@ -37,7 +62,7 @@ export class Instances {
   }
 
   /** Adds an instance: its floats in the order of the widths. */
-  add(floats: readonly number[], colour: Color, alpha: number): void {
+  put(floats: readonly number[], colour: Color, alpha: number): void {
     if (this.count === this.capacity) this.reserve(2 * this.capacity);
     let k = 0;
     for (const { width, attribute } of this.fields) {
@@ -52,15 +77,18 @@ export class Instances {
     tint_bytes(colour, alpha, this.tint.array as Uint8Array, 4 * i);
   }
 
-  /** Sends what was added since `clear` to the next picture. */
   commit(): void {
     this.geometry.instanceCount = this.count;
     for (const { attribute } of this.fields) attribute.needsUpdate = true;
-    this.tint.needsUpdate = true;
+    this.commit_tint();
   }
 
   commit_tint(): void {
     this.tint.needsUpdate = true;
+  }
+
+  private get geometry(): InstancedBufferGeometry {
+    return this.object.geometry;
   }
 
   private get tint(): InstancedBufferAttribute {

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Straight lines some pixels wide, all of them in one draw call.
-import { BufferAttribute, BufferGeometry, Mesh, ShaderMaterial, Vector2, type Color, type Vector3 } from 'three';
-import { Instances } from './instances';
-
-/** The drawing buffer's size and pixel ratio, shared by everything that is measured in pixels. */
-export const viewport = { size: { value: new Vector2(1, 1) }, ratio: { value: 1 } };
+import { BufferAttribute, BufferGeometry, type Color, type Vector3 } from 'three';
+import { Instances, plain_fragment } from './instances';
 
 function quad(): BufferGeometry {
   const geometry = new BufferGeometry();
@@ -58,42 +55,21 @@ void main() {
   gl_Position = v_tint.a == 0.0 ? vec4(2.0, 2.0, 2.0, 1.0) : clip;
 }`;
 
-const fragment = `
-varying vec4 v_tint;
-void main() {
-  gl_FragColor = v_tint;
-  #include <colorspace_fragment>
-}`;
-
 /** `timed`: each line has a span of time, and is drawn fresh, faded or ahead of the uniform `now`. */
-export class Lines {
-  readonly object: Mesh<Instances['geometry'], ShaderMaterial>;
-  readonly instances: Instances;
-
+export class Lines extends Instances {
   constructor(width_px: number, render_order: number, { timed = false, capacity = 64 } = {}) {
-    this.instances = new Instances(quad(), timed ? [['from', 3], ['to', 3], ['span', 2]] : [['from', 3], ['to', 3]], capacity);
-    const material = new ShaderMaterial({
-      vertexShader: timed ? vertex : vertex.replace('attribute vec2 span;', ''),
-      fragmentShader: fragment, transparent: true, depthWrite: false,
+    super(quad(), timed ? [['from', 3], ['to', 3], ['span', 2]] : [['from', 3], ['to', 3]], render_order, {
+      vertexShader: timed ? vertex : vertex.replace('attribute vec2 span;', ''), fragmentShader: plain_fragment,
       defines: timed ? { TIMED: '' } : {},
-      uniforms: { ...viewport, width: { value: width_px }, now: { value: 0 }, fade_s: { value: 30 }, ahead: { value: 0.2 } },
-    });
-    this.object = new Mesh(this.instances.geometry, material);
-    this.object.frustumCulled = false;
-    this.object.renderOrder = render_order;
+      uniforms: { width: { value: width_px }, now: { value: 0 }, fade_s: { value: 30 }, ahead: { value: 0.2 } },
+    }, capacity);
   }
 
-  clear(): void {
-    this.instances.clear();
-  }
   add(a: Vector3, b: Vector3, colour: Color, alpha = 1): void {
-    this.instances.add([a.x, a.y, a.z, b.x, b.y, b.z], colour, alpha);
+    this.put([a.x, a.y, a.z, b.x, b.y, b.z], colour, alpha);
   }
   add_timed(a: Vector3, b: Vector3, from_s: number, to_s: number, colour: Color, alpha = 1): void {
-    this.instances.add([a.x, a.y, a.z, b.x, b.y, b.z, from_s, to_s], colour, alpha);
-  }
-  commit(): void {
-    this.instances.commit();
+    this.put([a.x, a.y, a.z, b.x, b.y, b.z, from_s, to_s], colour, alpha);
   }
   uniform(name: 'now' | 'fade_s' | 'ahead', value: number): void {
     this.object.material.uniforms[name]!.value = value;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The current at its depths, on a coarse lattice; how fast it is stands beside it.
-import { Group, Vector3 } from 'three';
+import { Vector3 } from 'three';
 import type { Film } from '../../film';
 import type { Scene } from '../../model';
 import { place } from '../axes';
 import { round_up, type Extent } from '../extent';
 import { Arrows } from '../ink/arrows';
 import type { Label } from '../labels';
-import { order, type Now, type Part } from '../part';
+import { Drawn, order, type Now } from '../part';
 
 const most_depths = 5;
 const per_side = 4;
@@ -15,16 +15,15 @@ const at = new Vector3();
 const tip = new Vector3();
 const flow = new Vector3();
 
-export class Currents implements Part {
-  readonly object = new Group();
-  private readonly arrows = new Arrows(1.6, order.ghosts);
+export class Currents extends Drawn {
+  private readonly arrows = this.ink(new Arrows(1.6, order.ghosts));
   private extent: Extent | null = null;
   private depths: number[] = [];
   private metres_per_mps = 1;
   private written: Label[] = [];
 
   constructor(private readonly scene: Scene, private readonly film: Film) {
-    this.object.add(this.arrows.object);
+    super();
   }
 
   set_extent(extent: Extent): void {
@@ -63,10 +62,9 @@ export class Currents implements Part {
     return fastest;
   }
 
-  show(now: Now): void {
+  protected draw(now: Now): void {
     const { min, max } = this.extent!.frame;
     this.written = [];
-    this.arrows.clear();
     if (this.film.count === 0) return;
     for (const k of this.depths) {
       const speed = this.flow_at(now.moment.index, k).length();
@@ -80,7 +78,6 @@ export class Currents implements Part {
       const text = `current ${speed.toFixed(2)} m/s at ${-this.height(k)} m`;
       this.written.push({ text, at: this.corner(y), kind: 'scale', colour: '--water', rank: 25 });
     }
-    this.arrows.commit();
   }
 
   /** Of the lattice's first arrow. */

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Messages under way: the stretch of water that the sound fills between the one who speaks and the one who hears.
-import { Group, Vector3 } from 'three';
+import { Vector3 } from 'three';
 import { first_index } from '../../../common/search';
 import { moment_at, type Film } from '../../film';
 import type { Flight } from '../../model';
 import { Dots } from '../ink/dots';
 import { Lines } from '../ink/lines';
-import { order, type Now, type Part } from '../part';
+import { Drawn, order, type Now } from '../part';
 import { position_at } from '../poses';
 
 /** Of more vehicles than these only the messages of the thinkers are shown. */
@@ -16,31 +16,28 @@ const to = new Vector3();
 const a = new Vector3();
 const b = new Vector3();
 
-export class Messages implements Part {
-  readonly object = new Group();
-  private readonly ways = new Lines(1, order.lines);
-  private readonly pulses = new Lines(3.2, order.lines);
-  private readonly fronts = new Dots(order.dots);
+export class Messages extends Drawn {
+  private readonly ways = this.ink(new Lines(1, order.lines));
+  private readonly pulses = this.ink(new Lines(3.2, order.lines));
+  private readonly fronts = this.ink(new Dots(order.dots));
   /** By when they were sent; the longest tells how far back to look. */
   private ordered: Flight[] = [];
   private known = '';
   private longest_s = 0;
 
   constructor(private readonly film: Film) {
-    this.object.add(this.ways.object, this.pulses.object, this.fronts.object);
+    super();
   }
 
-  show(now: Now): void {
+  protected draw(now: Now): void {
     this.take_flights();
-    for (const ink of [this.ways, this.pulses, this.fronts]) ink.clear();
     const { time } = now.moment;
     const all = now.chosen.size === 0 && this.film.vehicles <= most_vehicles;
     const first = first_index(this.ordered.length, (i) => this.ordered[i]!.sent_s >= time - this.longest_s);
     for (let k = first; k < this.ordered.length && this.ordered[k]!.sent_s <= time; ++k) {
       const flight = this.ordered[k]!;
-      if (time <= flight.arrives_s && (all || now.thinkers.includes(flight.from) || now.thinkers.includes(flight.to))) this.draw(flight, now);
+      if (time <= flight.arrives_s && (all || now.thinkers.includes(flight.from) || now.thinkers.includes(flight.to))) this.draw_flight(flight, now);
     }
-    for (const ink of [this.ways, this.pulses, this.fronts]) ink.commit();
   }
 
   private take_flights(): void {
@@ -51,7 +48,7 @@ export class Messages implements Part {
     this.longest_s = this.ordered.reduce((longest, f) => Math.max(longest, f.arrives_s - f.sent_s), 0);
   }
 
-  private draw(flight: Flight, now: Now): void {
+  private draw_flight(flight: Flight, now: Now): void {
     const { time } = now.moment;
     const colour = flight.drowned ? now.colours.bad : now.colours.accent;
     position_at(this.film, moment_at(this.film, flight.sent_s), flight.from, from);

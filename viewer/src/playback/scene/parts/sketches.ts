@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What vehicles drew when they decided. Velocities are drawn about the vehicle, where they lead in a stated time.
-import { Group, Vector3 } from 'three';
+import { Vector3 } from 'three';
 import type { Film } from '../../film';
 import type { SketchRecord, Stroke, Vec3 } from '../../model';
 import { meaning_colour } from '../../meaning_colour';
@@ -11,7 +11,7 @@ import { Faces } from '../ink/faces';
 import { Lines } from '../ink/lines';
 import type { Extent } from '../extent';
 import type { Label } from '../labels';
-import { order, type KeyLine, type Now, type Part } from '../part';
+import { Drawn, order, type KeyLine, type Now } from '../part';
 import { vector_at } from '../poses';
 import { Images } from './images';
 
@@ -47,14 +47,13 @@ interface Among {
   first_image: boolean;
 }
 
-export class Sketches implements Part {
-  readonly object = new Group();
-  private readonly lines = new Lines(1.6, order.sketch);
-  private readonly thin = new Lines(1, order.sketch);
-  private readonly faces = new Faces(order.sketch);
-  private readonly dots = new Dots(order.sketch);
+export class Sketches extends Drawn {
+  private readonly lines = this.ink(new Lines(1.6, order.sketch));
+  private readonly thin = this.ink(new Lines(1, order.sketch));
+  private readonly faces = this.ink(new Faces(order.sketch));
+  private readonly dots = this.ink(new Dots(order.sketch));
   private readonly images = new Images(order.fans);
-  private readonly arrows = new Arrows(2.4, order.sketch);
+  private readonly arrows = this.ink(new Arrows(2.4, order.sketch));
   private seconds = 5;
   private plane_radius = 1;
   private written: Label[] = [];
@@ -64,7 +63,8 @@ export class Sketches implements Part {
   private shown = '';
 
   constructor(private readonly film: Film) {
-    this.object.add(this.lines.object, this.thin.object, this.faces.object, this.dots.object, this.images.object, this.arrows.object);
+    super();
+    this.object.add(this.images.object);
   }
 
   set_extent(extent: Extent): void {
@@ -73,25 +73,19 @@ export class Sketches implements Part {
     this.shown = '';
   }
 
-  show(now: Now): void {
+  override show(now: Now): void {
     const shown = [now.moment.time, now.colours.deep.getHex(), this.film.count, this.film.generation, ...now.thinkers].join();
     if (shown === this.shown) return;
     this.shown = shown;
-    this.begin();
-    for (const vehicle of now.thinkers) this.draw_vehicle(vehicle, this.film.sketches.at(vehicle, now.moment.time), now);
-    this.end();
+    super.show(now);
   }
 
-  private begin(): void {
-    for (const ink of [this.lines, this.thin, this.faces, this.dots, this.arrows]) ink.clear();
+  protected draw(now: Now): void {
     this.images.begin();
     this.written = [];
     this.meanings = new Map();
     this.velocities = false;
-  }
-
-  private end(): void {
-    for (const ink of [this.lines, this.thin, this.faces, this.dots, this.arrows]) ink.commit();
+    for (const vehicle of now.thinkers) this.draw_vehicle(vehicle, this.film.sketches.at(vehicle, now.moment.time), now);
     this.images.end();
   }
 
@@ -110,13 +104,13 @@ export class Sketches implements Part {
     let imaged = false;
     for (const stroke of record.strokes) {
       const many = counts.get(stroke.meaning)! > most_arrows;
-      this.draw(stroke, at, { many, first: !named.has(stroke.meaning), first_image: !imaged }, now);
+      this.draw_stroke(stroke, at, { many, first: !named.has(stroke.meaning), first_image: !imaged }, now);
       named.add(stroke.meaning);
       imaged ||= stroke.kind === 'image';
     }
   }
 
-  private draw(stroke: Stroke, at: Vector3, { many, first, first_image }: Among, now: Now): void {
+  private draw_stroke(stroke: Stroke, at: Vector3, { many, first, first_image }: Among, now: Now): void {
     const name = meaning_colour(stroke.meaning);
     const colour = now.colours.of(name);
     // The first of several images lies in the scene; the plane of velocities beside it has them all.

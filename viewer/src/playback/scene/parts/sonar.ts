@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The sonar's fan as it turns with the hull, and the echoes of the last ping where they were heard.
-import { Group, Vector3 } from 'three';
+import { Vector3 } from 'three';
 import { moment_at, type Film } from '../../film';
 import type { Scene } from '../../model';
 import { body } from '../axes';
 import { Dots } from '../ink/dots';
 import { Faces } from '../ink/faces';
 import { Lines } from '../ink/lines';
-import { order, type Now, type Part } from '../part';
+import { Drawn, order, type Now } from '../part';
 import { attitude_at, position_at } from '../poses';
 
 const arcs = 24;
@@ -17,24 +17,21 @@ function spot(range: number, bearing: number, elevation: number, out = new Vecto
   return body(range * Math.cos(bearing) * Math.cos(elevation), range * Math.sin(bearing) * Math.cos(elevation), range * Math.sin(elevation), out);
 }
 
-export class SonarFan implements Part {
-  readonly object = new Group();
-  private readonly face = new Faces(order.fans);
-  private readonly edges = new Lines(1, order.fans);
-  private readonly echoes = new Dots(order.dots);
+export class SonarFan extends Drawn {
+  private readonly face = this.ink(new Faces(order.fans));
+  private readonly edges = this.ink(new Lines(1, order.fans));
+  private readonly echoes = this.ink(new Dots(order.dots));
 
   constructor(private readonly scene: Scene, private readonly film: Film) {
-    this.object.add(this.face.object, this.edges.object, this.echoes.object);
+    super();
   }
 
-  show(now: Now): void {
-    for (const ink of [this.face, this.edges, this.echoes]) ink.clear();
+  protected draw(now: Now): void {
     for (const vehicle of now.thinkers) {
       if (this.film.echoes.at(vehicle, now.moment.time) === null) continue;
       this.fan(vehicle, now);
       this.heard(vehicle, now);
     }
-    for (const ink of [this.face, this.edges, this.echoes]) ink.commit();
   }
 
   private fan(vehicle: number, now: Now): void {

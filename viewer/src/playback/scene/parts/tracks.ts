@@ -1,34 +1,32 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where a vehicle believes others to be, how fast, and how sure of it it is.
-import { Group, Vector3 } from 'three';
+import { Vector3 } from 'three';
 import type { Film } from '../../film';
 import { place_of } from '../axes';
 import type { Extent } from '../extent';
 import { Bubbles } from '../ink/bubbles';
 import { Lines } from '../ink/lines';
-import { order, type KeyLine, type Now, type Part } from '../part';
+import { Drawn, order, type KeyLine, type Now } from '../part';
 
 const at = new Vector3();
 const led = new Vector3();
 
-export class Tracks implements Part {
-  readonly object = new Group();
-  private readonly ghosts = new Bubbles({ fill: 0.03, rim: 0.5, circles: 0.45, hatch: 5 }, order.ghosts);
-  private readonly halos = new Bubbles({ fill: 0, rim: 0.3, circles: 0 }, order.ghosts);
-  private readonly velocities = new Lines(1.6, order.lines);
+export class Tracks extends Drawn {
+  private readonly ghosts = this.ink(new Bubbles({ fill: 0.03, rim: 0.5, circles: 0.45, hatch: 5 }, order.ghosts));
+  private readonly halos = this.ink(new Bubbles({ fill: 0, rim: 0.3, circles: 0 }, order.ghosts));
+  private readonly velocities = this.ink(new Lines(1.6, order.lines));
   private seconds = 5;
   private any = false;
 
   constructor(private readonly film: Film) {
-    this.object.add(this.ghosts.object, this.halos.object, this.velocities.object);
+    super();
   }
 
   set_extent(extent: Extent): void {
     this.seconds = extent.seconds;
   }
 
-  show(now: Now): void {
-    for (const ink of [this.ghosts, this.halos, this.velocities]) ink.clear();
+  protected draw(now: Now): void {
     this.any = false;
     for (const vehicle of now.thinkers) {
       const colour = now.colours.vehicle(vehicle);
@@ -40,7 +38,6 @@ export class Tracks implements Part {
         this.velocities.add(at, place_of(track.velocity, led).multiplyScalar(this.seconds).add(at), colour, 0.8);
       }
     }
-    for (const ink of [this.ghosts, this.halos, this.velocities]) ink.commit();
   }
 
   key(): KeyLine[] {

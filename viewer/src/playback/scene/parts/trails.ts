@@ -73,9 +73,8 @@ export class Trails implements Part {
   }
 
   private retint(now: Now): void {
-    const { instances } = this.whole;
-    for (let k = 0; k < instances.count; ++k) instances.tint_at(k, ...this.tint(now, k % this.film.vehicles));
-    instances.commit_tint();
+    for (let k = 0; k < this.whole.count; ++k) this.whole.tint_at(k, ...this.tint(now, k % this.film.vehicles));
+    this.whole.commit_tint();
   }
 
   private tint(now: Now, vehicle: number): [Now['colours']['ink'], number] {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A playback with one of everything, made of invented numbers: sample/view.json for `npm run dev` and the tests.
+// A playback with one of everything, made of invented numbers.
 import { Buffer } from 'node:buffer';
-import { writeFileSync } from 'node:fs';
 
 const period = 0.1;
 const frames = 1200;
@@ -128,7 +127,7 @@ for (let i = 0; i < frames; i += 5) {
 }
 
 const sphere = (position, r, velocity = [0, 0, 0], charted = true) => ({ kind: 'sphere', charted, position, radius: r, velocity, from: [0, 0, 0], to: [0, 0, 0], vertices: [] });
-const playback = {
+export const playback = {
   title: 'sample', summary: 'six vehicles cross a circle; invented numbers', version: '0.0.0', command: 'node sample/playback.mjs', seed: '1',
   period_s: period, duration_s: frames * period,
   scene: {
@@ -149,4 +148,3 @@ const playback = {
   explanation: { vehicle: 0, time_s: 40, headline: 'auv_0 turns to starboard: the neighbour torpedo_1 leaves it no other velocity.',
     sections: [{ title: 'Situation', lines: ['Two neighbours within 8 m.'], table: { columns: ['neighbour', 'range_m'], rows: [['torpedo_1', 5.3]] } }] },
 };
-writeFileSync(new URL('./view.json', import.meta.url), JSON.stringify(playback) + '\n');
