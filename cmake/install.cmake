@@ -18,6 +18,7 @@ foreach(name IN LISTS fairway_made)
 endforeach()
 if(TARGET fairway)
   install(TARGETS fairway RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT command)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/scenarios DESTINATION ${CMAKE_INSTALL_DATADIR}/fairway COMPONENT command)
 endif()
 
 configure_file(${CMAKE_CURRENT_LIST_DIR}/fairwayConfig.cmake.in ${PROJECT_BINARY_DIR}/package/fairwayConfig.cmake @ONLY)

@@ -66,8 +66,8 @@ function run(program, words, accepted) {
 async function photograph({ commands, page: name, size: [width, height], scheme = 'light', hash = '', clip, moving }, frames) {
   // 1: an expectation of the scenario failed, which under another method it may.
   for (const command of commands) run(join(root, 'build/bin/fairway'), command.map((word) => word.replaceAll('{dir}', folder)), [0, 1]);
-  // Twice as fine, then made smaller: edges come out smooth although the processor draws them.
-  const context = await browser.newContext({ viewport: { width, height }, deviceScaleFactor: 2, colorScheme: scheme, reducedMotion: 'reduce' });
+  // A still is drawn twice as fine, then made smaller: edges come out smooth although the processor draws them.
+  const context = await browser.newContext({ viewport: { width, height }, deviceScaleFactor: moving === undefined ? 2 : 1, colorScheme: scheme, reducedMotion: 'reduce' });
   try {
     const page = await context.newPage();
     await page.goto(pathToFileURL(name.replaceAll('{dir}', folder)).href + hash);
@@ -83,8 +83,9 @@ async function photograph({ commands, page: name, size: [width, height], scheme 
           return new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
         }, from_s + (to_s - from_s) * frame / (count - 1));
       }
-      const picture = await (clip === undefined ? page : page.locator(clip).first()).screenshot({ type: 'png' });
-      drawn.push(await halved(picture));
+      const part = clip === undefined ? {} : { clip: await page.locator(clip).first().boundingBox() };
+      const picture = await page.screenshot({ type: 'png', timeout: 0, ...part });
+      drawn.push(moving === undefined ? await halved(picture) : picture);
     }
     return drawn;
   } finally {
@@ -95,7 +96,7 @@ async function photograph({ commands, page: name, size: [width, height], scheme 
 /** The file of a moving picture. */
 function put_together(drawn, { frame_ms, quality }) {
   const names = drawn.map((frame, index) => {
-    const file = join(folder, `frame${index}.webp`);
+    const file = join(folder, `frame${index}.png`);
     writeFileSync(file, frame);
     return file;
   });
@@ -110,9 +111,9 @@ async function difference(there, frame, drawn) {
   try {
     await page.goto(pathToFileURL(join(images, 'pictures.json')).href);  // decoders are for pages that have an address
     return await page.evaluate(async (sources) => {
-      const [a, b] = await Promise.all(sources.map(async ([source, frameIndex]) => {
+      const [a, b] = await Promise.all(sources.map(async ([source, frameIndex, type]) => {
         const data = Uint8Array.from(atob(source), (letter) => letter.charCodeAt(0));
-        const { image } = await new ImageDecoder({ data, type: 'image/webp' }).decode({ frameIndex });
+        const { image } = await new ImageDecoder({ data, type }).decode({ frameIndex });
         const canvas = new OffscreenCanvas(image.displayWidth, image.displayHeight);
         const context = canvas.getContext('2d');
         context.drawImage(image, 0, 0);
@@ -122,7 +123,7 @@ async function difference(there, frame, drawn) {
       let sum = 0;
       for (let i = 0; i < a.data.length; ++i) sum += Math.abs(a.data[i] - b.data[i]);
       return sum / a.data.length / 255;
-    }, [[there.toString('base64'), frame], [drawn.toString('base64'), 0]]);
+    }, [[there.toString('base64'), frame, 'image/webp'], [drawn.toString('base64'), 0, drawn[0] === 0x89 ? 'image/png' : 'image/webp']]);
   } finally {
     await page.close();
   }
