@@ -41,4 +41,6 @@ set(CPACK_DEBIAN_COMMAND_PACKAGE_NAME fairway)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libfairway-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS libeigen3-dev)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS  # what the libraries besides avoidance, embed, dynamics and control need
+  "libyaml-cpp-dev, libfmt-dev, nlohmann-json3-dev, libcli11-dev, libsqlite3-dev, libzstd-dev, libboost-dev, libompl-dev, libceres-dev, pkg-config")
 include(CPack)
