@@ -6,6 +6,12 @@ set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)  # the libraries go into the Python module, too
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
 
+include(GNUInstallDirs)
+if(BUILD_SHARED_LIBS)  # programs and libraries find each other wherever they are moved together
+  cmake_path(RELATIVE_PATH CMAKE_INSTALL_FULL_LIBDIR BASE_DIRECTORY ${CMAKE_INSTALL_FULL_BINDIR} OUTPUT_VARIABLE fairway_libraries_from_programs)
+  set(CMAKE_INSTALL_RPATH $ORIGIN $ORIGIN/${fairway_libraries_from_programs})
+endif()
+
 # Whoever builds once, as most do, builds in half the time when many files are compiled as one. File by file is quicker after
 # an edit, and shows a missing #include and a shadowed name.
 set(fairway_unity_default 0)
@@ -20,7 +26,8 @@ endif()
 
 add_library(fairway_options INTERFACE)
 target_compile_options(fairway_options INTERFACE
-  -Wall -Wextra -Wpedantic ${fairway_file_by_file} -Wconversion -Wno-sign-conversion -Wno-missing-field-initializers -Werror
+  -Wall -Wextra -Wpedantic ${fairway_file_by_file} -Wconversion -Wno-sign-conversion -Wno-missing-field-initializers
+  $<$<BOOL:${FAIRWAY_WERROR}>:-Werror>
   # g++ 12 raises these for plain strings and temporaries when it inlines them
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-array-bounds -Wno-stringop-overflow -Wno-maybe-uninitialized>
   -fno-semantic-interposition
@@ -122,7 +129,7 @@ function(fairway_make_library name)
     set(seen PRIVATE)
   endif()
   if(sources)
-    add_library(fairway_${name} STATIC ${sources})
+    add_library(fairway_${name} ${sources})  # static, or shared with -DBUILD_SHARED_LIBS=ON
     target_sources(fairway_${name} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${headers})
     target_link_libraries(fairway_${name} ${seen} ${uses} PRIVATE $<BUILD_INTERFACE:fairway_options>)
     target_compile_features(fairway_${name} ${seen} cxx_std_20)
@@ -136,6 +143,9 @@ function(fairway_make_library name)
       fairway_precompile(fairway_${name} fairway_core)
     endif()
     fairway_unity(fairway_${name})
+    # before 1.0 a minor version may change the interface; without a symbol of its own a shared library is compiled as a static one is
+    set_target_properties(fairway_${name} PROPERTIES
+      VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} DEFINE_SYMBOL "")
   else()
     add_library(fairway_${name} INTERFACE)
     target_sources(fairway_${name} INTERFACE FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${headers})

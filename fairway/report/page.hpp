@@ -20,9 +20,9 @@ std::string report_template();
 }  // namespace embedded
 
 /// `page`, a built page of viewer/, with `json` in the place of its marker __FAIRWAY_DATA__: self-contained
-/// HTML that needs no network and opens from file://. Characters that would end the <script> element the data
-/// lie in are escaped the way JSON allows, so any valid document is safe. The text is not checked here: the
-/// page tells its reader what is wrong with it. Throws std::logic_error if there is no marker.
+/// HTML that needs no network and opens from file://. Characters that would end the script element that the
+/// data lie in are escaped the way JSON allows, so any valid document is safe. The text is not checked here:
+/// the page tells its reader what is wrong with it. Throws std::logic_error if there is no marker.
 std::string filled(std::string page, const std::string& json);
 
 /// The report that shows `json`; viewer/README.md describes its keys.

@@ -25,7 +25,7 @@ struct Hull {
 };
 
 /// By the vehicle's model and its parameters; a point of the vehicle's own radius for a model that none is
-/// known for. The numbers are those of fairway/dynamics/<model>/README.md.
+/// known for. The numbers are those of the README.md beside the model, in fairway/dynamics.
 Hull hull_of(const VehicleSpec& spec);
 
 }  // namespace fairway
