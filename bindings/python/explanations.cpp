@@ -19,14 +19,14 @@ namespace fairway::python {
 namespace {
 
 /// The file of a Recording, or a path.
-std::string recording_file(const py::object& given) {
+std::string recording_path(const py::object& given) {
   const py::object known = py::module_::import("fairway._core").attr("Recording");
   return path_of(py::isinstance(given, known) ? given.attr("file") : given);
 }
 
 /// Where a page goes: never over the recording, nor over a file that is no such page.
 std::string page_of(const py::object& given, const std::string& otherwise, const std::string& recording) {
-  const std::string page = given.is_none() ? otherwise : path_of(given);
+  std::string page = given.is_none() ? otherwise : path_of(given);
   check_outputs(std::array{Output{"out", page, playback_file}}, std::array{recording}, false);
   return page;
 }
@@ -99,7 +99,7 @@ void bind_explanations(py::module_& m) {
       "explain",
       [](const py::object& recording, const py::object& vehicle, double time, const py::object& algorithms,
          const py::object& out) {
-        const std::string file = recording_file(recording);
+        const std::string file = recording_path(recording);
         const std::string asked = py::str(vehicle);
         return explained({.recording = file,
                           .vehicle = asked,
@@ -115,7 +115,7 @@ void bind_explanations(py::module_& m) {
       [](const py::object& recording, const py::object& out, bool sketch, const py::object& algorithms,
          double from_s, double to_s, int every) {
         if (every < 1) throw InputError("every: expected 1 or more, got " + std::to_string(every));
-        const std::string file = recording_file(recording);
+        const std::string file = recording_path(recording);
         FilmLimits limits;
         limits.from_s = from_s;
         limits.to_s = to_s;

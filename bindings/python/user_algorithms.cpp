@@ -75,8 +75,8 @@ Vec3 velocity_of(const std::string& name, const py::object& answer) {
 }
 
 Command command_by(const std::string& name, const py::object& answer) {
-  const Command command = py::isinstance<Command>(answer) ? py::cast<Command>(answer)
-                                                          : Command{.velocity = velocity_of(name, answer)};
+  Command command = py::isinstance<Command>(answer) ? py::cast<Command>(answer)
+                                                    : Command{.velocity = velocity_of(name, answer)};
   if (!is_finite(command))
     raise(PyExc_ValueError, "the algorithm \"" + name + "\" decided on " + std::string(py::repr(answer)) +
                                 ", which is not finite");

@@ -72,7 +72,7 @@ py::object shown(const ParamValue& value) {
 }
 
 DoubleArray numbers(py::handle given, std::vector<py::ssize_t> shape, const std::string& path) {
-  const DoubleArray array = py::isinstance<py::str>(given) ? DoubleArray() : DoubleArray::ensure(given);
+  DoubleArray array = py::isinstance<py::str>(given) ? DoubleArray() : DoubleArray::ensure(given);
   if (!array) PyErr_Clear();
   if (!array || !std::equal(shape.begin(), shape.end(), array.shape(), array.shape() + array.ndim()))
     refuse(path, shape_text(shape), given);

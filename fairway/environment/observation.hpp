@@ -31,7 +31,8 @@ struct ObservationShape {
   Axes axes{Axes::ned};
 
   std::size_t size() const {
-    return static_cast<std::size_t>(own_size + tracks * track_size + obstacles * obstacle_size);
+    return std::size_t{own_size} + static_cast<std::size_t>(tracks) * track_size +
+           static_cast<std::size_t>(obstacles) * obstacle_size;
   }
 
   /// A name for each number, ending in its unit.

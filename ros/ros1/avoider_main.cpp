@@ -5,7 +5,7 @@
 int main(int argc, char** argv) {
   using namespace fairway;
   return ros1::run_program(argc, argv, "fairway_avoider", [](const bridge::Settings& settings) {
-    const std::string space = ros::this_node::getNamespace();  // "/fleet/robot3"
+    const std::string& space = ros::this_node::getNamespace();  // "/fleet/robot3"
     ros1::AvoiderNode node{bridge::avoider_node_settings(settings, space.substr(space.rfind('/') + 1))};
     node.run();
     return 0;

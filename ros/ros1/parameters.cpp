@@ -52,8 +52,9 @@ void add_overrides(const std::string& name, const XmlRpcValue& value, Settings& 
   }
 }
 
-void flatten(const std::string& name, XmlRpcValue value, Settings& settings) {
-  if (name == "overrides") return add_overrides(name, value, settings);
+void flatten(const std::string& name, const XmlRpcValue& given, Settings& settings) {
+  if (name == "overrides") return add_overrides(name, given, settings);
+  XmlRpcValue value = given;  // whose members are read by what is not const
   if (value.getType() != XmlRpcValue::TypeStruct) {
     settings.emplace_back(name, text_of(name, value, " "));
     return;

@@ -96,10 +96,10 @@ test("what is wrong is said in one line, with exit code 2", async () => {
   const cases = [
     [["fairway_sim_ros2"], /^fairway_sim_ros2: scenario: expected the file/],
     [["fairway_sim_ros2", "--scenario", "scenarios/head_on.yaml", "--spedd", 2], /spedd: unknown setting; did you mean speed\?/],
-    [["fairway_sim_ros2", "--scenario", "scenarios/head_on.yaml", "--speed", "fast"], /speed: 'fast': expected a number/],
+    [["fairway_sim_ros2", "--scenario", "scenarios/head_on.yaml", "--speed", "fast"], /speed: is "fast"; expected a number/],
     [["fairway_sim_ros2", "--scenario"], /--scenario: expected a value/],
     [["fairway_avoider_ros2", "--vehicle", "auv", "--algorithm", "orca4d"], /orca4d.*orca3d/],
-    [["fairway_avoider_ros2", "--vehicle", "auv", "--ros-args", "-p", "frame:=xyz"], /xyz.*enu or ned/],
+    [["fairway_avoider_ros2", "--vehicle", "auv", "--ros-args", "-p", "frame:=xyz"], /frame: is "xyz"; expected one of enu, ned/],
     [["fairway_avoider_ros2", "--scenario", "scenarios/head_on.yaml", "--vehicle", "north_bond"], /north_bond.*north_bound/],
   ];
   for (const [[program, ...words], expected] of cases) {
