@@ -26,7 +26,7 @@ export async function interrupt(run) {
   return run.ended;
 }
 
-export async function until(holds, what, patience_ms = 8000) {
+export async function until(holds, what, patience_ms = 30000) {
   const end = Date.now() + patience_ms;
   while (!(await holds())) {
     if (Date.now() > end) throw new Error(`waited in vain for ${what}`);
