@@ -132,9 +132,9 @@ Agent make_agent(const VehicleSpec& spec, const Scenario& scenario, const Catalo
   const std::size_t track_count = scenario.vehicles.size() + scenario.obstacles.size();
   Vehicle vehicle = make_vehicle(spec, catalogs.vehicles);
   vehicle.set_state(start_of(spec));
-  Autopilot autopilot = made(spec.model, [&] {
-    return Autopilot{vehicle, controller_of(spec, vehicle), allocation_of(spec)};
-  });
+  const VelocityController::Params controller = controller_of(spec, vehicle);
+  const AllocationMethod allocation = allocation_of(spec);
+  Autopilot autopilot = made(spec.model, [&] { return Autopilot{vehicle, controller, allocation}; });
   ActuatorValues demand = vehicle.actuator_state();
 
   Agent agent{
