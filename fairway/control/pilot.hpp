@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "fairway/avoidance/command.hpp"
 #include "fairway/avoidance/situation.hpp"

@@ -7,6 +7,17 @@
 namespace fairway {
 namespace {
 
+enum class AutopilotKind { velocity_controller };
+
+}  // namespace
+
+template <>
+struct EnumNames<AutopilotKind> {
+  static constexpr std::array names{"velocity_controller"};
+};
+
+namespace {
+
 /// The refusal of a catalog, told with the place where the choice was written.
 InputError located(const Choice& choice, const InputError& error) {
   const std::string message = error.what();
@@ -28,6 +39,15 @@ auto made(const Choice& choice, Make make) {
   }
 }
 
+/// `params` as chosen: the choice's name sets `name_param`, and its parameters set theirs.
+template <Reflected P>
+P chosen(const Choice& choice, std::string_view name_param, P params) {
+  return made(choice, [&] {
+    if (!choice.name.empty()) set_param(params, name_param, choice.name);
+    return params_of(choice.params, params);
+  });
+}
+
 struct AllocationParams {
   AllocationMethod method = AllocationMethod::bounded;
   static consteval auto fields() {
@@ -35,23 +55,24 @@ struct AllocationParams {
   }
 };
 
-AllocationMethod allocation_of(const VehicleSpec& spec) {
-  AllocationParams params;
-  return made(spec.allocation, [&] {
-    if (!spec.allocation.name.empty()) set_param(params, "method", spec.allocation.name);
-    return params_of(spec.allocation.params, params).method;
-  });
-}
+struct AutopilotParams : VelocityController::Params {
+  AutopilotKind kind = AutopilotKind::velocity_controller;
+  static consteval auto fields() {
+    return std::tuple_cat(
+        VelocityController::Params::fields(),
+        std::tuple{field<&AutopilotParams::kind>("what drives the thrusters to a velocity")});
+  }
+};
 
 /// Bandwidths are those of thrusters: whoever gives them to a vehicle without any is told so.
-VelocityController::Params controller_of(const VehicleSpec& spec, const Vehicle& vehicle) {
+AutopilotParams autopilot_of(const VehicleSpec& spec, const Vehicle& vehicle) {
   const Choice& choice = spec.autopilot;
-  const auto refuse = [&](const std::string& why) { throw InputError(choice.where, choice.path, why); };
-  if (!choice.name.empty() && choice.name != "velocity_controller")
-    refuse("there is no " + choice.name + "; did you mean velocity_controller?");
-  if (vehicle.propulsion() == nullptr && !(choice.name.empty() && choice.params.empty()))
-    refuse(spec.model.name + " has no thrusters that it could drive: leave it out");
-  return made(choice, [&] { return params_of(choice.params, VelocityController::Params{}); });
+  const bool given = !choice.name.empty() || !choice.params.empty();
+  if (given && vehicle.propulsion() == nullptr) {
+    throw InputError(choice.where, choice.path,
+                     spec.model.name + " has no thrusters that it could drive: leave it out");
+  }
+  return chosen(choice, "kind", AutopilotParams{});
 }
 
 SteeringParams steering_of(const VehicleSpec& spec, const Vehicle& vehicle) {
@@ -69,10 +90,7 @@ SteeringParams steering_of(const VehicleSpec& spec, const Vehicle& vehicle) {
     params.kind = SteeringKind::holonomic;
     params.heading_rad = spec.yaw;
   }
-  return made(spec.steering, [&] {
-    if (!spec.steering.name.empty()) set_param(params, "kind", spec.steering.name);
-    return params_of(spec.steering.params, params);
-  });
+  return chosen(spec.steering, "kind", params);
 }
 
 VehicleState start_of(const VehicleSpec& spec) {
@@ -132,8 +150,8 @@ Agent make_agent(const VehicleSpec& spec, const Scenario& scenario, const Catalo
   const std::size_t track_count = scenario.vehicles.size() + scenario.obstacles.size();
   Vehicle vehicle = make_vehicle(spec, catalogs.vehicles);
   vehicle.set_state(start_of(spec));
-  const VelocityController::Params controller = controller_of(spec, vehicle);
-  const AllocationMethod allocation = allocation_of(spec);
+  const AutopilotParams controller = autopilot_of(spec, vehicle);
+  const AllocationMethod allocation = chosen(spec.allocation, "method", AllocationParams{}).method;
   Autopilot autopilot = made(spec.model, [&] { return Autopilot{vehicle, controller, allocation}; });
   ActuatorValues demand = vehicle.actuator_state();
 

@@ -66,8 +66,8 @@ TEST(Feasibility, AnAutopilotIsThatOfThrusters) {
   const std::string yaml = boat("[0, 0, 0]", "[9, 0, 0]");
   EXPECT_EQ(refusal(yaml, {{"vehicles[0].autopilot", "velocity_controller"}}), "");
   EXPECT_EQ(refusal(yaml, {{"vehicles[0].autopilot", "pid"}}),
-            "--set vehicles[0].autopilot: vehicles[0].autopilot: there is no pid; did you mean "
-            "velocity_controller?");
+            "--set vehicles[0].autopilot: vehicles[0].autopilot: kind: is \"pid\"; expected one of "
+            "velocity_controller");
   EXPECT_THAT(refusal(yaml, {{"vehicles[0].autopilot.surge_bandwidth_radps", "0"}}), HasSubstr("0.01"));
   EXPECT_THAT(
       refusal(yaml, {{"vehicles[0].model", "kinematic"}, {"vehicles[0].autopilot", "velocity_controller"}}),
