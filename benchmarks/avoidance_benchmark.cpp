@@ -13,13 +13,13 @@
 namespace fairway {
 namespace {
 
-using encounters::Encounter;
-using Scene = Encounter (*)(int, Rng);
+using encounters::OwnedSituation;
+using Scene = OwnedSituation (*)(int, Rng);
 
-std::vector<Encounter> frozen(Scene scene, int neighbours) {
+std::vector<OwnedSituation> frozen(Scene scene, int neighbours) {
   // about 1 MB in all, so that the caches hold it
   const int count = std::max(16, 8000 / std::max(neighbours, 1));
-  std::vector<Encounter> scenes;
+  std::vector<OwnedSituation> scenes;
   for (int i = 0; i < count; ++i)
     scenes.push_back(scene(neighbours, Rng{1}.stream("frozen", static_cast<std::uint64_t>(i))));
   return scenes;
@@ -27,7 +27,7 @@ std::vector<Encounter> frozen(Scene scene, int neighbours) {
 
 template <class Decide>
 void run(benchmark::State& bench, Scene scene, Decide decide) {
-  const std::vector<Encounter> scenes = frozen(scene, static_cast<int>(bench.range(0)));
+  const std::vector<OwnedSituation> scenes = frozen(scene, static_cast<int>(bench.range(0)));
   const std::vector<Situation> situations(scenes.begin(), scenes.end());
 
   double infeasible = 0.0;
@@ -82,8 +82,8 @@ BENCHMARK_CAPTURE(avoider, hrvo_congested, "hrvo", encounters::congested)->Arg(7
 
 /// The same swarms in the horizontal plane.
 template <Scene scene>
-Encounter flat(int neighbours, Rng rng) {
-  Encounter e = scene(neighbours, rng);
+OwnedSituation flat(int neighbours, Rng rng) {
+  OwnedSituation e = scene(neighbours, rng);
   Situation& s = e.situation;
   s.goal.position.z() = s.own.position.z();
   s.own.velocity.z() = 0.0;

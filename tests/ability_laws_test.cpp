@@ -13,7 +13,7 @@
 namespace fairway {
 namespace {
 
-using encounters::Encounter;
+using encounters::OwnedSituation;
 
 Catalog everything() {
   Catalog catalog = builtin_avoiders();
@@ -36,10 +36,10 @@ constexpr Limits remus{
     .max_speed = 1.5, .max_climb_rate = 0.3, .min_speed = 0.962, .sternway = false, .sway = false};
 
 /// A swarm in the plane round a vehicle under way; every second one cannot turn at once.
-Encounter scene(std::uint64_t i) {
+OwnedSituation scene(std::uint64_t i) {
   Rng rng = Rng{11}.stream("torpedo", i);
   const int count = static_cast<int>(i % 12);
-  Encounter e = i % 3 == 0 ? encounters::congested(count, rng) : encounters::crowd(count, rng);
+  OwnedSituation e = i % 3 == 0 ? encounters::congested(count, rng) : encounters::crowd(count, rng);
   Situation& s = e.situation;
   s.limits = remus;
   if (i % 2 == 0) s.limits.max_turn_rate = 0.08;

@@ -18,26 +18,26 @@ namespace {
 struct Hindrance {
   const char* name;
   bool AlgorithmInfo::*ignored;  ///< what declares that it is none of a method's business
-  void (*put)(Encounter&);
+  void (*put)(OwnedSituation&);
 };
 
 Vec3 at(double n, double e) { return {n, e, 50.0}; }
 
 const std::vector<Hindrance> hindrances{
     {"a rock", &AlgorithmInfo::ignores_obstacles,
-     [](Encounter& e) {
+     [](OwnedSituation& e) {
        e.obstacles = {{.kind = Obstacle::Kind::sphere, .position = at(15, 0.4), .radius = 3.0}};
      }},
     {"a wall", &AlgorithmInfo::ignores_obstacles,
-     [](Encounter& e) {
+     [](OwnedSituation& e) {
        e.obstacles = {{.kind = Obstacle::Kind::segment, .from = at(12, -5), .to = at(12, 4)}};
      }},
     {"a pier", &AlgorithmInfo::ignores_obstacles,
-     [](Encounter& e) {
+     [](OwnedSituation& e) {
        e.add_polygon({at(12, -3), at(16, -3), at(16, 4), at(12, 4)});
      }},
     {"something slow on the same course", &AlgorithmInfo::ignores_movers,
-     [](Encounter& e) {
+     [](OwnedSituation& e) {
        e.tracks = {encounters::track(1, at(10, 0.4), {0.05, 0, 0})};
        e.tracks[0].reacts = false;
        e.tracks[0].priority = -1;  // whoever waits for anybody waits for it
@@ -54,7 +54,7 @@ ParamValues params_of(const std::string& name) {
 }
 
 /// Between own centre and the surface of whatever is there [m].
-double clearance(const Encounter& e) {
+double clearance(const OwnedSituation& e) {
   const Vec3& here = e.situation.own.position;
   double least = std::numeric_limits<double>::infinity();
   for (const Obstacle& o : e.obstacles) least = std::fmin(least, nearest_point(o, here).distance);
@@ -70,7 +70,7 @@ struct Way {
 
 /// A minute and a half with `avoider` of a point that does what it is told.
 Way way_past(const Hindrance& hindrance, Avoider avoider) {
-  Encounter e = encounters::open_water();
+  OwnedSituation e = encounters::open_water();
   e.situation.period = 0.25;
   e.situation.goal.position = at(40, 0);
   e.situation.own.velocity = Vec3::Zero();
@@ -81,7 +81,7 @@ Way way_past(const Hindrance& hindrance, Avoider avoider) {
   Avoider unhindered = avoider;
   Way way{.clearance = clearance(e)};
   for (int step = 0; step < 360; ++step) {
-    Encounter open = e;
+    OwnedSituation open = e;
     open.tracks.clear();
     open.obstacles.clear();
     const Command command = avoider.decide(e);

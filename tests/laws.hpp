@@ -14,7 +14,7 @@
 /// that says whom they are for. So a new algorithm is held to them by the line that lists it.
 namespace fairway::laws {
 
-using encounters::Encounter;
+using encounters::OwnedSituation;
 
 /// Whoever the laws are for. Each program of tests has its own.
 Catalog catalog();
@@ -37,7 +37,7 @@ inline std::string test_name(const testing::TestParamInfo<std::string>& instance
 
 /// One period later, for a point that does what it is told at once: along its heading where it is told to
 /// turn, any way otherwise, bow first. The others keep their course.
-inline void follow(Encounter& e, Command command) {
+inline void follow(OwnedSituation& e, Command command) {
   Ownship& own = e.situation.own;
   if (command.turn_rate) {
     const auto ahead = [&] { return Vec3{std::cos(own.yaw), std::sin(own.yaw), 0.0}; };
@@ -65,7 +65,7 @@ class Laws : public testing::TestWithParam<std::string> {
   }
 
   /// Algorithms of the horizontal plane are shown scenes in it.
-  Encounter suited(Encounter e) const {
+  OwnedSituation suited(OwnedSituation e) const {
     if (!has(&AlgorithmInfo::planar)) return e;
     const double depth = e.situation.own.position.z();
     e.situation.own.velocity.z() = 0.0;

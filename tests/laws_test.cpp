@@ -26,7 +26,7 @@ TEST_P(Laws, TheSameSituationMemoryAndSeedGiveTheSameBits) {
 }
 
 TEST_P(Laws, CommandsAreFiniteAndWithinTheLimits) {
-  everywhere([](Avoider avoider, Encounter e) {
+  everywhere([](Avoider avoider, OwnedSituation e) {
     Situation& s = e.situation;
     s.limits.max_climb_rate = 0.3;
     s.limits.min_depth = s.own.position.z() - 0.02;  // 0.2 m/s up is too fast, at a period of 0.1 s
@@ -40,7 +40,7 @@ TEST_P(Laws, CommandsAreFiniteAndWithinTheLimits) {
 }
 
 /// Nobody else, and heading for the goal.
-Encounter alone(Encounter e) {
+OwnedSituation alone(OwnedSituation e) {
   e.tracks.clear();
   e.obstacles.clear();
   const Vec3 preferred = e.situation.preferred_velocity();
@@ -50,7 +50,7 @@ Encounter alone(Encounter e) {
 
 TEST_P(Laws, AloneItGoesWhereItWasGoing) {
   if (has(&AlgorithmInfo::allocates)) GTEST_SKIP() << "a plan begins at rest";
-  everywhere([&](Avoider avoider, Encounter e) {
+  everywhere([&](Avoider avoider, OwnedSituation e) {
     e = alone(e);
     const Vec3 preferred = e.situation.preferred_velocity();
     const Command command = avoider.decide(e);
@@ -64,7 +64,7 @@ TEST_P(Laws, AloneAPlanIsTheStraightWay) {
   for (std::uint64_t i = 0; i < 6; ++i) {
     SCOPED_TRACE(i);
     Avoider avoider = this->avoider();
-    Encounter e = alone(suited(encounters::crowd(0, Rng{42}.stream("alone", i))));
+    OwnedSituation e = alone(suited(encounters::crowd(0, Rng{42}.stream("alone", i))));
     const Vec3 start = e.situation.own.position, goal = e.situation.goal.position;
     for (int step = 0; step < 300; ++step) {
       const Command command = avoider.decide(e);
@@ -92,7 +92,7 @@ TEST_P(Laws, LookingDoesNotChangeACommandForEver) {
     SCOPED_TRACE(i);
     const Rng rng = Rng{41}.stream("scene", i);
     const int count = static_cast<int>(i / 2);
-    Encounter e = suited(i % 2 == 0 ? encounters::crowd(count, rng) : encounters::congested(count, rng));
+    OwnedSituation e = suited(i % 2 == 0 ? encounters::crowd(count, rng) : encounters::congested(count, rng));
     Avoider alone = avoider(), looked_at = avoider();
     Drawing drawing;
     for (int step = 0; step < 10; ++step) {
@@ -108,7 +108,7 @@ TEST_P(Laws, LookingDoesNotChangeACommandForEver) {
 
 TEST_P(Laws, InACongestedSceneItDrawsSomethingThatMakesSense) {
   for (std::uint64_t i = 0; i < 40; ++i) {
-    const Encounter e = suited(encounters::congested(6, Rng{42}.stream("congested", i)));
+    const OwnedSituation e = suited(encounters::congested(6, Rng{42}.stream("congested", i)));
     Drawing drawing;
     (void)avoider().decide(e, &drawing);
     EXPECT_FALSE(drawing.strokes().empty()) << i;
@@ -125,8 +125,8 @@ TEST_P(Laws, InACongestedSceneItDrawsSomethingThatMakesSense) {
 TEST_P(Laws, TheOriginOfTheFrameDoesNotMatter) {
   // a search for the minimum of a sum of squares magnifies rounding: measured 0.007 m/s of teb
   const double allowed = has(&AlgorithmInfo::allocates) ? 0.02 : same;
-  everywhere([&](Avoider avoider, const Encounter& here) {
-    const Encounter there = encounters::shifted(here, {512.0, -256.0, 32.0});
+  everywhere([&](Avoider avoider, const OwnedSituation& here) {
+    const OwnedSituation there = encounters::shifted(here, {512.0, -256.0, 32.0});
     Avoider twin = avoider;
     EXPECT_LT((avoider.decide(here).velocity - twin.decide(there).velocity).norm(), allowed);
   });
@@ -134,7 +134,7 @@ TEST_P(Laws, TheOriginOfTheFrameDoesNotMatter) {
 
 TEST_P(Laws, TheHeadingOfTheFrameDoesNotMatter) {
   if (!has(&AlgorithmInfo::isotropic)) GTEST_SKIP() << "knows north";
-  everywhere([](Avoider avoider, const Encounter& e) {
+  everywhere([](Avoider avoider, const OwnedSituation& e) {
     const Vec3 expected = Avoider{avoider}.decide(e).velocity;
     for (const double angle : {0.7, 2.0, pi, -1.3}) {
       const Vec3 answer = Avoider{avoider}.decide(encounters::turned(e, angle)).velocity;
@@ -146,7 +146,7 @@ TEST_P(Laws, TheHeadingOfTheFrameDoesNotMatter) {
 TEST_P(Laws, TheMirroredSceneHasTheMirroredAnswer) {
   if (!has(&AlgorithmInfo::isotropic)) GTEST_SKIP() << "knows north";
   if (has(&AlgorithmInfo::handed)) GTEST_SKIP() << "prefers a side";
-  everywhere([](Avoider avoider, const Encounter& e) {
+  everywhere([](Avoider avoider, const OwnedSituation& e) {
     const Vec3 expected = Avoider{avoider}.decide(e).velocity;
     const Vec3 answer = avoider.decide(encounters::mirrored(e)).velocity;
     EXPECT_LT((answer - Vec3(expected.x(), -expected.y(), expected.z())).norm(), same);
@@ -154,7 +154,7 @@ TEST_P(Laws, TheMirroredSceneHasTheMirroredAnswer) {
 }
 
 TEST_P(Laws, TheOrderOfTheTracksDoesNotMatter) {
-  everywhere([](Avoider avoider, Encounter e) {
+  everywhere([](Avoider avoider, OwnedSituation e) {
     const Command expected = Avoider{avoider}.decide(e);
     Rng rng{5};
     for (std::size_t k = e.tracks.size(); k > 1; --k) std::swap(e.tracks[k - 1], e.tracks[rng.index(k)]);
@@ -166,12 +166,13 @@ TEST_P(Laws, TheOrderOfTheTracksDoesNotMatter) {
 
 TEST_P(Laws, AnyNumberOfTracksIsAnsweredEvenAllAtOnePlace) {
   for (const int count : {0, 1, 2, 3, 50, 500}) {
-    std::vector<Encounter> scenes{encounters::crowd(count, Rng{1}), encounters::congested(count, Rng{2})};
+    std::vector<OwnedSituation> scenes{encounters::crowd(count, Rng{1}),
+                                       encounters::congested(count, Rng{2})};
     scenes.push_back(scenes[0]);
     for (Track& t : scenes[2].tracks) t.position = scenes[2].situation.own.position;
     scenes.push_back(scenes[2]);
     for (Track& t : scenes[3].tracks) t.velocity = scenes[3].situation.own.velocity;
-    for (const Encounter& e : scenes) {
+    for (const OwnedSituation& e : scenes) {
       Avoider avoider = this->avoider();
       const Command command = avoider.decide(suited(e));
       EXPECT_TRUE(is_finite(command.velocity)) << count;
@@ -181,7 +182,7 @@ TEST_P(Laws, AnyNumberOfTracksIsAnsweredEvenAllAtOnePlace) {
 }
 
 TEST_P(Laws, WhoWantsToStayMayStayOrGiveWay) {
-  everywhere([](Avoider avoider, Encounter e) {
+  everywhere([](Avoider avoider, OwnedSituation e) {
     e.situation.goal.velocity = Vec3::Zero();
     EXPECT_TRUE(is_finite(avoider.decide(e).velocity));
     e.tracks.clear();
@@ -194,7 +195,7 @@ TEST_P(Laws, WhoWantsToStayMayStayOrGiveWay) {
 }
 
 TEST_P(Laws, WhoCannotMoveDoesNot) {
-  everywhere([](Avoider avoider, Encounter e) {
+  everywhere([](Avoider avoider, OwnedSituation e) {
     e.situation.limits.max_speed = 0.0;
     EXPECT_EQ(avoider.decide(e).velocity, Vec3(0.0, 0.0, 0.0));
   });
@@ -202,12 +203,12 @@ TEST_P(Laws, WhoCannotMoveDoesNot) {
 
 TEST_P(Laws, ObstaclesOfEveryKindAreAnswered) {
   const std::vector<Vec3> triangle{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
-  const Encounter open = encounters::open_water();
+  const OwnedSituation open = encounters::open_water();
   const Vec3 own = open.situation.own.position;
   for (const Vec3& at : {Vec3{2, 0.1, 0}, Vec3{0, 0, 0}, Vec3{0, 0, 1}, Vec3{-1, -1, 0}}) {
     std::vector<Vec3> corners;
     for (const Vec3& corner : triangle) corners.push_back(corner + own + at);
-    Encounter e = open;
+    OwnedSituation e = open;
     e.obstacles = {{.kind = Obstacle::Kind::sphere, .position = own + at, .radius = 1.0},
                    {.kind = Obstacle::Kind::segment, .from = own + at, .to = own + at + Vec3{0, 9, 0}},
                    {.kind = Obstacle::Kind::segment, .from = own + at, .to = own + at},
@@ -218,31 +219,31 @@ TEST_P(Laws, ObstaclesOfEveryKindAreAnswered) {
 }
 
 TEST_P(Laws, NonsenseIsAnsweredWithAStandstillAndInfeasible) {
-  const std::vector<void (*)(Encounter&)> spoilers{
-      [](Encounter& e) { e.situation.own.position.x() = nan; },
-      [](Encounter& e) { e.situation.own.velocity.y() = nan; },
-      [](Encounter& e) { e.situation.own.yaw = nan; },
-      [](Encounter& e) { e.situation.own.radius = -1.0; },
-      [](Encounter& e) { e.situation.goal.position.z() = std::numeric_limits<double>::infinity(); },
-      [](Encounter& e) {
+  const std::vector<void (*)(OwnedSituation&)> spoilers{
+      [](OwnedSituation& e) { e.situation.own.position.x() = nan; },
+      [](OwnedSituation& e) { e.situation.own.velocity.y() = nan; },
+      [](OwnedSituation& e) { e.situation.own.yaw = nan; },
+      [](OwnedSituation& e) { e.situation.own.radius = -1.0; },
+      [](OwnedSituation& e) { e.situation.goal.position.z() = std::numeric_limits<double>::infinity(); },
+      [](OwnedSituation& e) {
         e.situation.goal.velocity = Vec3{0.0, 0.0, nan};
       },
-      [](Encounter& e) { e.situation.goal.cruise_speed = nan; },
-      [](Encounter& e) { e.situation.limits.max_speed = nan; },
-      [](Encounter& e) { e.situation.limits.max_climb_rate = nan; },
-      [](Encounter& e) { e.situation.limits.max_depth = nan; },
-      [](Encounter& e) { e.situation.period = 0.0; },
-      [](Encounter& e) { e.situation.period = nan; },
-      [](Encounter& e) { e.tracks[2].position.x() = nan; },
-      [](Encounter& e) { e.tracks[0].velocity.x() = nan; },
-      [](Encounter& e) { e.tracks[1].radius = nan; },
-      [](Encounter& e) {
+      [](OwnedSituation& e) { e.situation.goal.cruise_speed = nan; },
+      [](OwnedSituation& e) { e.situation.limits.max_speed = nan; },
+      [](OwnedSituation& e) { e.situation.limits.max_climb_rate = nan; },
+      [](OwnedSituation& e) { e.situation.limits.max_depth = nan; },
+      [](OwnedSituation& e) { e.situation.period = 0.0; },
+      [](OwnedSituation& e) { e.situation.period = nan; },
+      [](OwnedSituation& e) { e.tracks[2].position.x() = nan; },
+      [](OwnedSituation& e) { e.tracks[0].velocity.x() = nan; },
+      [](OwnedSituation& e) { e.tracks[1].radius = nan; },
+      [](OwnedSituation& e) {
         e.obstacles = {{.kind = Obstacle::Kind::sphere, .position = {nan, 0, 0}}};
       },
-      [](Encounter& e) { e.obstacles = {{.kind = Obstacle::Kind::polygon}}; },
+      [](OwnedSituation& e) { e.obstacles = {{.kind = Obstacle::Kind::polygon}}; },
   };
   for (std::size_t i = 0; i < spoilers.size(); ++i) {
-    Encounter e = encounters::crowd(5, Rng{1});
+    OwnedSituation e = encounters::crowd(5, Rng{1});
     spoilers[i](e);
     Avoider avoider = this->avoider();
     const Command standstill{.mode = Mode::infeasible, .note = why_unusable(e)};

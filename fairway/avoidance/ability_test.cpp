@@ -10,7 +10,7 @@
 namespace fairway {
 namespace {
 
-using encounters::Encounter;
+using encounters::OwnedSituation;
 
 /// It neither stops, nor goes astern or sideways.
 constexpr Limits torpedo{.max_speed = 1.5, .min_speed = 1.0, .sternway = false, .sway = false};
@@ -76,14 +76,16 @@ struct Always {
   Command decide(const Situation&, Memory&, Context&) const noexcept { return command; }
 };
 
-Encounter torpedo_ahead() {
-  Encounter e = encounters::open_water();
+OwnedSituation torpedo_ahead() {
+  OwnedSituation e = encounters::open_water();
   e.situation.own.velocity = {1.2, 0, 0};
   e.situation.limits = torpedo;
   return e;
 }
 
-Command answer(const Command& command, const Encounter& e) { return Avoider{Always{{}, command}}.decide(e); }
+Command answer(const Command& command, const OwnedSituation& e) {
+  return Avoider{Always{{}, command}}.decide(e);
+}
 
 TEST(AnAvoider, SaysWhatIsBeyondTheVehicle) {
   const Command told =
@@ -103,7 +105,7 @@ TEST(AnAvoider, LeavesTheWordsOfTheMethod) {
 }
 
 TEST(AnAvoider, SaysThatAVehicleWhichCannotStopCirclesInsteadOfWaiting) {
-  Encounter e = torpedo_ahead();
+  OwnedSituation e = torpedo_ahead();
   e.situation.own.priority = 5;
   e.tracks = {encounters::track(1, {4, 0, 50}, {0, 0, 0})};
   const Command waiting = Avoider{StopAndWait{}, Avoider{Always{{}, {.velocity = {1.2, 0, 0}}}}}.decide(e);
@@ -112,7 +114,7 @@ TEST(AnAvoider, SaysThatAVehicleWhichCannotStopCirclesInsteadOfWaiting) {
 }
 
 TEST(AnAvoider, ForgetsWhatWasSaidOfACommandThatAWrapperChanged) {
-  Encounter e = torpedo_ahead();
+  OwnedSituation e = torpedo_ahead();
   e.tracks = {encounters::track(1, {-12, 0.5, 50}, {0, 0, 0})};
   const Command inner{.velocity = {-1.5, 0, 0}, .mode = Mode::avoid};
   ASSERT_EQ(answer(inner, e).note, words_of(Shortfall::astern));

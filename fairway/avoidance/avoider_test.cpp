@@ -70,7 +70,7 @@ TEST(ACatalog, RefusesANameThatIsTaken) {
 }
 
 TEST(AnUnusableSituation, IsAnsweredWithANoteThatSaysWhatIsUnusable) {
-  using Spoiler = std::function<void(encounters::Encounter&)>;
+  using Spoiler = std::function<void(encounters::OwnedSituation&)>;
   const std::vector<std::pair<Spoiler, std::string_view>> spoilers{
       {[](auto& e) { e.situation.period = 0.0; }, "the period is not a positive number"},
       {[](auto& e) { e.situation.period = -1.0; }, "the period is not a positive number"},
@@ -120,7 +120,7 @@ TEST(AnUnusableSituation, IsAnsweredWithANoteThatSaysWhatIsUnusable) {
   const Command usable = avoider.decide(encounters::crowd(5, Rng{1}));
   EXPECT_EQ(usable.note, "");
   for (std::size_t i = 0; i < spoilers.size(); ++i) {
-    encounters::Encounter e = encounters::crowd(5, Rng{1});
+    encounters::OwnedSituation e = encounters::crowd(5, Rng{1});
     spoilers[i].first(e);
     EXPECT_EQ(avoider.decide(e), (Command{.mode = Mode::infeasible, .note = spoilers[i].second}))
         << "spoiler " << i;

@@ -12,7 +12,7 @@ namespace fairway {
 namespace {
 
 using encounters::decide;
-using encounters::Encounter;
+using encounters::OwnedSituation;
 
 template <class>
 class Orca : public ::testing::Test {};
@@ -26,7 +26,7 @@ TYPED_TEST(Orca, GoesWhereItWasGoingWhenNobodyIsInRange) {
 }
 
 TYPED_TEST(Orca, SomebodyInRangeIsAvoidanceEvenIfTheCourseIsClear) {
-  Encounter e = encounters::open_water();
+  OwnedSituation e = encounters::open_water();
   e.tracks = {encounters::track(1, {-19.0, 0.0, 50.0}, {-1.0, 0.0, 0.0})};
   const Command command = decide<TypeParam>(e);
   EXPECT_EQ(command.velocity, Vec3(1.0, 0.0, 0.0));
@@ -50,7 +50,7 @@ TYPED_TEST(Orca, FullResponsibilityTakesAllOfTheChange) {
 }
 
 TYPED_TEST(Orca, WhatDoesNotReactLeavesAllOfTheChangeToUs) {
-  Encounter e = encounters::head_on(8.0);
+  OwnedSituation e = encounters::head_on(8.0);
   const Command shared = decide<TypeParam>(e);
   e.tracks[0].reacts = false;
   EXPECT_EQ(decide<TypeParam>(e), decide<TypeParam>(encounters::head_on(8.0), {.responsibility_ratio = 1.0}));
@@ -59,7 +59,7 @@ TYPED_TEST(Orca, WhatDoesNotReactLeavesAllOfTheChangeToUs) {
 }
 
 TYPED_TEST(Orca, TwoAtTheSamePlacePartAlongOneLineByTheirIds) {
-  Encounter e = encounters::open_water();
+  OwnedSituation e = encounters::open_water();
   e.situation.own.velocity = Vec3::Zero();
   e.situation.goal.velocity = Vec3::Zero();
   e.tracks = {encounters::track(1, e.situation.own.position, Vec3::Zero())};
@@ -72,7 +72,7 @@ TYPED_TEST(Orca, TwoAtTheSamePlacePartAlongOneLineByTheirIds) {
 }
 
 TYPED_TEST(Orca, LooksAtTheNearestWhenThereAreTooMany) {
-  Encounter e = encounters::head_on(8.0);
+  OwnedSituation e = encounters::head_on(8.0);
   e.tracks.push_back(encounters::track(2, {0.0, 9.0, 50.0}, {0.0, -2.0, 0.0}));
   EXPECT_EQ(decide<TypeParam>(e, {.max_neighbours_count = 1}), decide<TypeParam>(encounters::head_on(8.0)));
   EXPECT_EQ(decide<TypeParam>(e, {.max_neighbours_count = 0}).mode, Mode::cruise);
@@ -80,7 +80,7 @@ TYPED_TEST(Orca, LooksAtTheNearestWhenThereAreTooMany) {
 
 TYPED_TEST(Orca, FromInsideASolidTheWayIsOutThroughTheNearestSide) {
   const std::array<Vec3, 4> square{Vec3{-1, -5, 0}, Vec3{9, -5, 0}, Vec3{9, 5, 0}, Vec3{-1, 5, 0}};
-  Encounter e = encounters::open_water();
+  OwnedSituation e = encounters::open_water();
   e.obstacles = {{.kind = Obstacle::Kind::polygon, .vertices = square}};
   const Command command = decide<TypeParam>(e);
   EXPECT_EQ(command.mode, Mode::infeasible);  // 2 m in 0.1 s

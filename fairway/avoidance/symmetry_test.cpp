@@ -33,7 +33,7 @@ TEST(Symmetry, EveryoneLeansToStarboardForTheMiddleOfWhatIsAhead) {
 
 TEST(Symmetry, AQuarterOfTheRadiiAsideIsNoSymmetry) {
   for (const double aside : {0.49, 0.51, -0.49, -0.51}) {  // of radii that sum to 2 m
-    encounters::Encounter e = encounters::open_water();
+    encounters::OwnedSituation e = encounters::open_water();
     e.obstacles = {{.kind = Obstacle::Kind::sphere, .position = {8, aside, 50}, .radius = 1}};
     EXPECT_EQ(lean(e, Symmetry::starboard) != 0.0, std::abs(aside) < 0.5) << aside;
   }
@@ -45,7 +45,7 @@ TEST(Symmetry, WhatIsAsternOrOutOfRangeIsNone) {
 }
 
 TEST(Symmetry, AWallSquareToTheCourseIsOneToo) {
-  encounters::Encounter e = encounters::open_water();
+  encounters::OwnedSituation e = encounters::open_water();
   e.obstacles = {{.kind = Obstacle::Kind::segment, .from = {8, -5, 50}, .to = {8, 5, 50}}};
   EXPECT_NEAR(lean(e, Symmetry::starboard), 10 * degree, 1e-15);
 }
@@ -63,7 +63,7 @@ TEST(Symmetry, WhatIsDrawnStaysAndIsToEitherSide) {
 }
 
 TEST(Symmetry, ByIdTheLargerOneLeansAndEveryoneForWhatDoesNotReact) {
-  encounters::Encounter e = encounters::head_on();
+  encounters::OwnedSituation e = encounters::head_on();
   EXPECT_EQ(lean(e, Symmetry::by_id), 0.0);  // own ship has id 0
   e.situation.own.id = VehicleId{2};
   EXPECT_NEAR(lean(e, Symmetry::by_id), 10 * degree, 1e-15);

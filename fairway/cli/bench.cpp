@@ -33,12 +33,12 @@ double seconds_per_operation(double budget_s, std::int64_t count, const std::fun
   return samples[samples.size() / 2];
 }
 
-using Scene = encounters::Encounter (*)(int, Rng);
+using Scene = encounters::OwnedSituation (*)(int, Rng);
 
 /// One decision among `neighbours`, drawn at random from frozen situations [ns].
 double decision_ns(const std::string& algorithm, const Catalog& catalog, Scene scene, int neighbours,
                    double budget_s) {
-  std::vector<encounters::Encounter> scenes;
+  std::vector<encounters::OwnedSituation> scenes;
   for (std::uint64_t i = 0; i < 1024; ++i) scenes.push_back(scene(neighbours, Rng{1}.stream("frozen", i)));
   const std::vector<Situation> situations(scenes.begin(), scenes.end());
   Avoider avoider = catalog.make(algorithm);

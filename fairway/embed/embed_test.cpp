@@ -19,7 +19,7 @@
 namespace fairway::embed {
 namespace {
 
-using encounters::Encounter;
+using encounters::OwnedSituation;
 using testing::HasSubstr;
 
 static_assert(std::is_trivially_copyable_v<Situation> && std::is_standard_layout_v<Situation>);
@@ -83,7 +83,7 @@ struct Scene {
   Scene& operator=(const Scene&) = delete;
   ~Scene() = default;
 
-  Encounter e;
+  OwnedSituation e;
   std::vector<Vec3> corners;
   fairway::OnboardModel model;
 };
@@ -138,7 +138,7 @@ TEST_P(Embedded, ACopyIsASnapshot) {
   (void)original.decide(PlainSituation{scene.e}.view());
   Avoider copy = original;
   std::vector<Command> answers;
-  Encounter later = scene.e;
+  OwnedSituation later = scene.e;
   for (int step = 0; step < 20; ++step) {
     answers.push_back(original.decide(PlainSituation{later}.view()));
     carry_out(later, {});
@@ -189,7 +189,7 @@ TEST(EmbeddedAvoider, TakesTracksInAnyOrder) {
 
 TEST(EmbeddedAvoider, KeepsTheNearestTracksWhereThereAreTooMany) {
   for (std::uint64_t i = 0; i < 100; ++i) {
-    Encounter e = encounters::congested(30, Rng{i});
+    OwnedSituation e = encounters::congested(30, Rng{i});
     PlainSituation all{e};
     std::ranges::reverse(all.tracks);
     const Command command =
@@ -201,7 +201,7 @@ TEST(EmbeddedAvoider, KeepsTheNearestTracksWhereThereAreTooMany) {
 }
 
 TEST(EmbeddedAvoider, KeepsTheNearestObstaclesWhereThereAreTooMany) {
-  Encounter e = encounters::open_water();
+  OwnedSituation e = encounters::open_water();
   const std::vector<Vec3> near{{3, -1, 0}, {5, -1, 0}, {5, 1, 0}, {3, 1, 0}},
       far{{30, 0, 0}, {40, 0, 0}, {40, 9, 0}};
   e.obstacles = {{.kind = fairway::Obstacle::Kind::polygon, .vertices = far},
@@ -209,7 +209,7 @@ TEST(EmbeddedAvoider, KeepsTheNearestObstaclesWhereThereAreTooMany) {
                  {.kind = fairway::Obstacle::Kind::polygon, .vertices = near},
                  {.kind = fairway::Obstacle::Kind::sphere, .position = {0, 4, 50}, .radius = 1}};
   const PlainSituation all{e};
-  Encounter nearest = e;
+  OwnedSituation nearest = e;
   nearest.obstacles = {e.obstacles[2], e.obstacles[3]};
   const fairway::Command expected = builtin_avoiders().make("orca2d").decide(nearest);
   EXPECT_EQ(expected.mode, fairway::Mode::avoid);
@@ -231,7 +231,7 @@ TEST(EmbeddedAvoider, AnswersNonsenseWithAStandstillWhereverItStands) {
   const auto answer = [](const PlainSituation& s) {
     return Avoider{"orca3d", {}, {.tracks = 3, .obstacles = 1, .vertices = 0}}.decide(s.view());
   };
-  const Encounter crowd = encounters::crowd(12, Rng{1});
+  const OwnedSituation crowd = encounters::crowd(12, Rng{1});
   for (std::size_t i = 0; i < 12; ++i) {
     PlainSituation s{crowd};
     EXPECT_NE(answer(s).mode, Mode::infeasible);

@@ -15,11 +15,11 @@
 namespace fairway {
 namespace {
 
-using encounters::Encounter;
+using encounters::OwnedSituation;
 
 /// Two charted buoys and one that is on no chart lie in the way, and somebody crosses it.
-Encounter busy_waters() {
-  Encounter e;
+OwnedSituation busy_waters() {
+  OwnedSituation e;
   e.situation = {.period = 0.2,
                  .own = {.position = {0, 0, 2}, .radius = 0.75},
                  .goal = {.position = {30, 0, 2}, .cruise_speed = 0.4},
@@ -42,7 +42,7 @@ class PlannersDraw : public testing::TestWithParam<std::string> {
 };
 
 TEST_P(PlannersDraw, SomethingAtEveryDecisionAndLookingChangesNoCommand) {
-  Encounter e = busy_waters();
+  OwnedSituation e = busy_waters();
   Avoider alone = planner(), looked_at = planner();
   Drawing drawing;
   for (int step = 0; step < 150; ++step) {
@@ -62,14 +62,14 @@ INSTANTIATE_TEST_SUITE_P(OfTheCatalog, PlannersDraw, testing::Values("rrt_star",
                          [](const auto& instance) { return instance.param; });
 
 TEST(BlendDraws, ItsPlanAndHowItGoesRoundWhatItDidNotKnow) {
-  Encounter e = busy_waters();
+  OwnedSituation e = busy_waters();
   Catalog catalog;
   add_planners(catalog);
   Avoider blend = catalog.make("blend", {{"replan", false}}, Rng{3});
   std::set<std::string> following, going_round;
   for (int step = 0; step < 400; ++step) {
     // the buoy that is on no chart is seen from 6 m
-    Encounter seen = e;
+    OwnedSituation seen = e;
     std::erase_if(seen.obstacles, [&](const Obstacle& o) {
       return !o.charted && (o.position - e.situation.own.position).norm() > 6.0;
     });

@@ -48,23 +48,23 @@ Vec3 at_depth_zero(const Vec2& p) { return {p.x(), p.y(), 0.0}; }
 
 }  // namespace
 
-PlanarMap::Solid PlanarMap::flattened(const Obstacle& obstacle) {
-  Solid solid{.kind = obstacle.kind,
-              .position = at_depth_zero(obstacle.position),
-              .radius = obstacle.radius,
-              .from = at_depth_zero(obstacle.from),
-              .to = at_depth_zero(obstacle.to)};
+PlanarMap::FlatObstacle PlanarMap::flattened(const Obstacle& obstacle) {
+  FlatObstacle solid{.kind = obstacle.kind,
+                     .position = at_depth_zero(obstacle.position),
+                     .radius = obstacle.radius,
+                     .from = at_depth_zero(obstacle.from),
+                     .to = at_depth_zero(obstacle.to)};
   for (const Vec3& vertex : obstacle.vertices) solid.vertices.push_back(at_depth_zero(vertex));
   return solid;
 }
 
-SurfacePoint PlanarMap::Solid::nearest(const Vec2& p) const noexcept {
+SurfacePoint PlanarMap::FlatObstacle::nearest(const Vec2& p) const noexcept {
   return nearest_point(
       {.kind = kind, .position = position, .radius = radius, .from = from, .to = to, .vertices = vertices},
       at_depth_zero(p));
 }
 
-double PlanarMap::Solid::distance(const Vec2& a, const Vec2& b) const noexcept {
+double PlanarMap::FlatObstacle::distance(const Vec2& a, const Vec2& b) const noexcept {
   switch (kind) {
     case Obstacle::Kind::sphere:
       return std::fmax(0.0, distance_to_line(position.head<2>(), a, b) - radius);
@@ -81,7 +81,7 @@ double PlanarMap::Solid::distance(const Vec2& a, const Vec2& b) const noexcept {
   return least;
 }
 
-Eigen::AlignedBox2d PlanarMap::Solid::bounds() const {
+Eigen::AlignedBox2d PlanarMap::FlatObstacle::bounds() const {
   Eigen::AlignedBox2d box;
   switch (kind) {
     case Obstacle::Kind::sphere:
@@ -116,19 +116,19 @@ PlanarMap::PlanarMap(std::span<const Obstacle> obstacles, double inflation_m) : 
 
 double PlanarMap::clearance(const Vec2& p) const noexcept {
   double least = std::numeric_limits<double>::infinity();
-  for (const Solid& solid : solids_) least = std::fmin(least, solid.nearest(p).distance);
+  for (const FlatObstacle& solid : solids_) least = std::fmin(least, solid.nearest(p).distance);
   return least - inflation_;
 }
 
 double PlanarMap::clearance(const Vec2& a, const Vec2& b) const noexcept {
   double least = std::numeric_limits<double>::infinity();
-  for (const Solid& solid : solids_) least = std::fmin(least, solid.distance(a, b));
+  for (const FlatObstacle& solid : solids_) least = std::fmin(least, solid.distance(a, b));
   return least - inflation_;
 }
 
 Vec2 PlanarMap::outward(const Vec2& p) const noexcept {
   SurfacePoint nearest{.distance = std::numeric_limits<double>::infinity()};
-  for (const Solid& solid : solids_) {
+  for (const FlatObstacle& solid : solids_) {
     const SurfacePoint candidate = solid.nearest(p);
     if (candidate.distance < nearest.distance) nearest = candidate;
   }

@@ -55,7 +55,7 @@ class PlanarMap {
 
  private:
   /// An obstacle at depth 0 with vertices of its own.
-  struct Solid {
+  struct FlatObstacle {
     Obstacle::Kind kind{};
     Vec3 position = Vec3::Zero();
     double radius{};
@@ -67,14 +67,14 @@ class PlanarMap {
     double distance(const Vec2& a, const Vec2& b) const noexcept;
     Eigen::AlignedBox2d bounds() const;
 
-    friend bool operator==(const Solid&, const Solid&) = default;
+    friend bool operator==(const FlatObstacle&, const FlatObstacle&) = default;
   };
 
-  static Solid flattened(const Obstacle& obstacle);
+  static FlatObstacle flattened(const Obstacle& obstacle);
 
   bool has_room(double clearance) const noexcept { return clearance >= 0.0 && clearance > -inflation_; }
 
-  std::vector<Solid> solids_;
+  std::vector<FlatObstacle> solids_;
   double inflation_;
   Eigen::AlignedBox2d bounds_;
 };

@@ -30,9 +30,9 @@ VehicleState deviated(const VehicleState& x, const Deviation& by) {
 }
 
 /// How fast a deviation from a state changes, in that state.
-class Motion {
+class Linearisation {
  public:
-  Motion(const Vehicle& vehicle, const ActuatorValues& u, const Water& water)
+  Linearisation(const Vehicle& vehicle, const ActuatorValues& u, const Water& water)
       : vehicle_{vehicle}, u_{u}, water_{water} {}
 
   Deviation rate(const VehicleState& x, const Deviation& by) const {
@@ -99,7 +99,7 @@ std::string rounded_text(double value) {
 
 std::optional<StepLimit> step_limit(const Vehicle& vehicle, const VehicleState& x, const ActuatorValues& u,
                                     const Water& water, double h) {
-  const Jacobian A = Motion{vehicle, u, water}.jacobian(x);
+  const Jacobian A = Linearisation{vehicle, u, water}.jacobian(x);
   if (!A.allFinite()) return {};
   const Eigen::EigenSolver<Jacobian> solver{A};
   if (solver.info() != Eigen::Success) return {};
@@ -118,7 +118,7 @@ std::optional<StepLimit> step_limit(const Vehicle& vehicle, const VehicleState& 
 std::optional<VehicleState> steady_state(const Vehicle& vehicle, VehicleState x, const ActuatorValues& u,
                                          const Water& water) {
   constexpr double first_step = 0.25, longest_step = 10.0;
-  const Motion motion{vehicle, u, water};
+  const Linearisation motion{vehicle, u, water};
   double h = first_step;
   Deviation rate = motion.rate(x, Deviation::Zero());
   for (int i = 0; i < 20; ++i) {

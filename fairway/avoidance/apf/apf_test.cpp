@@ -11,11 +11,11 @@ namespace fairway {
 namespace {
 
 using encounters::decide;
-using encounters::Encounter;
+using encounters::OwnedSituation;
 
 /// Northbound with somebody at `position` relative to own ship.
-Encounter beside(const Vec3& position) {
-  Encounter e = encounters::open_water();
+OwnedSituation beside(const Vec3& position) {
+  OwnedSituation e = encounters::open_water();
   e.tracks = {encounters::track(1, e.situation.own.position + position, Vec3::Zero())};
   return e;
 }
@@ -40,14 +40,14 @@ TEST(Apf, RepulsionGrowsLinearlyFromNothingAtTheRange) {
 
 TEST(Apf, PushesOfAllNeighboursAddUp) {
   // 3 m ahead, twice: V_f = 1 - 2 * (2 * 0.5 ) = -1 with W2 = 2
-  Encounter e = beside({3.0, 0.0, 0.0});
+  OwnedSituation e = beside({3.0, 0.0, 0.0});
   e.tracks.push_back(e.tracks[0]);
   EXPECT_LT((decide<Apf>(e, {.w2_ratio = 2.0}).velocity - Vec3(-1.0, 0.0, 0.0)).norm(), 1e-15);
 }
 
 TEST(Apf, DoesNotRememberThePushes) {
   Avoider avoider{Apf{{}}};
-  const Encounter e = beside({3.0, 1.0, 0.0});
+  const OwnedSituation e = beside({3.0, 1.0, 0.0});
   const Command first = avoider.decide(e);
   for (int i = 0; i < 10; ++i) EXPECT_EQ(avoider.decide(e), first);
 }
@@ -74,7 +74,7 @@ TEST(Apf, TheBangBangLawKnowsOnlyFullSpeed) {
 }
 
 TEST(Apf, AttractionFollowsTheMissionsVelocityAndIsAlwaysOne) {
-  Encounter e = beside({-3.0, 0.0, 0.0});
+  OwnedSituation e = beside({-3.0, 0.0, 0.0});
   e.situation.goal.velocity = Vec3{0.0, 0.1, 0.0};
   EXPECT_LT((decide<Apf>(e).velocity - Vec3(0.25, 1.0, 0.0) / std::sqrt(1.0625)).norm(), 1e-15);
   // with nowhere to go only the push is left: half of (6 - 3) / 6
@@ -83,7 +83,7 @@ TEST(Apf, AttractionFollowsTheMissionsVelocityAndIsAlwaysOne) {
 }
 
 TEST(Apf, TwoAtTheSamePlacePartByTheirIds) {
-  Encounter e = beside(Vec3::Zero());
+  OwnedSituation e = beside(Vec3::Zero());
   e.situation.goal.velocity = Vec3::Zero();
   const Vec3 first = decide<Apf>(e).velocity;
   e.situation.own.id = VehicleId{1};
@@ -94,7 +94,7 @@ TEST(Apf, TwoAtTheSamePlacePartByTheirIds) {
 
 TEST(Apf, ObstaclesPushFromTheirNearestSurfacePoint) {
   // a sphere whose surface is 3 m to starboard pushes like a vehicle at 3 m
-  Encounter e = encounters::open_water();
+  OwnedSituation e = encounters::open_water();
   e.obstacles = {{.kind = Obstacle::Kind::sphere, .position = {0.0, 5.0, 50.0}, .radius = 2.0}};
   EXPECT_LT((decide<Apf>(e).velocity - decide<Apf>(beside({0.0, 3.0, 0.0})).velocity).norm(), 1e-15);
 

@@ -54,7 +54,7 @@ avoa::Swarm::Settings swarm_settings(const Avoa::Params& p) {
 }
 
 /// The desired velocity and its cost, infinite if it is not feasible. It may be slower than others.
-Candidate desired_candidate(const avoa::VelocitySpace& space, const avoa::Metric& metric) {
+Candidate desired_candidate(const avoa::VelocitySpace& space, const avoa::VelocityMetric& metric) {
   const PolarVelocity& desired = metric.desired();
   const int cell = space.kinematics().contains(desired) ? avoa::VelocityGrid::outside
                                                         : space.grid().cell_at(desired.cartesian());
@@ -84,8 +84,8 @@ Command Avoa::decide(const Situation& s, Memory& memory, Context& context) const
   space.finish(params.danger_threshold_mps);
 
   // the best of the rest, the desired velocity first
-  const avoa::Metric metric{off_the_bow(preferred, s.own.yaw), max_speed, params.speed_weight_ratio,
-                            params.heading_weight_ratio, params.danger_weight_ratio};
+  const avoa::VelocityMetric metric{off_the_bow(preferred, s.own.yaw), max_speed, params.speed_weight_ratio,
+                                    params.heading_weight_ratio, params.danger_weight_ratio};
   const Candidate desired = desired_candidate(space, metric);
   const Candidate best =
       params.search == VelocitySearch::swarm

@@ -30,7 +30,7 @@ struct EnumNames<VelocitySearch> {
 ///     [v, theta]         PolarVelocity, in own body axes
 ///     PZ, PZ_H, t_H      ProtectiveZones; forbidden is PZ without PZ_H; window_s
 ///     PZ^K, alpha, beta  KinematicZone; alpha_ratio, beta_m, thruster_speed_mps
-///     h, psi, nabla      Metric; the three weights; cost_of_danger()
+///     h, psi, nabla      VelocityMetric; the three weights; cost_of_danger()
 ///     F, phi, v_ini, a_e VelocitySpace; Swarm::Settings
 struct Avoa {
   static constexpr AlgorithmInfo info{

@@ -14,11 +14,11 @@ namespace fairway {
 namespace {
 
 using encounters::decide;
-using encounters::Encounter;
+using encounters::OwnedSituation;
 
 /// A Zarco at the origin, northbound at 1.2 of at most 1.5 m/s for a goal 25 m ahead, every 0.2 s.
-Encounter zarco() {
-  Encounter e = encounters::open_water(1.2);
+OwnedSituation zarco() {
+  OwnedSituation e = encounters::open_water(1.2);
   e.situation.period = 0.2;
   e.situation.own.position = {0, 0, 0};
   e.situation.own.radius = 0.75;
@@ -34,7 +34,7 @@ Obstacle buoy(double north, double east) {
 double course(const Command& command) { return std::atan2(command.velocity.y(), command.velocity.x()); }
 
 TEST(Avoa, WithNothingNearGoesExactlyWhereItWasGoing) {
-  Encounter e = zarco();
+  OwnedSituation e = zarco();
   const Command expected{.velocity = {1.2, 0.0, 0.0}, .mode = Mode::cruise};
   EXPECT_EQ(decide<Avoa>(e), expected);
   e.obstacles = {buoy(20.0, 0.0)};  // beyond the window at any speed of the picture
@@ -42,7 +42,7 @@ TEST(Avoa, WithNothingNearGoesExactlyWhereItWasGoing) {
 }
 
 TEST(Avoa, WithTheGoalAbeamTurnsAsFastAsItsThrustersAllow) {
-  Encounter e = zarco();
+  OwnedSituation e = zarco();
   e.situation.own.yaw = -0.5;
   const Command command = decide<Avoa>(e, {.search = VelocitySearch::exhaustive});
   EXPECT_EQ(command.mode, Mode::cruise);
@@ -52,7 +52,7 @@ TEST(Avoa, WithTheGoalAbeamTurnsAsFastAsItsThrustersAllow) {
 }
 
 TEST(Avoa, AnObstacleAsternIsNoReasonToTurn) {
-  Encounter e = zarco();
+  OwnedSituation e = zarco();
   e.obstacles = {buoy(-4.0, 0.0)};
   const Command command = decide<Avoa>(e);
   EXPECT_EQ(command.mode, Mode::avoid);  // it forbids going astern
@@ -61,7 +61,7 @@ TEST(Avoa, AnObstacleAsternIsNoReasonToTurn) {
 
 TEST(Avoa, ABuoyAheadIsLeftOnTheSideOnWhichItLies) {
   for (const double east : {-0.3, 0.3}) {
-    Encounter e = zarco();
+    OwnedSituation e = zarco();
     e.obstacles = {buoy(7.0, east)};
     for (const VelocitySearch search : {VelocitySearch::swarm, VelocitySearch::exhaustive}) {
       const Command command = decide<Avoa>(e, {.search = search});
@@ -75,7 +75,7 @@ TEST(Avoa, AnswersAVelocityThatKeepsClearForTheWindow) {
   Rng rng{4};
   int answered = 0, avoiding = 0;
   for (int i = 0; i < 200; ++i) {
-    Encounter e = zarco();
+    OwnedSituation e = zarco();
     for (int k = 0; k < 6; ++k) e.obstacles.push_back(buoy(rng.uniform(2, 12), rng.uniform(-6, 6)));
     e.tracks = {encounters::track(1, {rng.uniform(3, 12), rng.uniform(-8, 8), 0},
                                   {rng.uniform(-0.6, 0.6), rng.uniform(-0.6, 0.6), 0}, 0.75)};
@@ -98,7 +98,7 @@ TEST(Avoa, AnswersAVelocityThatKeepsClearForTheWindow) {
 }
 
 TEST(Avoa, PrefersWhatIsFartherFromDanger) {
-  Encounter e = zarco();
+  OwnedSituation e = zarco();
   e.obstacles = {buoy(7.0, 1.35)};  // 1.3 m is clear, barely
   const auto how = [](double weight) {
     return Avoa::Params{.search = VelocitySearch::exhaustive, .danger_weight_ratio = weight};
@@ -108,7 +108,7 @@ TEST(Avoa, PrefersWhatIsFartherFromDanger) {
 }
 
 TEST(Avoa, TurningTheShipTurnsTheAnswerWithIt) {
-  Encounter e = zarco();
+  OwnedSituation e = zarco();
   e.obstacles = {buoy(7.0, 0.3), buoy(5.0, -4.0)};
   e.tracks = {encounters::track(1, {10, 6, 0}, {0, -0.6, 0}, 0.75)};
   const Vec3 expected = decide<Avoa>(e).velocity;
@@ -117,7 +117,7 @@ TEST(Avoa, TurningTheShipTurnsTheAnswerWithIt) {
 }
 
 TEST(Avoa, WhereNoVelocityIsLeftItStops) {
-  Encounter e = zarco();
+  OwnedSituation e = zarco();
   for (int i = 0; i < 24; ++i) {
     const double bearing = i * pi / 12.0;
     e.tracks.push_back(encounters::track(static_cast<std::uint32_t>(i + 1),
@@ -130,7 +130,7 @@ TEST(Avoa, WhereNoVelocityIsLeftItStops) {
 }
 
 TEST(Avoa, AnObstacleOverTheVesselIsLeft) {
-  Encounter e = zarco();
+  OwnedSituation e = zarco();
   e.obstacles = {buoy(0.5, 0.0)};
   const Command command = decide<Avoa>(e);
   EXPECT_EQ(command.mode, Mode::avoid);
@@ -147,7 +147,7 @@ TEST(Avoa, AnObstacleOverTheVesselIsLeft) {
 }
 
 TEST(Avoa, BetweenOverlappingTracksOnOppositeSidesThereIsOnlyTheWayAcross) {
-  Encounter e = zarco();
+  OwnedSituation e = zarco();
   e.tracks = {encounters::track(1, {1, 0, 0}, {0, 0, 0}), encounters::track(2, {-1, 0, 0}, {0, 0, 0})};
   const Command command = decide<Avoa>(e);
   EXPECT_EQ(command.mode, Mode::avoid);
@@ -156,7 +156,7 @@ TEST(Avoa, BetweenOverlappingTracksOnOppositeSidesThereIsOnlyTheWayAcross) {
 }
 
 TEST(Avoa, SlowerThanTheLeastSpeedOnlyIfDesired) {
-  Encounter e = zarco();
+  OwnedSituation e = zarco();
   e.obstacles = {buoy(4.0, 0.0), buoy(3.5, 2.0), buoy(3.5, -2.0)};
   const Avoa::Params slow{.search = VelocitySearch::exhaustive, .least_speed_mps = 0.0};
   EXPECT_LT(decide<Avoa>(e, slow).velocity.norm(), 0.2);
@@ -169,7 +169,7 @@ TEST(Avoa, SlowerThanTheLeastSpeedOnlyIfDesired) {
 }
 
 TEST(Avoa, WhoMayNotMoveSaysSo) {
-  Encounter e = zarco();
+  OwnedSituation e = zarco();
   for (const double limit : {0.0, 1e-9}) {
     e.situation.limits.max_speed = limit;
     const Command command = decide<Avoa>(e);
@@ -179,7 +179,7 @@ TEST(Avoa, WhoMayNotMoveSaysSo) {
 }
 
 TEST(Avoa, WhereNoLimitIsSetItsOwnHold) {
-  Encounter e = zarco();
+  OwnedSituation e = zarco();
   e.situation.limits = {};
   e.situation.goal.cruise_speed = 5.0;
   const Command command = decide<Avoa>(e, {.search = VelocitySearch::exhaustive});
@@ -197,7 +197,7 @@ TEST(Avoa, GridsAreOfTwoToFourHundredAndOne) {
   for (const double refused : {1.0, 402.0}) {
     EXPECT_THROW(set_param(params, "grid_count", refused), InputError);
   }
-  Encounter e = zarco();
+  OwnedSituation e = zarco();
   e.obstacles = {buoy(7.0, 0.3)};
   for (const int side : {2, 3, 100, 401}) {
     for (const VelocitySearch search : {VelocitySearch::swarm, VelocitySearch::exhaustive}) {
@@ -215,7 +215,7 @@ TEST(Avoa, ReadsItsOptionsByName) {
 }
 
 TEST(Avoa, DrawsItsThreePicturesInThePapersColours) {
-  Encounter e = zarco();
+  OwnedSituation e = zarco();
   e.situation.own.yaw = 0.1;
   e.obstacles = {buoy(7.0, 0.3)};
   Drawing drawing;
@@ -252,7 +252,7 @@ TEST(Avoa, DrawsItsThreePicturesInThePapersColours) {
 }
 
 TEST(Avoa, LookingDoesNotChangeTheAnswer) {
-  Encounter e = zarco();
+  OwnedSituation e = zarco();
   e.obstacles = {buoy(7.0, 0.3)};
   Drawing drawing;
   EXPECT_EQ(decide<Avoa>(e), decide<Avoa>(e, {}, &drawing));

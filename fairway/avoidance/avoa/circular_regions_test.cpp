@@ -9,20 +9,20 @@
 namespace fairway::avoa {
 namespace {
 
-using encounters::Encounter;
+using encounters::OwnedSituation;
 
 constexpr Regions regions{.margin = 0.25, .spacing = 0.5, .window = 8.0, .contact = TimeToContact::bound};
 
 /// Own ship of 0.75 m at (10, -4), bow to `yaw`.
-Encounter afloat(double yaw = 0.0) {
-  Encounter e = encounters::open_water();
+OwnedSituation afloat(double yaw = 0.0) {
+  OwnedSituation e = encounters::open_water();
   e.situation.own.position = {10.0, -4.0, 0.0};
   e.situation.own.radius = 0.75;
   e.situation.own.yaw = yaw;
   return e;
 }
 
-ProtectiveZones zones_of(const Encounter& e, const Regions& how = regions) {
+ProtectiveZones zones_of(const OwnedSituation& e, const Regions& how = regions) {
   ProtectiveZones zones;
   zones.clear({101, 1.5});
   const Situation s = e;
@@ -31,13 +31,13 @@ ProtectiveZones zones_of(const Encounter& e, const Regions& how = regions) {
 }
 
 /// A place [m, NED], seen from own position in own axes.
-Vec2 seen_from_own(const Encounter& e, const Vec3& p) {
+Vec2 seen_from_own(const OwnedSituation& e, const Vec3& p) {
   const Eigen::AngleAxisd back(-e.situation.own.yaw, Vec3::UnitZ());
   return (back * (p - e.situation.own.position)).head<2>();
 }
 
 TEST(CircularRegions, ATrackAndASphereAreOneDiscEachInOwnAxes) {
-  Encounter e = afloat(0.8);
+  OwnedSituation e = afloat(0.8);
   e.tracks = {encounters::track(1, {13.0, 2.0, 0.0}, {-0.3, -0.5, 0.0}, 0.6)};
   e.obstacles = {{.kind = Obstacle::Kind::sphere, .position = {6.0, -6.0, 3.0}, .radius = 0.3}};
 
@@ -82,7 +82,7 @@ TEST(CircularRegions, OfAWallForbidWhatMeetsItAndLittleElse) {
   Rng rng{5};
   int met = 0, too_many = 0;
   for (int scene = 0; scene < 100; ++scene) {
-    Encounter e = afloat(rng.uniform(-3.0, 3.0));
+    OwnedSituation e = afloat(rng.uniform(-3.0, 3.0));
     const auto around = [&] {
       return Vec3{e.situation.own.position + Vec3{rng.uniform(-15, 15), rng.uniform(-15, 15), 0.0}};
     };
@@ -115,9 +115,9 @@ TEST(CircularRegions, OfAWallForbidWhatMeetsItAndLittleElse) {
 
 TEST(CircularRegions, OfAPolygonAreThoseOfItsEdges) {
   const std::vector<Vec3> triangle{{14, -3, 0}, {18, -6, 0}, {17, 1, 0}};
-  Encounter solid = afloat(0.3);
+  OwnedSituation solid = afloat(0.3);
   solid.obstacles = {{.kind = Obstacle::Kind::polygon, .vertices = triangle}};
-  Encounter walls = afloat(0.3);
+  OwnedSituation walls = afloat(0.3);
   for (std::size_t i = 0; i < 3; ++i) {
     walls.obstacles.push_back(
         {.kind = Obstacle::Kind::segment, .from = triangle[(i + 2) % 3], .to = triangle[i]});
@@ -129,7 +129,7 @@ TEST(CircularRegions, OfAPolygonAreThoseOfItsEdges) {
 TEST(CircularRegions, InsideAPolygonOnlyTheWayOutIsAllowed) {
   // the nearest side is 2 m east of own position
   const std::vector<Vec3> square{{0, -22, 0}, {20, -22, 0}, {20, -2, 0}, {0, -2, 0}};
-  Encounter e = afloat();
+  OwnedSituation e = afloat();
   e.obstacles = {{.kind = Obstacle::Kind::polygon, .vertices = square}};
   const ProtectiveZones zones = zones_of(e);
   for (int cell = 0; cell < zones.grid().cell_count(); ++cell) {
@@ -141,13 +141,13 @@ TEST(CircularRegions, AnswerWallsOfAnyLengthAndNone) {
   constexpr double far = 1e7;
   for (const auto& [from, to] : {Wall{{-far, 8, 0}, {far, 8, 0}}, Wall{{10, 8, 0}, {10, 8, 0}},
                                  Wall{{10, -4, 0}, {10, -4, 0}}, Wall{{-1e160, 0, 0}, {1e160, 0, 0}}}) {
-    Encounter e = afloat();
+    OwnedSituation e = afloat();
     e.obstacles = {{.kind = Obstacle::Kind::segment, .from = from, .to = to}};
     (void)zones_of(e);
   }
   // 11 m to starboard of a coast that never ends: what reaches it in 8 s is forbidden, away from it nothing
   // is
-  Encounter e = afloat();
+  OwnedSituation e = afloat();
   e.obstacles = {{.kind = Obstacle::Kind::segment, .from = {-far, 7, 0}, .to = {far, 7, 0}}};
   const ProtectiveZones zones = zones_of(e);
   for (int cell = 0; cell < zones.grid().cell_count(); ++cell) {

@@ -33,8 +33,8 @@ std::uint32_t colour(double hue, double saturation) {
 
 }  // namespace
 
-void draw(const VelocitySpace& space, const Metric& metric, double yaw, std::vector<std::uint32_t>& pixels,
-          Sketch& sketch) {
+void draw(const VelocitySpace& space, const VelocityMetric& metric, double yaw,
+          std::vector<std::uint32_t>& pixels, Sketch& sketch) {
   const VelocityGrid& grid = space.grid();
   pixels.resize(static_cast<std::size_t>(grid.cell_count()));
   const auto paint = [&](std::string_view meaning, auto colour_of) {

@@ -14,7 +14,7 @@ namespace fairway::avoa {
 ///   "cost of danger"    from white, none, to dark grey, most; black is in an obstacle's zone
 ///   "metric"            the lighter the better, from the best to the worst feasible; black is not feasible
 /// `pixels` is scratch. O(cells)
-void draw(const VelocitySpace& space, const Metric& metric, double yaw, std::vector<std::uint32_t>& pixels,
-          Sketch& sketch);
+void draw(const VelocitySpace& space, const VelocityMetric& metric, double yaw,
+          std::vector<std::uint32_t>& pixels, Sketch& sketch);
 
 }  // namespace fairway::avoa

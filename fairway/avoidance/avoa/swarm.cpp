@@ -62,7 +62,7 @@ class Moves {
 
 }  // namespace
 
-Candidate Swarm::search(const VelocitySpace& space, const Metric& metric, const Candidate& first,
+Candidate Swarm::search(const VelocitySpace& space, const VelocityMetric& metric, const Candidate& first,
                         const Settings& settings, Rng& rng) {
   Moves moves{space, settings, rng};
   Candidate best = first;

@@ -41,7 +41,7 @@ class Swarm {
   /// The best of `first` and all that the swarm comes across. A particle costs what its
   /// velocity does with the danger of the nearest cell, and is feasible if that cell is.
   /// O(particles * iterations)
-  Candidate search(const VelocitySpace& space, const Metric& metric, const Candidate& first,
+  Candidate search(const VelocitySpace& space, const VelocityMetric& metric, const Candidate& first,
                    const Settings& settings, Rng& rng);
 
   /// As they were when the search ended; none if it had no need to begin.

@@ -22,7 +22,7 @@ constexpr Swarm::Settings settings{.particles = 30,
 
 constexpr Candidate nobody{.cost = std::numeric_limits<double>::infinity()};
 
-Metric metric_for(const PolarVelocity& desired) { return {desired, 1.5, 0.4, 0.2, 0.4}; }
+VelocityMetric metric_for(const PolarVelocity& desired) { return {desired, 1.5, 0.4, 0.2, 0.4}; }
 
 /// The share of 1000 random scenes in which the swarm comes within 0.01 of the best cell.
 double share_found(const Swarm::Settings& how) {
@@ -31,7 +31,7 @@ double share_found(const Swarm::Settings& how) {
   Swarm swarm;
   for (std::uint64_t scene = 0; scene < 1000; ++scene) {
     fill(space, 12, Rng{9}.stream("space", scene));
-    const Metric metric = metric_for(any_desired(Rng{9}.stream("desired", scene)));
+    const VelocityMetric metric = metric_for(any_desired(Rng{9}.stream("desired", scene)));
     Rng rng = Rng{9}.stream("swarm", scene);
     const double best = cheapest_cell(space, metric, nobody).cost;
     const double cost = swarm.search(space, metric, nobody, how, rng).cost;
@@ -111,7 +111,7 @@ TEST(Swarm, ShakesParticlesThatRest) {
   alone.particles = 1;
   alone.start = {};
   alone.accepted_cost = 0.0;
-  const Metric metric = metric_for({1.2, 0.3});
+  const VelocityMetric metric = metric_for({1.2, 0.3});
   const auto result = [&](const Swarm::Settings& how) {
     Rng rng{2};
     return Swarm{}.search(space, metric, nobody, how, rng).cost;

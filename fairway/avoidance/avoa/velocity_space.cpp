@@ -37,7 +37,7 @@ void VelocitySpace::finish(double threshold) {
   distance_.compute(forbidden, grid().side());
 }
 
-Candidate cheapest_cell(const VelocitySpace& space, const Metric& metric, const Candidate& first) {
+Candidate cheapest_cell(const VelocitySpace& space, const VelocityMetric& metric, const Candidate& first) {
   Candidate best = first;
   for (const std::int32_t cell : space.feasible()) {
     const PolarVelocity& v = space.velocity(cell);

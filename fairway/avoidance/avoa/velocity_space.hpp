@@ -7,8 +7,8 @@
 
 #include "fairway/avoidance/avoa/distance_transform.hpp"
 #include "fairway/avoidance/avoa/kinematic_zone.hpp"
-#include "fairway/avoidance/avoa/metric.hpp"
 #include "fairway/avoidance/avoa/protective_zones.hpp"
+#include "fairway/avoidance/avoa/velocity_metric.hpp"
 
 namespace fairway::avoa {
 
@@ -65,6 +65,6 @@ struct Candidate {
 };
 
 /// The cheapest of the feasible cells, or `first` if none is cheaper; of equals the first. O(cells)
-Candidate cheapest_cell(const VelocitySpace& space, const Metric& metric, const Candidate& first);
+Candidate cheapest_cell(const VelocitySpace& space, const VelocityMetric& metric, const Candidate& first);
 
 }  // namespace fairway::avoa

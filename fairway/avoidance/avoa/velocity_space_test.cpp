@@ -67,7 +67,7 @@ TEST(VelocitySpace, FollowsWhatOwnShipCanDo) {
 TEST(CheapestCell, IsTheFirstOfTheBest) {
   VelocitySpace space;
   fill(space, 6, Rng{8});
-  const Metric metric{{1.0, 0.5}, 1.5, 0.4, 0.2, 0.4};
+  const VelocityMetric metric{{1.0, 0.5}, 1.5, 0.4, 0.2, 0.4};
   const Candidate nobody{.cost = std::numeric_limits<double>::infinity()};
   const Candidate best = cheapest_cell(space, metric, nobody);
   ASSERT_FALSE(space.feasible().empty());
@@ -92,7 +92,7 @@ TEST(CheapestCell, IsWhatItBeganWithWhereNothingIsFeasible) {
   space.begin({101, 1.5}, zarco, 2.0);
   space.finish(0.3);
   const Candidate nobody{.cost = std::numeric_limits<double>::infinity()};
-  const Metric metric{{1.0, 0.5}, 1.5, 0.4, 0.2, 0.4};
+  const VelocityMetric metric{{1.0, 0.5}, 1.5, 0.4, 0.2, 0.4};
   EXPECT_EQ(cheapest_cell(space, metric, nobody).cost, nobody.cost);
 }
 

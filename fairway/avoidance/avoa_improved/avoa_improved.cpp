@@ -7,7 +7,7 @@
 #include <span>
 
 #include "fairway/avoidance/ability.hpp"
-#include "fairway/avoidance/avoa/metric.hpp"
+#include "fairway/avoidance/avoa/velocity_metric.hpp"
 #include "fairway/avoidance/avoa_improved/outlook.hpp"
 #include "fairway/avoidance/avoa_improved/wish.hpp"
 
@@ -26,7 +26,7 @@ struct Candidate {
 Vec2 direction_to(double heading) { return {std::cos(heading), std::sin(heading)}; }
 
 /// What `effort` of the limits allows.
-Helm helm_of(const Params& p, const Limits& limits, double effort) {
+VesselResponse helm_of(const Params& p, const Limits& limits, double effort) {
   const double turn_rate = limit_or(limits.max_turn_rate, p.max_turn_rate_radps);
   const double acceleration = limit_or(limits.max_acceleration, p.max_acceleration_mps2);
   return {.turn_gain = p.turn_gain_hz,
@@ -37,10 +37,10 @@ Helm helm_of(const Params& p, const Limits& limits, double effort) {
 }
 
 /// Own ship now, its drift as learnt so far.
-Motion motion_of(const Params& params, const Situation& s, Drift& drift) {
+OwnMotion motion_of(const Params& params, const Situation& s, Drift& drift) {
   const Vec2 ahead = direction_to(s.own.yaw);
   const Vec2 velocity = s.own.velocity.head<2>();
-  Motion motion{.position = s.own.position.head<2>(), .yaw = s.own.yaw, .yaw_rate = s.own.yaw_rate};
+  OwnMotion motion{.position = s.own.position.head<2>(), .yaw = s.own.yaw, .yaw_rate = s.own.yaw_rate};
   if (params.turn_aware) {
     drift.observe(velocity, ahead, helm_of(params, s.limits, 1.0), s.period, params.drift_settling_s);
     motion.drift = drift.velocity();
@@ -124,21 +124,21 @@ class Choices {
     }
   }
 
-  avoa::Metric metric_;
+  avoa::VelocityMetric metric_;
   std::array<Speeds, most_speeds> speeds_;
   std::size_t speed_count_ = 0;
   std::array<Candidate, most_speeds * Outlook::most_headings> all_;
   std::size_t count_ = 0;
 };
 
-struct Choice {
+struct BestCommand {
   Candidate candidate;
   Prospect prospect;
 };
 
 /// The cheapest command that is clear; if none is, that which loses least of the margin.
-Choice choose(const Choices& choices, Outlook& outlook) {
-  std::optional<Choice> best;
+BestCommand choose(const Choices& choices, Outlook& outlook) {
+  std::optional<BestCommand> best;
   double least_cost = Limits::none;
   for (const Candidate& c : choices.view()) {
     if (c.cost >= least_cost) break;
@@ -157,7 +157,7 @@ Choice choose(const Choices& choices, Outlook& outlook) {
   return *best;
 }
 
-Command command_for(const Params& params, const Situation& s, const Wish& wish, const Choice& choice) {
+Command command_for(const Params& params, const Situation& s, const Wish& wish, const BestCommand& choice) {
   const Manoeuvre& m = choice.candidate.manoeuvre;
   const bool is_free = choice.prospect.is_clear && choice.prospect.danger == 0.0;
   Command command{.mode = choice.prospect.is_clear ? Mode::avoid : Mode::infeasible};
@@ -173,7 +173,7 @@ Command command_for(const Params& params, const Situation& s, const Wish& wish, 
   return command;
 }
 
-void draw(Sketch& sketch, const Situation& s, Outlook& outlook, const Choice& choice,
+void draw(Sketch& sketch, const Situation& s, Outlook& outlook, const BestCommand& choice,
           const Command& command) {
   std::array<Vec3, Outlook::most_steps> points;
   std::size_t count = 0;
@@ -187,8 +187,8 @@ void draw(Sketch& sketch, const Situation& s, Outlook& outlook, const Choice& ch
 Command decision(const Params& params, const Situation& s, AvoaImproved::Memory& memory, Sketch* sketch) {
   // what is known, and the way round it
   memory.chart.enter(s, params.memory, params.same_place_m);
-  const Solids moving = movers(s);
-  const Motion own = motion_of(params, s, memory.drift);
+  const Capsules moving = movers(s);
+  const OwnMotion own = motion_of(params, s, memory.drift);
   const Wish wish = wish_of(params, s, moving.view(), memory, sketch);
 
   // what every command would come to
@@ -211,7 +211,7 @@ Command decision(const Params& params, const Situation& s, AvoaImproved::Memory&
 
   // the best of them
   const Choices choices{params, wish, s, fastest};
-  const Choice choice = choose(choices, outlook);
+  const BestCommand choice = choose(choices, outlook);
   Command command = command_for(params, s, wish, choice);
   if (sketch != nullptr) draw(*sketch, s, outlook, choice, command);
   return command;

@@ -3,8 +3,8 @@
 
 #include <optional>
 
+#include "fairway/avoidance/avoa_improved/capsule.hpp"
 #include "fairway/avoidance/avoa_improved/drift.hpp"
-#include "fairway/avoidance/avoa_improved/solid.hpp"
 #include "fairway/avoidance/avoider.hpp"
 
 namespace fairway {

@@ -6,7 +6,7 @@
 
 namespace fairway::avoa_improved {
 
-void Drift::observe(const Vec2& velocity, const Vec2& ahead, const Helm& helm, double period,
+void Drift::observe(const Vec2& velocity, const Vec2& ahead, const VesselResponse& helm, double period,
                     double settling) noexcept {
   if (!is_known_) {
     is_known_ = true;

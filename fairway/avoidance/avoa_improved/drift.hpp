@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "fairway/avoidance/avoa_improved/motion.hpp"
+#include "fairway/avoidance/avoa_improved/vessel_response.hpp"
 #include "fairway/core/vec.hpp"
 
 namespace fairway::avoa_improved {
@@ -16,7 +16,7 @@ class Drift {
  public:
   /// At each decision, `period` seconds after the one before. At first only what goes across the heading is
   /// drift.
-  void observe(const Vec2& velocity, const Vec2& ahead, const Helm& helm, double period,
+  void observe(const Vec2& velocity, const Vec2& ahead, const VesselResponse& helm, double period,
                double settling) noexcept;
 
   /// The speed ahead that was asked for in the meantime [m/s].

@@ -8,11 +8,11 @@
 namespace fairway::avoa_improved {
 namespace {
 
-constexpr Helm boat_helm{.turn_gain = 1.0,
-                         .max_turn_rate = 0.3751,
-                         .max_turn_acceleration = 0.5,
-                         .max_acceleration = 0.5,
-                         .response = 0.5};
+constexpr VesselResponse boat_helm{.turn_gain = 1.0,
+                                   .max_turn_rate = 0.3751,
+                                   .max_turn_acceleration = 0.5,
+                                   .max_acceleration = 0.5,
+                                   .response = 0.5};
 
 TEST(AvoaImprovedDrift, LearnsTheCurrentOnOneHeading) {
   Unicycle boat{.current = {-0.1, 0.15}};

@@ -28,8 +28,9 @@ double weight_at(double t, double window) { return std::fmax(0.0, 1.0 - t / (win
 
 }  // namespace
 
-Outlook::Outlook(const Helm& helm, const Foresight& foresight, const Motion& own, double own_radius,
-                 double greatest_speed, std::span<const Solid> fixed, std::span<const Solid> moving) noexcept
+Outlook::Outlook(const VesselResponse& helm, const Foresight& foresight, const OwnMotion& own,
+                 double own_radius, double greatest_speed, std::span<const Capsule> fixed,
+                 std::span<const Capsule> moving) noexcept
     : helm_{helm},
       foresight_{foresight},
       own_{own},
@@ -40,12 +41,12 @@ Outlook::Outlook(const Helm& helm, const Foresight& foresight, const Motion& own
   const double fastest = std::fmax(greatest_speed, std::abs(own.speed)) + own.drift.norm();
   const double stopping = helm.response + fastest / helm.max_acceleration;
   const double fixed_for = std::fmin(foresight.window, std::fmax(foresight.near, foresight.hold + stopping));
-  for (const Solid& solid : fixed) add_if_near(solid, fastest * fixed_for, fixed_, fixed_count_);
-  for (const Solid& solid : moving)
+  for (const Capsule& solid : fixed) add_if_near(solid, fastest * fixed_for, fixed_, fixed_count_);
+  for (const Capsule& solid : moving)
     add_if_near(solid, (fastest + solid.velocity.norm()) * foresight.window, moving_, moving_count_);
 }
 
-void Outlook::add_if_near(const Solid& solid, double reach, std::array<Hazard, Solids::capacity>& to,
+void Outlook::add_if_near(const Capsule& solid, double reach, std::array<Hazard, Capsules::capacity>& to,
                           std::size_t& count) noexcept {
   const double contact = solid.radius + own_radius_;
   const double gap = distance_to_axis(solid, own_.position) - contact;
@@ -85,7 +86,7 @@ void Outlook::advance(Advance& at, double speed, const Vec2& direction) const no
 Outlook::Room Outlook::room(std::span<const Hazard> hazards, const Vec2& own, double t) const noexcept {
   Room found{.beyond = Limits::none};
   for (const Hazard& hazard : hazards) {
-    const Solid& solid = *hazard.solid;
+    const Capsule& solid = *hazard.solid;
     const Vec2 relative = own - t * solid.velocity;
     const double distance =
         solid.is_disc() ? (relative - solid.from).norm() : distance_to_axis(solid, relative);

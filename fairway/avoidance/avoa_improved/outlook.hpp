@@ -5,13 +5,13 @@
 #include <cstddef>
 #include <span>
 
-#include "fairway/avoidance/avoa_improved/motion.hpp"
-#include "fairway/avoidance/avoa_improved/solid.hpp"
+#include "fairway/avoidance/avoa_improved/capsule.hpp"
+#include "fairway/avoidance/avoa_improved/vessel_response.hpp"
 
 namespace fairway::avoa_improved {
 
 /// Own ship where a prediction begins. [m, m/s, rad, NED]
-struct Motion {
+struct OwnMotion {
   Vec2 position = Vec2::Zero();
   double yaw{};
   double yaw_rate{};          ///< [rad/s]
@@ -54,8 +54,8 @@ class Outlook {
   static constexpr std::size_t most_headings = 64;
 
   /// Only what can come within reach counts. `fixed` and `moving` must outlive the outlook. O(solids).
-  Outlook(const Helm& helm, const Foresight& foresight, const Motion& own, double own_radius,
-          double greatest_speed, std::span<const Solid> fixed, std::span<const Solid> moving) noexcept;
+  Outlook(const VesselResponse& helm, const Foresight& foresight, const OwnMotion& own, double own_radius,
+          double greatest_speed, std::span<const Capsule> fixed, std::span<const Capsule> moving) noexcept;
 
   /// True if nothing is within reach.
   bool is_open() const noexcept { return fixed_count_ == 0 && moving_count_ == 0; }
@@ -74,7 +74,7 @@ class Outlook {
  private:
   /// Something near, and what is kept from its middle line.
   struct Hazard {
-    const Solid* solid;
+    const Capsule* solid;
     double contact;  ///< own radius and its own [m]
     double keep;     ///< beyond contact; less than the margin where that is lost already [m]
   };
@@ -98,7 +98,7 @@ class Outlook {
     double speed;
   };
 
-  void add_if_near(const Solid& solid, double reach, std::array<Hazard, Solids::capacity>& to,
+  void add_if_near(const Capsule& solid, double reach, std::array<Hazard, Capsules::capacity>& to,
                    std::size_t& count) noexcept;
   const TurnAhead& turn_to(double heading, std::size_t index) noexcept;
   void advance(Advance& at, double speed, const Vec2& direction) const noexcept;
@@ -110,16 +110,16 @@ class Outlook {
   std::span<const Hazard> fixed() const noexcept { return {fixed_.data(), fixed_count_}; }
   std::span<const Hazard> moving() const noexcept { return {moving_.data(), moving_count_}; }
 
-  Helm helm_;
+  VesselResponse helm_;
   Foresight foresight_;
-  Motion own_;
+  OwnMotion own_;
   double own_radius_;
   std::size_t steps_;
   std::size_t hold_steps_;
   double gone_;
-  std::array<Hazard, Solids::capacity> fixed_;
+  std::array<Hazard, Capsules::capacity> fixed_;
   std::size_t fixed_count_ = 0;
-  std::array<Hazard, Solids::capacity> moving_;
+  std::array<Hazard, Capsules::capacity> moving_;
   std::size_t moving_count_ = 0;
   std::array<TurnAhead, most_headings> turns_;
   std::array<Vec2, most_steps> path_;

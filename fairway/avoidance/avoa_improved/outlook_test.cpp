@@ -13,21 +13,21 @@ namespace {
 constexpr double radius = 0.75;
 constexpr double margin = 0.25;
 constexpr double hold = 0.8;
-constexpr Helm helm{.turn_gain = 1.0,
-                    .max_turn_rate = 0.3751,
-                    .max_turn_acceleration = 0.5,
-                    .max_acceleration = 0.5,
-                    .response = 0.5};
+constexpr VesselResponse helm{.turn_gain = 1.0,
+                              .max_turn_rate = 0.3751,
+                              .max_turn_acceleration = 0.5,
+                              .max_acceleration = 0.5,
+                              .response = 0.5};
 constexpr Foresight foresight{
     .turn_aware = true, .window = 8.0, .hold = hold, .near = 4.0, .margin = margin, .danger = 0.3};
 
 struct Scene {
   Unicycle boat;
-  std::vector<Solid> fixed;
-  std::vector<Solid> moving;
+  std::vector<Capsule> fixed;
+  std::vector<Capsule> moving;
 
   Outlook outlook(const Foresight& f = foresight) const {
-    const Motion own{boat.position, boat.yaw, boat.yaw_rate, boat.speed, boat.current};
+    const OwnMotion own{boat.position, boat.yaw, boat.yaw_rate, boat.speed, boat.current};
     return {helm, f, own, radius, 1.5, fixed, moving};
   }
 };
@@ -41,7 +41,7 @@ Command command_of(const Unicycle& boat, double speed, double heading) {
   return command;
 }
 
-double room(const Solid& solid, const Vec2& own, double t) {
+double room(const Capsule& solid, const Vec2& own, double t) {
   return (own - solid.from - t * solid.velocity).norm() - solid.radius - radius;
 }
 
@@ -99,11 +99,11 @@ TEST(AvoaImprovedOutlook, GivesEveryCommandAwayThatHits) {
     for (int k = 1; k <= 800; ++k) {
       const double t = 0.01 * k;
       scene.boat.sail(command_of(scene.boat, speed, heading), 0.01);
-      for (const Solid& s : scene.moving)
+      for (const Capsule& s : scene.moving)
         least_moving = std::fmin(least_moving, room(s, scene.boat.position, t));
       if (std::abs(stops.speed) < 0.02 && t > hold) continue;
       stops.sail(command_of(stops, t <= hold ? speed : 0.0, heading), 0.01);
-      for (const Solid& s : scene.fixed) least_fixed = std::fmin(least_fixed, room(s, stops.position, 0.0));
+      for (const Capsule& s : scene.fixed) least_fixed = std::fmin(least_fixed, room(s, stops.position, 0.0));
     }
     const double least = std::fmin(least_fixed, least_moving);
     hits += least < 0.0 ? 1 : 0;

@@ -22,7 +22,7 @@ constexpr double arc_step = 0.1;
 /// is taken [m].
 constexpr double starboard_bonus = 0.05;
 
-constexpr std::size_t most_solids = 2 * Solids::capacity;
+constexpr std::size_t most_solids = 2 * Capsules::capacity;
 constexpr std::size_t most_ends = 2 * most_solids;
 constexpr std::size_t most_legs = 2048;
 constexpr int none = -1;
@@ -63,13 +63,13 @@ struct Followed {
   double cost{};     ///< [m]
 };
 
-bool is_clear(std::span<const Solid> solids, const Vec2& p, const Vec2& q) {
+bool is_clear(std::span<const Capsule> solids, const Vec2& p, const Vec2& q) {
   return std::ranges::all_of(
-      solids, [&](const Solid& s) { return distance_to_axis(s, p, q) >= s.radius - way_tolerance; });
+      solids, [&](const Capsule& s) { return distance_to_axis(s, p, q) >= s.radius - way_tolerance; });
 }
 
 /// A solid that `own` or `goal` lies in is made just so wide that it does not, by more than rounding.
-Solid narrowed(Solid solid, const Vec2& own, const Vec2& goal) {
+Capsule narrowed(Capsule solid, const Vec2& own, const Vec2& goal) {
   for (const Vec2& p : {own, goal})
     solid.radius = std::min(solid.radius, (1.0 - 1e-9) * distance_to_axis(solid, p));
   return solid;
@@ -86,9 +86,9 @@ WayRound straight_way(const Vec2& own, const Vec2& goal) {
 
 class Search {
  public:
-  Search(std::span<const Solid> solids, const Vec2& own, const Vec2& goal, const Preference& preference)
+  Search(std::span<const Capsule> solids, const Vec2& own, const Vec2& goal, const Preference& preference)
       : own_{own}, goal_{goal}, preference_{preference}, solids_{solids} {
-    for (const Solid& solid : solids) {
+    for (const Capsule& solid : solids) {
       add_end({solid.from, solid.radius});
       if (!solid.is_disc()) add_end({solid.to, solid.radius});
     }
@@ -181,9 +181,9 @@ class Search {
 
   /// How far a turn may be followed until a solid is in the way [rad].
   double extent_of(const Turn& turn, double arrival) const {
-    std::array<const Solid*, most_solids> near;
+    std::array<const Capsule*, most_solids> near;
     std::size_t near_count = 0;
-    for (const Solid& solid : solids_) {
+    for (const Capsule& solid : solids_) {
       if (distance_to_axis(solid, turn.centre) < solid.radius + turn.radius) near[near_count++] = &solid;
     }
     constexpr int most_steps = static_cast<int>(2.0 * pi / arc_step);
@@ -242,7 +242,7 @@ class Search {
   Vec2 own_;
   Vec2 goal_;
   Preference preference_;
-  std::span<const Solid> solids_;
+  std::span<const Capsule> solids_;
   std::array<End, most_ends> ends_;
   std::size_t end_count_ = 0;
   std::array<Leg, most_legs> legs_;
@@ -255,12 +255,12 @@ class Search {
 
 }  // namespace
 
-std::optional<WayRound> way_round(std::span<const Solid> solids, const Vec2& own, const Vec2& goal,
+std::optional<WayRound> way_round(std::span<const Capsule> solids, const Vec2& own, const Vec2& goal,
                                   const Preference& preference) noexcept {
-  std::array<Solid, most_solids> narrow;
+  std::array<Capsule, most_solids> narrow;
   const std::size_t count = std::min(solids.size(), most_solids);
   for (std::size_t i = 0; i < count; ++i) narrow[i] = narrowed(solids[i], own, goal);
-  const std::span<const Solid> in_the_way{narrow.data(), count};
+  const std::span<const Capsule> in_the_way{narrow.data(), count};
   if (is_clear(in_the_way, own, goal)) return straight_way(own, goal);
   return Search{in_the_way, own, goal, preference}.find();
 }

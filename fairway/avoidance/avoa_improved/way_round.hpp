@@ -6,7 +6,7 @@
 #include <optional>
 #include <span>
 
-#include "fairway/avoidance/avoa_improved/solid.hpp"
+#include "fairway/avoidance/avoa_improved/capsule.hpp"
 
 namespace fairway::avoa_improved {
 
@@ -33,7 +33,7 @@ struct WayRound {
 /// as its radius: a taut string, found by A* over the tangents of their rounded ends. A solid that `own` or
 /// `goal` lies in is taken to be only just so wide that it does not. Nothing if there is no way, or none
 /// among the first few thousand partial ways. O(ends^2 solids) at worst.
-std::optional<WayRound> way_round(std::span<const Solid> solids, const Vec2& own, const Vec2& goal,
+std::optional<WayRound> way_round(std::span<const Capsule> solids, const Vec2& own, const Vec2& goal,
                                   const Preference& preference) noexcept;
 
 }  // namespace fairway::avoa_improved

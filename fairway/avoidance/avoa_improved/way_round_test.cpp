@@ -16,16 +16,17 @@ namespace {
 const Vec2 origin = Vec2::Zero();
 const Vec2 goal{20.0, 0.0};
 
-Solid disc(double north, double east, double radius) { return {{north, east}, {north, east}, radius}; }
+Capsule disc(double north, double east, double radius) { return {{north, east}, {north, east}, radius}; }
 
 /// Length of the shortest way over a grid of `pitch` with steps to the 32 nearest directions, at least the
 /// true one and at most 2.8 % and a bit longer; negative if there is none.
-double over_grid(const std::vector<Solid>& solids, double pitch) {
+double over_grid(const std::vector<Capsule>& solids, double pitch) {
   constexpr int rows = 131;
   constexpr int columns = 121;
   const auto place = [&](int i, int j) { return Vec2{(i - 15) * pitch, (j - 60) * pitch}; };
   const auto is_free = [&](const Vec2& p, const Vec2& q) {
-    return std::ranges::all_of(solids, [&](const Solid& s) { return distance_to_axis(s, p, q) >= s.radius; });
+    return std::ranges::all_of(solids,
+                               [&](const Capsule& s) { return distance_to_axis(s, p, q) >= s.radius; });
   };
   std::vector<double> length(rows * columns, 1e9);
   std::priority_queue<std::pair<double, int>, std::vector<std::pair<double, int>>, std::greater<>> open;
@@ -52,7 +53,7 @@ double over_grid(const std::vector<Solid>& solids, double pitch) {
 }
 
 TEST(AvoaImprovedWayRound, IsStraightWhereNothingIsInTheWay) {
-  const std::vector<Solid> solids{disc(10, 3, 2.9)};
+  const std::vector<Capsule> solids{disc(10, 3, 2.9)};
   const auto way = way_round(solids, origin, goal, {});
   ASSERT_TRUE(way);
   EXPECT_TRUE(way->is_straight);
@@ -61,7 +62,7 @@ TEST(AvoaImprovedWayRound, IsStraightWhereNothingIsInTheWay) {
 }
 
 TEST(AvoaImprovedWayRound, RoundADiscIsTheTautString) {
-  const std::vector<Solid> solids{disc(10, 0, 2)};
+  const std::vector<Capsule> solids{disc(10, 0, 2)};
   const auto way = way_round(solids, origin, goal, {});
   ASSERT_TRUE(way);
   const double line = std::sqrt(10.0 * 10.0 - 2.0 * 2.0);
@@ -71,7 +72,7 @@ TEST(AvoaImprovedWayRound, RoundADiscIsTheTautString) {
 }
 
 TEST(AvoaImprovedWayRound, RoundAWallTouchesItsEndsOnly) {
-  const std::vector<Solid> solids{{{10, -6}, {10, 3}, 1.0}};
+  const std::vector<Capsule> solids{{{10, -6}, {10, 3}, 1.0}};
   const auto way = way_round(solids, origin, goal, {});
   ASSERT_TRUE(way);
   const double apart = std::hypot(10.0, 3.0);
@@ -83,11 +84,11 @@ TEST(AvoaImprovedWayRound, IsAsLongAsThatOverAFineGrid) {
   int blocked = 0;
   for (std::uint64_t i = 0; i < 40; ++i) {
     Rng rng = Rng{8}.stream("solids", i);
-    std::vector<Solid> solids;
+    std::vector<Capsule> solids;
     while (solids.size() < 14) {
       const Vec2 p{rng.uniform(0, 20), rng.uniform(-5, 5)};
       const Vec2 q = rng.index(2) == 0 ? p : Vec2{p + Vec2{rng.uniform(-2, 2), rng.uniform(-2, 2)}};
-      const Solid solid{p, q, rng.uniform(0.4, 1.4)};
+      const Capsule solid{p, q, rng.uniform(0.4, 1.4)};
       if (distance_to_axis(solid, origin) > solid.radius && distance_to_axis(solid, goal) > solid.radius)
         solids.push_back(solid);
     }
@@ -104,7 +105,7 @@ TEST(AvoaImprovedWayRound, IsAsLongAsThatOverAFineGrid) {
 }
 
 TEST(AvoaImprovedWayRound, ThereIsNoneOutOfARing) {
-  std::vector<Solid> ring;
+  std::vector<Capsule> ring;
   for (int k = 0; k < 12; ++k) {
     const double angle = k * pi / 6;
     ring.push_back(disc(4 * std::cos(angle), 4 * std::sin(angle), 1.1));
@@ -116,7 +117,7 @@ TEST(AvoaImprovedWayRound, ThereIsNoneOutOfARing) {
 }
 
 TEST(AvoaImprovedWayRound, WithinASolidItLeadsOnAlongItsSurface) {
-  const std::vector<Solid> solids{disc(1, 0, 1.5)};
+  const std::vector<Capsule> solids{disc(1, 0, 1.5)};
   const auto way = way_round(solids, origin, goal, {});
   ASSERT_TRUE(way);
   EXPECT_LT(std::abs(way->direction.x()), 1e-4);
@@ -125,7 +126,7 @@ TEST(AvoaImprovedWayRound, WithinASolidItLeadsOnAlongItsSurface) {
 
 TEST(AvoaImprovedWayRound, KeepsToTheSideChosenUntilTheOtherIsMuchShorter) {
   const auto heads_to_starboard = [](double middle, double commitment) {
-    const std::vector<Solid> solids{disc(10, middle, 3)};
+    const std::vector<Capsule> solids{disc(10, middle, 3)};
     const Preference to_port{.committed = Vec2{0.8, -0.6}, .commitment = commitment};
     return way_round(solids, origin, goal, to_port)->direction.y() > 0.0;
   };
@@ -135,7 +136,7 @@ TEST(AvoaImprovedWayRound, KeepsToTheSideChosenUntilTheOtherIsMuchShorter) {
 }
 
 TEST(AvoaImprovedWayRound, PrefersAWayWithoutBendsThatIsALittleLonger) {
-  const std::vector<Solid> slalom{disc(6, -1.5, 2), disc(12, 1.5, 2)};
+  const std::vector<Capsule> slalom{disc(6, -1.5, 2), disc(12, 1.5, 2)};
   const auto bends = [&](double bend) {
     const Preference preference{.heading = Vec2{1, 0}, .bend = bend};
     return way_round(slalom, origin, goal, preference)->point_count / 2 - 1;

@@ -15,14 +15,14 @@ constexpr double leg_ahead = 20.0;
 /// What the way is to go round.
 class InTheWay {
  public:
-  void add(Solid solid, double widened) {
+  void add(Capsule solid, double widened) {
     solid.radius += widened;
     all_[count_++] = solid;
   }
-  std::span<const Solid> view() const { return {all_.data(), count_}; }
+  std::span<const Capsule> view() const { return {all_.data(), count_}; }
 
  private:
-  std::array<Solid, 2 * Solids::capacity> all_;
+  std::array<Capsule, 2 * Capsules::capacity> all_;
   std::size_t count_ = 0;
 };
 
@@ -39,11 +39,11 @@ void draw_way(const WayRound& way, double depth, Sketch& sketch) {
 
 /// The way from where the vessel will be when it has answered its helm.
 std::optional<WayRound> look(const AvoaImproved::Params& params, const Situation& s,
-                             std::span<const Solid> fixed, std::span<const Solid> met, double kept,
+                             std::span<const Capsule> fixed, std::span<const Capsule> met, double kept,
                              const std::optional<Vec2>& committed) {
   InTheWay in_the_way;
-  for (const Solid& solid : fixed) in_the_way.add(solid, s.own.radius + kept);
-  for (const Solid& solid : met) in_the_way.add(solid, s.own.radius + kept);
+  for (const Capsule& solid : fixed) in_the_way.add(solid, s.own.radius + kept);
+  for (const Capsule& solid : met) in_the_way.add(solid, s.own.radius + kept);
   const Preference preference{.committed = committed,
                               .commitment = params.commitment_m,
                               .heading = Vec2{std::cos(s.own.yaw), std::sin(s.own.yaw)},
@@ -53,15 +53,15 @@ std::optional<WayRound> look(const AvoaImproved::Params& params, const Situation
 }
 
 /// Leaves the wish as it is if nothing is in the way to the goal, or everything.
-void go_round(const AvoaImproved::Params& params, const Situation& s, std::span<const Solid> moving,
+void go_round(const AvoaImproved::Params& params, const Situation& s, std::span<const Capsule> moving,
               AvoaImproved::Memory& memory, Wish& wish, Sketch* sketch) {
-  Solids met;
-  for (const Solid& mover : moving) {
+  Capsules met;
+  for (const Capsule& mover : moving) {
     const auto there = meeting(mover, s.own.position.head<2>(), wish.speed, params.meeting_s, params.bow_s);
     if (there) met.add_near(*there, s.own.position.head<2>());
   }
 
-  const std::span<const Solid> fixed = memory.chart.view();
+  const std::span<const Capsule> fixed = memory.chart.view();
   const double kept = params.margin_m + params.way_margin_m;
   std::optional<WayRound> way = look(params, s, fixed, met.view(), kept, memory.committed);
   if (!way) way = look(params, s, fixed, {}, kept, memory.committed);
@@ -91,8 +91,8 @@ void turn_first(double turn_first, const Situation& s, Wish& wish) {
 
 }  // namespace
 
-std::optional<Solid> meeting(const Solid& mover, const Vec2& own, double speed, double soon,
-                             double bow) noexcept {
+std::optional<Capsule> meeting(const Capsule& mover, const Vec2& own, double speed, double soon,
+                               double bow) noexcept {
   // |q + w t| = speed t, the smaller positive root
   const Vec2 q = mover.from - own;
   const double closing = -q.dot(mover.velocity);
@@ -101,10 +101,10 @@ std::optional<Solid> meeting(const Solid& mover, const Vec2& own, double speed, 
   const double divisor = std::sqrt(root) + closing;
   if (divisor <= 0.0 || q.squaredNorm() > soon * divisor) return {};
   const Vec2 there = mover.from + (q.squaredNorm() / divisor) * mover.velocity;
-  return Solid{there, there + bow * mover.velocity, mover.radius};
+  return Capsule{there, there + bow * mover.velocity, mover.radius};
 }
 
-Wish wish_of(const AvoaImproved::Params& params, const Situation& s, std::span<const Solid> moving,
+Wish wish_of(const AvoaImproved::Params& params, const Situation& s, std::span<const Capsule> moving,
              AvoaImproved::Memory& memory, Sketch* sketch) noexcept {
   const Vec2 preferred = s.preferred_velocity().head<2>();
   const double speed = preferred.norm();

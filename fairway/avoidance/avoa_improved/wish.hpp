@@ -20,14 +20,14 @@ struct Wish {
 
 /// Where a mover can be met first by who makes `speed`, and on from there for `bow` seconds of its course, as
 /// a solid that stays there; nothing if it cannot be met within `soon` seconds.
-std::optional<Solid> meeting(const Solid& mover, const Vec2& own, double speed, double soon,
-                             double bow) noexcept;
+std::optional<Capsule> meeting(const Capsule& mover, const Vec2& own, double speed, double soon,
+                               double bow) noexcept;
 
 /// Along the shortest way round everything known, if `params.memory`, else as the mission wants it. Keeps to
 /// the way of the last time, which `memory.committed` says, until the goal is in sight. If there is no way,
 /// that regardless of who is met, then with half of the margin; if there is none either, straight. If
 /// `params.turn_aware`, slower the farther the vessel has to turn.
-Wish wish_of(const AvoaImproved::Params& params, const Situation& s, std::span<const Solid> moving,
+Wish wish_of(const AvoaImproved::Params& params, const Situation& s, std::span<const Capsule> moving,
              AvoaImproved::Memory& memory, Sketch* sketch) noexcept;
 
 }  // namespace fairway::avoa_improved

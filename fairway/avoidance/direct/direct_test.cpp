@@ -15,14 +15,14 @@ TEST(Direct, RunsDownWhoeverIsInTheWay) {
 }
 
 TEST(Direct, StopsOnTheGoal) {
-  encounters::Encounter e = encounters::open_water();
+  encounters::OwnedSituation e = encounters::open_water();
   e.situation.goal.position = e.situation.own.position + Vec3{0.0, 0.0, 0.04};
   EXPECT_LT((decide<Direct>(e).velocity - Vec3(0.0, 0.0, 0.4)).norm(),
             1e-12);  // there within one period of 0.1 s
 }
 
 TEST(Direct, TakesTheMissionsVelocityWhenThereIsOne) {
-  encounters::Encounter e = encounters::open_water();
+  encounters::OwnedSituation e = encounters::open_water();
   e.situation.goal.velocity = Vec3{0.0, -3.0, 0.0};
   EXPECT_EQ(decide<Direct>(e).velocity, Vec3(0.0, -1.5, 0.0));  // at most 1.5 m/s
 }

@@ -9,7 +9,7 @@
 namespace fairway {
 namespace {
 
-using encounters::Encounter;
+using encounters::OwnedSituation;
 using transport::Course;
 
 /// The model that comes nearest to the printed numbers has linear damping only and no Coriolis terms.
@@ -23,8 +23,8 @@ Course course_of_500_s(bool coriolis = false) {
 Avoider with(HardSwitching::Params params = {}) { return Avoider{HardSwitching{params}}; }
 
 /// Own ship at the origin, a sphere of 2 m at `distance` in the direction `bearing` of its surface.
-Encounter sphere_at(double distance, double bearing, double yaw = 0.0) {
-  Encounter e = encounters::open_water();
+OwnedSituation sphere_at(double distance, double bearing, double yaw = 0.0) {
+  OwnedSituation e = encounters::open_water();
   e.situation.own.yaw = yaw;
   e.obstacles = {
       {.kind = Obstacle::Kind::sphere,
@@ -42,7 +42,7 @@ TEST(PointSensors, DetectWhatHasItsSurfaceInRangeOfATip) {
 }
 
 TEST(PointSensors, TellTheNearestAndOfEqualsTheFirst) {
-  Encounter e = sphere_at(6.0, 0.0);
+  OwnedSituation e = sphere_at(6.0, 0.0);
   e.obstacles.push_back(sphere_at(6.0, pi).obstacles[0]);
   EXPECT_EQ(nearest_detected(e, {})->centre, e.obstacles[0].position);
   e.tracks = {encounters::track(1, {0.0, 8.0, 50.0}, {0.1, 0.0, 0.0}, 3.0)};
@@ -53,13 +53,13 @@ TEST(PointSensors, TellTheNearestAndOfEqualsTheFirst) {
 
 TEST(PointSensors, AreBlindOnTheDiagonal) {
   // 1 m of radius and 1 m of range, 0.1 m behind the line between two tips: the nearest tip is 2.26 m away
-  Encounter e = encounters::open_water();
+  OwnedSituation e = encounters::open_water();
   e.obstacles = {{.kind = Obstacle::Kind::sphere, .position = Vec3{1.5, 1.5, 50.0}, .radius = 1.0}};
   EXPECT_FALSE(nearest_detected(e, {.range = 1.0}).has_value());
 }
 
 TEST(HardSwitching, PullsPerAxisInTheEarthFrameTurnedIntoBodyAxes) {
-  Encounter e = encounters::open_water();
+  OwnedSituation e = encounters::open_water();
   e.situation.goal.position = {10.0, 20.0, 50.0};
   e.situation.own.yaw = pi / 2;
   const Command command = with().decide(e);
@@ -71,7 +71,7 @@ TEST(HardSwitching, PullsPerAxisInTheEarthFrameTurnedIntoBodyAxes) {
 
 TEST(HardSwitching, TurnsOnTheSpotTowardsAHeadingLatchedAtSwitchOn) {
   Avoider avoider = with();
-  Encounter e = sphere_at(6.0, 0.0);
+  OwnedSituation e = sphere_at(6.0, 0.0);
   const Command first = avoider.decide(e);
   EXPECT_EQ(first.mode, Mode::avoid);
   EXPECT_EQ(first.velocity, Vec3(0.0, 0.0, 0.0));
@@ -87,7 +87,7 @@ TEST(HardSwitching, TurnsOnTheSpotTowardsAHeadingLatchedAtSwitchOn) {
 
 TEST(HardSwitching, AsWrittenTheHeadingIsAlwaysAQuarterTurnAhead) {
   Avoider avoider = with({.latch = false});
-  Encounter e = sphere_at(8.0, 0.0);
+  OwnedSituation e = sphere_at(8.0, 0.0);
   (void)avoider.decide(e);
   e.situation.own.yaw = 0.2;
   EXPECT_NEAR((*avoider.decide(e).wrench)[5], 200.0 * pi / 2, 1e-12);
@@ -95,7 +95,7 @@ TEST(HardSwitching, AsWrittenTheHeadingIsAlwaysAQuarterTurnAhead) {
 
 TEST(HardSwitching, IntegratesTheErrorSinceTheSwitch) {
   Avoider avoider = with({.goal_ki_npmps = 0.1});
-  Encounter e = encounters::open_water();
+  OwnedSituation e = encounters::open_water();
   e.situation.goal.position = {10.0, 0.0, 50.0};
   e.situation.time = 100.0;
   EXPECT_NEAR((*avoider.decide(e).wrench)[0], 13.0, 1e-12);

@@ -9,7 +9,7 @@ namespace fairway {
 namespace {
 
 using encounters::decide;
-using encounters::Encounter;
+using encounters::OwnedSituation;
 using velocity_obstacle::Tally;
 
 TEST(Hrvo, HeadOnItIsRvoToStarboard) {
@@ -20,7 +20,7 @@ TEST(Hrvo, HeadOnItIsRvoToStarboard) {
 
 TEST(Hrvo, TheSideOnWhichTheyPassAnywayIsKept) {
   // the other is 0.5 m to port, so both pass to starboard of each other; a wish to port does not change it
-  Encounter e = encounters::head_on(8.0);
+  OwnedSituation e = encounters::head_on(8.0);
   e.tracks[0].position.y() = -0.5;
   e.situation.goal.velocity = Vec3{0.99, -0.1, 0.0};
   EXPECT_GT(decide<Hrvo>(e).velocity.y(), 0.1);

@@ -10,7 +10,7 @@
 namespace fairway {
 namespace {
 
-using encounters::Encounter;
+using encounters::OwnedSituation;
 
 /// Answers with the radius of the first track as speed, a tenth of a m/s a metre.
 template <bool is_planar>
@@ -27,7 +27,7 @@ struct Ruler {
 /// The radius that an inner avoider is shown of a sphere of 1 m.
 template <bool is_planar>
 double shown_radius(const Mat3& covariance, const Inflate::Params& params = {}) {
-  Encounter e = encounters::head_on();
+  OwnedSituation e = encounters::head_on();
   e.tracks[0].position_covariance = covariance;
   Avoider avoider{Inflate{params}, Avoider{Ruler<is_planar>{}}};
   return 10.0 * avoider.decide(e).velocity.x();
@@ -86,7 +86,7 @@ TEST(Inflate, TheSphereHoldsTheErrorsThatItPromisesTo) {
 TEST(Inflate, WithoutUncertaintyItAnswersAsTheInnerOneToTheBit) {
   for (const char* inner : {"orca3d", "apf", "direct", "orca3d+stop_and_wait"}) {
     for (std::uint64_t i = 0; i < 100; ++i) {
-      const Encounter e = encounters::crowd(8, Rng{i});
+      const OwnedSituation e = encounters::crowd(8, Rng{i});
       Avoider alone = builtin_avoiders().make(inner, {}, Rng{7});
       Avoider wrapped = builtin_avoiders().make(std::string(inner) + "+inflate", {}, Rng{7});
       for (int step = 0; step < 3; ++step) EXPECT_EQ(wrapped.decide(e), alone.decide(e)) << inner << ' ' << i;
@@ -95,7 +95,7 @@ TEST(Inflate, WithoutUncertaintyItAnswersAsTheInnerOneToTheBit) {
 }
 
 TEST(Inflate, WhoIsUncertainIsGivenAWiderBerth) {
-  Encounter e = encounters::head_on(9.0);
+  OwnedSituation e = encounters::head_on(9.0);
   e.tracks[0].position.y() = 0.5;
   const auto aside = [&] { return builtin_avoiders().make("orca3d+inflate").decide(e).velocity.y(); };
   const double certain = aside();

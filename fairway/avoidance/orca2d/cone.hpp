@@ -10,7 +10,7 @@
 namespace fairway::orca2d {
 
 /// A neighbour as ORCA sees it, all relative to own ship [m, m/s, north and east].
-struct Encounter {
+struct RelativeNeighbour {
   Vec2 p;         ///< p_B - p_A
   Vec2 v;         ///< v_A - v_B
   double radius;  ///< r_A + r_B
@@ -34,7 +34,7 @@ inline HalfPlane half_plane(const Change& change, const Vec2& v_opt, double shar
 inline constexpr double on_axis = 1e-9;
 
 /// Out of the disc of velocities that bring the two together at time `tau`.
-inline Change out_of_disc(const Encounter& encounter, double tau) noexcept {
+inline Change out_of_disc(const RelativeNeighbour& encounter, double tau) noexcept {
   const double inverse_tau = 1.0 / tau;
   const Vec2 w = encounter.v - inverse_tau * encounter.p;
   const double w2 = w.squaredNorm();
@@ -52,7 +52,7 @@ inline Change out_of_disc(const Encounter& encounter, double tau) noexcept {
 /// u of van den Berg et al. 2011, section 4.1, for a horizon `tau` > 0; of the disc that is left of the
 /// velocity obstacle within one `period` where the two overlap already. With v on the axis of the cone the
 /// change is to starboard, which is to starboard for both. O(1).
-inline Change least_change(const Encounter& encounter, double tau, double period) noexcept {
+inline Change least_change(const RelativeNeighbour& encounter, double tau, double period) noexcept {
   const auto& [p, v, radius, parting] = encounter;
   const double d2 = p.squaredNorm();
   const double gap2 = d2 - radius * radius;

@@ -60,8 +60,8 @@ void add_shore(const Situation& s, const Orca2d::Params& params, AllowedVelociti
   for (const orca2d::Landmark& landmark : shore.landmarks()) {
     const Obstacle& obstacle = s.obstacles[landmark.obstacle];
     if (landmark.kind == orca2d::Landmark::Kind::disc) {
-      const orca2d::Encounter encounter{obstacle.position.head<2>() - position, mariner.velocity,
-                                        s.own.radius + obstacle.radius, mariner.parting};
+      const orca2d::RelativeNeighbour encounter{obstacle.position.head<2>() - position, mariner.velocity,
+                                                s.own.radius + obstacle.radius, mariner.parting};
       allowed.add(half_plane(least_change(encounter, tau, s.period), mariner.velocity, 1.0));
       continue;
     }
@@ -90,8 +90,8 @@ void add_tracks(const Situation& s, const Orca2d::Params& params, AllowedVelocit
     const Vec2 p = track.position.head<2>() - position;
     if (p.squaredNorm() > range2) continue;
     if (left-- == 0) break;
-    const orca2d::Encounter encounter{p, v_opt - track.velocity.head<2>(), radius + track.radius,
-                                      parting_direction(s.own.id, track.id).head<2>()};
+    const orca2d::RelativeNeighbour encounter{p, v_opt - track.velocity.head<2>(), radius + track.radius,
+                                              parting_direction(s.own.id, track.id).head<2>()};
     const orca2d::Change change = orca2d::least_change(encounter, tau, period);
     allowed.add(half_plane(change, v_opt, track.reacts ? share : 1.0), track.id);
   }

@@ -14,16 +14,16 @@ namespace fairway {
 namespace {
 
 using encounters::decide;
-using encounters::Encounter;
+using encounters::OwnedSituation;
 
 TEST(Orca2d, GoesWhereItWasGoingWhenAWallIsOutOfRange) {
-  Encounter e = encounters::open_water();
+  OwnedSituation e = encounters::open_water();
   e.obstacles = {{.kind = Obstacle::Kind::segment, .from = {20.5, -9, 0}, .to = {20.5, 9, 0}}};
   EXPECT_EQ(decide<Orca2d>(e), (Command{.velocity = {1.0, 0.0, 0.0}, .mode = Mode::cruise}));
 }
 
 TEST(Orca2d, DepthIsNeitherReadNorWritten) {
-  Encounter e = encounters::head_on(8.0);
+  OwnedSituation e = encounters::head_on(8.0);
   const Command flat = decide<Orca2d>(e);
   e.tracks[0].position.z() = 90.0;
   e.tracks[0].velocity.z() = -1.0;
@@ -34,7 +34,7 @@ TEST(Orca2d, DepthIsNeitherReadNorWritten) {
 
 TEST(Orca2d, AWallThatCannotBeReachedWithinTheHorizonAsksForNothing) {
   // 1.5 m/s for 5 s and the radius of 1 m are 8.5 m
-  Encounter e = encounters::open_water();
+  OwnedSituation e = encounters::open_water();
   e.obstacles = {{.kind = Obstacle::Kind::segment, .from = {8.6, -9, 0}, .to = {8.6, 9, 0}}};
   EXPECT_EQ(decide<Orca2d>(e).mode, Mode::cruise);
   EXPECT_EQ(decide<Orca2d>(e, {.obstacle_time_horizon_s = 5.1}).mode, Mode::avoid);
@@ -42,7 +42,7 @@ TEST(Orca2d, AWallThatCannotBeReachedWithinTheHorizonAsksForNothing) {
 
 TEST(Orca2d, AWallIsKeptWhateverANeighbourAsks) {
   // the wall allows no more than 0.1 m/s to starboard; who presses from port asks for far more
-  Encounter e = encounters::open_water();
+  OwnedSituation e = encounters::open_water();
   e.obstacles = {{.kind = Obstacle::Kind::segment, .from = {-50, 1.5, 0}, .to = {50, 1.5, 0}}};
   e.tracks = {encounters::track(1, {0.0, -1.5, 50.0}, Vec3::Zero())};
   const Command command = decide<Orca2d>(e);
@@ -52,7 +52,7 @@ TEST(Orca2d, AWallIsKeptWhateverANeighbourAsks) {
 
 TEST(Orca2d, WallsThatContradictEachOtherAreViolatedLeast) {
   // own radius 1 between walls 0.7 m to port and 0.9 m to starboard: to the middle
-  Encounter e = encounters::open_water();
+  OwnedSituation e = encounters::open_water();
   e.obstacles = {{.kind = Obstacle::Kind::segment, .from = {-50, 0.9, 0}, .to = {50, 0.9, 0}},
                  {.kind = Obstacle::Kind::segment, .from = {-50, -0.7, 0}, .to = {50, -0.7, 0}}};
   const Command command = decide<Orca2d>(e);
@@ -131,7 +131,7 @@ TEST(Orca2d, WithoutWallsItIsOrcaInSpaceWithEverythingInAPlane) {
   double largest = 0.0;
   int infeasible = 0;
   for (std::uint64_t i = 0; i < 4000; ++i) {
-    Encounter e = flat_scenes::swarm(i, static_cast<int>(i % 12));
+    OwnedSituation e = flat_scenes::swarm(i, static_cast<int>(i % 12));
     const bool has_discs = i % 4 == 3;
     Rng rng = Rng{6}.stream("discs", i);
     for (int k = 0; has_discs && k < 3; ++k) {
@@ -155,7 +155,7 @@ TEST(Orca2d, AgreesWithOrcaInLongDouble) {
   double largest = 0.0;
   int infeasible = 0;
   for (std::uint64_t i = 0; i < 4000; ++i) {
-    Encounter e = flat_scenes::swarm(i, 1 + static_cast<int>(i % 9));
+    OwnedSituation e = flat_scenes::swarm(i, 1 + static_cast<int>(i % 9));
     const Situation s = e;
     const auto flat = [](const Vec3& a) { return plane_reference::Vector{a.head<2>().cast<long double>()}; };
     std::vector<plane_reference::Line> lines;
@@ -196,7 +196,7 @@ TEST(Orca2d, ExactCoincidencesAreAnswered) {
   const std::vector<Vec3> step{{0, -2, 0}, {2, -2, 0}, {2, 2, 0}, {1, 2, 0}, {1, 0, 0}, {0, 0, 0}};
   for (int i = 0; i < 9 * 9 * 9 * 2; ++i) {
     const auto digit = [&](int place) { return static_cast<double>(i / place % 9); };
-    Encounter e = encounters::open_water();
+    OwnedSituation e = encounters::open_water();
     Ownship& own = e.situation.own;
     own.position = {0.5 * digit(1) - 1.0, 0.75 * digit(9) - 3.0, 0.0};
     own.velocity = {std::fmod(digit(81), 3.0) - 1.0, std::floor(digit(81) / 3.0) - 1.0, 0.0};
@@ -217,7 +217,7 @@ TEST(Orca2d, NeverCutsThroughAWall) {
   int stopped_by_it = 0;
   for (std::uint64_t run = 0; run < 500; ++run) {
     flat_scenes::Waters waters = flat_scenes::waters(run, run % 2 == 0 ? 0 : 4);  // others may press it there
-    Encounter& e = waters.encounter;
+    OwnedSituation& e = waters.encounter;
     Ownship& own = e.situation.own;
     const auto clearance = [&] {
       double nearest = 1e9;

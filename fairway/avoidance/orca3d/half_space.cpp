@@ -18,7 +18,7 @@ Vec3 starboard_of(const Vec3& p) {
 }
 
 /// Out of the sphere of velocities that bring the two together at time `tau`.
-Change out_of_sphere(const Encounter& encounter, double tau) {
+Change out_of_sphere(const RelativeNeighbour& encounter, double tau) {
   const double inverse_tau = 1.0 / tau;
   const Vec3 w = encounter.v - inverse_tau * encounter.p;
   const double w2 = w.squaredNorm();
@@ -35,7 +35,7 @@ Change out_of_sphere(const Encounter& encounter, double tau) {
 
 }  // namespace
 
-Change least_change(const Encounter& encounter, double tau, double period) noexcept {
+Change least_change(const RelativeNeighbour& encounter, double tau, double period) noexcept {
   const auto& [p, v, radius, parting] = encounter;
   const double d2 = p.squaredNorm();
   const double gap2 = d2 - radius * radius;

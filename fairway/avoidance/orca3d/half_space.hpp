@@ -7,7 +7,7 @@
 namespace fairway::orca {
 
 /// A neighbour as ORCA sees it, all relative to own ship [m, m/s, one common frame].
-struct Encounter {
+struct RelativeNeighbour {
   Vec3 p;         ///< p_B - p_A
   Vec3 v;         ///< v_A - v_B
   double radius;  ///< r_A + r_B
@@ -24,7 +24,7 @@ struct Change {
 
 /// u of van den Berg et al. 2011, section 4.1 (raja2024, eq. 8), for a horizon `tau` > 0; of the sphere
 /// that is left of the velocity obstacle within one `period` where the two overlap already. O(1).
-Change least_change(const Encounter& encounter, double tau, double period) noexcept;
+Change least_change(const RelativeNeighbour& encounter, double tau, double period) noexcept;
 
 /// The velocities of `share` of that change or more, seen from `v_opt` (raja2024, eq. 7).
 inline HalfSpace half_space(const Change& change, const Vec3& v_opt, double share) {

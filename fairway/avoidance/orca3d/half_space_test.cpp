@@ -21,7 +21,7 @@ struct Searched {
   Vec3 normal;
 };
 
-Searched searched(const Encounter& encounter, double tau) {
+Searched searched(const RelativeNeighbour& encounter, double tau) {
   using Vec = Eigen::Matrix<long double, 3, 1>;
   const Vec p = encounter.p.cast<long double>();
   const Vec v = encounter.v.cast<long double>();
@@ -44,8 +44,8 @@ TEST(OrcaHalfSpace, AgreesWithASearchForTheLeastChange) {
     const double radius = rng.uniform(0.1, 3.0);
     const double range = radius * (1.0 + std::pow(10.0, rng.uniform(-6.0, 1.5)));
     const double tau = rng.uniform(0.5, 10.0);
-    const Encounter e{range * direction(rng), rng.uniform(0.0, 3.0) * range / tau * direction(rng), radius,
-                      north};
+    const RelativeNeighbour e{range * direction(rng), rng.uniform(0.0, 3.0) * range / tau * direction(rng),
+                              radius, north};
     const Change change = least_change(e, tau, 0.1);
     const Searched expected = searched(e, tau);
     const double scale = e.v.norm() + range / tau;
@@ -97,8 +97,8 @@ TEST(OrcaHalfSpace, IsContinuousWhereConeAndSphereMeet) {
 }
 
 TEST(OrcaHalfSpace, OnTheAxisBothTurnToStarboard) {
-  const Encounter ours{{5.0, 0.0, 0.0}, {2.0, 0.0, 0.0}, 3.0, north};
-  const Encounter theirs{{-5.0, 0.0, 0.0}, {-2.0, 0.0, 0.0}, 3.0, -north};
+  const RelativeNeighbour ours{{5.0, 0.0, 0.0}, {2.0, 0.0, 0.0}, 3.0, north};
+  const RelativeNeighbour theirs{{-5.0, 0.0, 0.0}, {-2.0, 0.0, 0.0}, 3.0, -north};
   EXPECT_LT((least_change(ours, 5.0, 0.1).normal - Vec3(-0.6, 0.8, 0.0)).norm(), 1e-15);
   EXPECT_LT((least_change(theirs, 5.0, 0.1).normal - Vec3(0.6, -0.8, 0.0)).norm(), 1e-15);
 }

@@ -73,8 +73,8 @@ Command Orca3d::decide(const Situation& s, Memory&, Context& context) const noex
     const Vec3 p = track.position - s.own.position;
     if (p.squaredNorm() > range * range) continue;
     if (++neighbours > params.max_neighbours_count) break;
-    const orca::Encounter encounter{p, v_opt - track.velocity, s.own.radius + track.radius,
-                                    parting_direction(s.own.id, track.id)};
+    const orca::RelativeNeighbour encounter{p, v_opt - track.velocity, s.own.radius + track.radius,
+                                            parting_direction(s.own.id, track.id)};
     const orca::Change change = orca::least_change(encounter, params.time_horizon_s, s.period);
     half_spaces.add(orca::half_space(change, v_opt, track.reacts ? params.responsibility_ratio : 1.0),
                     track.id);

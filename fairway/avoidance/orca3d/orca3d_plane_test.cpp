@@ -20,7 +20,7 @@ TEST(Orca3dInAPlane, IsOrcaInTwoDimensions) {
   for (std::uint64_t i = 0; i < 4000; ++i) {
     const Rng rng = Rng{7}.stream("plane", i);
     const int count = 1 + static_cast<int>(i % 9);
-    encounters::Encounter e =
+    encounters::OwnedSituation e =
         i % 2 == 0 ? encounters::swarm(count, 2.2, 6.0, rng) : encounters::congested(count, rng);
     Situation& s = e.situation;
     s.own.velocity.z() = 0.0;

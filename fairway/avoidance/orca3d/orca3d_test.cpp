@@ -13,7 +13,7 @@ namespace fairway {
 namespace {
 
 using encounters::decide;
-using encounters::Encounter;
+using encounters::OwnedSituation;
 
 TEST(Orca3d, MeetingBeyondTheHorizonChangesNothing) {
   // 8 m at 2 m/s with R = 2: they touch after 3 s
@@ -23,7 +23,7 @@ TEST(Orca3d, MeetingBeyondTheHorizonChangesNothing) {
 
 TEST(Orca3d, WhoOverlapsPartsWithinOnePeriodIfSpeedAllows) {
   // 1.9 m apart at rest, R = 2, period 0.1: apart at 1 m/s, half of it each
-  Encounter e = encounters::open_water();
+  OwnedSituation e = encounters::open_water();
   e.situation.own.velocity = Vec3::Zero();
   e.situation.goal.velocity = Vec3::Zero();
   e.tracks = {encounters::track(1, {1.9, 0.0, 50.0}, Vec3::Zero())};
@@ -34,7 +34,7 @@ TEST(Orca3d, WhoOverlapsPartsWithinOnePeriodIfSpeedAllows) {
 
 TEST(Orca3d, ReportsAnInfeasibleProgramAndTakesTheLeastViolation) {
   // squeezed equally from north and south: neither can be kept, so stay between; up and down is free
-  Encounter e = encounters::open_water();
+  OwnedSituation e = encounters::open_water();
   e.situation.own.velocity = Vec3::Zero();
   e.situation.goal.velocity = Vec3{0.3, 0.0, 0.5};
   e.tracks = {encounters::track(1, {1.0, 0.0, 50.0}, Vec3::Zero()),
@@ -45,9 +45,9 @@ TEST(Orca3d, ReportsAnInfeasibleProgramAndTakesTheLeastViolation) {
 }
 
 TEST(Orca3d, ASphereThatDoesNotMoveIsANeighbourThatDoesNotCooperate) {
-  Encounter obstacle = encounters::open_water();
+  OwnedSituation obstacle = encounters::open_water();
   obstacle.obstacles = {{.kind = Obstacle::Kind::sphere, .position = {8.0, 0.5, 50.0}, .radius = 2.0}};
-  Encounter track = encounters::open_water();
+  OwnedSituation track = encounters::open_water();
   track.tracks = {encounters::track(1, {8.0, 0.5, 50.0}, Vec3::Zero(), 2.0)};
   const Command command = decide<Orca3d>(obstacle, {.obstacle_time_horizon_s = 10.0});
   EXPECT_EQ(command, decide<Orca3d>(track, {.time_horizon_s = 10.0, .responsibility_ratio = 1.0}));
@@ -57,14 +57,14 @@ TEST(Orca3d, ASphereThatDoesNotMoveIsANeighbourThatDoesNotCooperate) {
 
 TEST(Orca3d, AWallIsAvoidedAtItsNearestPoint) {
   // 3 m ahead, own radius 1, horizon 5 s: no faster than 2 / 5 m/s towards it
-  Encounter e = encounters::open_water();
+  OwnedSituation e = encounters::open_water();
   e.situation.own.velocity = {0.3, 0.0, 0.0};
   e.obstacles = {{.kind = Obstacle::Kind::segment, .from = {3.0, -50.0, 50.0}, .to = {3.0, 50.0, 50.0}}};
   EXPECT_LT((decide<Orca3d>(e).velocity - Vec3(0.4, 0.0, 0.0)).norm(), 1e-12);
 }
 
 TEST(Orca3d, WithoutASpeedLimitAvoidanceStillAnswers) {
-  Encounter e = encounters::head_on(8.0);
+  OwnedSituation e = encounters::head_on(8.0);
   const Vec3 limited = decide<Orca3d>(e).velocity;
   e.situation.limits.max_speed = Limits::none;
   EXPECT_LT((decide<Orca3d>(e).velocity - limited).norm(), 1e-11);
@@ -75,7 +75,7 @@ TEST(Orca3d, WorksInRawNorthings) {
   double crowd = 0.0, congested = 0.0;
   for (std::uint64_t i = 0; i < 2000; ++i) {
     const Rng rng = Rng{3}.stream("northings", i);
-    const auto change = [](const Encounter& here) {
+    const auto change = [](const OwnedSituation& here) {
       return (decide<Orca3d>(here).velocity -
               decide<Orca3d>(encounters::shifted(here, {4.6e6, 5e5, 0.0})).velocity)
           .norm();
@@ -94,7 +94,7 @@ TEST(Orca3d, TwoWhoBothUseItNeverTouch) {
   int started = 0, arrived = 0;
   for (std::uint64_t run = 0; run < 300; ++run) {
     Rng rng = Rng{2}.stream("pair", run);
-    std::array<Encounter, 2> agents;
+    std::array<OwnedSituation, 2> agents;
     const double radius = rng.uniform(0.5, 2.0);
     const Vec3 middle{0.0, 0.0, 50.0};
     for (std::uint32_t k = 0; k < 2; ++k) {

@@ -10,7 +10,7 @@
 namespace fairway {
 namespace {
 
-using encounters::Encounter;
+using encounters::OwnedSituation;
 
 constexpr BarrierGains of_forces{.k1 = 0.4, .k2 = 0.2, .margin = 0.5, .response = 0.0};
 
@@ -83,7 +83,7 @@ TEST(Barrier, AtOnePlaceBothPart) {
 }
 
 TEST(Hazards, ObstaclesAsListedThenTracksWithinRange) {
-  Encounter e = encounters::open_water();
+  OwnedSituation e = encounters::open_water();
   e.obstacles = {{.kind = Obstacle::Kind::sphere, .position = {9.0, 0.0, 50.0}, .radius = 2.0},
                  {.kind = Obstacle::Kind::sphere, .position = {13.1, 0.0, 50.0}, .radius = 2.0}};
   e.tracks = {encounters::track(1, {0.0, 5.0, 50.0}, {0.1, 0.2, 0.0}, 1.5)};
@@ -98,7 +98,7 @@ TEST(Hazards, ObstaclesAsListedThenTracksWithinRange) {
 }
 
 TEST(Hazards, AWallIsFlatBesideItAndAPointBeyondItsEnd) {
-  Encounter e = encounters::open_water();
+  OwnedSituation e = encounters::open_water();
   e.obstacles = {{.kind = Obstacle::Kind::segment, .from = {5.0, -3.0, 50.0}, .to = {5.0, 3.0, 50.0}},
                  {.kind = Obstacle::Kind::segment, .from = {5.0, 3.0, 50.0}, .to = {5.0, 9.0, 50.0}}};
   const std::vector<Hazard> hazards = seen(e);
@@ -110,7 +110,7 @@ TEST(Hazards, AWallIsFlatBesideItAndAPointBeyondItsEnd) {
 
 TEST(Hazards, APolygonIsItsEdgesAndFromInsideTheWayOut) {
   const std::array<Vec3, 4> square{Vec3{2, -5, 0}, Vec3{9, -5, 0}, Vec3{9, 5, 0}, Vec3{2, 5, 0}};
-  Encounter e = encounters::open_water();
+  OwnedSituation e = encounters::open_water();
   e.obstacles = {{.kind = Obstacle::Kind::polygon, .vertices = square}};
   EXPECT_EQ(seen(e).size(), 4U);
 
@@ -122,7 +122,7 @@ TEST(Hazards, APolygonIsItsEdgesAndFromInsideTheWayOut) {
 }
 
 TEST(Hazards, WhatDoesNotFitIsLeftOut) {
-  Encounter e = encounters::open_water();
+  OwnedSituation e = encounters::open_water();
   for (int i = 0; i < 20; ++i) e.tracks.push_back(encounters::track(1, {3.0 + i, 0.0, 50.0}, Vec3::Zero()));
   EXPECT_EQ(seen(e).size(), 16U);
 }

@@ -11,7 +11,7 @@
 namespace fairway {
 namespace {
 
-using encounters::Encounter;
+using encounters::OwnedSituation;
 
 Avoider around_direct(SafetyFilter::Params params = {}) {
   return Avoider{SafetyFilter{params}, Avoider{Direct{{}}}};
@@ -32,8 +32,8 @@ Avoider around(const Command& command, SafetyFilter::Params params = {}) {
 }
 
 /// Own ship of radius 1 m at the surface at rest, 40 m south of its goal.
-Encounter at_rest() {
-  Encounter e = encounters::shifted(encounters::open_water(), {0.0, 0.0, -50.0});
+OwnedSituation at_rest() {
+  OwnedSituation e = encounters::shifted(encounters::open_water(), {0.0, 0.0, -50.0});
   e.situation.own.velocity.setZero();
   e.situation.goal.position = {40.0, 0.0, 0.0};
   return e;
@@ -46,7 +46,7 @@ Obstacle sphere(double north, double east, double radius) {
 TEST(SafetyFilter, WhoCannotStopKeepsItsWayAheadInWhateverItIsLedInto) {
   int changed = 0;
   for (std::uint64_t i = 0; i < 300; ++i) {
-    Encounter e = encounters::congested(static_cast<int>(i % 6), Rng{3}.stream("torpedo", i));
+    OwnedSituation e = encounters::congested(static_cast<int>(i % 6), Rng{3}.stream("torpedo", i));
     Situation& s = e.situation;
     s.own.velocity = 1.2 * Vec3{std::cos(s.own.yaw), std::sin(s.own.yaw), 0.0};
     s.goal.position.z() = s.own.position.z();
@@ -69,7 +69,7 @@ struct Passage {
 };
 
 /// Carries out velocities with a first-order lag [s], at once if zero; tracks keep their velocity.
-Passage passage(Encounter e, double duration, double lag, Avoider avoider = around_direct()) {
+Passage passage(OwnedSituation e, double duration, double lag, Avoider avoider = around_direct()) {
   Passage p;
   Situation& s = e.situation;
   for (int k = 0; k < static_cast<int>(duration / s.period); ++k) {
@@ -98,21 +98,21 @@ TEST(SafetyFilter, LeavesTheAnswerAsItIsWhereNothingIsNear) {
                       .heading = 0.4,
                       .wrench = Wrench::Constant(3.0),
                       .note = "as it was"};
-  Encounter e = at_rest();
+  OwnedSituation e = at_rest();
   e.obstacles = {sphere(33.1, 0.0, 1.0)};  // 31.1 m from sphere to surface
   EXPECT_EQ(around(asked).decide(e), asked);
 }
 
 TEST(SafetyFilter, LeavesTheAnswerAsItIsWhereItKeepsClear) {
   const Command asked{.velocity = {-1.0, 0.1, 0.0}, .heading = 0.4};
-  Encounter e = at_rest();
+  OwnedSituation e = at_rest();
   e.obstacles = {sphere(8.0, 0.0, 1.0)};
   EXPECT_EQ(around(asked).decide(e), asked);
 }
 
 TEST(SafetyFilter, AWrenchWithoutAModelIsLeftOutIfAnythingIsNear) {
   const Command asked{.velocity = {-1.0, 0.0, 0.0}, .wrench = Wrench::Constant(3.0)};
-  Encounter e = at_rest();
+  OwnedSituation e = at_rest();
   e.obstacles = {sphere(8.0, 0.0, 1.0)};
   EXPECT_FALSE(around(asked).decide(e).wrench.has_value());
 }
@@ -120,7 +120,7 @@ TEST(SafetyFilter, AWrenchWithoutAModelIsLeftOutIfAnythingIsNear) {
 TEST(SafetyFilter, CutsTheVelocityBackToWhatTheBarrierAllows) {
   // 6 m between centres, R = 1 + 1 + 0.5: h = 29.75, at rest. Delta . a >= -k1 k2 h / 2, so no faster than
   // T k1 k2 h / (2 * 6) towards it
-  Encounter e = at_rest();
+  OwnedSituation e = at_rest();
   e.obstacles = {sphere(6.0, 0.0, 1.0)};
   const Command command = around_direct({.sidestep_ratio = 0.0}).decide(e);
   EXPECT_EQ(command.mode, Mode::avoid);
@@ -129,7 +129,7 @@ TEST(SafetyFilter, CutsTheVelocityBackToWhatTheBarrierAllows) {
 }
 
 TEST(SafetyFilter, StepsAsideToStarboardOfWhatIsDeadAhead) {
-  Encounter e = at_rest();
+  OwnedSituation e = at_rest();
   e.obstacles = {sphere(6.0, 0.0, 1.0)};
   const Vec3 back = around_direct({.sidestep_ratio = 0.0}).decide(e).velocity;
   const Vec3 aside = around_direct().decide(e).velocity;
@@ -138,7 +138,7 @@ TEST(SafetyFilter, StepsAsideToStarboardOfWhatIsDeadAhead) {
 }
 
 TEST(SafetyFilter, WithTheLimitOfAccelerationItBrakesSoonerAndNeverHarder) {
-  Encounter e = at_rest();
+  OwnedSituation e = at_rest();
   e.situation.limits.max_acceleration = 0.1;
   e.situation.own.velocity = {0.5, 0.0, 0.0};
   e.obstacles = {sphere(6.0, 0.0, 1.0)};
@@ -155,7 +155,7 @@ TEST(SafetyFilter, WithTheLimitOfAccelerationItBrakesSoonerAndNeverHarder) {
 
 /// Eight spheres, a triangle and a wall between own ship and its goal; none within 1 m of own sphere.
 struct Field {
-  Encounter encounter = at_rest();
+  OwnedSituation encounter = at_rest();
   std::array<Vec3, 3> triangle;
 
   explicit Field(Rng rng) {
@@ -190,7 +190,7 @@ TEST(SafetyFilter, AThousandFieldsAreCrossedWithoutATouch) {
 }
 
 TEST(SafetyFilter, WhatComesHeadOnAndDoesNotReactIsPassed) {
-  Encounter e = at_rest();
+  OwnedSituation e = at_rest();
   e.tracks = {encounters::track(1, {35.0, 0.0, 0.0}, {-0.5, 0.0, 0.0}, 2.0)};
   e.tracks[0].reacts = false;
   for (const double lag : {0.0, 1.0, 1.5}) {
@@ -201,7 +201,7 @@ TEST(SafetyFilter, WhatComesHeadOnAndDoesNotReactIsPassed) {
 }
 
 TEST(SafetyFilter, OfWhatReactsHalfIsLeftToIt) {
-  Encounter e = at_rest();
+  OwnedSituation e = at_rest();
   e.situation.own.velocity = {1.0, 0.0, 0.0};
   e.tracks = {encounters::track(1, {8.0, 0.0, 0.0}, {-1.0, 0.0, 0.0})};
   const SafetyFilter::Params straight{.sidestep_ratio = 0.0};
@@ -215,7 +215,7 @@ TEST(SafetyFilter, OfWhatReactsHalfIsLeftToIt) {
 }
 
 TEST(SafetyFilter, TwoWhoBothUseItPassEachOther) {
-  std::array<Encounter, 2> agents{at_rest(), at_rest()};
+  std::array<OwnedSituation, 2> agents{at_rest(), at_rest()};
   agents[1].situation.own = {.id = VehicleId{1}, .position = {40.0, 0.0, 0.0}, .yaw = pi};
   agents[1].situation.goal.position = {0.0, 0.0, 0.0};
   std::array<Avoider, 2> avoiders{around_direct(), around_direct()};
@@ -236,13 +236,13 @@ TEST(SafetyFilter, TwoWhoBothUseItPassEachOther) {
                           (agents[0].situation.own.position - agents[1].situation.own.position).norm() - 2.0);
   }
   EXPECT_GT(clearance, 0.5);  // measured 2.28
-  for (const Encounter& e : agents)
+  for (const OwnedSituation& e : agents)
     EXPECT_LT((e.situation.own.position - e.situation.goal.position).norm(), 0.5);
 }
 
 TEST(SafetyFilter, TooLateItBrakesToStopAtTheMarginAndSaysSo) {
   // 3 m/s towards a surface 6 m beyond the margin: 3^2 / (2 * 6) = 0.75 m/s2, 1.125 m/s less in 1.5 s
-  Encounter e = at_rest();
+  OwnedSituation e = at_rest();
   e.situation.limits.max_speed = 3.0;
   e.situation.goal.cruise_speed = 3.0;
   e.situation.own.velocity = {3.0, 0.0, 0.0};

@@ -10,15 +10,15 @@
 namespace fairway {
 namespace {
 
-using encounters::Encounter;
+using encounters::OwnedSituation;
 
 const Command waiting{.velocity = Vec3::Zero(), .mode = Mode::hold};
 
 Avoider around_direct() { return Avoider{StopAndWait{{}}, Avoider{Direct{{}}}}; }
 
 /// Own ship with `priority`, somebody of priority 5 and id 3 at `range`.
-Encounter meeting(int priority, double range = 5.0) {
-  Encounter e = encounters::open_water();
+OwnedSituation meeting(int priority, double range = 5.0) {
+  OwnedSituation e = encounters::open_water();
   e.situation.own.priority = priority;
   e.tracks = {encounters::track(3, {range, 0.0, 50.0}, Vec3::Zero())};
   e.tracks[0].priority = 5;
@@ -31,7 +31,7 @@ TEST(StopAndWait, TheSmallerPriorityNumberMovesAndTheLargerWaits) {
 }
 
 TEST(StopAndWait, EqualPrioritiesAreSettledByTheSmallerId) {
-  Encounter e = meeting(5);
+  OwnedSituation e = meeting(5);
   e.situation.own.id = VehicleId{2};
   EXPECT_EQ(around_direct().decide(e).mode, Mode::cruise);
   e.situation.own.id = VehicleId{4};
@@ -44,7 +44,7 @@ TEST(StopAndWait, OnlyThoseWithinRangeCount) {
 }
 
 TEST(StopAndWait, OneOfHigherPriorityIsEnough) {
-  Encounter e = meeting(6, 5.0);
+  OwnedSituation e = meeting(6, 5.0);
   e.tracks[0].priority = 9;
   e.tracks.push_back(encounters::track(1, {0.0, 5.5, 50.0}, Vec3::Zero()));
   EXPECT_EQ(around_direct().decide(e), waiting);

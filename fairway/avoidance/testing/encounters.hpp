@@ -16,7 +16,7 @@
 namespace fairway::encounters {
 
 /// A situation that owns what it shows.
-struct Encounter {
+struct OwnedSituation {
   std::vector<Track> tracks;
   std::vector<Obstacle> obstacles;
   Situation situation;
@@ -36,7 +36,7 @@ struct Encounter {
   }
 
   /// Tracks nearest first, equal ranges by id, as every Situation has them.
-  Encounter& sorted() {
+  OwnedSituation& sorted() {
     const auto rank = [&](const Track& t) {
       return std::pair{(t.position - situation.own.position).squaredNorm(), number(t.id)};
     };
@@ -63,8 +63,8 @@ inline Track track(std::uint32_t id, const Vec3& position, const Vec3& velocity,
 }
 
 /// Northbound at 50 m depth, goal far ahead, nobody around.
-inline Encounter open_water(double speed = 1.0) {
-  Encounter e;
+inline OwnedSituation open_water(double speed = 1.0) {
+  OwnedSituation e;
   e.situation = {.time = 0.0,
                  .period = 0.1,
                  .own = {.id = VehicleId{0}, .position = {0, 0, 50}, .velocity = {speed, 0, 0}},
@@ -74,15 +74,15 @@ inline Encounter open_water(double speed = 1.0) {
 }
 
 /// Somebody dead ahead on the reciprocal course.
-inline Encounter head_on(double range = 8.0, double speed = 1.0) {
-  Encounter e = open_water(speed);
+inline OwnedSituation head_on(double range = 8.0, double speed = 1.0) {
+  OwnedSituation e = open_water(speed);
   e.tracks = {track(1, {range, 0, 50}, {-speed, 0, 0})};
   return e;
 }
 
 /// Somebody from starboard, to meet after `time` seconds.
-inline Encounter crossing(double time = 6.0, double speed = 1.0) {
-  Encounter e = open_water(speed);
+inline OwnedSituation crossing(double time = 6.0, double speed = 1.0) {
+  OwnedSituation e = open_water(speed);
   e.tracks = {track(1, {speed * time, speed * time, 50}, {0, -speed, 0})};
   return e;
 }
@@ -91,8 +91,8 @@ inline Vec3 direction(Rng& rng) { return unit(Vec3{rng.normal(), rng.normal(), r
 
 /// `count` vehicles placed between `nearest` and `farthest` [m] and moving, both at random in space;
 /// the goal too lies anywhere.
-inline Encounter swarm(int count, double nearest, double farthest, Rng rng) {
-  Encounter e = open_water();
+inline OwnedSituation swarm(int count, double nearest, double farthest, Rng rng) {
+  OwnedSituation e = open_water();
   Situation& s = e.situation;
   s.own.velocity = rng.uniform(0.0, 1.0) * direction(rng);
   s.own.yaw = std::atan2(s.own.velocity.y(), s.own.velocity.x());
@@ -106,15 +106,15 @@ inline Encounter swarm(int count, double nearest, double farthest, Rng rng) {
 }
 
 /// Room to pass: nobody touches own ship, and ORCA nearly always finds a velocity.
-inline Encounter crowd(int count, Rng rng) { return swarm(count, 3.0, 15.0, rng); }
+inline OwnedSituation crowd(int count, Rng rng) { return swarm(count, 3.0, 15.0, rng); }
 
 /// No room: hulls (R = 2 m) nearly touch or overlap, and often no velocity is safe.
-inline Encounter congested(int count, Rng rng) { return swarm(count, 1.8, 4.0, rng); }
+inline OwnedSituation congested(int count, Rng rng) { return swarm(count, 1.8, 4.0, rng); }
 
 /// Room to pass, among what does not give way: half of a crowd drifts, and there are two rocks, a quay and a
 /// pier, 2 m or more from own ship at its depth.
-inline Encounter harbour(int count, Rng rng) {
-  Encounter e = crowd(count, rng);
+inline OwnedSituation harbour(int count, Rng rng) {
+  OwnedSituation e = crowd(count, rng);
   for (Track& t : e.tracks) t.reacts = number(t.id) % 2 == 0;
   const auto spot = [&](double nearest, Vec3& abeam) {
     const double bearing = rng.uniform(-pi, pi);
@@ -139,12 +139,12 @@ inline Encounter harbour(int count, Rng rng) {
 
 /// The cubes of raja2024: vehicle `own` of `count` (2 to 8) at a vertex of a cube of edge `edge` [m], all
 /// making 0.5 m/s for the opposite vertex, safety radius 3 m, `progress` (0 to 1) of the way gone.
-inline Encounter cube_centre(int count = 8, int own = 0, double edge = 20.0, double progress = 0.3) {
+inline OwnedSituation cube_centre(int count = 8, int own = 0, double edge = 20.0, double progress = 0.3) {
   const double h = edge / 2.0;
   const std::vector<Vec3> vertices{{h, h, 0},       {-h, -h, 0},   {h, -h, 2 * h}, {-h, h, 2 * h},
                                    {-h, -h, 2 * h}, {h, h, 2 * h}, {-h, h, 0},     {h, -h, 0}};
   const Vec3 centre{0, 0, h};
-  Encounter e;
+  OwnedSituation e;
   Situation& s = e.situation;
   s.period = 0.5;
   s.limits.max_speed = 0.5;
@@ -169,7 +169,7 @@ inline Encounter cube_centre(int count = 8, int own = 0, double edge = 20.0, dou
 }
 
 /// One period later, if the command was carried out at once and the others kept their course.
-inline void carry_out(Encounter& e, const Command& command) {
+inline void carry_out(OwnedSituation& e, const Command& command) {
   Situation& s = e.situation;
   s.time += s.period;
   s.own.velocity = command.velocity;
@@ -180,7 +180,7 @@ inline void carry_out(Encounter& e, const Command& command) {
 
 /// Changes every point of what does not move; `mirrors` where that turns left into right.
 template <class Change>
-void change_obstacles(Encounter& e, Change change, bool mirrors = false) {
+void change_obstacles(OwnedSituation& e, Change change, bool mirrors = false) {
   for (Obstacle& o : e.obstacles) {
     for (Vec3* point : {&o.position, &o.from, &o.to}) *point = change(*point);
     if (o.vertices.empty()) continue;
@@ -193,7 +193,7 @@ void change_obstacles(Encounter& e, Change change, bool mirrors = false) {
 }
 
 /// The same scene elsewhere.
-inline Encounter shifted(Encounter e, const Vec3& by) {
+inline OwnedSituation shifted(OwnedSituation e, const Vec3& by) {
   e.situation.own.position += by;
   e.situation.goal.position += by;
   e.situation.limits.min_depth += by.z();
@@ -204,7 +204,7 @@ inline Encounter shifted(Encounter e, const Vec3& by) {
 }
 
 /// The same scene turned by `angle` about the vertical through the origin [rad].
-inline Encounter turned(Encounter e, double angle) {
+inline OwnedSituation turned(OwnedSituation e, double angle) {
   const Eigen::AngleAxisd turn(angle, Vec3::UnitZ());
   Situation& s = e.situation;
   s.own.position = turn * s.own.position;
@@ -222,7 +222,7 @@ inline Encounter turned(Encounter e, double angle) {
 }
 
 /// The same scene in a mirror that stands along north through the origin: what was to port is to starboard.
-inline Encounter mirrored(Encounter e) {
+inline OwnedSituation mirrored(OwnedSituation e) {
   const auto flip = [](Vec3& v) { v.y() = -v.y(); };
   Situation& s = e.situation;
   flip(s.own.position);

@@ -175,8 +175,8 @@ double Wish::cost(const Vec2& v) const {
   return (v - velocity).norm() * (is_to_port(*this, v) ? 1.0 + starboard_bias : 1.0);
 }
 
-Choice choose(std::span<const VelocityObstacle> obstacles, const ReachableSet& reachable,
-              const Wish& wish) noexcept {
+ChosenVelocity choose(std::span<const VelocityObstacle> obstacles, const ReachableSet& reachable,
+                      const Wish& wish) noexcept {
   Search search(obstacles, reachable, wish);
   const bool is_feasible = search.find_nearest();
   if (!is_feasible) search.find_least_bad();

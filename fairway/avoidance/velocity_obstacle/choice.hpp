@@ -22,7 +22,7 @@ struct Wish {
   double cost(const Vec2& v) const;
 };
 
-struct Choice {
+struct ChosenVelocity {
   Vec2 velocity;     ///< [m/s]
   bool is_feasible;  ///< in RV and in no velocity obstacle
 };
@@ -33,7 +33,7 @@ struct Choice {
 /// RAV is empty: the reachable velocity of least w / t_c + cost, t_c the time to the first contact (van den
 /// Berg, Lin, Manocha 2008, section V-B), among samples of RV and of the boundaries.
 /// O(n) for a free v_d, O(n^2) typically, O(n^3) at worst. Does not allocate.
-Choice choose(std::span<const VelocityObstacle> obstacles, const ReachableSet& reachable,
-              const Wish& wish) noexcept;
+ChosenVelocity choose(std::span<const VelocityObstacle> obstacles, const ReachableSet& reachable,
+                      const Wish& wish) noexcept;
 
 }  // namespace fairway::velocity_obstacle

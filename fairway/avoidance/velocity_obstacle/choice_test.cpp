@@ -12,11 +12,11 @@
 namespace fairway::velocity_obstacle {
 namespace {
 
-constexpr Outlook outlook{5.0, 1.0};
+constexpr Horizons outlook{5.0, 1.0};
 
 /// A solid, and who gives way.
 struct Neighbour {
-  Solid solid;
+  RelativeCapsule solid;
   bool shares;
 };
 
@@ -29,7 +29,7 @@ struct Question {
   Wish wish;
 
   ReachableSet reachable() const { return {own, limits, outlook.interval}; }
-  Choice answer() const { return choose(obstacles, reachable(), wish); }
+  ChosenVelocity answer() const { return choose(obstacles, reachable(), wish); }
 
   bool is_clear(const Vec2& v, double slack) const {
     return std::all_of(neighbours.begin(), neighbours.end(), [&](const Neighbour& n) {
@@ -63,13 +63,13 @@ Question any_question(std::uint64_t i) {
   return q;
 }
 
-TEST(Choice, IsNoWorseThanAnyOfManySamplesAndAlwaysClear) {
+TEST(ChosenVelocity, IsNoWorseThanAnyOfManySamplesAndAlwaysClear) {
   constexpr int side = 120;
   int feasible = 0, infeasible = 0, deviating = 0;
   for (std::uint64_t i = 0; i < 1000; ++i) {
     const Question q = any_question(i);
     const ReachableSet reachable = q.reachable();
-    const Choice choice = q.answer();
+    const ChosenVelocity choice = q.answer();
     EXPECT_TRUE(reachable.contains(choice.velocity, 1e-8)) << i;
     (choice.is_feasible ? feasible : infeasible) += 1;
     if (choice.is_feasible) {
@@ -94,7 +94,7 @@ TEST(Choice, IsNoWorseThanAnyOfManySamplesAndAlwaysClear) {
   EXPECT_GT(feasible, 500);
 }
 
-TEST(Choice, TakesTheWishIfItIsClear) {
+TEST(ChosenVelocity, TakesTheWishIfItIsClear) {
   Question q = any_question(0);
   q.obstacles.clear();
   EXPECT_EQ(q.answer().velocity, q.wish.velocity);
@@ -107,17 +107,17 @@ Question dead_ahead() {
   q.own.velocity = {1.0, 0.0, 0.0};
   q.limits.max_speed = 1.5;
   q.wish = {.velocity = {1.0, 0.0}, .ahead = {1.0, 0.0}, .starboard_bias = 1e-3, .collision_weight = 10.0};
-  const Solid solid{.from = {5.0, 0.0}, .to = {5.0, 0.0}, .radius = 3.0};
+  const RelativeCapsule solid{.from = {5.0, 0.0}, .to = {5.0, 0.0}, .radius = 3.0};
   q.obstacles = {VelocityObstacle(solid, {1e9, 1.0})};
   return q;
 }
 
-TEST(Choice, OfTwoTangentsThatAreEquallyFarItTakesStarboard) {
+TEST(ChosenVelocity, OfTwoTangentsThatAreEquallyFarItTakesStarboard) {
   // the legs are at cosine 0.8, sine 0.6; the wish's feet on them at 0.8 along
   EXPECT_LT((dead_ahead().answer().velocity - Vec2(0.64, 0.48)).norm(), 1e-14);
 }
 
-TEST(Choice, ABiasOutweighsADeviationThatIsLittleLarger) {
+TEST(ChosenVelocity, ABiasOutweighsADeviationThatIsLittleLarger) {
   Question q = dead_ahead();
   q.wish.velocity = turned({1.0, 0.0}, std::cos(0.01), -std::sin(0.01));
   q.wish.ahead = q.wish.velocity;
@@ -126,46 +126,46 @@ TEST(Choice, ABiasOutweighsADeviationThatIsLittleLarger) {
   EXPECT_GT(q.answer().velocity.y(), 0.0);
 }
 
-TEST(Choice, StaysWithinWhatAccelerationAllows) {
+TEST(ChosenVelocity, StaysWithinWhatAccelerationAllows) {
   // 0.3 m/s of change do not reach the leg 0.6 m/s away: nothing is clear, and slowing down gives most time
   Question q = dead_ahead();
   q.limits.max_acceleration = 0.3;
-  const Choice choice = q.answer();
+  const ChosenVelocity choice = q.answer();
   EXPECT_FALSE(choice.is_feasible);
   EXPECT_NEAR((choice.velocity - Vec2(1.0, 0.0)).norm(), 0.3, 1e-9);
   EXPECT_LT(choice.velocity.x(), 0.9);
 }
 
-TEST(Choice, WithoutAnyLimitItStillAnswers) {
+TEST(ChosenVelocity, WithoutAnyLimitItStillAnswers) {
   Question q = dead_ahead();
   q.limits = {};
   EXPECT_LT((q.answer().velocity - Vec2(0.64, 0.48)).norm(), 1e-14);
-  const Solid here{.from = {0.0, 0.0}, .to = {0.0, 0.0}, .radius = 3.0};
+  const RelativeCapsule here{.from = {0.0, 0.0}, .to = {0.0, 0.0}, .radius = 3.0};
   q.obstacles = {VelocityObstacle(here, {5.0, 1.0})};
   EXPECT_GT(q.answer().velocity.x(), 3.0 - 1e-9);
 }
 
-TEST(Choice, PressedFromAllSidesItGainsTime) {
+TEST(ChosenVelocity, PressedFromAllSidesItGainsTime) {
   // eight at 3.5 m, R = 2, closing at 1 m/s: any way is 1.5 s of time at rest and less elsewhere
   Question q = dead_ahead();
   q.own.velocity = Vec3::Zero();
   q.obstacles.clear();
   for (int k = 0; k < 8; ++k) {
     const Vec2 out = turned({1.0, 0.0}, std::cos(pi / 4 * k), std::sin(pi / 4 * k));
-    const Solid solid{.from = 3.5 * out, .to = 3.5 * out, .radius = 2.0, .velocity = -out};
+    const RelativeCapsule solid{.from = 3.5 * out, .to = 3.5 * out, .radius = 2.0, .velocity = -out};
     q.obstacles.push_back(VelocityObstacle(solid, outlook));
   }
-  const Choice choice = q.answer();
+  const ChosenVelocity choice = q.answer();
   EXPECT_FALSE(choice.is_feasible);
   EXPECT_LT(choice.velocity.norm(), 0.3);
 }
 
-TEST(Choice, AsManyAsThereIsRoomForAreAnswered) {
+TEST(ChosenVelocity, AsManyAsThereIsRoomForAreAnswered) {
   Rng rng{9};
   Question q = dead_ahead();
   q.obstacles.clear();
   while (q.obstacles.size() < max_obstacles) q.obstacles.emplace_back(any_wall(rng), outlook);
-  const Choice choice = q.answer();
+  const ChosenVelocity choice = q.answer();
   EXPECT_TRUE(choice.velocity.allFinite());
   EXPECT_LE(choice.velocity.norm(), 1.5 + 1e-8);
 }

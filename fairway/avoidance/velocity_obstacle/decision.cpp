@@ -38,7 +38,7 @@ Command decide(const Situation& s, const Params& params, Responsibility responsi
     const ReachableSet reachable(s.own, limits, params.planning_interval_s);
     return choose(neighbourhood.obstacles(), reachable, wish_of(preferred.head<2>(), reachable, params));
   };
-  const Choice choice = choice_within(s.limits);
+  const ChosenVelocity choice = choice_within(s.limits);
   const Vec3 chosen{choice.velocity.x(), choice.velocity.y(), 0.0};
 
   if (context.sketch) {

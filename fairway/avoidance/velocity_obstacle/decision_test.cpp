@@ -12,7 +12,7 @@
 namespace fairway::velocity_obstacle {
 namespace {
 
-using encounters::Encounter;
+using encounters::OwnedSituation;
 
 constexpr std::array everyone{Responsibility::all, Responsibility::shared, Responsibility::by_side};
 
@@ -26,10 +26,10 @@ Command decide(const Situation& s, const Params& params, Responsibility responsi
 Command vo(const Situation& s, const Params& params = {}) { return decide(s, params, Responsibility::all); }
 
 /// A random scene in the plane; with limits of acceleration, and of turning, in every other one.
-Encounter any_scene(std::uint64_t i) {
+OwnedSituation any_scene(std::uint64_t i) {
   const Rng rng = Rng{11}.stream("scene", i);
   const int count = static_cast<int>(i / 2 % 12);
-  Encounter e = i % 2 == 0 ? encounters::crowd(count, rng) : encounters::congested(count, rng);
+  OwnedSituation e = i % 2 == 0 ? encounters::crowd(count, rng) : encounters::congested(count, rng);
   e.situation.own.velocity.z() = 0.0;
   e.situation.goal.position.z() = e.situation.own.position.z();
   for (Track& t : e.tracks) t.reacts = number(t.id) % 3 != 0;
@@ -40,14 +40,14 @@ Encounter any_scene(std::uint64_t i) {
 
 TEST(VelocityObstacleDecision, GoesWhereItWasGoingWhenNobodyIsInRange) {
   for (const Responsibility r : everyone) {
-    const Encounter e = encounters::head_on(20.5);
+    const OwnedSituation e = encounters::head_on(20.5);
     const Command expected{.velocity = e.situation.preferred_velocity(), .mode = Mode::cruise};
     EXPECT_EQ(decide(e, {}, r), expected);
   }
 }
 
 TEST(VelocityObstacleDecision, SomebodyInRangeIsAvoidanceEvenIfTheCourseIsClear) {
-  Encounter e = encounters::open_water();
+  OwnedSituation e = encounters::open_water();
   e.tracks = {encounters::track(1, {-19.0, 0.0, 50.0}, {-1.0, 0.0, 0.0})};
   EXPECT_EQ(vo(e).velocity, Vec3(1.0, 0.0, 0.0));
   EXPECT_EQ(vo(e).mode, Mode::avoid);
@@ -55,7 +55,7 @@ TEST(VelocityObstacleDecision, SomebodyInRangeIsAvoidanceEvenIfTheCourseIsClear)
 
 TEST(VelocityObstacleDecision, WhatDoesNotReactIsAvoidedAloneByAll) {
   for (std::uint64_t i = 0; i < 300; ++i) {
-    Encounter e = any_scene(i);
+    OwnedSituation e = any_scene(i);
     for (Track& t : e.tracks) t.reacts = false;
     const Command expected = vo(e);
     EXPECT_EQ(decide(e, {}, Responsibility::shared), expected);
@@ -66,7 +66,7 @@ TEST(VelocityObstacleDecision, WhatDoesNotReactIsAvoidedAloneByAll) {
 TEST(VelocityObstacleDecision, TurnedSceneAndMirroredSceneHaveTheirAnswers) {
   double turned = 0.0, mirrored = 0.0;
   for (std::uint64_t i = 0; i < 2000; ++i) {
-    const Encounter e = any_scene(i);
+    const OwnedSituation e = any_scene(i);
     for (const Responsibility r : everyone) {
       const Vec3 here = decide(e, {}, r).velocity;
       const Vec3 there = decide(encounters::turned(e, 2.0), {}, r).velocity;
@@ -84,7 +84,7 @@ TEST(VelocityObstacleDecision, TurnedSceneAndMirroredSceneHaveTheirAnswers) {
 
 TEST(VelocityObstacleDecision, WhoOverlapsPartsWithinOneInterval) {
   // 1.5 m apart, R = 2: 0.5 m/s back, of which each does half in RVO
-  Encounter e = encounters::open_water();
+  OwnedSituation e = encounters::open_water();
   e.situation.own.velocity = Vec3::Zero();
   e.situation.goal.velocity = Vec3::Zero();
   e.tracks = {encounters::track(1, {1.5, 0.0, 50.0}, Vec3::Zero())};
@@ -95,13 +95,13 @@ TEST(VelocityObstacleDecision, WhoOverlapsPartsWithinOneInterval) {
 }
 
 TEST(VelocityObstacleDecision, TwoAtTheSamePlacePartAlongOneLineByTheirIds) {
-  Encounter e = encounters::open_water();
+  OwnedSituation e = encounters::open_water();
   e.situation.own.velocity = Vec3::Zero();
   e.situation.goal.velocity = Vec3::Zero();
   e.tracks = {encounters::track(1, e.situation.own.position, Vec3::Zero())};
   for (const Responsibility r : everyone) {
     const Command first = decide(e, {}, r);
-    Encounter other = e;
+    OwnedSituation other = e;
     other.situation.own.id = VehicleId{1};
     other.tracks[0].id = TrackId{0};
     const Command second = decide(other, {}, r);
@@ -112,7 +112,7 @@ TEST(VelocityObstacleDecision, TwoAtTheSamePlacePartAlongOneLineByTheirIds) {
 
 TEST(VelocityObstacleDecision, WhoCannotGetApartInTimeIsInfeasibleAndLeavesAsFastAsItCan) {
   // 2 m apart, R = 3.5: 1.5 m/s back is the limit, but only 0.4 m/s of change are possible
-  Encounter e = encounters::open_water();
+  OwnedSituation e = encounters::open_water();
   e.situation.own.velocity = Vec3::Zero();
   e.situation.limits.max_acceleration = 0.4;
   e.tracks = {encounters::track(1, {2.0, 0.0, 50.0}, Vec3::Zero(), 2.5)};
@@ -122,13 +122,13 @@ TEST(VelocityObstacleDecision, WhoCannotGetApartInTimeIsInfeasibleAndLeavesAsFas
 }
 
 TEST(VelocityObstacleDecision, WhoMayNotMoveStays) {
-  Encounter e = encounters::head_on(4.0);
+  OwnedSituation e = encounters::head_on(4.0);
   e.situation.limits.max_speed = 0.0;
   for (const Responsibility r : everyone) EXPECT_EQ(decide(e, {}, r).velocity, Vec3(0.0, 0.0, 0.0));
 }
 
 TEST(VelocityObstacleDecision, DepthIsNotSeen) {
-  Encounter e = encounters::head_on(8.0);
+  OwnedSituation e = encounters::head_on(8.0);
   const Command level = vo(e);
   e.tracks[0].position.z() += 7.0;
   e.tracks[0].velocity.z() = -1.0;
@@ -138,16 +138,16 @@ TEST(VelocityObstacleDecision, DepthIsNotSeen) {
 }
 
 TEST(VelocityObstacleDecision, LooksAtTheNearestWhenThereAreTooMany) {
-  Encounter e = encounters::head_on(8.0);
+  OwnedSituation e = encounters::head_on(8.0);
   e.tracks.push_back(encounters::track(2, {0.0, 9.0, 50.0}, {0.0, -2.0, 0.0}));
   EXPECT_EQ(vo(e, {.max_neighbours_count = 1}), vo(encounters::head_on(8.0)));
   EXPECT_EQ(vo(e, {.max_neighbours_count = 0}).mode, Mode::cruise);
 }
 
 TEST(VelocityObstacleDecision, ASphereThatDoesNotMoveIsATrackThatDoesNotReact) {
-  Encounter obstacle = encounters::open_water();
+  OwnedSituation obstacle = encounters::open_water();
   obstacle.obstacles = {{.kind = Obstacle::Kind::sphere, .position = {8.0, 0.5, 50.0}, .radius = 2.0}};
-  Encounter track = encounters::open_water();
+  OwnedSituation track = encounters::open_water();
   track.tracks = {encounters::track(1, {8.0, 0.5, 50.0}, Vec3::Zero(), 2.0)};
   track.tracks[0].reacts = false;
   const Params params{.time_horizon_s = 10.0, .obstacle_time_horizon_s = 10.0};
@@ -161,7 +161,7 @@ TEST(VelocityObstacleDecision, ASphereThatDoesNotMoveIsATrackThatDoesNotReact) {
 TEST(VelocityObstacleDecision, AWallIsGoneAlongOrRoundNotThrough) {
   // 3 m ahead across the course, own radius 1 m, horizon 5 s: no faster than 2 / 5 m/s towards it, and with
   // its end 1.5 m to starboard the tangent round that end is the nearer choice
-  Encounter e = encounters::open_water();
+  OwnedSituation e = encounters::open_water();
   e.obstacles = {{.kind = Obstacle::Kind::segment, .from = {3.0, -50.0, 50.0}, .to = {3.0, 50.0, 50.0}}};
   EXPECT_LT((vo(e).velocity - Vec3(0.4, 0.0, 0.0)).norm(), 1e-12);
   e.obstacles[0].to.y() = 0.2;
@@ -172,7 +172,7 @@ TEST(VelocityObstacleDecision, AWallIsGoneAlongOrRoundNotThrough) {
 
 TEST(VelocityObstacleDecision, FromInsideASolidTheWayIsOutThroughTheNearestSide) {
   const std::array<Vec3, 4> square{Vec3{-0.2, -5, 0}, Vec3{9, -5, 0}, Vec3{9, 5, 0}, Vec3{-0.2, 5, 0}};
-  Encounter e = encounters::open_water();
+  OwnedSituation e = encounters::open_water();
   e.situation.own.velocity = Vec3::Zero();
   e.situation.goal.velocity = Vec3::Zero();
   e.obstacles = {{.kind = Obstacle::Kind::polygon, .vertices = square}};
@@ -181,22 +181,22 @@ TEST(VelocityObstacleDecision, FromInsideASolidTheWayIsOutThroughTheNearestSide)
 
 TEST(VelocityObstacleDecision, APolygonIsItsSides) {
   const std::array<Vec3, 4> square{Vec3{3, -5, 0}, Vec3{9, -5, 0}, Vec3{9, 5, 0}, Vec3{3, 5, 0}};
-  Encounter polygon = encounters::open_water();
+  OwnedSituation polygon = encounters::open_water();
   polygon.obstacles = {{.kind = Obstacle::Kind::polygon, .vertices = square}};
-  Encounter wall = encounters::open_water();
+  OwnedSituation wall = encounters::open_water();
   wall.obstacles = {{.kind = Obstacle::Kind::segment, .from = square[3], .to = square[0]}};
   EXPECT_LT((vo(polygon).velocity - vo(wall).velocity).norm(), 1e-12);
 }
 
 TEST(VelocityObstacleDecision, OnAWallItLeavesAcrossIt) {
-  Encounter e = encounters::open_water();
+  OwnedSituation e = encounters::open_water();
   e.situation.goal.velocity = Vec3::Zero();
   e.obstacles = {{.kind = Obstacle::Kind::segment, .from = {-9.0, 0.0, 50.0}, .to = {9.0, 0.0, 50.0}}};
   EXPECT_LT((vo(e).velocity - Vec3(0.0, 1.0, 0.0)).norm(), 1e-9);
 }
 
 TEST(VelocityObstacleDecision, WhoStandsAndMayOnlyGoAheadTurnsToItsCourse) {
-  Encounter e = encounters::open_water();
+  OwnedSituation e = encounters::open_water();
   e.tracks = {encounters::track(1, {15.0, 0.0, 50.0}, Vec3::Zero())};
   e.situation.own.velocity = Vec3::Zero();
   e.situation.goal.position = {0.0, -100.0, 50.0};
@@ -211,7 +211,7 @@ TEST(VelocityObstacleDecision, WhoStandsAndMayOnlyGoAheadTurnsToItsCourse) {
 
 TEST(VelocityObstacleDecision, DrawsTheRegionOfEachObstacleAndItsChoice) {
   // R / d = 3 / 5, T = 5: the legs leave the cut 0.8 from the apex, which is the other's velocity
-  Encounter e = encounters::open_water();
+  OwnedSituation e = encounters::open_water();
   e.tracks = {encounters::track(1, {5.0, 0.0, 50.0}, {0.0, -1.0, 0.0}, 2.0)};
   e.obstacles = {{.kind = Obstacle::Kind::sphere, .position = {0.0, 9.0, 50.0}, .radius = 1.0}};
   Drawing drawing;
@@ -233,7 +233,7 @@ TEST(VelocityObstacleDecision, DrawsTheRegionOfEachObstacleAndItsChoice) {
 
 TEST(VelocityObstacleDecision, WhoTouchesAndMayOnlyGoAheadTurnsAway) {
   // 1.9 m to the south-west, R = 2: ahead leads on into it, so stop and turn to north-east
-  Encounter e = encounters::open_water();
+  OwnedSituation e = encounters::open_water();
   e.situation.own.velocity = Vec3::Zero();
   e.situation.own.yaw = -0.75 * pi;
   e.situation.goal.velocity = Vec3{-1.0, -1.0, 0.0};

@@ -14,22 +14,22 @@ Vec2 from_own(const Vec3& position, const Situation& s) { return (position - s.o
 TrackId own_id(const Situation& s) { return TrackId{number(s.own.id)}; }
 
 /// From its very middle it is left as `id` would be.
-Solid disc(const Vec2& p, double radius, TrackId id, const Situation& s) {
+RelativeCapsule disc(const Vec2& p, double radius, TrackId id, const Situation& s) {
   return {.from = p, .to = p, .radius = radius, .parting = parting_direction(s.own.id, id).head<2>()};
 }
 
 /// Who is exactly on it leaves it to starboard of the way from `from` to `to`.
-Solid wall(const Vec2& from, const Vec2& to, const Situation& s) {
-  Solid solid = disc(from, s.own.radius, own_id(s), s);
+RelativeCapsule wall(const Vec2& from, const Vec2& to, const Situation& s) {
+  RelativeCapsule solid = disc(from, s.own.radius, own_id(s), s);
   const double length = (to - from).norm();
   if (length > 0.0) solid.parting = starboard_of(to - from) / length;
   solid.to = to;
   return solid;
 }
 
-VelocityObstacle obstacle_of(const Track& track, const Situation& s, const Outlook& outlook,
+VelocityObstacle obstacle_of(const Track& track, const Situation& s, const Horizons& outlook,
                              Responsibility responsibility) {
-  Solid solid = disc(from_own(track.position, s), s.own.radius + track.radius, track.id, s);
+  RelativeCapsule solid = disc(from_own(track.position, s), s.own.radius + track.radius, track.id, s);
   solid.velocity = track.velocity.head<2>();
   const Vec2 own_velocity = s.own.velocity.head<2>();
   switch (track.reacts ? responsibility : Responsibility::all) {
@@ -53,7 +53,7 @@ Neighbourhood::Neighbourhood(const Situation& s, const Params& params,
 
 void Neighbourhood::add_tracks(const Situation& s, const Params& params,
                                Responsibility responsibility) noexcept {
-  const Outlook outlook{params.time_horizon_s, params.planning_interval_s};
+  const Horizons outlook{params.time_horizon_s, params.planning_interval_s};
   const double range = params.crit_dist_m;
   for (const Track& track : s.tracks) {
     if (count_ == static_cast<std::size_t>(params.max_neighbours_count)) break;
@@ -82,7 +82,7 @@ void Neighbourhood::add_polygon(const Obstacle& polygon, const Situation& s, con
   // from inside, all that counts is the way out
   const SurfacePoint surface = nearest_point(polygon, s.own.position);
   if (surface.distance < 0.0) {
-    Solid side = disc(from_own(surface.point, s), s.own.radius, own_id(s), s);
+    RelativeCapsule side = disc(from_own(surface.point, s), s.own.radius, own_id(s), s);
     side.within = true;
     add_solid(side, params);
     return;
@@ -94,7 +94,7 @@ void Neighbourhood::add_polygon(const Obstacle& polygon, const Situation& s, con
   }
 }
 
-void Neighbourhood::add_solid(const Solid& solid, const Params& params) noexcept {
+void Neighbourhood::add_solid(const RelativeCapsule& solid, const Params& params) noexcept {
   const double range = params.crit_dist_m + solid.radius;
   const Vec2 nearest = nearest_on_segment(solid.from, solid.to, Vec2::Zero());
   if (count_ == max_obstacles || nearest.norm() > range) return;

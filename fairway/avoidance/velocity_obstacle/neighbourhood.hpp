@@ -28,7 +28,7 @@ class Neighbourhood {
   void add_obstacle(const Obstacle& obstacle, const Situation& s, const Params& params) noexcept;
   void add_polygon(const Obstacle& polygon, const Situation& s, const Params& params) noexcept;
   /// Unless it is out of range, or there is no room.
-  void add_solid(const Solid& solid, const Params& params) noexcept;
+  void add_solid(const RelativeCapsule& solid, const Params& params) noexcept;
 
   std::array<VelocityObstacle, max_obstacles> obstacles_;
   std::array<TrackId, max_obstacles> ids_;  // of the tracks

@@ -49,7 +49,7 @@ double urgency_of_side(const Vec2& from, const Vec2& to, double radius, const Ve
 
 }  // namespace
 
-VelocityObstacle::VelocityObstacle(const Solid& solid, const Outlook& outlook) noexcept
+VelocityObstacle::VelocityObstacle(const RelativeCapsule& solid, const Horizons& outlook) noexcept
     : from_{solid.from},
       to_{solid.to},
       apex_{solid.velocity},
@@ -76,8 +76,8 @@ VelocityObstacle::VelocityObstacle(const Solid& solid, const Outlook& outlook) n
   if (cross(starboard_, starboard) > 0.0) starboard_ = starboard;
 }
 
-VelocityObstacle VelocityObstacle::reciprocal(const Solid& solid, const Vec2& own_velocity,
-                                              const Outlook& outlook) noexcept {
+VelocityObstacle VelocityObstacle::reciprocal(const RelativeCapsule& solid, const Vec2& own_velocity,
+                                              const Horizons& outlook) noexcept {
   VelocityObstacle obstacle(solid, outlook);
   obstacle.apex_ = 0.5 * (own_velocity + solid.velocity);
   obstacle.inverse_horizon_ *= 0.5;
@@ -87,8 +87,8 @@ VelocityObstacle VelocityObstacle::reciprocal(const Solid& solid, const Vec2& ow
   return obstacle;
 }
 
-VelocityObstacle VelocityObstacle::hybrid(const Solid& solid, const Vec2& own_velocity,
-                                          const Outlook& outlook) noexcept {
+VelocityObstacle VelocityObstacle::hybrid(const RelativeCapsule& solid, const Vec2& own_velocity,
+                                          const Horizons& outlook) noexcept {
   VelocityObstacle obstacle = reciprocal(solid, own_velocity, outlook);
   if (obstacle.overlaps_ || cross(obstacle.port_, obstacle.starboard_) <= in_line) return obstacle;
 

@@ -11,7 +11,7 @@ namespace fairway::velocity_obstacle {
 
 /// What is in the way, grown by the own radius, as a disc or a wall with round ends. Horizontal, relative to
 /// own ship.
-struct Solid {
+struct RelativeCapsule {
   Vec2 from;                     ///< one end, P_o - P_u of a disc [m]
   Vec2 to;                       ///< the other end; `from` for a disc [m]
   double radius{};               ///< R = R_u + R_o, or R_u at a wall [m]
@@ -21,7 +21,7 @@ struct Solid {
 };
 
 /// How long ahead a velocity must be clear.
-struct Outlook {
+struct Horizons {
   double horizon;   ///< T_h [s], > 0
   double interval;  ///< who overlaps is to be apart after this long [s], > 0
 };
@@ -48,18 +48,18 @@ class VelocityObstacle {
   VelocityObstacle() = default;
 
   /// VO: the solid keeps its velocity (cao2022, eqs. 2 and 6, cut off at T_h). Apex v_o.
-  VelocityObstacle(const Solid& solid, const Outlook& outlook) noexcept;
+  VelocityObstacle(const RelativeCapsule& solid, const Horizons& outlook) noexcept;
 
   /// RVO: {v' | 2 v' - v_u in VO} (cao2022, eq. 7; van den Berg, Lin, Manocha 2008, definition 5). Apex
   /// (v_u + v_o) / 2; seen from there the cut is that of twice the horizon.
-  static VelocityObstacle reciprocal(const Solid& solid, const Vec2& own_velocity,
-                                     const Outlook& outlook) noexcept;
+  static VelocityObstacle reciprocal(const RelativeCapsule& solid, const Vec2& own_velocity,
+                                     const Horizons& outlook) noexcept;
 
   /// HRVO (Snape, van den Berg, Guy, Manocha 2011, section IV): the leg of RVO on the side where the two
   /// pass each other if both go on as they do, the leg of VO on the other; starboard if they would meet
   /// head to head. Its cut is tangent to both legs and meets the former where RVO's does.
-  static VelocityObstacle hybrid(const Solid& solid, const Vec2& own_velocity,
-                                 const Outlook& outlook) noexcept;
+  static VelocityObstacle hybrid(const RelativeCapsule& solid, const Vec2& own_velocity,
+                                 const Horizons& outlook) noexcept;
 
   /// How far `v` is inside [m/s]: positive inside, zero on the boundary, negative outside. Of the sign
   /// everywhere; the distance to the boundary where one of its parts is nearest from both sides. O(1).

@@ -9,10 +9,10 @@
 namespace fairway::velocity_obstacle {
 namespace {
 
-constexpr Outlook five_seconds{5.0, 1.0};
-constexpr Outlook for_ever{1e9, 1.0};
+constexpr Horizons five_seconds{5.0, 1.0};
+constexpr Horizons for_ever{1e9, 1.0};
 
-Solid disc(const Vec2& p, double radius, const Vec2& velocity = Vec2::Zero()) {
+RelativeCapsule disc(const Vec2& p, double radius, const Vec2& velocity = Vec2::Zero()) {
   return {.from = p, .to = p, .radius = radius, .velocity = velocity};
 }
 
@@ -40,8 +40,8 @@ TEST(VelocityObstacle, IsWhatMeetsTheSolidWithinTheHorizon) {
   int inside = 0, outside = 0;
   for (std::uint64_t i = 0; i < 20000; ++i) {
     Rng rng = Rng{1}.stream("solid", i);
-    const Solid solid = i % 2 == 0 ? any_disc(rng) : any_wall(rng);
-    const Outlook outlook{rng.uniform(0.5, 20.0), 1.0};
+    const RelativeCapsule solid = i % 2 == 0 ? any_disc(rng) : any_wall(rng);
+    const Horizons outlook{rng.uniform(0.5, 20.0), 1.0};
     const VelocityObstacle vo(solid, outlook);
     const Vec2 v = rng.uniform(0.0, 2.0) * any_direction(rng);
     const double gap = closest_approach(solid, v - solid.velocity, outlook.horizon) - solid.radius;
@@ -55,9 +55,9 @@ TEST(VelocityObstacle, IsWhatMeetsTheSolidWithinTheHorizon) {
 
 /// The three kinds in turn, of discs and walls at random; every fifth overlaps own ship.
 VelocityObstacle any_obstacle(std::uint64_t i, Rng& rng) {
-  Solid solid = i % 2 == 0 ? any_disc(rng) : any_wall(rng);
+  RelativeCapsule solid = i % 2 == 0 ? any_disc(rng) : any_wall(rng);
   if (i % 5 == 0) solid.radius = solid.from.norm() + rng.uniform(0.1, 1.0);
-  const Outlook outlook{rng.uniform(0.5, 20.0), 1.0};
+  const Horizons outlook{rng.uniform(0.5, 20.0), 1.0};
   const Vec2 own = rng.uniform(0.0, 2.0) * any_direction(rng);
   if (i % 3 == 0) return VelocityObstacle::reciprocal(solid, own, outlook);
   return i % 3 == 1 ? VelocityObstacle::hybrid(solid, own, outlook) : VelocityObstacle(solid, outlook);
@@ -91,7 +91,7 @@ TEST(VelocityObstacle, WithoutAHorizonItIsThePrintedAngles) {
   int inside = 0;
   for (std::uint64_t i = 0; i < 20000; ++i) {
     Rng rng = Rng{2}.stream("angles", i);
-    const Solid solid = any_disc(rng);
+    const RelativeCapsule solid = any_disc(rng);
     const VelocityObstacle vo(solid, for_ever);
     const Vec2 v = solid.velocity + rng.uniform(0.01, 2.0) * any_direction(rng);
     const double depth = vo.depth(v);
@@ -107,7 +107,7 @@ TEST(VelocityObstacle, EndsNowhereButAtItsBoundaries) {
   int changes = 0;
   for (std::uint64_t i = 0; i < 2000; ++i) {
     Rng rng = Rng{3}.stream("boundary", i);
-    const Solid solid = i % 2 == 0 ? any_disc(rng) : any_wall(rng);
+    const RelativeCapsule solid = i % 2 == 0 ? any_disc(rng) : any_wall(rng);
     const VelocityObstacle vo = i % 6 == 0 ? VelocityObstacle::hybrid(solid, {0.7, 0.2}, five_seconds)
                                            : VelocityObstacle(solid, five_seconds);
     Vec2 in = rng.uniform(0.0, 2.0) * any_direction(rng);
@@ -137,7 +137,7 @@ TEST(VelocityObstacle, UrgencyIsTheInverseOfTheTimeToContact) {
   int meeting = 0, passing = 0;
   for (std::uint64_t i = 0; i < 5000; ++i) {
     Rng rng = Rng{4}.stream("urgency", i);
-    const Solid solid = i % 2 == 0 ? any_disc(rng) : any_wall(rng);
+    const RelativeCapsule solid = i % 2 == 0 ? any_disc(rng) : any_wall(rng);
     const Vec2 v = rng.uniform(0.05, 2.0) * any_direction(rng);
     const double urgency = VelocityObstacle(solid, five_seconds).urgency(v);
     const Vec2 w = v - solid.velocity;
@@ -156,7 +156,7 @@ TEST(VelocityObstacle, ReciprocalIsItsPrintedDefinition) {
   // eq. 7: v' is in RVO if 2 v' - v_u is in VO
   for (std::uint64_t i = 0; i < 5000; ++i) {
     Rng rng = Rng{5}.stream("rvo", i);
-    Solid solid = any_disc(rng);
+    RelativeCapsule solid = any_disc(rng);
     if (i % 10 == 0) solid.radius = 1.2 * solid.from.norm();
     const Vec2 own = rng.uniform(0.0, 1.5) * any_direction(rng);
     const Vec2 v = rng.uniform(0.0, 2.0) * any_direction(rng);
@@ -173,7 +173,7 @@ TEST(VelocityObstacle, HybridTakesTheLegOfEach) {
   int cuts = 0;
   for (std::uint64_t i = 0; i < 5000; ++i) {
     Rng rng = Rng{6}.stream("hrvo", i);
-    const Solid solid = any_disc(rng);
+    const RelativeCapsule solid = any_disc(rng);
     const Vec2 own = rng.uniform(0.0, 1.5) * any_direction(rng);
     const VelocityObstacle vo(solid, five_seconds);
     const VelocityObstacle rvo = VelocityObstacle::reciprocal(solid, own, five_seconds);
@@ -207,7 +207,7 @@ TEST(VelocityObstacle, HeadToHeadTheHybridPassesToStarboard) {
 
 TEST(VelocityObstacle, WhoOverlapsIsToBeApartAfterOneInterval) {
   // 1.5 m apart, R = 2, 1 s: 0.5 m/s backwards; each does half of it
-  const Solid solid = disc({1.5, 0.0}, 2.0, {0.2, 0.0});
+  const RelativeCapsule solid = disc({1.5, 0.0}, 2.0, {0.2, 0.0});
   const VelocityObstacle vo(solid, five_seconds);
   EXPECT_NEAR(vo.depth({-0.3, 0.7}), 0.0, 1e-15);
   EXPECT_NEAR(vo.depth({0.0, 0.0}), 0.3, 1e-15);
@@ -216,7 +216,7 @@ TEST(VelocityObstacle, WhoOverlapsIsToBeApartAfterOneInterval) {
 }
 
 TEST(VelocityObstacle, FromExactlyTheSamePlaceTheWayIsTheParting) {
-  Solid solid = disc({0.0, 0.0}, 2.0);
+  RelativeCapsule solid = disc({0.0, 0.0}, 2.0);
   solid.parting = {0.0, 1.0};
   const VelocityObstacle vo(solid, five_seconds);
   EXPECT_NEAR(vo.depth({0.0, 2.0}), 0.0, 1e-15);
@@ -224,7 +224,7 @@ TEST(VelocityObstacle, FromExactlyTheSamePlaceTheWayIsTheParting) {
 }
 
 TEST(VelocityObstacle, FromInsideASolidTheWayIsOutThroughTheNearestSide) {
-  Solid side = disc({-1.0, 0.0}, 1.0);
+  RelativeCapsule side = disc({-1.0, 0.0}, 1.0);
   side.within = true;
   EXPECT_NEAR(VelocityObstacle(side, five_seconds).depth({-2.0, 3.0}), 0.0, 1e-15);
 }

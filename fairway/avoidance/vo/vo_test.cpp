@@ -9,7 +9,7 @@ namespace fairway {
 namespace {
 
 using encounters::decide;
-using encounters::Encounter;
+using encounters::OwnedSituation;
 using velocity_obstacle::Tally;
 
 TEST(Vo, HeadOnTakesTheWholeWayToTheTangentToStarboard) {
@@ -21,14 +21,14 @@ TEST(Vo, HeadOnTakesTheWholeWayToTheTangentToStarboard) {
 
 TEST(Vo, MeetingBeyondTheHorizonChangesNothing) {
   // 8 m at 2 m/s with R = 2: they touch after 3 s
-  const Encounter e = encounters::head_on(8.0);
+  const OwnedSituation e = encounters::head_on(8.0);
   EXPECT_EQ(decide<Vo>(e, {.time_horizon_s = 2.9}).velocity, Vec3(1.0, 0.0, 0.0));
   EXPECT_NE(decide<Vo>(e, {.time_horizon_s = 3.1}).velocity, Vec3(1.0, 0.0, 0.0));
 }
 
 TEST(Vo, SlowApproachBrakesAtTheArcOfTheHorizon) {
   // p / T = 1.6, R / T = 0.4; v_d = 1.3 north is nearest to 1.2
-  Encounter e = encounters::open_water(1.3);
+  OwnedSituation e = encounters::open_water(1.3);
   e.tracks = {encounters::track(1, {8.0, 0.0, 50.0}, Vec3::Zero())};
   EXPECT_LT((decide<Vo>(e).velocity - Vec3(1.2, 0.0, 0.0)).norm(), 1e-14);
 }

@@ -11,7 +11,7 @@
 namespace fairway {
 namespace {
 
-using encounters::Encounter;
+using encounters::OwnedSituation;
 
 WallFollowing::Params corrected(WallFollowing::Params params = {}) {
   params.form = WallFollowingForm::corrected;
@@ -21,8 +21,8 @@ WallFollowing::Params corrected(WallFollowing::Params params = {}) {
 Avoider follower() { return Avoider{WallFollowing{corrected()}}; }
 
 /// Own ship of radius 1 m at the surface, northbound at 1 m/s, 40 m from its goal.
-Encounter northbound() {
-  Encounter e = encounters::shifted(encounters::open_water(), {0.0, 0.0, -50.0});
+OwnedSituation northbound() {
+  OwnedSituation e = encounters::shifted(encounters::open_water(), {0.0, 0.0, -50.0});
   e.situation.goal.position = {40.0, 0.0, 0.0};
   return e;
 }
@@ -44,7 +44,7 @@ struct Passage {
 };
 
 /// Carries out velocities with a first-order lag [s], none if zero; tracks keep their velocity.
-Passage passage(Encounter e, double duration, double lag = 0.0, Avoider avoider = follower()) {
+Passage passage(OwnedSituation e, double duration, double lag = 0.0, Avoider avoider = follower()) {
   Passage p;
   Mode mode = Mode::cruise;
   Situation& s = e.situation;
@@ -78,7 +78,7 @@ void expect_passed(const Passage& p, double latest, double intrusion = 0.0) {
 }
 
 TEST(WallFollowingCorrected, GoesRoundASphereAtTheStandoff) {
-  Encounter e = northbound();
+  OwnedSituation e = northbound();
   e.obstacles = {sphere(20.0, 0.0, 5.0)};
   const Passage p = passage(e, 100);
   expect_passed(p, 45.0);  // measured 43.7 s and 1.05 m; 39.8 s if nothing were there
@@ -89,7 +89,7 @@ TEST(WallFollowingCorrected, GoesRoundASphereAtTheStandoff) {
 }
 
 TEST(WallFollowingCorrected, AvoidsWhatIsExactlyOnTheDiagonal) {
-  Encounter e = northbound();
+  OwnedSituation e = northbound();
   e.situation.own.radius = 3.2;
   e.situation.goal.position = {40.0, 40.0, 0.0};
   e.obstacles = {sphere(20.0, 20.0, 1.0)};
@@ -97,7 +97,7 @@ TEST(WallFollowingCorrected, AvoidsWhatIsExactlyOnTheDiagonal) {
 }
 
 TEST(WallFollowingCorrected, GoesRoundAWallAndAPolygon) {
-  Encounter e = northbound();
+  OwnedSituation e = northbound();
   e.obstacles = {wall({20.0, -10.0, 0.0}, {20.0, 6.0, 0.0})};
   expect_passed(passage(e, 100), 48.0);       // measured 46.6 s and 1.16 m
   expect_passed(passage(e, 100, 1.0), 50.0);  // measured 48.4 s and 1.05 m
@@ -108,7 +108,7 @@ TEST(WallFollowingCorrected, GoesRoundAWallAndAPolygon) {
 }
 
 TEST(WallFollowingCorrected, LeavesAUWhereItIsNearerToTheGoalThanWhereItHit) {
-  Encounter e = northbound();
+  OwnedSituation e = northbound();
   e.obstacles = {wall({20.0, -10.0, 0.0}, {20.0, 10.0, 0.0}), wall({0.0, -10.0, 0.0}, {20.0, -10.0, 0.0}),
                  wall({0.0, 10.0, 0.0}, {20.0, 10.0, 0.0})};
   e.situation.own.position = {5.0, 0.0, 0.0};
@@ -121,7 +121,7 @@ TEST(WallFollowingCorrected, LeavesAUWhereItIsNearerToTheGoalThanWhereItHit) {
 }
 
 TEST(WallFollowingCorrected, PassesWhatMoves) {
-  Encounter e = northbound();
+  OwnedSituation e = northbound();
   e.tracks = {encounters::track(1, {30.0, 0.0, 0.0}, {-0.5, 0.0, 0.0}, 2.0)};
   expect_passed(passage(e, 100), 44.0);  // measured 42.6 s and 1.50 m
   e.tracks = {encounters::track(1, {20.0, 10.0, 0.0}, {0.0, -0.5, 0.0}, 2.0)};
@@ -131,7 +131,7 @@ TEST(WallFollowingCorrected, PassesWhatMoves) {
 }
 
 TEST(WallFollowingCorrected, GoesFasterThanTheMissionWantsToGetOutOfTheWay) {
-  Encounter e = northbound();
+  OwnedSituation e = northbound();
   e.tracks = {encounters::track(1, {-8.0, 0.0, 0.0}, {1.4, 0.0, 0.0}, 2.0)};
   const Passage p = passage(e, 100);
   expect_passed(p, 46.0);  // measured 43.8 s and 1.28 m
@@ -139,7 +139,7 @@ TEST(WallFollowingCorrected, GoesFasterThanTheMissionWantsToGetOutOfTheWay) {
 }
 
 TEST(WallFollowingCorrected, BacksOffFromWhatItCannotOutrunAndSaysSo) {
-  Encounter e = northbound();
+  OwnedSituation e = northbound();
   e.tracks = {encounters::track(1, {-4.0, 0.0, 0.0}, {3.0, 0.0, 0.0}, 2.0)};
   const Command command = follower().decide(e);
   EXPECT_EQ(command.mode, Mode::infeasible);
@@ -166,7 +166,7 @@ TEST(WallFollowingCorrected, NeverCommandsIntoWhatIsWithinTheStandoff) {
   int within = 0;
   for (std::uint64_t i = 0; i < 2000; ++i) {
     Rng rng = Rng{1}.stream("field", i);
-    Encounter e = northbound();
+    OwnedSituation e = northbound();
     const double bearing = rng.uniform(-pi, pi);
     e.situation.goal.position = {40 * std::cos(bearing), 40 * std::sin(bearing), 0.0};
     const double other = rng.uniform(-pi, pi);
@@ -183,7 +183,7 @@ TEST(WallFollowingCorrected, NeverCommandsIntoWhatIsWithinTheStandoff) {
 
 TEST(WallFollowingCorrected, TheHeadingOfTheFrameDoesNotMatter) {
   for (std::uint64_t i = 0; i < 300; ++i) {
-    Encounter e = encounters::crowd(static_cast<int>(i % 12), Rng{2}.stream("crowd", i));
+    OwnedSituation e = encounters::crowd(static_cast<int>(i % 12), Rng{2}.stream("crowd", i));
     for (Track& t : e.tracks) t.position.z() = e.situation.own.position.z();
     const Vec3 expected = follower().decide(e.sorted()).velocity;
     const Vec3 turned = follower().decide(encounters::turned(e, 0.7)).velocity;
@@ -192,7 +192,7 @@ TEST(WallFollowingCorrected, TheHeadingOfTheFrameDoesNotMatter) {
 }
 
 TEST(WallFollowingCorrected, AllocatesNothing) {
-  Encounter e = northbound();
+  OwnedSituation e = northbound();
   e.obstacles = {sphere(6.0, 0.5, 2.0), wall({4.0, -3.0, 0.0}, {4.0, 3.0, 0.0})};
   Avoider avoider = follower();
   const long before = allocation_count();

@@ -9,7 +9,7 @@
 namespace fairway {
 namespace {
 
-using encounters::Encounter;
+using encounters::OwnedSituation;
 using transport::Course;
 
 Avoider with(WallFollowing::Params params = {}) { return Avoider{WallFollowing{params}}; }
@@ -34,7 +34,7 @@ WallFollowing::Params among_four() {
 }
 
 TEST(WallFollowingPrinted, PidActsOnVelocityErrorsInBodyAxes) {
-  Encounter e = encounters::open_water(0.0);
+  OwnedSituation e = encounters::open_water(0.0);
   e.situation.goal.position = {10.0, 20.0, 50.0};
   e.situation.own.yaw = pi / 2;
   const Command command = with({.heading_rad = pi}).decide(e);
@@ -46,7 +46,7 @@ TEST(WallFollowingPrinted, PidActsOnVelocityErrorsInBodyAxes) {
 
 TEST(WallFollowingPrinted, DerivativeOfTheWishIsThatOfTheClosedForm) {
   // making 1 m/s north and turning: the wish in body axes falls with the distance and turns the other way
-  Encounter e = encounters::open_water(1.0);
+  OwnedSituation e = encounters::open_water(1.0);
   e.situation.goal.position = {10.0, 0.0, 50.0};
   e.situation.own.yaw_rate = 0.2;
   const Wrench tau = *with().decide(e).wrench;
@@ -57,7 +57,7 @@ TEST(WallFollowingPrinted, DerivativeOfTheWishIsThatOfTheClosedForm) {
 
 TEST(WallFollowingPrinted, AccelerationIsTheDifferenceFromTheCallBefore) {
   Avoider avoider = with();
-  Encounter e = encounters::open_water(1.0);
+  OwnedSituation e = encounters::open_water(1.0);
   e.situation.goal.position = {10.0, 0.0, 50.0};
   (void)avoider.decide(e);
   e.situation.time = 0.5;
@@ -79,7 +79,7 @@ TEST(WallFollowingPrinted, StopsFollowingWhenTheGoalIsOnOwnSideOfTheCentre) {
 }
 
 TEST(WallFollowingPrinted, FollowedVelocityLeadsAlongTheWallAtCruiseSpeed) {
-  Encounter e = encounters::open_water(1.0);
+  OwnedSituation e = encounters::open_water(1.0);
   e.obstacles = {{.kind = Obstacle::Kind::sphere, .position = {8.0, -1.0, 50.0}, .radius = 2.0}};
   const Command command = with().decide(e);
   EXPECT_EQ(command.mode, Mode::avoid);

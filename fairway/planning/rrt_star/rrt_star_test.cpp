@@ -17,11 +17,11 @@
 namespace fairway {
 namespace {
 
-using encounters::Encounter;
+using encounters::OwnedSituation;
 
 /// The transport system at the start of the four-obstacle case.
-Encounter four_obstacle_encounter() {
-  Encounter e;
+OwnedSituation four_obstacle_encounter() {
+  OwnedSituation e;
   e.situation = {.time = 5.0,
                  .period = 0.1,
                  .own = {.position = {0, 0, 7}, .radius = 3.2},
@@ -38,7 +38,7 @@ Avoider avoider(const ParamValues& params = {}, std::uint64_t seed = 1) {
 }
 
 TEST(RrtStar, TakesAVelocityDrivenVehicleToTheGoalClearOfObstacles) {
-  Encounter e = four_obstacle_encounter();
+  OwnedSituation e = four_obstacle_encounter();
   Avoider helm = avoider();
   const PlanarMap map = four_obstacles::map();
   double closest = 1e9;
@@ -60,7 +60,7 @@ TEST(RrtStar, TakesAVelocityDrivenVehicleToTheGoalClearOfObstacles) {
 
 TEST(RrtStar, TakesAForceDrivenVehicleAlongItsTrajectory) {
   const OnboardModel model = transport_model();
-  Encounter e = four_obstacle_encounter();
+  OwnedSituation e = four_obstacle_encounter();
   e.situation.period = 0.02;
   e.situation.time = 0.0;
   e.situation.model = &model;
@@ -88,7 +88,7 @@ TEST(RrtStar, TakesAForceDrivenVehicleAlongItsTrajectory) {
 
 TEST(RrtStar, TheSameSituationsAndSeedGiveTheSameBits) {
   const auto run = [](const ParamValues& params) {
-    Encounter e = four_obstacle_encounter();
+    OwnedSituation e = four_obstacle_encounter();
     Avoider helm = avoider(params, 9);
     std::vector<Command> commands;
     for (int i = 0; i < 50; ++i) {
@@ -110,24 +110,24 @@ TEST(RrtStar, TheSameSituationsAndSeedGiveTheSameBits) {
 }
 
 TEST(RrtStar, ACopyReplays) {
-  Encounter e = four_obstacle_encounter();
+  OwnedSituation e = four_obstacle_encounter();
   Avoider helm = avoider();
   Avoider before = helm;
   for (int i = 0; i < 20; ++i) carry_out(e, helm.decide(e));
   Avoider after = helm;
-  Encounter again = e;
+  OwnedSituation again = e;
   for (int i = 0; i < 20; ++i) {
     const Command command = helm.decide(e);
     EXPECT_EQ(after.decide(again), command);
     carry_out(e, command);
     carry_out(again, command);
   }
-  Encounter fresh = four_obstacle_encounter();
+  OwnedSituation fresh = four_obstacle_encounter();
   EXPECT_EQ(before.decide(fresh), avoider().decide(fresh));
 }
 
 TEST(RrtStar, InOpenWaterItGoesStraightAndCruises) {
-  Encounter e = four_obstacle_encounter();
+  OwnedSituation e = four_obstacle_encounter();
   e.obstacles.clear();
   Avoider helm = avoider();
   for (int i = 0; i < 100; ++i) {
@@ -139,7 +139,7 @@ TEST(RrtStar, InOpenWaterItGoesStraightAndCruises) {
 }
 
 TEST(RrtStar, WhatIsNotChartedIsNotSeen) {
-  Encounter charted = four_obstacle_encounter(), uncharted = charted, open = charted;
+  OwnedSituation charted = four_obstacle_encounter(), uncharted = charted, open = charted;
   for (Obstacle& obstacle : uncharted.obstacles) obstacle.charted = false;
   open.obstacles.clear();
   charted.situation.time = uncharted.situation.time = open.situation.time = 5.0;
@@ -149,14 +149,14 @@ TEST(RrtStar, WhatIsNotChartedIsNotSeen) {
     with = seeing.decide(charted);
     without = blind.decide(uncharted);
     none = free.decide(open);
-    for (Encounter* e : {&charted, &uncharted, &open}) e->situation.time += 0.1;
+    for (OwnedSituation* e : {&charted, &uncharted, &open}) e->situation.time += 0.1;
   }
   EXPECT_EQ(without, none);
   EXPECT_NE(with.velocity, none.velocity);
 }
 
 TEST(RrtStar, AnotherGoalIsAnotherPlan) {
-  Encounter e = four_obstacle_encounter();
+  OwnedSituation e = four_obstacle_encounter();
   const RrtStar algorithm{{}};
   RrtStar::Memory memory;
   Rng rng{3};
@@ -174,7 +174,7 @@ TEST(RrtStar, AnotherGoalIsAnotherPlan) {
 }
 
 TEST(RrtStar, WithoutAPlanItStaysAndSaysWhy) {
-  Encounter start = four_obstacle_encounter(), goal = start, walled = start;
+  OwnedSituation start = four_obstacle_encounter(), goal = start, walled = start;
   start.situation.own.position = {10, 15, 7};
   goal.situation.goal.position = {10, 33, 7};
   const Vec3 a{18, 31, 0}, b{26, 31, 0}, c{26, 39, 0}, d{18, 39, 0};
@@ -190,7 +190,7 @@ TEST(RrtStar, WithoutAPlanItStaysAndSaysWhy) {
 }
 
 TEST(RrtStar, AFailureIsRememberedUntilTheSituationChanges) {
-  Encounter e = four_obstacle_encounter();
+  OwnedSituation e = four_obstacle_encounter();
   e.situation.goal.position = {10, 33, 7};
   const RrtStar algorithm{{}};
   RrtStar::Memory memory;
@@ -210,7 +210,7 @@ TEST(RrtStar, AFailureIsRememberedUntilTheSituationChanges) {
 }
 
 TEST(RrtStar, DrawsTheTreeThePathAndTheTrajectoryAtItsDepth) {
-  Encounter e = four_obstacle_encounter();
+  OwnedSituation e = four_obstacle_encounter();
   Drawing drawing;
   (void)avoider().decide(e, &drawing);
   const auto strokes = drawing.strokes();
@@ -226,7 +226,7 @@ TEST(RrtStar, DrawsTheTreeThePathAndTheTrajectoryAtItsDepth) {
 }
 
 TEST(RrtStar, DrawsTheSameUntilThereIsAnotherPlan) {
-  Encounter e = four_obstacle_encounter();
+  OwnedSituation e = four_obstacle_encounter();
   Avoider helm = avoider();
   Drawing first, later;
   carry_out(e, helm.decide(e, &first));
@@ -239,14 +239,14 @@ TEST(RrtStar, ReadsWaypointsFromFlatParameters) {
   const ParamValues params{{"segment_time_s", 28.0},    {"waypoints", 2.0},
                            {"waypoints[0].n_m", 0.0},   {"waypoints[0].e_m", 10.0},
                            {"waypoints[1].n_m", -10.0}, {"waypoints[1].e_m", 10.0}};
-  Encounter e = four_obstacle_encounter();
+  OwnedSituation e = four_obstacle_encounter();
   Drawing drawing;
   (void)avoider(params).decide(e, &drawing);
   EXPECT_EQ(drawing.strokes()[0].points, (std::vector<Vec3>{{0, 0, 7}, {0, 10, 7}, {-10, 10, 7}}));
 }
 
 TEST(RrtStar, WhoMayNotMoveDoesNot) {
-  Encounter e = four_obstacle_encounter();
+  OwnedSituation e = four_obstacle_encounter();
   e.situation.limits.max_speed = 0.0;
   EXPECT_EQ(avoider().decide(e).velocity, Vec3(0, 0, 0));
 }

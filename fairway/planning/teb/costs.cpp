@@ -29,7 +29,7 @@ void penalise(Output& out, int row, double weight, const Excess& over, const Slo
 
 }  // namespace
 
-Motion motion_between(const double* x) {
+Twist motion_between(const double* x) {
   constexpr double steepness = 100.0;
   constexpr double tiny = 1e-12;
   const Vec2 way{x[4] - x[0], x[5] - x[1]};
@@ -41,7 +41,7 @@ Motion motion_between(const double* x) {
   const double sign = steepness * ahead / softened;
   const double sign_slope = steepness / (softened * softened);
 
-  Motion m;
+  Twist m;
   m.speed = length * sign / time;
   const Vec2 along = length > tiny ? Vec2{way / length} : Vec2{Vec2::Zero()};
   const Vec2 by_position = (sign * along + length * sign_slope * Vec2{c, s}) / time;
@@ -59,7 +59,7 @@ Excess excess(double value, double lo, double hi, double margin) {
 }
 
 void VelocityCost::operator()(const double* x, Output& out) const {
-  const Motion m = motion_between(x);
+  const Twist m = motion_between(x);
   const double margin = params.penalty_epsilon_ratio;
   penalise(out, 0, params.weight_max_vel_x_ratio,
            excess(m.speed, -params.max_vel_x_backwards_mps, params.max_vel_x_mps, margin), m.speed_slope);
@@ -69,7 +69,7 @@ void VelocityCost::operator()(const double* x, Output& out) const {
 }
 
 void AccelerationCost::operator()(const double* x, Output& out) const {
-  const Motion before = motion_between(x), after = motion_between(x + 4);
+  const Twist before = motion_between(x), after = motion_between(x + 4);
   const double time = 0.5 * (x[3] + x[7]);
   const double margin = params.penalty_epsilon_ratio;
   using Slope = Eigen::Matrix<double, 1, 11>;
@@ -95,7 +95,7 @@ void AccelerationCost::operator()(const double* x, Output& out) const {
 }
 
 void EndAccelerationCost::operator()(const double* x, Output& out) const {
-  const Motion m = motion_between(x);
+  const Twist m = motion_between(x);
   const double time = x[3];
   const double margin = params.penalty_epsilon_ratio;
   const double direction = at_end ? -1.0 : 1.0;

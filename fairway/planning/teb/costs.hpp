@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "fairway/planning/teb/barrier.hpp"
+#include "fairway/planning/teb/band_obstacle.hpp"
 #include "fairway/planning/teb/teb_params.hpp"
 
 namespace fairway::teb {
@@ -21,12 +21,12 @@ struct Residual {
 /// and the time between, of which the window (x1, y1, heading1, time, x2, y2, heading2) consists. The sign of
 /// the velocity is that of the way along the first heading, smoothed: |way| / time * sigmoid(100 way .
 /// heading1), sigmoid(a) = a / (1 + |a|).
-struct Motion {
+struct Twist {
   double speed{};     ///< [m/s]
   double yaw_rate{};  ///< [rad/s]
   Eigen::Matrix<double, 1, 7> speed_slope, yaw_rate_slope;
 };
-Motion motion_between(const double* x);
+Twist motion_between(const double* x);
 
 /// How far `value` is outside [lo + margin, hi - margin], positive, and the sign of its derivative.
 struct Excess {
@@ -81,7 +81,7 @@ struct TimeCost {
 struct BarrierCost {
   using Output = Residual<2, 2>;
   const TebParams& params;
-  const Barrier& barrier;
+  const BandObstacle& barrier;
   double time{};    ///< of the pose from now, for what moves [s]
   double weight{};  ///< of the least distance
   void operator()(const double* x, Output& out) const;

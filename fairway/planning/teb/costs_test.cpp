@@ -67,25 +67,26 @@ TEST(Costs, SlopesAreThoseOfTheValues) {
   EXPECT_GT(check_slopes(KinematicsCost{params}, 5), 1000);
   EXPECT_EQ(check_slopes(TimeCost{params}, 6), 400);
 
-  const Barrier still{Obstacle{.kind = Obstacle::Kind::sphere, .position = {0.5, 0.2, 3}, .radius = 0.1},
-                      0.2};
-  const Barrier wall{Obstacle{.kind = Obstacle::Kind::segment, .from = {-1, 0.4, 0}, .to = {0.1, 0.4, 0}},
-                     0.2};
+  const BandObstacle still{Obstacle{.kind = Obstacle::Kind::sphere, .position = {0.5, 0.2, 3}, .radius = 0.1},
+                           0.2};
+  const BandObstacle wall{
+      Obstacle{.kind = Obstacle::Kind::segment, .from = {-1, 0.4, 0}, .to = {0.1, 0.4, 0}}, 0.2};
   const std::vector<Vec3> corners{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
-  const Barrier solid{Obstacle{.kind = Obstacle::Kind::polygon, .vertices = corners}, 0.2};
-  const Barrier moving{Track{.position = {-1, 0, 0}, .velocity = {0.5, 0.1, 0}, .radius = 0.1}, 0.2, true};
-  for (const Barrier& barrier : {still, wall, solid, moving}) {
+  const BandObstacle solid{Obstacle{.kind = Obstacle::Kind::polygon, .vertices = corners}, 0.2};
+  const BandObstacle moving{Track{.position = {-1, 0, 0}, .velocity = {0.5, 0.1, 0}, .radius = 0.1}, 0.2,
+                            true};
+  for (const BandObstacle& barrier : {still, wall, solid, moving}) {
     EXPECT_GT(check_slopes(BarrierCost{params, barrier, 1.7, 50.0}, 7), 300);
   }
 }
 
 TEST(Costs, MotionIsWayAndTurnOverTime) {
   const Window x{0, 0, 0, 0.5, 0.2, 0, 0.1};
-  const Motion ahead = motion_between(x.data());
+  const Twist ahead = motion_between(x.data());
   EXPECT_NEAR(ahead.speed, 0.4 * 20.0 / 21.0, 1e-12);  // smoothed sign: 100 * 0.2 / (1 + 100 * 0.2)
   EXPECT_NEAR(ahead.yaw_rate, 0.2, 1e-12);
   const Window back{0, 0, pi, 0.5, 0.2, 0, -pi + 0.1};
-  const Motion astern = motion_between(back.data());
+  const Twist astern = motion_between(back.data());
   EXPECT_NEAR(astern.speed, -0.4 * 20.0 / 21.0, 1e-12);
   EXPECT_NEAR(astern.yaw_rate, 0.2, 1e-12) << "the short way round";
 }
@@ -120,8 +121,8 @@ TEST(Costs, AnArcCostsNothingToTurnAlong) {
 
 TEST(Costs, ABarrierCostsBelowTheLeastDistanceAndALittleBelowTheInflation) {
   // least distance 0.5 and margin 0.1, inflation 0.6: 0.45 between the surfaces
-  const Barrier barrier{Obstacle{.kind = Obstacle::Kind::sphere, .position = {1.5, 0, 0}, .radius = 0.3},
-                        0.75};
+  const BandObstacle barrier{Obstacle{.kind = Obstacle::Kind::sphere, .position = {1.5, 0, 0}, .radius = 0.3},
+                             0.75};
   const std::array<double, 2> x{0.0, 0.0};
   BarrierCost::Output out;
   BarrierCost{params, barrier, 0.0, 50.0}(x.data(), out);
@@ -133,7 +134,7 @@ TEST(Costs, ABarrierCostsBelowTheLeastDistanceAndALittleBelowTheInflation) {
 }
 
 TEST(Costs, AtTheCentreOfADiscThereIsNoWayOut) {
-  const Barrier barrier{Obstacle{.kind = Obstacle::Kind::sphere, .radius = 0.3}, 0.75};
+  const BandObstacle barrier{Obstacle{.kind = Obstacle::Kind::sphere, .radius = 0.3}, 0.75};
   const std::array<double, 2> x{0.0, 0.0};
   BarrierCost::Output out;
   BarrierCost{params, barrier, 0.0, 50.0}(x.data(), out);

@@ -11,8 +11,8 @@ namespace fairway::teb {
 namespace {
 
 /// Adds the turns of one straight piece.
-void add_turns(std::span<const Barrier> barriers, const Vec2& from, const Vec2& to, double begin, double end,
-               Signature& turns) {
+void add_turns(std::span<const BandObstacle> barriers, const Vec2& from, const Vec2& to, double begin,
+               double end, Signature& turns) {
   for (std::size_t i = 0; i < barriers.size(); ++i) {
     const Vec2 a = from - barriers[i].centre(begin);
     const Vec2 b = to - barriers[i].centre(end);
@@ -27,9 +27,9 @@ bool differ_by_a_turn(const Signature& a, const Signature& b) {
   return false;
 }
 
-PlanarMap map_of(const TebParams& params, std::span<const Barrier> barriers) {
+PlanarMap map_of(const TebParams& params, std::span<const BandObstacle> barriers) {
   std::vector<Obstacle> shapes;
-  for (const Barrier& barrier : barriers) shapes.push_back(barrier.shape());
+  for (const BandObstacle& barrier : barriers) shapes.push_back(barrier.shape());
   return {shapes, params.min_obstacle_dist_m};
 }
 
@@ -37,7 +37,7 @@ PlanarMap map_of(const TebParams& params, std::span<const Barrier> barriers) {
 /// classes.
 class Roadmap {
  public:
-  Roadmap(const TebParams& params, std::span<const Barrier> barriers, const Vec2& start, const Vec2& end,
+  Roadmap(const TebParams& params, std::span<const BandObstacle> barriers, const Vec2& start, const Vec2& end,
           Rng& rng)
       : params_{params}, barriers_{barriers}, map_{map_of(params, barriers)}, points_{start} {
     const Vec2 ahead = (end - start).normalized();
@@ -109,7 +109,7 @@ class Roadmap {
   }
 
   const TebParams& params_;
-  std::span<const Barrier> barriers_;
+  std::span<const BandObstacle> barriers_;
   PlanarMap map_;
   std::vector<Vec2> points_;                     ///< the start first, the end last
   std::vector<std::vector<std::size_t>> edges_;  ///< of each point, where they lead
@@ -120,14 +120,14 @@ class Roadmap {
 
 }  // namespace
 
-Signature signature_of(std::span<const Barrier> barriers, const Vec2& from, const Vec2& to, double begin,
+Signature signature_of(std::span<const BandObstacle> barriers, const Vec2& from, const Vec2& to, double begin,
                        double end) {
   Signature turns(barriers.size(), 0.0);
   add_turns(barriers, from, to, begin, end, turns);
   return turns;
 }
 
-Signature signature_of(std::span<const Barrier> barriers, const Band& band) {
+Signature signature_of(std::span<const BandObstacle> barriers, const Band& band) {
   Signature turns(barriers.size(), 0.0);
   double time = 0.0;
   for (std::size_t i = 0; i + 1 < band.size(); ++i) {
@@ -152,8 +152,9 @@ bool is_among(const TebParams& params, const Signature& turns, std::span<const S
                              [&](const Signature& other) { return are_alike(params, turns, other); });
 }
 
-std::vector<std::vector<Vec2>> ways_of_new_classes(const TebParams& params, std::span<const Barrier> barriers,
-                                                   const Vec2& start, const Vec2& end, std::size_t most,
+std::vector<std::vector<Vec2>> ways_of_new_classes(const TebParams& params,
+                                                   std::span<const BandObstacle> barriers, const Vec2& start,
+                                                   const Vec2& end, std::size_t most,
                                                    std::vector<Signature>& known, Rng& rng) {
   return Roadmap{params, barriers, start, end, rng}.search(most, known);
 }

@@ -6,7 +6,7 @@
 
 #include "fairway/core/rng.hpp"
 #include "fairway/planning/teb/band.hpp"
-#include "fairway/planning/teb/barrier.hpp"
+#include "fairway/planning/teb/band_obstacle.hpp"
 
 namespace fairway::teb {
 
@@ -18,11 +18,11 @@ namespace fairway::teb {
 using Signature = std::vector<double>;
 
 /// From `from` to `to`, in a straight line that begins and ends at those times [s]. O(barriers).
-Signature signature_of(std::span<const Barrier> barriers, const Vec2& from, const Vec2& to, double begin,
+Signature signature_of(std::span<const BandObstacle> barriers, const Vec2& from, const Vec2& to, double begin,
                        double end);
 
 /// O(poses x barriers).
-Signature signature_of(std::span<const Barrier> barriers, const Band& band);
+Signature signature_of(std::span<const BandObstacle> barriers, const Band& band);
 
 /// Whether two ways with the same ends are of one class. Where nothing moves: none of their turns differ by a
 /// half or more, since they differ by whole ones. Otherwise the ends differ in time, and the signs of the
@@ -37,8 +37,9 @@ bool is_among(const TebParams& params, const Signature& turns, std::span<const S
 /// et al. 2013, section III-B, there a Voronoi diagram; 2017, section 4.2). Edges lead towards the end and
 /// keep min_obstacle_dist_m from all surfaces, not counting own radius. The signatures found are appended to
 /// `known`.
-std::vector<std::vector<Vec2>> ways_of_new_classes(const TebParams& params, std::span<const Barrier> barriers,
-                                                   const Vec2& start, const Vec2& end, std::size_t most,
+std::vector<std::vector<Vec2>> ways_of_new_classes(const TebParams& params,
+                                                   std::span<const BandObstacle> barriers, const Vec2& start,
+                                                   const Vec2& end, std::size_t most,
                                                    std::vector<Signature>& known, Rng& rng);
 
 }  // namespace fairway::teb

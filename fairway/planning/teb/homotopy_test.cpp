@@ -22,7 +22,7 @@ Band along(const TebParams& params, const std::vector<Vec2>& path) {
 
 TEST(Homotopy, WaysOnOneSideAreAlikeAndOnTwoAreNot) {
   const TebParams params;
-  const std::vector<Barrier> barriers{{disc(3, 0), 0.75}, {disc(6, 1), 0.75}};
+  const std::vector<BandObstacle> barriers{{disc(3, 0), 0.75}, {disc(6, 1), 0.75}};
   const auto turns = [&](double at_first, double at_second) {
     return signature_of(barriers, along(params, {{0, 0}, {3, at_first}, {6, at_second}, {9, 0}}));
   };
@@ -35,7 +35,7 @@ TEST(Homotopy, WaysOnOneSideAreAlikeAndOnTwoAreNot) {
 
 TEST(Homotopy, AWayAllRoundABarrierIsOfAnotherClass) {
   const TebParams params;
-  const std::vector<Barrier> barriers{{disc(3, 0), 0.75}};
+  const std::vector<BandObstacle> barriers{{disc(3, 0), 0.75}};
   const Signature past = signature_of(barriers, along(params, {{0, 0}, {3, 2}, {6, 0}}));
   const Signature round =
       signature_of(barriers, along(params, {{0, 0}, {3, 2}, {5, 0}, {3, -2}, {1, 0}, {3, 2}, {6, 0}}));
@@ -46,7 +46,7 @@ TEST(Homotopy, AWayAllRoundABarrierIsOfAnotherClass) {
 TEST(Homotopy, ManyBarriersDoNotHideOne) {
   // the original's sum of 1 / products of distances vanishes with so many
   const TebParams params;
-  std::vector<Barrier> barriers;
+  std::vector<BandObstacle> barriers;
   for (int i = 0; i < 100; ++i) barriers.emplace_back(disc(3.0 + 0.1 * i, 20.0), 0.75);
   barriers.emplace_back(disc(3, 0), 0.75);
   const Signature port = signature_of(barriers, along(params, {{0, 0}, {3, -2}, {6, 0}}));
@@ -59,7 +59,7 @@ TEST(Homotopy, PassingAheadOfAMoverIsNotPassingAsternOfIt) {
   const TebParams params = dynamic_params();
   const auto past = [&](double crosses_after) {
     const Track track{.position = {3, -0.5 * crosses_after, 0}, .velocity = {0, 0.5, 0}, .radius = 0.75};
-    const std::vector<Barrier> barriers{{track, 0.75, true}};
+    const std::vector<BandObstacle> barriers{{track, 0.75, true}};
     return signature_of(barriers, along(params, {{0, 0}, {6, 0}}));
   };
   EXPECT_TRUE(are_alike(params, past(10), past(12)));
@@ -75,7 +75,7 @@ TEST(Homotopy, TurnsAboutAMoverBelowTheThresholdAreNoSide) {
 
 TEST(Homotopy, TheRoadmapFindsBothSidesOfADisc) {
   const TebParams params;
-  const std::vector<Barrier> barriers{{disc(1.5, 0), 0.75}};
+  const std::vector<BandObstacle> barriers{{disc(1.5, 0), 0.75}};
   int both = 0;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     Rng rng{seed};
@@ -95,7 +95,7 @@ TEST(Homotopy, TheRoadmapFindsBothSidesOfADisc) {
 
 TEST(Homotopy, TheRoadmapLeavesOutClassesThatAreKnownAndKeepsToTheirNumber) {
   const TebParams params;
-  const std::vector<Barrier> barriers{{disc(1.5, 0), 0.75}};
+  const std::vector<BandObstacle> barriers{{disc(1.5, 0), 0.75}};
   std::vector<Signature> known{signature_of(barriers, along(params, {{0, 0}, {1.5, 2}, {3, 0}}))};
   Rng rng{3};
   const auto ways = ways_of_new_classes(params, barriers, {0, 0}, {3, 0}, 5, known, rng);
@@ -110,8 +110,8 @@ TEST(Homotopy, TheRoadmapLeavesOutClassesThatAreKnownAndKeepsToTheirNumber) {
 
 TEST(Homotopy, WithoutAWayThereIsNoClass) {
   const TebParams params;
-  const std::vector<Barrier> around_the_end{{disc(3, 0, 1.0), 0.75}};
-  const std::vector<Barrier> wall{
+  const std::vector<BandObstacle> around_the_end{{disc(3, 0, 1.0), 0.75}};
+  const std::vector<BandObstacle> wall{
       {Obstacle{.kind = Obstacle::Kind::segment, .from = {1.5, -9, 0}, .to = {1.5, 9, 0}}, 0.75}};
   for (const auto& barriers : {around_the_end, wall}) {
     Rng rng{3};

@@ -9,8 +9,8 @@ namespace fairway::teb {
 namespace {
 
 /// The barriers that stand still and count for one pose.
-void associate_still(std::span<const Barrier> barriers, const Pose& pose, std::size_t knot, double weight,
-                     Problem& problem) {
+void associate_still(std::span<const BandObstacle> barriers, const Pose& pose, std::size_t knot,
+                     double weight, Problem& problem) {
   const TebParams& params = problem.params;
   const double included =
       params.obstacle_association_force_inclusion_factor_ratio * params.min_obstacle_dist_m;
@@ -18,11 +18,11 @@ void associate_still(std::span<const Barrier> barriers, const Pose& pose, std::s
   const Vec2 ahead{std::cos(pose.heading), std::sin(pose.heading)};
 
   struct Nearest {
-    const Barrier* barrier{};
+    const BandObstacle* barrier{};
     double distance = std::numeric_limits<double>::infinity();
   };
   std::array<Nearest, 2> sides;
-  for (const Barrier& barrier : barriers) {
+  for (const BandObstacle& barrier : barriers) {
     if (barrier.moves()) continue;
     const double distance = barrier.from(pose.position).distance;
     if (distance < included) {
@@ -40,14 +40,14 @@ void associate_still(std::span<const Barrier> barriers, const Pose& pose, std::s
 
 }  // namespace
 
-void associate(std::span<const Barrier> barriers, const Band& band, double obstacle_weight,
+void associate(std::span<const BandObstacle> barriers, const Band& band, double obstacle_weight,
                Problem& problem) {
   problem.close.clear();
   double time = 0.0;
   for (std::size_t i = 1; i + 1 < band.size(); ++i) {
     time += band.time(i - 1);
     associate_still(barriers, band.pose(i), i, obstacle_weight, problem);
-    for (const Barrier& barrier : barriers) {
+    for (const BandObstacle& barrier : barriers) {
       if (!barrier.moves()) continue;
       problem.close.push_back({i, &barrier, time, problem.params.weight_dynamic_obstacle_ratio});
     }
@@ -69,7 +69,7 @@ Cost cost_of(const Problem& problem, const Band& band) {
   return cost;
 }
 
-Cost optimise(const TebParams& params, std::span<const Barrier> barriers, double speed, double yaw_rate,
+Cost optimise(const TebParams& params, std::span<const BandObstacle> barriers, double speed, double yaw_rate,
               Band& band) {
   Problem problem{.params = params, .speed = speed, .yaw_rate = yaw_rate, .close = {}};
   double weight = params.weight_obstacle_ratio;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "fairway/planning/teb/band.hpp"
-#include "fairway/planning/teb/barrier.hpp"
+#include "fairway/planning/teb/band_obstacle.hpp"
 #include "fairway/planning/teb/costs.hpp"
 
 namespace fairway::teb {
@@ -13,7 +13,7 @@ namespace fairway::teb {
 /// A pose to which a barrier matters.
 struct Closeness {
   std::size_t knot{};
-  const Barrier* barrier{};
+  const BandObstacle* barrier{};
   double time{};    ///< of the pose from now; fixed while the band is optimised, and 0 for what stands still
   double weight{};  ///< of the least distance
 };
@@ -29,7 +29,8 @@ struct Problem {
 /// The barriers that count for each pose but the first and the last: all within force_inclusion_factor times
 /// the least distance and the nearest to port and to starboard within cutoff_factor times it; what moves
 /// counts for every pose. O(poses x barriers).
-void associate(std::span<const Barrier> barriers, const Band& band, double obstacle_weight, Problem& problem);
+void associate(std::span<const BandObstacle> barriers, const Band& band, double obstacle_weight,
+               Problem& problem);
 
 /// Calls `visit(variable, cost)` for every cost that is not about barriers; `variable` is the first of its
 /// window.
@@ -69,7 +70,7 @@ void improve(const Problem& problem, int iterations, Band& band);
 
 /// The cycle of a decision: adapts the number of poses, associates the barriers, improves, again with
 /// weight_adapt_factor times the weight of barriers. The cost is of the last of these problems.
-Cost optimise(const TebParams& params, std::span<const Barrier> barriers, double speed, double yaw_rate,
+Cost optimise(const TebParams& params, std::span<const BandObstacle> barriers, double speed, double yaw_rate,
               Band& band);
 
 /// True if every number is finite and the first time positive: the original asks for no more.

@@ -16,22 +16,23 @@ Band straight(const TebParams& params, double length) {
   return band_along(params, path, {{0, 0}, 0.0}, {{length, 0}, 0.0});
 }
 
-std::vector<Barrier> barriers_of(std::initializer_list<Obstacle> obstacles) {
-  std::vector<Barrier> barriers;
+std::vector<BandObstacle> barriers_of(std::initializer_list<Obstacle> obstacles) {
+  std::vector<BandObstacle> barriers;
   for (const Obstacle& obstacle : obstacles) barriers.emplace_back(obstacle, 0.75);
   return barriers;
 }
 
-double clearance(std::span<const Barrier> barriers, const Band& band) {
+double clearance(std::span<const BandObstacle> barriers, const Band& band) {
   double least = 1e9;
   for (std::size_t i = 0; i < band.size(); ++i) {
-    for (const Barrier& barrier : barriers) least = std::fmin(least, barrier.from(band.position(i)).distance);
+    for (const BandObstacle& barrier : barriers)
+      least = std::fmin(least, barrier.from(band.position(i)).distance);
   }
   return least;
 }
 
 /// As in closed loop: again and again from the same start.
-Cost settled(const TebParams& params, std::span<const Barrier> barriers, Band& band) {
+Cost settled(const TebParams& params, std::span<const BandObstacle> barriers, Band& band) {
   Cost cost;
   for (int i = 0; i < 10; ++i) cost = optimise(params, barriers, 0.0, 0.0, band);
   return cost;
@@ -40,10 +41,10 @@ Cost settled(const TebParams& params, std::span<const Barrier> barriers, Band& b
 /// Every number that a limit is about, along a band from rest to rest.
 void expect_within_limits(const TebParams& params, const Band& band) {
   const double margin = params.penalty_epsilon_ratio;
-  Motion before{};
+  Twist before{};
   for (std::size_t i = 0; i + 1 < band.size(); ++i) {
     ASSERT_GT(band.time(i), 0.0);
-    const Motion m = motion_between(band.knots[i].data());
+    const Twist m = motion_between(band.knots[i].data());
     EXPECT_LE(m.speed, params.max_vel_x_mps + margin);
     EXPECT_GE(m.speed, -params.max_vel_x_backwards_mps - margin);
     EXPECT_LE(std::abs(m.yaw_rate), params.max_vel_theta_radps + margin);
@@ -145,7 +146,7 @@ TEST(Optimise, TheRobustVariantKeepsEveryTimePositiveEvenAgainstAWall) {
   TebParams params;
   params.robust = true;
   params.max_vel_x_mps = 1.5;
-  std::vector<Barrier> barriers;
+  std::vector<BandObstacle> barriers;
   for (const Obstacle& buoy : courses::u_wall().buoys) barriers.emplace_back(buoy, 0.75);
   for (const double length : {3.0, 5.0, 6.0, 7.0, 9.0}) {
     Band band = straight(params, length);
@@ -178,7 +179,7 @@ TEST(Optimise, WhatMovesCountsForEveryPoseWhereItWillBeThen) {
   TebParams params;
   params.include_dynamic_obstacles = true;
   const Band band = straight(params, 3.0);
-  const std::vector<Barrier> barriers{
+  const std::vector<BandObstacle> barriers{
       {Track{.position = {50, 0, 0}, .velocity = {-1, 0, 0}, .radius = 0.75}, 0.75, true}};
   Problem problem{.params = params, .speed = 0.0, .yaw_rate = 0.0, .close = {}};
   associate(barriers, band, 50.0, problem);

@@ -16,7 +16,7 @@ namespace fairway {
 namespace {
 
 using teb::Band;
-using teb::Barrier;
+using teb::BandObstacle;
 using teb::Pose;
 using teb::Signature;
 
@@ -29,7 +29,7 @@ struct Planned {
 /// What one decision is about.
 struct Task {
   const TebParams& params;
-  std::vector<Barrier> barriers;
+  std::vector<BandObstacle> barriers;
   Pose start;
   Pose end;               ///< where the way ahead leaves the lookahead, or the goal
   std::vector<Vec2> way;  ///< from the start to the end
@@ -76,7 +76,7 @@ Task task_of(const TebParams& params, const Situation& s, std::span<const Vec2> 
   const Vec2 own = seen_from_above(s.own.position);
   teb::WayAhead ahead = teb::ahead_on(way, own, params.max_global_plan_lookahead_dist_m);
   return {.params = params,
-          .barriers = teb::barriers_near(params, s),
+          .barriers = teb::band_obstacles_near(params, s),
           .start = {own, wrap_angle(s.own.yaw)},
           .end = ahead.end,
           .way = std::move(ahead.points),
@@ -169,7 +169,7 @@ bool is_feasible(const Task& task, const Band& band) {
   const auto looked_at =
       std::min(band.size(), static_cast<std::size_t>(task.params.feasibility_check_no_poses_count));
   for (std::size_t i = 0; i < looked_at; ++i) {
-    for (const Barrier& barrier : task.barriers) {
+    for (const BandObstacle& barrier : task.barriers) {
       if (barrier.from(band.position(i)).distance < 0.0) return false;
     }
   }

@@ -75,7 +75,8 @@ void OrcaAsCoded::step_library(Memory& memory, const Situation& s) const noexcep
       if (j == i || !other.known || p.squaredNorm() >= range2) continue;
       const Vec3 parting =
           parting_direction(VehicleId{static_cast<std::uint32_t>(i)}, TrackId{static_cast<std::uint32_t>(j)});
-      const orca::Encounter encounter{p, agent.velocity - other.velocity, 2.0 * s.own.radius, parting};
+      const orca::RelativeNeighbour encounter{p, agent.velocity - other.velocity, 2.0 * s.own.radius,
+                                              parting};
       const orca::Change change = orca::least_change(encounter, params.time_horizon_s, params.time_step_s);
       half_spaces[count++] = orca::half_space(change, agent.velocity, 0.5);
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which key does what.
-import type { Choice } from './choice';
+import type { Selection } from './selection';
 import type { Clock } from './clock';
 import type { Film } from './film';
 import { camera_keys, layer_keys, type Binding } from './keys';
@@ -22,7 +22,7 @@ function time_keys(film: Film, clock: Clock): Binding[] {
 }
 
 /** All keys of the page; `panel`, `charts` and `help` open and close those. */
-export function make_bindings(film: Film, clock: Clock, choice: Choice, stage: StageView,
+export function make_bindings(film: Film, clock: Clock, choice: Selection, stage: StageView,
                               toggles: { panel(): void; charts(): void; help(): void }): Binding[] {
   return [
     ...time_keys(film, clock),

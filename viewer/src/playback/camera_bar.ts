@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The ways of looking, as a row of switches over the picture.
 import { h } from '../common/dom';
-import type { Choice } from './choice';
+import type { Selection } from './selection';
 import { camera_keys } from './keys';
 import { cameras, type CameraKind, type StageView } from './scene/stage_view';
 
 const names: Record<CameraKind, string> = { orbit: 'Orbit', follow: 'Follow', top: 'Top', side: 'Side' };
 
-export function make_camera_bar(choice: Choice, stage: StageView): HTMLElement {
+export function make_camera_bar(choice: Selection, stage: StageView): HTMLElement {
   const buttons = cameras.map((kind) => h('button', {
     type: 'button', class: 'switch', 'data-camera': kind, title: `${names[kind]} (${camera_keys[kind]})`, click: () => choice.set_camera(kind),
   }, names[kind]));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What scripts and tests of a page can reach, as window.fairway; viewer/README.md describes it.
-import type { Choice } from './choice';
+import type { Selection } from './selection';
 import type { Clock } from './clock';
 import type { Film } from './film';
 import { alert_text, position_texts, seconds } from './printed';
@@ -33,7 +33,7 @@ declare global {
   }
 }
 
-export function expose(film: Film, clock: Clock, choice: Choice, stage: StageView): void {
+export function expose(film: Film, clock: Clock, choice: Selection, stage: StageView): void {
   window.fairway = {
     film,
     seek: (time) => clock.seek(time),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is drawn, as a row of switches; those for which this run has nothing are not offered.
 import { h } from '../common/dom';
-import type { Choice } from './choice';
+import type { Selection } from './selection';
 import type { Film } from './film';
 import { layer_keys } from './keys';
 import type { Scene } from './model';
@@ -25,7 +25,7 @@ function has_any(layer: Layer, scene: Scene, film: Film): boolean {
   }
 }
 
-export function make_layer_list(scene: Scene, film: Film, choice: Choice): Panel {
+export function make_layer_list(scene: Scene, film: Film, choice: Selection): Panel {
   const buttons = layers.map((layer) => h('button', {
     type: 'button', class: 'switch', 'data-layer': layer, title: `${names[layer]} (${layer_keys[layer]})`,
     click: () => choice.set_layer(layer, !choice.shows(layer)),

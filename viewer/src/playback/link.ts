@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A moment in the address: #t=12.500&v=2,3&camera=top. What is sent to somebody else opens there.
-import type { Choice } from './choice';
+import type { Selection } from './selection';
 import type { Clock } from './clock';
 import type { Film } from './film';
 import { cameras } from './scene/stage_view';
@@ -11,7 +11,7 @@ const least_gap_ms = 1000;
 export class MomentLink {
   private timer = 0;
 
-  constructor(private readonly film: Film, private readonly clock: Clock, private readonly choice: Choice) {
+  constructor(private readonly film: Film, private readonly clock: Clock, private readonly choice: Selection) {
     window.addEventListener('hashchange', () => this.go());
   }
 

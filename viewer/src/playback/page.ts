@@ -7,7 +7,7 @@ import { make_about, make_saving } from './about';
 import { make_bindings } from './bindings';
 import { make_camera_bar } from './camera_bar';
 import { make_charts } from './charts/charts';
-import { Choice } from './choice';
+import { Selection } from './selection';
 import { Clock, frame_from } from './clock';
 import { make_event_list } from './event_list';
 import { make_explanation } from './explanation/explanation';
@@ -65,7 +65,7 @@ function make_frame(playback: Document, into: HTMLElement) {
 
 class Page {
   private readonly stage: StageView;
-  private readonly choice: Choice;
+  private readonly choice: Selection;
   private readonly clock: Clock;
   private readonly link: MomentLink;
   private readonly help: Help;
@@ -76,7 +76,7 @@ class Page {
   constructor(private readonly playback: Document, private readonly film: Film, private readonly live: LiveRun | null,
               private readonly frame: ReturnType<typeof make_frame>) {
     this.stage = stage_in(frame.picture, playback.scene, film);
-    this.choice = new Choice(this.stage, playback.scene.vehicles.length);
+    this.choice = new Selection(this.stage, playback.scene.vehicles.length);
     this.clock = new Clock(film, live !== null, () => this.show());
     this.link = new MomentLink(film, this.clock, this.choice);
     const bindings = make_bindings(film, this.clock, this.choice, this.stage, {

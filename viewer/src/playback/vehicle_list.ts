@@ -2,7 +2,7 @@
 // One card per vehicle: who it is and, of the frame that is shown, where it is and how it fares.
 import { h, swatch } from '../common/dom';
 import { fixed, finite } from '../common/format';
-import type { Choice } from './choice';
+import type { Selection } from './selection';
 import type { Film, Moment } from './film';
 import { icon_button } from './icons';
 import type { Scene } from './model';
@@ -28,7 +28,7 @@ function set_text(element: Element, text: string): void {
   if (element.textContent !== text) element.textContent = text;
 }
 
-function make_card(vehicle: number, scene: Scene, film: Film, choice: Choice, brief: boolean): Card {
+function make_card(vehicle: number, scene: Scene, film: Film, choice: Selection, brief: boolean): Card {
   const spec = scene.vehicles[vehicle]!;
   const dot = h('span', { class: 'alert-dot' });
   const status = h('span', { class: 'status' });
@@ -85,7 +85,7 @@ function make_card(vehicle: number, scene: Scene, film: Film, choice: Choice, br
   };
 }
 
-export function make_vehicle_list(scene: Scene, film: Film, choice: Choice): Panel {
+export function make_vehicle_list(scene: Scene, film: Film, choice: Selection): Panel {
   const brief = scene.vehicles.length > most_in_full;
   const cards = scene.vehicles.map((_, vehicle) => make_card(vehicle, scene, film, choice, brief));
   const time = h('output', { class: 'at-time' });

@@ -20,7 +20,7 @@ inline Vec3 bearing(Rng& rng) {
 
 /// A situation whose polygons are its own.
 struct Waters {
-  encounters::Encounter encounter;
+  encounters::OwnedSituation encounter;
   std::vector<std::vector<Vec3>> outlines;  ///< of the first obstacles
 
   Waters() = default;
@@ -31,7 +31,7 @@ struct Waters {
 };
 
 /// `count` others placed between `nearest` and `farthest` [m] of own ship, who wants to go anywhere.
-inline void add_tracks(encounters::Encounter& e, int count, double nearest, double farthest, Rng rng) {
+inline void add_tracks(encounters::OwnedSituation& e, int count, double nearest, double farthest, Rng rng) {
   for (int i = 0; i < count; ++i) {
     const Vec3 at = e.situation.own.position + rng.uniform(nearest, farthest) * bearing(rng);
     e.tracks.push_back(
@@ -41,9 +41,9 @@ inline void add_tracks(encounters::Encounter& e, int count, double nearest, doub
 }
 
 /// Room to pass for even `index`, none for odd.
-inline encounters::Encounter swarm(std::uint64_t index, int count) {
+inline encounters::OwnedSituation swarm(std::uint64_t index, int count) {
   Rng rng = Rng{5}.stream("swarm", index);
-  encounters::Encounter e = encounters::open_water();
+  encounters::OwnedSituation e = encounters::open_water();
   e.situation.own.velocity = rng.uniform(0.0, 1.0) * bearing(rng);
   e.situation.goal.position = e.situation.own.position + 40.0 * bearing(rng);
   add_tracks(e, count, index % 2 == 0 ? 2.5 : 1.0, index % 2 == 0 ? 15.0 : 4.0, rng.stream("tracks"));
@@ -55,7 +55,7 @@ inline encounters::Encounter swarm(std::uint64_t index, int count) {
 inline Waters waters(std::uint64_t index, int count = 0, const Vec3& offset = Vec3::Zero()) {
   Rng rng = Rng{3}.stream("waters", index);
   Waters w;
-  encounters::Encounter& e = w.encounter;
+  encounters::OwnedSituation& e = w.encounter;
   e = encounters::shifted(encounters::open_water(), offset);
   const Vec3 own = e.situation.own.position;
   e.situation.own.radius = rng.uniform(0.2, 1.2);

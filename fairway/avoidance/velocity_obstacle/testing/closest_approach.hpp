@@ -12,7 +12,7 @@ namespace fairway::velocity_obstacle {
 
 /// The least distance between a disc's centre or a wall and a point that goes from the origin at `w` for
 /// `horizon` [m]: between two segments, which is 0 or at one of four ends.
-inline double closest_approach(const Solid& solid, const Vec2& w, double horizon) {
+inline double closest_approach(const RelativeCapsule& solid, const Vec2& w, double horizon) {
   const Vec2 origin = Vec2::Zero();
   const Vec2 end = horizon * w;
   const auto parts = [](const Vec2& a, const Vec2& b, const Vec2& p, const Vec2& q) {

@@ -15,8 +15,8 @@ inline Vec2 any_direction(Rng& rng) {
 }
 
 /// A disc that moves, own ship being outside.
-inline Solid any_disc(Rng& rng) {
-  Solid solid;
+inline RelativeCapsule any_disc(Rng& rng) {
+  RelativeCapsule solid;
   solid.radius = rng.uniform(0.5, 3.0);
   solid.from = solid.to = solid.radius * (1.0 + std::pow(10.0, rng.uniform(-3.0, 1.0))) * any_direction(rng);
   solid.velocity = rng.uniform(0.0, 1.2) * any_direction(rng);
@@ -24,8 +24,8 @@ inline Solid any_disc(Rng& rng) {
 }
 
 /// A wall that stands, own ship being clear of it.
-inline Solid any_wall(Rng& rng) {
-  Solid solid;
+inline RelativeCapsule any_wall(Rng& rng) {
+  RelativeCapsule solid;
   do {
     solid.radius = rng.uniform(0.0, 2.0);
     solid.from = rng.uniform(0.1, 15.0) * any_direction(rng);

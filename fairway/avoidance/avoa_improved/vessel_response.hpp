@@ -12,7 +12,7 @@ namespace fairway::avoa_improved {
 ///     r' = (clamp(k theta, +-w_max) - r) / T,  |r'| <= alpha_max,        u' = (u_c - u) / T,  |u'| <= a_max
 ///
 /// with theta the heading error, u along the heading.
-struct Helm {
+struct VesselResponse {
   double turn_gain{};              ///< k [1/s]
   double max_turn_rate{};          ///< w_max [rad/s]
   double max_turn_acceleration{};  ///< alpha_max [rad/s2]

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fairway/avoidance/avoa/metric.hpp"
+#include "fairway/avoidance/avoa/velocity_metric.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,32 +8,32 @@ namespace {
 
 constexpr PolarVelocity desired{1.2, 3.0};
 
-TEST(Metric, IsNothingForTheDesiredVelocityFarFromDanger) {
-  EXPECT_EQ(Metric(desired, 1.5, 0.4, 0.2, 0.4)(desired, 0.0), 0.0);
+TEST(VelocityMetric, IsNothingForTheDesiredVelocityFarFromDanger) {
+  EXPECT_EQ(VelocityMetric(desired, 1.5, 0.4, 0.2, 0.4)(desired, 0.0), 0.0);
 }
 
-TEST(Metric, AddsDeviationInSpeedAndHeadingAndDangerByTheirWeights) {
-  const Metric metric{desired, 1.5, 0.4, 0.2, 0.4};
+TEST(VelocityMetric, AddsDeviationInSpeedAndHeadingAndDangerByTheirWeights) {
+  const VelocityMetric metric{desired, 1.5, 0.4, 0.2, 0.4};
   EXPECT_NEAR(metric({0.6, 3.0}, 0.0), 0.4 * 0.6 / 1.5, 1e-15);
   EXPECT_NEAR(metric({1.2, 2.0}, 0.0), 0.2 * 1.0 / pi, 1e-15);
   EXPECT_NEAR(metric(desired, 0.25), 0.4 * 0.25, 1e-15);
   EXPECT_NEAR(metric({0.6, 2.0}, 0.25), 0.16 + 0.2 / pi + 0.1, 1e-15);
 }
 
-TEST(Metric, MeasuresHeadingsTheShortWayRound) {
-  const Metric metric{desired, 1.5, 0.0, 1.0, 0.0};
+TEST(VelocityMetric, MeasuresHeadingsTheShortWayRound) {
+  const VelocityMetric metric{desired, 1.5, 0.0, 1.0, 0.0};
   EXPECT_NEAR(metric({1.2, -3.0}, 0.0), (2.0 * pi - 6.0) / pi, 1e-15);
 }
 
-TEST(Metric, ScalesItsWeightsToOne) {
-  const Metric metric{desired, 1.5, 4.0, 2.0, 4.0};
+TEST(VelocityMetric, ScalesItsWeightsToOne) {
+  const VelocityMetric metric{desired, 1.5, 4.0, 2.0, 4.0};
   EXPECT_NEAR(metric({0.6, 2.0}, 0.25), 0.16 + 0.2 / pi + 0.1, 1e-15);
   // the worst there is: no speed of 1.5 desired, the opposite heading, in a zone
-  EXPECT_NEAR(Metric({1.5, 0.0}, 1.5, 7.0, 1.0, 3.0)({0.0, pi}, 1.0), 1.0, 1e-15);
+  EXPECT_NEAR(VelocityMetric({1.5, 0.0}, 1.5, 7.0, 1.0, 3.0)({0.0, pi}, 1.0), 1.0, 1e-15);
 }
 
-TEST(Metric, WithoutWeightsEverythingIsAsGood) {
-  EXPECT_EQ(Metric(desired, 1.5, 0.0, 0.0, 0.0)({0.1, -2.0}, 1.0), 0.0);
+TEST(VelocityMetric, WithoutWeightsEverythingIsAsGood) {
+  EXPECT_EQ(VelocityMetric(desired, 1.5, 0.0, 0.0, 0.0)({0.1, -2.0}, 1.0), 0.0);
 }
 
 TEST(CostOfDanger, FallsLinearlyToNothingAtTheThreshold) {

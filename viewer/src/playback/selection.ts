@@ -3,7 +3,7 @@
 import type { CameraKind, Layer, StageView } from './scene/stage_view';
 import { layers } from './scene/stage_view';
 
-export class Choice {
+export class Selection {
   chosen: ReadonlySet<number> = new Set();
   followed = 0;
   camera: CameraKind = 'orbit';

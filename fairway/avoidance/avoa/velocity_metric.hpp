@@ -9,12 +9,12 @@ namespace fairway::avoa {
 
 /// The multicriteria metric h (campos2019, eqs. 6-8): how bad a velocity is, in [0, 1]. The paper names the
 /// three errors and says that they are normalised; that they are so by v_max and by pi is ours.
-class Metric {
+class VelocityMetric {
  public:
   /// Weights psi are >= 0 and scaled to the sum 1; all zero, every velocity is as good as any. `max_speed` >
   /// 0.
-  Metric(const PolarVelocity& desired, double max_speed, double speed_weight, double heading_weight,
-         double danger_weight)
+  VelocityMetric(const PolarVelocity& desired, double max_speed, double speed_weight, double heading_weight,
+                 double danger_weight)
       : desired_{desired} {
     const double sum = speed_weight + heading_weight + danger_weight;
     const double scale = sum > 0.0 ? 1.0 / sum : 0.0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fairway/avoidance/avoa_improved/solid.hpp"
+#include "fairway/avoidance/avoa_improved/capsule.hpp"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ TEST(AvoaImprovedSolid, IsAsFarFromALineAsTheNearestOfManyPointsOnIt) {
   Rng rng{3};
   for (int i = 0; i < 500; ++i) {
     const Vec2 from = somewhere(rng);
-    const Solid solid{from, i % 3 == 0 ? from : somewhere(rng), 0.3};
+    const Capsule solid{from, i % 3 == 0 ? from : somewhere(rng), 0.3};
     const Vec2 p = somewhere(rng);
     const Vec2 q = somewhere(rng);
     double nearest = 1e9;
@@ -34,7 +34,7 @@ TEST(AvoaImprovedSolid, IsAsFarFromALineAsTheNearestOfManyPointsOnIt) {
 
 TEST(AvoaImprovedSolid, OfMoreThanFitTheNearestAreKeptNearestFirst) {
   Rng rng{4};
-  Solids solids;
+  Capsules solids;
   std::vector<double> all;
   for (int i = 0; i < 300; ++i) {
     const Vec2 p = somewhere(rng);
@@ -42,15 +42,15 @@ TEST(AvoaImprovedSolid, OfMoreThanFitTheNearestAreKeptNearestFirst) {
     all.push_back(p.norm());
   }
   std::ranges::sort(all);
-  ASSERT_EQ(solids.view().size(), Solids::capacity);
-  for (std::size_t i = 0; i < Solids::capacity; ++i) EXPECT_EQ(solids.view()[i].from.norm(), all[i]);
+  ASSERT_EQ(solids.view().size(), Capsules::capacity);
+  for (std::size_t i = 0; i < Capsules::capacity; ++i) EXPECT_EQ(solids.view()[i].from.norm(), all[i]);
 }
 
 TEST(AvoaImprovedSolid, APolygonIsItsEdges) {
   const std::vector<Vec3> square{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}};
-  std::vector<Solid> edges;
+  std::vector<Capsule> edges;
   for_each_solid({.kind = Obstacle::Kind::polygon, .vertices = square},
-                 [&](const Solid& edge) { edges.push_back(edge); });
+                 [&](const Capsule& edge) { edges.push_back(edge); });
   ASSERT_EQ(edges.size(), 4U);
   EXPECT_EQ(edges[3].from, Vec2(0, 2));
   EXPECT_EQ(edges[3].to, Vec2(0, 0));

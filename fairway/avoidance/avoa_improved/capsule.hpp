@@ -11,7 +11,7 @@ namespace fairway::avoa_improved {
 
 /// All points within `radius` of a segment: a buoy (both ends at one place), a wall, an edge of a pier, a
 /// vessel. It moves at a constant velocity. [m, m/s, NED, horizontal]
-struct Solid {
+struct Capsule {
   Vec2 from = Vec2::Zero();
   Vec2 to = Vec2::Zero();
   double radius{};
@@ -21,25 +21,25 @@ struct Solid {
 };
 
 /// From a point to the middle line of the solid, where that is at time 0 [m]. O(1).
-double distance_to_axis(const Solid& solid, const Vec2& p) noexcept;
+double distance_to_axis(const Capsule& solid, const Vec2& p) noexcept;
 
 /// From the segment `p` to `q` to the middle line of the solid [m]. O(1).
-double distance_to_axis(const Solid& solid, const Vec2& p, const Vec2& q) noexcept;
+double distance_to_axis(const Capsule& solid, const Vec2& p, const Vec2& q) noexcept;
 
 /// Up to `capacity` solids, nearest first as long as they are added by `add_near`. A value without an
 /// allocation.
-class Solids {
+class Capsules {
  public:
   static constexpr std::size_t capacity = 64;
 
   /// Keeps the nearest to `own`; of equals those added first. O(capacity).
-  void add_near(const Solid& solid, const Vec2& own) noexcept;
+  void add_near(const Capsule& solid, const Vec2& own) noexcept;
 
-  std::span<const Solid> view() const noexcept { return {all_.data(), count_}; }
-  std::span<Solid> view() noexcept { return {all_.data(), count_}; }
+  std::span<const Capsule> view() const noexcept { return {all_.data(), count_}; }
+  std::span<Capsule> view() noexcept { return {all_.data(), count_}; }
 
  private:
-  std::array<Solid, capacity> all_{};
+  std::array<Capsule, capacity> all_{};
   std::array<double, capacity> gaps_{};
   std::size_t count_ = 0;
 };
@@ -50,21 +50,21 @@ void for_each_solid(const Obstacle& obstacle, Take take) noexcept {
   const auto flat = [](const Vec3& p) { return Vec2{p.head<2>()}; };
   switch (obstacle.kind) {
     case Obstacle::Kind::sphere:
-      take(Solid{flat(obstacle.position), flat(obstacle.position), obstacle.radius});
+      take(Capsule{flat(obstacle.position), flat(obstacle.position), obstacle.radius});
       return;
     case Obstacle::Kind::segment:
-      take(Solid{flat(obstacle.from), flat(obstacle.to), 0.0});
+      take(Capsule{flat(obstacle.from), flat(obstacle.to), 0.0});
       return;
     case Obstacle::Kind::polygon:
       for (std::size_t i = 0; i < obstacle.vertices.size(); ++i) {
         const Vec3& next = obstacle.vertices[(i + 1) % obstacle.vertices.size()];
-        take(Solid{flat(obstacle.vertices[i]), flat(next), 0.0});
+        take(Capsule{flat(obstacle.vertices[i]), flat(next), 0.0});
       }
   }
 }
 
 /// What moves, or might: the tracks nearest to own ship.
-Solids movers(const Situation& s) noexcept;
+Capsules movers(const Situation& s) noexcept;
 
 /// What does not move, as far as it has been seen.
 class Chart {
@@ -73,10 +73,10 @@ class Chart {
   /// lies within `same_place` of it and is taken to be it [m]. O(seen x known).
   void enter(const Situation& s, bool remembers, double same_place) noexcept;
 
-  std::span<const Solid> view() const noexcept { return known_.view(); }
+  std::span<const Capsule> view() const noexcept { return known_.view(); }
 
  private:
-  Solids known_;
+  Capsules known_;
 };
 
 }  // namespace fairway::avoa_improved

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fairway/planning/teb/barrier.hpp"
+#include "fairway/planning/teb/band_obstacle.hpp"
 
 #include "fairway/planning/planar_map.hpp"
 
@@ -15,19 +15,20 @@ Obstacle flattened(Obstacle o) {
 
 }  // namespace
 
-Barrier::Barrier(const Obstacle& obstacle, double own_radius)
+BandObstacle::BandObstacle(const Obstacle& obstacle, double own_radius)
     : shape_{flattened(obstacle)}, centre_{seen_from_above(centre_of(obstacle))}, grown_{own_radius} {
   if (shape_.kind == Obstacle::Kind::sphere) grown_ += shape_.radius;
 }
 
-Barrier::Barrier(const Track& track, double own_radius, bool moves)
-    : Barrier{Obstacle{.kind = Obstacle::Kind::sphere, .position = track.position, .radius = track.radius},
-              own_radius} {
+BandObstacle::BandObstacle(const Track& track, double own_radius, bool moves)
+    : BandObstacle{
+          Obstacle{.kind = Obstacle::Kind::sphere, .position = track.position, .radius = track.radius},
+          own_radius} {
   velocity_ = moves ? seen_from_above(track.velocity) : Vec2{Vec2::Zero()};
   moves_ = velocity_.norm() > stands_still;
 }
 
-Separation Barrier::from(const Vec2& p, double time) const noexcept {
+Separation BandObstacle::from(const Vec2& p, double time) const noexcept {
   if (shape_.kind == Obstacle::Kind::sphere) {
     const Vec2 out = p - centre(time);
     const double range = out.norm();
@@ -39,19 +40,19 @@ Separation Barrier::from(const Vec2& p, double time) const noexcept {
   return {range - grown_, range != 0.0 ? Vec2{out / range} : Vec2{Vec2::Zero()}};
 }
 
-std::vector<Barrier> barriers_near(const TebParams& params, const Situation& s) {
+std::vector<BandObstacle> band_obstacles_near(const TebParams& params, const Situation& s) {
   const Vec2 own = seen_from_above(s.own.position);
   const double reach = params.max_global_plan_lookahead_dist_m +
                        params.obstacle_association_cutoff_factor_ratio * params.min_obstacle_dist_m;
   const double lasts = 2.0 * params.max_global_plan_lookahead_dist_m / params.max_vel_x_mps;
 
-  std::vector<Barrier> near;
+  std::vector<BandObstacle> near;
   for (const Track& track : s.tracks) {
-    const Barrier barrier{track, s.own.radius, params.include_dynamic_obstacles};
+    const BandObstacle barrier{track, s.own.radius, params.include_dynamic_obstacles};
     if (barrier.from(own).distance < reach + lasts * barrier.velocity().norm()) near.push_back(barrier);
   }
   for (const Obstacle& obstacle : s.obstacles) {
-    const Barrier barrier{obstacle, s.own.radius};
+    const BandObstacle barrier{obstacle, s.own.radius};
     if (barrier.from(own).distance < reach) near.push_back(barrier);
   }
   return near;

@@ -17,10 +17,10 @@ struct Separation {
 
 /// What a band keeps clear of, seen from above and grown by own radius: a disc, which may move on at constant
 /// velocity, or an obstacle that stands still. Refers to the vertices of a polygon.
-class Barrier {
+class BandObstacle {
  public:
-  Barrier(const Obstacle& obstacle, double own_radius);
-  Barrier(const Track& track, double own_radius, bool moves);
+  BandObstacle(const Obstacle& obstacle, double own_radius);
+  BandObstacle(const Track& track, double own_radius, bool moves);
 
   /// From a vessel whose centre is at `p` [m, NE] in `time` [s] from now. O(vertices).
   Separation from(const Vec2& p, double time = 0.0) const noexcept;
@@ -43,6 +43,6 @@ class Barrier {
 };
 
 /// All that may come within reach of a band from where own ship is.
-std::vector<Barrier> barriers_near(const TebParams& params, const Situation& s);
+std::vector<BandObstacle> band_obstacles_near(const TebParams& params, const Situation& s);
 
 }  // namespace fairway::teb

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fairway/avoidance/avoa_improved/solid.hpp"
+#include "fairway/avoidance/avoa_improved/capsule.hpp"
 
 #include <algorithm>
 
@@ -24,24 +24,24 @@ bool cross_each_other(const Vec2& a, const Vec2& b, const Vec2& p, const Vec2& q
   return apart(a, b, p, q) && apart(p, q, a, b);
 }
 
-bool is_at(const Solid& one, const Solid& other, double within) {
+bool is_at(const Capsule& one, const Capsule& other, double within) {
   return (one.from - other.from).norm() <= within && (one.to - other.to).norm() <= within;
 }
 
 }  // namespace
 
-double distance_to_axis(const Solid& solid, const Vec2& p) noexcept {
+double distance_to_axis(const Capsule& solid, const Vec2& p) noexcept {
   return distance_to_segment(solid.from, solid.to, p);
 }
 
-double distance_to_axis(const Solid& solid, const Vec2& p, const Vec2& q) noexcept {
+double distance_to_axis(const Capsule& solid, const Vec2& p, const Vec2& q) noexcept {
   if (solid.is_disc()) return distance_to_segment(p, q, solid.from);
   if (cross_each_other(solid.from, solid.to, p, q)) return 0.0;
   return std::min({distance_to_axis(solid, p), distance_to_axis(solid, q),
                    distance_to_segment(p, q, solid.from), distance_to_segment(p, q, solid.to)});
 }
 
-void Solids::add_near(const Solid& solid, const Vec2& own) noexcept {
+void Capsules::add_near(const Capsule& solid, const Vec2& own) noexcept {
   const double gap = distance_to_axis(solid, own) - solid.radius;
   if (count_ == capacity && gap >= gaps_[capacity - 1]) return;
   std::size_t at = count_ < capacity ? count_++ : capacity - 1;
@@ -53,8 +53,8 @@ void Solids::add_near(const Solid& solid, const Vec2& own) noexcept {
   all_[at] = solid;
 }
 
-Solids movers(const Situation& s) noexcept {
-  Solids found;
+Capsules movers(const Situation& s) noexcept {
+  Capsules found;
   const Vec2 own = s.own.position.head<2>();
   for (const Track& t : s.tracks) {
     const Vec2 p = t.position.head<2>();
@@ -65,15 +65,15 @@ Solids movers(const Situation& s) noexcept {
 
 void Chart::enter(const Situation& s, bool remembers, double same_place) noexcept {
   const Vec2 own = s.own.position.head<2>();
-  Solids now;
+  Capsules now;
   for (const Obstacle& o : s.obstacles) {
-    for_each_solid(o, [&](const Solid& solid) { now.add_near(solid, own); });
+    for_each_solid(o, [&](const Capsule& solid) { now.add_near(solid, own); });
   }
   if (remembers) {
-    const Solids in_sight = now;
-    for (const Solid& old : known_.view()) {
+    const Capsules in_sight = now;
+    for (const Capsule& old : known_.view()) {
       const bool is_seen = std::ranges::any_of(
-          in_sight.view(), [&](const Solid& solid) { return is_at(solid, old, same_place); });
+          in_sight.view(), [&](const Capsule& solid) { return is_at(solid, old, same_place); });
       if (!is_seen) now.add_near(old, own);
     }
   }
