@@ -14,13 +14,14 @@ namespace {
 constexpr std::uint32_t neighbours = 7;
 
 Helm helm_of(const char* algorithm) {
-  HelmSetup setup{.ship = {.id = VehicleId{0}, .name = "own", .radius = 1.5}, .period = 0.05};
-  setup.ship.limits.max_speed = 0.5;
+  Particulars ship{.id = VehicleId{0}, .name = "own", .radius = 1.5};
+  ship.limits.max_speed = 0.5;
+  HelmSetup setup;
   for (std::uint32_t i = 1; i <= neighbours; ++i) {
     setup.team.push_back(
         {.id = VehicleId{i}, .name = "other", .radius = 1.5, .priority = static_cast<std::int32_t>(i)});
   }
-  Helm helm{setup, builtin_avoiders().make(algorithm)};
+  Helm helm{{ship, 0.05}, setup, builtin_avoiders().make(algorithm)};
   helm.go_to({1e6, 0, 10}, 0.5);
   return helm;
 }

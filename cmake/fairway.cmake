@@ -7,10 +7,14 @@ set(CMAKE_POSITION_INDEPENDENT_CODE ON)  # the libraries go into the Python modu
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
 
 include(GNUInstallDirs)
-if(BUILD_SHARED_LIBS)  # programs and libraries find each other wherever they are moved together
-  cmake_path(RELATIVE_PATH CMAKE_INSTALL_FULL_LIBDIR BASE_DIRECTORY ${CMAKE_INSTALL_FULL_BINDIR} OUTPUT_VARIABLE fairway_libraries_from_programs)
-  set(CMAKE_INSTALL_RPATH $ORIGIN $ORIGIN/${fairway_libraries_from_programs})
-endif()
+# Where a program of FOLDER finds the libraries once it is installed: programs and libraries are moved together.
+function(fairway_rpath variable folder)
+  if(BUILD_SHARED_LIBS)
+    cmake_path(RELATIVE_PATH CMAKE_INSTALL_FULL_LIBDIR BASE_DIRECTORY ${folder} OUTPUT_VARIABLE libraries)
+    set(${variable} $ORIGIN $ORIGIN/${libraries} PARENT_SCOPE)
+  endif()
+endfunction()
+fairway_rpath(CMAKE_INSTALL_RPATH ${CMAKE_INSTALL_FULL_BINDIR})
 
 # Whoever builds once, as most do, builds in half the time when many files are compiled as one. File by file is quicker after
 # an edit, and shows a missing #include and a shadowed name.

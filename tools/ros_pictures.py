@@ -107,7 +107,7 @@ def photograph_rviz(stage, recording):
     stage.start("xvfb", "Xvfb", DISPLAY, "-screen", "0", f"{SIZE[0]}x{SIZE[1]}x24", "-nolisten", "tcp")
     stage.start("roscore", "roscore", "-p", str(stage.port))
     stage.wait(lambda: stage.ask("rosparam", "set", "/use_sim_time", "true").returncode == 0, 60, "a master")
-    stage.start("rviz", "rviz", "-d", str(ROOT / "ros/ros1/rviz/fairway.rviz"))
+    stage.start("rviz", "rviz", "-d", str(ROOT / "build/share/fairway_ros/fleets/fleet_8.rviz"))
     for i in range(COUNT):
         stage.start(
             f"avoider{i}", str(nodes / "fairway_avoider"), f"__ns:=/robot{i}", "__name:=avoider",

@@ -39,6 +39,7 @@ class Pilot {
   Pilot(Particulars ship, double period) : ship_{std::move(ship)}, period_{period} {}
 
   const Particulars& ship() const { return ship_; }
+  double period() const { return period_; }  ///< between decisions [s]
 
   /// Own ship, which believes to be in the state `x`. A vehicle that has arrived gives way to everyone.
   Ownship own_ship(const VehicleState& x, bool has_arrived) const noexcept;

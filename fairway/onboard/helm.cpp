@@ -24,13 +24,13 @@ bool is_place(const Vec3& position) {
 
 }  // namespace
 
-Helm::Helm(HelmSetup setup, Avoider avoider)
-    : setup_{std::move(setup)},
+Helm::Helm(Pilot pilot, HelmSetup setup, Avoider avoider)
+    : pilot_{std::move(pilot)},
+      setup_{std::move(setup)},
       avoider_{std::move(avoider)},
       fresh_{avoider_},
-      pilot_{setup_.ship, setup_.period},
       progress_watch_{setup_.policy.progress_window_s} {
-  check_params(setup_.ship.steering);
+  check_params(pilot_.ship().steering);
   check_params(setup_.policy);
   for (const TeamMate& mate : setup_.team)
     neighbours_.push_back({.radius = mate.radius, .priority = mate.priority});
@@ -51,7 +51,7 @@ void Helm::see_clock(double now) noexcept {
 void Helm::begin_again() noexcept {
   ++clock_restarts_;
   avoider_ = fresh_;
-  pilot_ = Pilot{setup_.ship, setup_.period};
+  pilot_ = Pilot{pilot_.ship(), pilot_.period()};
   own_watch_ = {};
   for (std::size_t i = 0; i < neighbours_.size(); ++i)
     neighbours_[i] = {.radius = setup_.team[i].radius, .priority = setup_.team[i].priority};
@@ -67,7 +67,7 @@ void Helm::begin_again() noexcept {
 bool Helm::set_out(const Leg& leg) noexcept {
   const double depth = leg.position.z();
   if (!is_place(leg.position) || !is_place(leg.from) || !std::isfinite(leg.speed_mps) ||
-      leg.speed_mps <= 0.0 || std::fabs(within(setup_.ship.limits, depth) - depth) > leg.arrival_m)
+      leg.speed_mps <= 0.0 || std::fabs(within(limits(), depth) - depth) > leg.arrival_m)
     return false;
   task_ = Task::go;
   leg_ = leg;
@@ -267,7 +267,7 @@ void Helm::decide(Sketch* sketch) noexcept {
 void Helm::see_progress(const Situation& situation) noexcept {
   const double window = setup_.policy.progress_window_s;
   Goal goal = situation.goal;
-  goal.cruise_speed = std::fmin(goal.cruise_speed, setup_.ship.limits.max_speed);
+  goal.cruise_speed = std::fmin(goal.cruise_speed, limits().max_speed);
   progress_watch_.see(now_, own_.position, goal, true);
   bystanders_.clear();
   for (std::size_t k = 0; k < near_.size(); ++k) {
@@ -288,8 +288,8 @@ void Helm::stop_watching_progress() noexcept {
 }
 
 void Helm::lead_back(Command& command) const noexcept {
-  const double error = within(setup_.ship.limits, own_.position.z()) - own_.position.z();
-  const double fastest = std::fmin(return_speed, setup_.ship.limits.max_climb_rate);
+  const double error = within(limits(), own_.position.z()) - own_.position.z();
+  const double fastest = std::fmin(return_speed, limits().max_climb_rate);
   const double back = std::clamp(return_gain * error, -fastest, fastest);
   double& down = command.velocity.z();
   if (error > 0.0) down = std::fmax(down, back);
@@ -298,7 +298,7 @@ void Helm::lead_back(Command& command) const noexcept {
 
 HoldPoint Helm::here() const noexcept {
   Vec3 place = own_.position;
-  place.z() = within(setup_.ship.limits, place.z());
+  place.z() = within(limits(), place.z());
   return {place, own_.yaw};
 }
 

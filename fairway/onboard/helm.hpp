@@ -31,10 +31,8 @@ struct TeamMate {
   double arrival{};  ///< it has arrived when this near to the goal that it told [m]; 0: it says so itself
 };
 
-/// A helm's constants.
+/// A helm's constants, besides those of its pilot.
 struct HelmSetup {
-  Particulars ship;
-  double period{0.05};         ///< between decisions [s]
   double record_period{0.05};  ///< of the ticks that team records are stamped with [s]
   double arrival{1.0};         ///< arrived when this near to the goal [m]
   double range{std::numeric_limits<double>::infinity()};  ///< neighbours beyond it are left out [m]
@@ -108,7 +106,7 @@ struct HelmReport {
 class Helm {
  public:
   /// Throws InputError for a parameter of steering or policy outside its range.
-  Helm(HelmSetup setup, Avoider avoider);
+  Helm(Pilot pilot, HelmSetup setup, Avoider avoider);
 
   // what it is told
 
@@ -134,11 +132,12 @@ class Helm {
   /// Nothing: leave the vehicle to others.
   void stand_by() noexcept;
 
-  /// The order for `now`. Asks the avoider when a decision is due, which is at the update nearest to `period`
-  /// after the last one; steers always. O(what deciding costs + team log team).
+  /// The order for `now`. Asks the avoider when a decision is due, which is at the update nearest to the
+  /// pilot's period after the last one; steers always. O(what deciding costs + team log team).
   const HelmOrder& update(double now, Sketch* sketch = nullptr) noexcept;
 
   const HelmOrder& order() const { return order_; }
+  const Pilot& pilot() const { return pilot_; }
   const HelmSetup& setup() const { return setup_; }
   const AlgorithmInfo& algorithm() const { return avoider_.info(); }
   /// Where it goes [m, NED]; none while it goes nowhere.
@@ -199,11 +198,12 @@ class Helm {
   void let_go(HelmState state, std::string_view reason = {}) noexcept;
   void hold_because(HelmState state, std::string_view reason = {}) noexcept;
   HoldPoint here() const noexcept;
+  const Limits& limits() const noexcept { return pilot_.ship().limits; }
 
+  Pilot pilot_;
   HelmSetup setup_;
   Avoider avoider_;
   Avoider fresh_;  ///< as it was before its first decision
-  Pilot pilot_;
   FixWatch own_watch_;
   std::vector<Neighbour> neighbours_;  ///< as in `HelmSetup::team`
   std::vector<Near> near_;

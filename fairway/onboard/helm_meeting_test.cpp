@@ -32,10 +32,10 @@ struct Outcome {
 /// Vehicles of 1.5 m, 60 m apart, each on its way to where the other is, half a metre aside; both at 0.5 m/s.
 /// They follow what is asked at once.
 Outcome outcome_of(const Meeting& meeting) {
-  HelmSetup setup = fixes::setup();
+  fixes::Parts setup = fixes::setup();
   setup.policy = meeting.policy;
   setup.ship.steering.kind = SteeringKind::proportional;
-  HelmSetup other = setup;
+  fixes::Parts other = setup;
   other.ship.id = VehicleId{1};
   other.team = {{.id = VehicleId{0}, .name = "zero", .radius = 1.5}};
   std::array<Helm, 2> helms{fixes::helm_of(setup), fixes::helm_of(other)};

@@ -26,9 +26,7 @@ class Helms {
   Helms(const Scenario& scenario, const Simulation& simulation, bool measure_water = true)
       : told_(scenario.vehicles.size()), measure_water_{measure_water} {
     for (const Agent& agent : simulation.agents()) {
-      HelmSetup setup{.ship = agent.ship(),
-                      .period = scenario.steps_per_decision * scenario.step_s,
-                      .record_period = scenario.step_s,
+      HelmSetup setup{.record_period = scenario.step_s,
                       .arrival = scenario.vehicles[number(agent.ship().id)].mission.back().arrival_m};
       for (const VehicleSpec& other : scenario.vehicles) {
         if (other.id == number(agent.ship().id)) continue;
@@ -38,7 +36,7 @@ class Helms {
                               .priority = other.priority,
                               .arrival = other.mission.back().arrival_m});
       }
-      helms_.emplace_back(std::move(setup), agent.avoider);
+      helms_.emplace_back(agent.pilot, std::move(setup), agent.avoider);
     }
   }
 

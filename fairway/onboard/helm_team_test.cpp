@@ -63,7 +63,7 @@ TEST(HelmInATeam, WhoStandsBeforeAMateThatStandsTooIsDeadlockedAndSaysSo) {
 
 TEST(HelmInATeam, ALostNeighbourIsInflatedHeldForOrForgotten) {
   for (const LostPolicy lost : {LostPolicy::inflate, LostPolicy::hold, LostPolicy::forget}) {
-    HelmSetup with = setup();
+    auto with = setup();
     with.policy.neighbour_lost = lost;
     Helm helm = under_way(0.0, with);
     helm.neighbour_fix(VehicleId{1}, on_course(0.0, {0, 20, 10}), 0.0);
@@ -87,7 +87,7 @@ TEST(HelmInATeam, ALostNeighbourIsInflatedHeldForOrForgotten) {
 }
 
 TEST(HelmInATeam, ANeighbourThatWasNeverHeardIsNotThereButReported) {
-  HelmSetup with = setup();
+  auto with = setup();
   with.policy.neighbour_lost = LostPolicy::hold;
   Helm helm = under_way(60.0, with);
   EXPECT_EQ(helm.order().state, HelmState::under_way);
@@ -97,7 +97,7 @@ TEST(HelmInATeam, ANeighbourThatWasNeverHeardIsNotThereButReported) {
 }
 
 TEST(HelmInATeam, BeyondItsRangeANeighbourIsLeftOut) {
-  HelmSetup with = setup();
+  auto with = setup();
   with.range = 30.0;
   Helm helm = under_way(0.0, with);
   for (const double east : {29.9, 30.1}) {
@@ -118,7 +118,7 @@ TEST(HelmInATeam, AStrangerIsIgnored) {
 
 TEST(HelmInATeam, ANeighbourThatCameToItsGoalGivesWay) {
   // one has the right of way, until it has arrived
-  HelmSetup with = setup();
+  auto with = setup();
   with.ship.priority = 5;
   with.team[0].arrival = 1.0;
   Helm helm = helm_of(with, "direct+stop_and_wait", {{"crit_dist_m", 20.0}});

@@ -40,7 +40,7 @@ TEST(Helm, WaitsForNavigationIdlesWithoutAGoalAndThenGoes) {
 }
 
 TEST(Helm, DecidesEveryPeriodAndSteersInBetween) {
-  HelmSetup with = setup();
+  auto with = setup();
   with.period = 0.4;
   Helm helm = helm_of(with);
   helm.go_to({500, 0, 10}, 0.5);
@@ -182,7 +182,7 @@ TEST(Helm, ASectionIsFollowedByTheVelocityOfItsLine) {
 }
 
 TEST(Helm, OutsideTheDepthBandEveryOrderLeadsBack) {
-  HelmSetup with = setup();
+  auto with = setup();
   with.ship.limits.min_depth = 5.0;
   with.ship.limits.max_depth = 20.0;
   with.ship.limits.max_climb_rate = 0.2;
@@ -203,7 +203,7 @@ TEST(Helm, OutsideTheDepthBandEveryOrderLeadsBack) {
 }
 
 TEST(Helm, AVehicleThatIsTooDeepOrTooShallowComesBackOnItsWay) {
-  HelmSetup with = setup();
+  auto with = setup();
   with.ship.limits.min_depth = 5.0;
   with.ship.limits.max_depth = 20.0;
   for (const double depth : {2.0, 23.0}) {
@@ -220,7 +220,7 @@ TEST(Helm, AVehicleThatIsTooDeepOrTooShallowComesBackOnItsWay) {
 }
 
 TEST(Helm, AGoalOutsideTheDepthBandIsRefusedUnlessItCanBeReachedFromWithin) {
-  HelmSetup with = setup();
+  auto with = setup();
   with.ship.limits.max_depth = 20.0;
   Helm helm = helm_of(with);
   EXPECT_FALSE(helm.go_to({50, 0, 21.5}, 0.5));
@@ -228,7 +228,7 @@ TEST(Helm, AGoalOutsideTheDepthBandIsRefusedUnlessItCanBeReachedFromWithin) {
 }
 
 TEST(Helm, AVehicleThatCannotStopHoldsInACircle) {
-  HelmSetup with = setup();
+  auto with = setup();
   with.ship.steering = {.kind = SteeringKind::crab, .min_speed_mps = 0.8, .circle_radius_m = 20.0};
   with.ship.limits.max_speed = 1.5;
   Helm helm = under_way(1.0, with);
@@ -244,7 +244,7 @@ TEST(Helm, AVehicleThatCannotStopHoldsInACircle) {
 }
 
 TEST(Helm, EstimatesTheCurrentFromTheVelocityThroughTheWaterAndFiltersIt) {
-  HelmSetup with = setup();
+  auto with = setup();
   with.ship.steering = {.kind = SteeringKind::crab, .min_speed_mps = 0.1};
   Helm helm = helm_of(with, "direct");
   helm.go_to({500, 0, 10}, 0.5);
@@ -299,7 +299,7 @@ TEST(Helm, ACopyIsASnapshot) {
 }
 
 TEST(Helm, NothingAllocatesWhateverComesIn) {
-  HelmSetup with = setup();
+  auto with = setup();
   with.policy.jump_confirmations_count = 2;
   for (const LostPolicy lost : {LostPolicy::inflate, LostPolicy::hold, LostPolicy::forget}) {
     with.policy.neighbour_lost = lost;

@@ -7,7 +7,7 @@ namespace {
 
 TEST(HelmMadeInCpp, RefusesAParameterOfItsSteeringOutsideItsRangeByName) {
   testing::expect_ranges_kept<SteeringParams>([](const SteeringParams& params) {
-    HelmSetup setup = fixes::setup();
+    fixes::Parts setup = fixes::setup();
     setup.ship.steering = params;
     (void)fixes::helm_of(setup);
   });
@@ -15,7 +15,7 @@ TEST(HelmMadeInCpp, RefusesAParameterOfItsSteeringOutsideItsRangeByName) {
 
 TEST(HelmMadeInCpp, RefusesAParameterOfItsPolicyOutsideItsRangeByName) {
   testing::expect_ranges_kept<OnboardPolicy>([](const OnboardPolicy& params) {
-    HelmSetup setup = fixes::setup();
+    fixes::Parts setup = fixes::setup();
     setup.policy = params;
     (void)fixes::helm_of(setup);
   });

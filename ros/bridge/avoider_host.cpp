@@ -26,7 +26,7 @@ struct AvoiderHost::Self {
   explicit Self(AvoiderSetup setup)
       : obstacles{std::move(setup.obstacles)},
         algorithm{std::move(setup.algorithm)},
-        helm{std::move(setup.helm), std::move(setup.avoider)} {
+        helm{std::move(setup.pilot), std::move(setup.helm), std::move(setup.avoider)} {
     for (const TeamMate& mate : helm.setup().team) team.push_back(mate.name);
   }
 
@@ -67,7 +67,7 @@ AvoiderHost& AvoiderHost::operator=(AvoiderHost&&) noexcept = default;
 AvoiderHost::~AvoiderHost() = default;
 
 const std::vector<std::string>& AvoiderHost::team() const { return self_->team; }
-double AvoiderHost::period() const { return self_->helm.setup().period; }
+double AvoiderHost::period() const { return self_->helm.pilot().period(); }
 double AvoiderHost::watchdog_period() const { return self_->helm.setup().policy.watchdog_s; }
 std::string AvoiderHost::algorithm() const { return self_->algorithm; }
 
@@ -162,7 +162,7 @@ std::vector<std::uint8_t> AvoiderHost::own_record(double now) const {
 Diagnosis AvoiderHost::diagnosis(double now) const { return diagnosis_of(self_->helm, now); }
 
 std::vector<Mark> AvoiderHost::marks() const {
-  return marks_of(self_->drawing, self_->helm.own(), self_->helm.setup().ship.limits.max_speed);
+  return marks_of(self_->drawing, self_->helm.own(), self_->helm.pilot().ship().limits.max_speed);
 }
 
 std::optional<Triple> AvoiderHost::goal() const {

@@ -23,6 +23,7 @@ constexpr double unlimited = std::numeric_limits<double>::infinity();
 struct Draft {
   Scenario scenario;
   std::size_t own{};  ///< of the scenario's vehicles
+  double period{};    ///< between decisions [s]
   HelmSetup helm;
   Catalogs catalogs{builtin_catalogs()};
 
@@ -95,7 +96,7 @@ const std::vector<Setting>& settings() {
       {"id", [](Draft& d,
                 const std::string& t) { d.vehicle().id = static_cast<std::uint32_t>(whole_of("id", t, 0)); }},
       number("radius_m", 0.0, 1e4, [](Draft& d) -> double& { return d.vehicle().radius_m; }),
-      number("period_s", 1e-3, 60.0, [](Draft& d) -> double& { return d.helm.period; }),
+      number("period_s", 1e-3, 60.0, [](Draft& d) -> double& { return d.period; }),
       number("record_period_s", 1e-3, 60.0, [](Draft& d) -> double& { return d.helm.record_period; }),
       number("arrival_m", 1e-3, 1e4, [](Draft& d) -> double& { return d.helm.arrival; }),
       number("range_m", 0.0, unlimited, [](Draft& d) -> double& { return d.helm.range; }),
@@ -278,7 +279,7 @@ Draft draft_of(const AvoiderOptions& options, const std::optional<std::vector<st
 
   const Scenario& scenario = draft.scenario;
   HelmSetup& helm = draft.helm;
-  helm.period = scenario.steps_per_decision * scenario.step_s;
+  draft.period = scenario.steps_per_decision * scenario.step_s;
   helm.record_period = scenario.step_s;
   helm.range = scenario.perception.range_m;
   for (const Leg& leg : draft.vehicle().mission) {
@@ -319,9 +320,9 @@ AvoiderSetup avoider_setup(const AvoiderOptions& options) {
   check(draft);
 
   const VehicleSpec& own = draft.vehicle();
-  draft.helm.ship = particulars_of(own, make_vehicle(own, draft.catalogs.vehicles));
   AvoiderSetup setup{.obstacles = std::move(draft.scenario.obstacles),
                      .algorithm = own.avoider.name,
+                     .pilot = {particulars_of(own, make_vehicle(own, draft.catalogs.vehicles)), draft.period},
                      .helm = std::move(draft.helm),
                      .avoider = make_avoider(own, draft.scenario.seed, draft.catalogs.avoiders)};
   for (const ObstacleSpec& obstacle : setup.obstacles) {

@@ -15,6 +15,7 @@ namespace fairway::bridge {
 struct AvoiderSetup {
   std::vector<ObstacleSpec> obstacles;  ///< hold the vertices of the helm's chart
   std::string algorithm;                ///< as it was chosen, wrappers included
+  Pilot pilot;
   HelmSetup helm;
   Avoider avoider;
 };

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "ros/ros1/conversions.hpp"
+#include "ros/ros1/middleware.hpp"
 
 namespace {
 
@@ -136,7 +136,7 @@ class Latency {
 
   void tell_goal(Played& vehicle) {
     vehicle.goal.publish(
-        ros1::goal_of(vehicle.goal_position(), ros::Time::now().toSec(), bridge::Frame::ned, "world"));
+        ros1::Writer{bridge::Frame::ned}.goal(vehicle.goal_position(), ros::Time::now().toSec()));
   }
 
   void send(Played& vehicle) {
@@ -146,7 +146,7 @@ class Latency {
       tell_goal(vehicle);
     }
     nav_msgs::Odometry odometry =
-        ros1::odometry_of(vehicle.motion(ros::Time::now().toSec()), bridge::Frame::ned, "world", "vehicle");
+        ros1::Writer{bridge::Frame::ned}.odometry(vehicle.motion(ros::Time::now().toSec()), "vehicle");
     odometry.header.stamp = ros::Time::now();
     vehicle.sent[vehicle.next++ % vehicle.sent.size()] = {odometry.header.stamp, Steady::now(), sent_++,
                                                           false};
@@ -156,7 +156,7 @@ class Latency {
   void hear(std::size_t index, const geometry_msgs::TwistStamped& command) {
     const auto now = Steady::now();
     Played& vehicle = fleet_[index];
-    vehicle.asked = ros1::body_velocity_of(command, bridge::Frame::ned);
+    vehicle.asked = bridge::velocity_of(command.twist, bridge::Frame::ned);
     for (Sent& sent : vehicle.sent) {
       if (sent.is_answered || sent.stamp != command.header.stamp) continue;
       sent.is_answered = true;

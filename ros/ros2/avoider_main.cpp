@@ -14,7 +14,7 @@ int main(int argc, char** argv) {
                                  arguments.settings, space.substr(space.rfind('/') + 1));
                              if (space == "/") space = "/" + bridge::topic_name(settings.vehicle);
                              ros2::AvoiderNode node{settings, arguments.graph};
-                             node.run(stop);
+                             node.run([&stop] { return !stop; });
                              return 0;
                            });
 }

@@ -31,9 +31,26 @@ dds_entity_t valid(dds_entity_t entity, const std::string& what) {
   return entity;
 }
 
+/// How a topic is kept and sent.
+struct Qos {
+  bool reliable{true};
+  bool latched{false};  ///< transient local
+  std::int32_t depth{10};
+};
+
+constexpr Qos usual{};  // of ROS 2
+
+Qos sent(Keep keep) {
+  return keep == Keep::many ? Qos{true, false, 100} : keep == Keep::latched ? Qos{true, true, 1} : usual;
+}
+
+Qos heard(Keep keep) {
+  return keep == Keep::many ? Qos{true, false, 100} : keep == Keep::newest ? Qos{false, false, 10} : usual;
+}
+
 using QosPointer = std::unique_ptr<dds_qos_t, decltype(&dds_delete_qos)>;
 
-QosPointer middleware_qos(const Qos& qos) {
+QosPointer dds_qos_of(const Qos& qos) {
   QosPointer made{dds_create_qos(), &dds_delete_qos};
   dds_qset_reliability(made.get(), qos.reliable ? DDS_RELIABILITY_RELIABLE : DDS_RELIABILITY_BEST_EFFORT,
                        max_blocking);
@@ -111,11 +128,9 @@ Graph::Graph(GraphOptions options) : options_{std::move(options)} {
   dds_qset_userdata(qos.get(), enclave.data(), enclave.size());
   participant_ = valid(dds_create_participant(options_.domain, qos.get(), nullptr), "a participant");
   waitset_ = valid(dds_create_waitset(participant_), "a wait set");
-  guard_ = valid(dds_create_guardcondition(participant_), "a guard condition");
-  valid(dds_waitset_attach(waitset_, guard_, 0), "a wait set");
   const dds_entity_t discovery = valid(
       dds_create_writer(participant_, topic("ros_discovery_info", descriptor<ParticipantEntitiesInfo>()),
-                        middleware_qos(latched_qos).get(), nullptr),
+                        dds_qos_of(sent(Keep::latched)).get(), nullptr),
       "ros_discovery_info");
   discovery_ = Publisher<ParticipantEntitiesInfo>{discovery};
 }
@@ -129,29 +144,27 @@ dds_entity_t Graph::topic(const std::string& name, const dds_topic_descriptor_t&
   return valid(dds_create_topic(participant_, &type, name.c_str(), nullptr, nullptr), "topic " + name);
 }
 
-dds_entity_t Graph::writer(const std::string& name, const dds_topic_descriptor_t& type, const Qos& qos) {
+dds_entity_t Graph::writer(const std::string& name, const dds_topic_descriptor_t& type, Keep keep) {
   const std::string full = "rt" + resolved(options_, name);
   return writers_.emplace_back(
-      valid(dds_create_writer(participant_, topic(full, type), middleware_qos(qos).get(), nullptr), full));
+      valid(dds_create_writer(participant_, topic(full, type), dds_qos_of(sent(keep)).get(), nullptr), full));
 }
 
-void Graph::reader(const std::string& name, const dds_topic_descriptor_t& type, const Qos& qos,
-                   std::function<void(const void*)> handle) {
-  if (!qos.either) return reader(name, type, qos, std::move(handle), nullptr);
-  const auto seen = std::make_shared<Seen>();
-  reader(name, type, Qos{qos.reliable, true, qos.depth}, handle, seen);
-  reader(name, type, Qos{qos.reliable, false, qos.depth}, std::move(handle), seen);
-}
-
-void Graph::reader(const std::string& name, const dds_topic_descriptor_t& type, const Qos& qos,
-                   std::function<void(const void*)> handle, std::shared_ptr<Seen> seen) {
-  const std::string full = resolved(options_, name);
-  const dds_entity_t reader = valid(
-      dds_create_reader(participant_, topic("rt" + full, type), middleware_qos(qos).get(), nullptr), full);
-  const dds_entity_t arrived = valid(dds_create_readcondition(reader, DDS_ANY_STATE), full);
-  valid(dds_waitset_attach(waitset_, arrived, 0), full);
-  subscriptions_.push_back(
-      std::make_unique<Subscription>(Subscription{reader, full, std::move(handle), std::move(seen)}));
+/// DDS has no subscription that takes what latched publishers sent before and what others send: it is two,
+/// and what comes by both is handled once.
+void Graph::reader(const std::string& name, const dds_topic_descriptor_t& type, Keep keep,
+                   const std::function<void(const void*)>& handle) {
+  const auto seen = keep == Keep::latched ? std::make_shared<Seen>() : nullptr;
+  const auto add = [&](const Qos& qos) {
+    const std::string full = resolved(options_, name);
+    const dds_entity_t reader = valid(
+        dds_create_reader(participant_, topic("rt" + full, type), dds_qos_of(qos).get(), nullptr), full);
+    const dds_entity_t arrived = valid(dds_create_readcondition(reader, DDS_ANY_STATE), full);
+    valid(dds_waitset_attach(waitset_, arrived, 0), full);
+    subscriptions_.push_back(std::make_unique<Subscription>(Subscription{reader, full, handle, seen}));
+  };
+  if (keep == Keep::latched) add({.latched = true});
+  add(heard(keep));
 }
 
 void Graph::announce() {
@@ -171,38 +184,34 @@ void Graph::announce() {
   discovery_.publish(info);
 }
 
-void Graph::wait(std::chrono::nanoseconds longest) {
-  dds_attach_t triggered{};
-  dds_waitset_wait(waitset_, &triggered, 1, std::max<dds_duration_t>(longest.count(), 0));
-  bool woken = false;
-  dds_take_guardcondition(guard_, &woken);
+void Graph::handle(double longest) {
+  if (longest > 0.0) {
+    dds_attach_t triggered{};
+    dds_waitset_wait(waitset_, &triggered, 1, static_cast<dds_duration_t>(1e9 * longest));
+  }
+  while (handle_some()) {
+  }
 }
 
-void Graph::wake() { dds_set_guardcondition(guard_, true); }
-
-std::size_t Graph::handle_all() {
+bool Graph::handle_some() {
   constexpr std::size_t at_once = 16;
   std::array<void*, at_once> messages{};
   std::array<dds_sample_info_t, at_once> infos{};
-  std::size_t all = 0;
-  for (std::size_t round = 1; round > 0; all += round) {
-    round = 0;
-    for (const auto& subscription : subscriptions_) {
-      messages[0] = nullptr;  // borrowed from the middleware
-      const dds_return_t count =
-          dds_take(subscription->reader, messages.data(), infos.data(), at_once, at_once);
-      for (dds_return_t i = 0; i < count; ++i) {
-        const dds_sample_info_t& info = infos[static_cast<std::size_t>(i)];
-        if (info.valid_data && !subscription->has_been_seen(info))
-          subscription->handle(messages[static_cast<std::size_t>(i)]);
-      }
-      if (count > 0) {
-        dds_return_loan(subscription->reader, messages.data(), count);
-        round += static_cast<std::size_t>(count);
-      }
+  bool any = false;
+  for (const auto& subscription : subscriptions_) {
+    messages[0] = nullptr;  // borrowed from the middleware
+    const dds_return_t count =
+        dds_take(subscription->reader, messages.data(), infos.data(), at_once, at_once);
+    for (dds_return_t i = 0; i < count; ++i) {
+      const dds_sample_info_t& info = infos[static_cast<std::size_t>(i)];
+      if (info.valid_data && !subscription->has_been_seen(info))
+        subscription->handle(messages[static_cast<std::size_t>(i)]);
     }
+    if (count <= 0) continue;
+    dds_return_loan(subscription->reader, messages.data(), count);
+    any = true;
   }
-  return all;
+  return any;
 }
 
 std::size_t Graph::sources(const std::string& topic) const {

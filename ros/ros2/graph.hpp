@@ -8,29 +8,15 @@
 #include <map>
 #include <memory>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "ros/bridge/messages.hpp"
 #include "ros/ros2/messages.hpp"
 
 namespace fairway::ros2 {
 
-/// How a topic is kept and sent. The defaults are ROS 2's.
-struct Qos {
-  bool reliable{true};
-  bool latched{false};  ///< transient local: who comes late gets the last ones
-  std::int32_t depth{10};
-  /// For subscriptions: takes what latched publishers sent before, and what others send. DDS has no such
-  /// subscription: it is two, and what comes by both is handled once.
-  bool either{false};
-};
-
-inline constexpr Qos default_qos{};
-inline constexpr Qos latched_qos{true, true, 1};
-inline constexpr Qos either_qos{true, false, 10, true};
-/// For subscriptions: takes what reliable and best effort publishers send.
-inline constexpr Qos sensor_qos{false, false, 10};
+using bridge::Keep;
 
 /// A node's place in the graph.
 struct GraphOptions {
@@ -82,15 +68,18 @@ class Graph {
   Graph& operator=(const Graph&) = delete;
   ~Graph();
 
+  /// Reliable, and, where it is latched, transient local; so many as `Keep` says of it.
   template <class Message>
-  Publisher<Message> advertise(const std::string& topic, const Qos& qos = default_qos) {
-    return Publisher<Message>{writer(topic, descriptor<Message>(), qos)};
+  Publisher<Message> advertise(const std::string& topic, Keep keep = Keep::few) {
+    return Publisher<Message>{writer(topic, descriptor<Message>(), keep)};
   }
 
-  /// `handle` is called by handle_all(), in the order of subscribing and, within a topic, of arrival.
+  /// `handle` is called by handle(), in the order of subscribing and, within a topic, of arrival. What is
+  /// kept as `newest` comes of reliable and best effort publishers alike, as `latched` of latched ones and
+  /// others, and else of reliable ones alone.
   template <class Message, class Handle>
-  void subscribe(const std::string& topic, Handle handle, const Qos& qos = default_qos) {
-    reader(topic, descriptor<Message>(), qos, [handle = std::move(handle)](const void* message) {
+  void subscribe(const std::string& topic, Keep keep, Handle handle, bool /*wakes*/ = true) {
+    reader(topic, descriptor<Message>(), keep, [handle = std::move(handle)](const void* message) {
       handle(*static_cast<const Message*>(message));
     });
   }
@@ -98,32 +87,25 @@ class Graph {
   /// Tells the graph the node's name and its topics: when all of them are there.
   void announce();
 
-  /// Waits until a message is there or wake() was called, at most so long.
-  void wait(std::chrono::nanoseconds longest);
-  void wake();
-  /// Handles all messages that are there, until none is left. Returns how many.
-  std::size_t handle_all();
+  /// Waits for what arrives, no longer than this [s], and handles all messages, until none is left.
+  void handle(double longest);
   /// Publishers that are matched to our subscription of `topic` now; 0 if there is none.
   std::size_t sources(const std::string& topic) const;
-
-  const GraphOptions& options() const { return options_; }
 
  private:
   struct Subscription;
   using Seen = std::map<dds_instance_handle_t, dds_time_t>;  // the last message of each publisher
 
-  dds_entity_t writer(const std::string& topic, const dds_topic_descriptor_t& type, const Qos& qos);
-  void reader(const std::string& topic, const dds_topic_descriptor_t& type, const Qos& qos,
-              std::function<void(const void*)> handle);
-  void reader(const std::string& topic, const dds_topic_descriptor_t& type, const Qos& qos,
-              std::function<void(const void*)> handle, std::shared_ptr<Seen> seen);
+  dds_entity_t writer(const std::string& topic, const dds_topic_descriptor_t& type, Keep keep);
+  void reader(const std::string& topic, const dds_topic_descriptor_t& type, Keep keep,
+              const std::function<void(const void*)>& handle);
+  bool handle_some();
   dds_entity_t topic(const std::string& name, const dds_topic_descriptor_t& type);
 
   GraphOptions options_;
   dds_entity_t domain_{};
   dds_entity_t participant_{};
   dds_entity_t waitset_{};
-  dds_entity_t guard_{};
   std::vector<dds_entity_t> writers_;
   std::vector<std::unique_ptr<Subscription>> subscriptions_;
   Publisher<ParticipantEntitiesInfo> discovery_;

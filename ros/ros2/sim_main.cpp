@@ -10,6 +10,6 @@ int main(int argc, char** argv) {
           bridge::fleet_node_words(),
       [](ros2::RosArguments& arguments, const std::atomic<bool>& stop) {
         ros2::SimNode node{bridge::fleet_node_settings(arguments.settings), arguments.graph};
-        return node.run(stop);
+        return node.run([&stop] { return !stop; });
       });
 }

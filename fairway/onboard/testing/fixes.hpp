@@ -22,21 +22,26 @@ inline Fix on_course(double time, const Vec3& from = {0, 0, 10}, double speed = 
   return north(time, from + Vec3{speed * time, 0, 0}, speed);
 }
 
+/// What a helm is made of, but for its method.
+struct Parts : HelmSetup {
+  Particulars ship;
+  double period{};  ///< [s]
+};
+
 /// Vehicle 0 of two, decides ten times a second, 0.5 m/s, turns on the spot.
-inline HelmSetup setup() {
-  HelmSetup setup{.ship = {.id = VehicleId{0}, .name = "zero", .radius = 1.5}, .period = 0.1};
+inline Parts setup() {
+  Parts setup{{}, {.id = VehicleId{0}, .name = "zero", .radius = 1.5}, 0.1};
   setup.ship.limits.max_speed = 0.5;
   setup.team = {{.id = VehicleId{1}, .name = "one", .radius = 1.5, .priority = 1}};
   return setup;
 }
 
-inline Helm helm_of(const HelmSetup& setup, const char* algorithm = "orca3d",
-                    const ParamValues& params = {}) {
-  return Helm{setup, builtin_avoiders().make(algorithm, params)};
+inline Helm helm_of(const Parts& setup, const char* algorithm = "orca3d", const ParamValues& params = {}) {
+  return Helm{{setup.ship, setup.period}, setup, builtin_avoiders().make(algorithm, params)};
 }
 
 /// A helm that goes north, with good fixes of its own ten times a second until `until` [s].
-inline Helm under_way(double until, const HelmSetup& with = setup()) {
+inline Helm under_way(double until, const Parts& with = setup()) {
   Helm helm = helm_of(with);
   helm.go_to({500, 0, 10}, 0.5);
   for (int i = 0; 0.1 * i <= until + 1e-9; ++i) {

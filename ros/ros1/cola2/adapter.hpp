@@ -11,7 +11,7 @@
 #include <string>
 
 #include "ros/bridge/plain.hpp"
-#include "ros/ros1/conversions.hpp"
+#include "ros/ros1/middleware.hpp"
 
 namespace fairway::ros1::cola2 {
 
@@ -34,7 +34,7 @@ inline bridge::Quaternion attitude_of(double roll, double pitch, double yaw) {
 template <class Navigation>
 bridge::Motion motion_from(const Navigation& navigation) {
   bridge::Motion motion;
-  motion.time = seconds_of(navigation.header.stamp);
+  motion.time = bridge::seconds_of(Middleware::nanoseconds(navigation.header.stamp));
   motion.position_n = {navigation.position.north, navigation.position.east, navigation.position.depth};
   motion.q_nb =
       attitude_of(navigation.orientation.roll, navigation.orientation.pitch, navigation.orientation.yaw);

@@ -53,11 +53,11 @@ void run() {
   };
   const boost::function<void(const cola2_msgs::NavStsConstPtr&)> on_navigation =
       [&](const cola2_msgs::NavStsConstPtr& message) {
-        odometry.publish(ros1::odometry_of(ros1::cola2::motion_from(*message), frame, world, name));
+        odometry.publish(ros1::Writer{frame, world}.odometry(ros1::cola2::motion_from(*message), name));
       };
   const boost::function<void(const geometry_msgs::TwistStampedConstPtr&)> on_command =
       [&](const geometry_msgs::TwistStampedConstPtr& message) {
-        keeper.hear(ros1::body_velocity_of(*message, frame), ros::Time::now().toSec());
+        keeper.hear(bridge::velocity_of(message->twist, frame), ros::Time::now().toSec());
         ask();
       };
   const ros::Subscriber navigation = vehicle.subscribe<cola2_msgs::NavSts>(
