@@ -20,8 +20,13 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 TEST_P(Laws, TheSameSituationMemoryAndSeedGiveTheSameBits) {
   everywhere([](Avoider avoider, const Situation& s) {
-    Avoider copy = avoider;
-    for (int step = 0; step < 3; ++step) EXPECT_EQ(avoider.decide(s), copy.decide(s));
+    Avoider twin = avoider;
+    for (int step = 0; step < 3; ++step) {
+      Avoider copy = avoider;
+      const Command expected = avoider.decide(s);
+      EXPECT_EQ(twin.decide(s), expected);
+      EXPECT_EQ(copy.decide(s), expected);
+    }
   });
 }
 

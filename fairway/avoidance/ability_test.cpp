@@ -10,6 +10,7 @@
 namespace fairway {
 namespace {
 
+using encounters::Always;
 using encounters::OwnedSituation;
 
 /// It neither stops, nor goes astern or sideways.
@@ -65,16 +66,6 @@ TEST(Shortfall, HasWordsForEveryKindButNone) {
   for (const Shortfall kind : {Shortfall::too_slow, Shortfall::astern, Shortfall::sideways})
     EXPECT_FALSE(words_of(kind).empty()) << enum_name(kind);
 }
-
-/// Answers with the same for ever.
-struct Always {
-  static constexpr AlgorithmInfo info{.name = "always"};
-  using Params = NoParams;
-  using Memory = NoMemory;
-  Params params;
-  Command command;
-  Command decide(const Situation&, Memory&, Context&) const noexcept { return command; }
-};
 
 OwnedSituation torpedo_ahead() {
   OwnedSituation e = encounters::open_water();

@@ -4,7 +4,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <functional>
 #include <limits>
 
 #include "fairway/avoidance/catalog.hpp"
@@ -12,21 +11,13 @@
 #include "fairway/avoidance/orca3d/orca3d.hpp"
 #include "fairway/avoidance/stop_and_wait/stop_and_wait.hpp"
 #include "fairway/avoidance/testing/encounters.hpp"
+#include "fairway/core/testing/refusal.hpp"
 
 namespace fairway {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-std::string refusal_of(const std::function<void()>& making) {
-  try {
-    making();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "accepted";
-}
 
 TEST(AvoiderMadeInCpp, RefusesAParameterOutsideItsRangeByName) {
   EXPECT_EQ(refusal_of([] { Avoider{Orca3d{{.time_horizon_s = -3}}}; }),
@@ -128,17 +119,8 @@ TEST(AnUnusableSituation, IsAnsweredWithANoteThatSaysWhatIsUnusable) {
   }
 }
 
-/// Answers with what is no velocity.
-struct Lost {
-  static constexpr AlgorithmInfo info{.name = "lost", .title = "", .source = ""};
-  using Params = NoParams;
-  using Memory = NoMemory;
-  NoParams params;
-  static Command decide(const Situation&, NoMemory&, Context&) noexcept { return {.velocity = {nan, 0, 0}}; }
-};
-
 TEST(AnAnswer, ThatIsNotFiniteIsReplacedWithANote) {
-  Avoider avoider{Lost{}};
+  Avoider avoider{encounters::Always{{}, {.velocity = {nan, 0, 0}}}};
   EXPECT_EQ(avoider.decide(encounters::crowd(5, Rng{1})),
             (Command{.mode = Mode::infeasible, .note = "the method's answer is not finite"}));
 }

@@ -7,6 +7,7 @@
 #include "fairway/comms/exchange.hpp"
 #include "fairway/comms/testing/acoustic_sea.hpp"
 #include "fairway/core/testing/allocations.hpp"
+#include "fairway/core/testing/refusal.hpp"
 
 namespace fairway {
 namespace {
@@ -320,12 +321,7 @@ TEST(AcousticChannel, AfterTheFirstTickNothingIsAllocated) {
 
 /// What such a choice is refused with.
 std::string refusal(const ParamValues& params, std::size_t vehicle_count = 2) {
-  try {
-    (void)Exchange{"acoustic", params, vehicle_count, tick_s, Rng{1}};
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return refusal_of([&] { (void)Exchange{"acoustic", params, vehicle_count, tick_s, Rng{1}}; });
 }
 
 TEST(AcousticChannel, WhatDoesNotGoTogetherIsRefused) {

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "fairway/core/testing/refusal.hpp"
 #include "fairway/core/text.hpp"
 
 namespace fairway {
@@ -30,12 +31,7 @@ struct Hull {
 
 std::string refusal(std::string_view name, const ParamValue& value) {
   Hull hull;
-  try {
-    set_param(hull, name, value);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return refusal_of([&] { set_param(hull, name, value); });
 }
 
 TEST(Params, AreSetByName) {
@@ -103,12 +99,7 @@ struct Skeleton {
 
 std::string skeleton_refusal(std::string_view name, const ParamValue& value) {
   Skeleton skeleton;
-  try {
-    set_param(skeleton, name, value);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return refusal_of([&] { set_param(skeleton, name, value); });
 }
 
 TEST(ListParams, AnItemOfTheDefaultCanBeChanged) {
@@ -149,12 +140,7 @@ TEST(ListParams, AreDescribedWithTheirItems) {
 
 template <Reflected P>
 std::string check_of(const P& params) {
-  try {
-    EXPECT_EQ(&checked_params(params), &params);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return refusal_of([&] { EXPECT_EQ(&checked_params(params), &params); });
 }
 
 TEST(ParamsMadeInCpp, AreHeldToTheirRanges) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/core/testing/out_of_range.hpp"
+#include "fairway/core/testing/refusal.hpp"
 #include "fairway/dynamics/catalog.hpp"
 #include "fairway/dynamics/kinematic/kinematic.hpp"
 #include "fairway/dynamics/minerva/minerva.hpp"
@@ -31,13 +32,8 @@ TEST(VehiclesMadeInCpp, AreAllOfTheCatalog) {
 TEST(MinervaTransportMadeInCpp, NamesTheStationThatIsOutOfRange) {
   MinervaTransport::Params params;
   params.layout.at(2).thrust_ratio = -1.0;
-  try {
-    MinervaTransport{params};
-    FAIL() << "accepted";
-  } catch (const InputError& error) {
-    EXPECT_TRUE(std::string_view(error.what()).starts_with("layout[2].thrust_ratio: is -1; expected"))
-        << error.what();
-  }
+  const std::string refusal = refusal_of([&] { MinervaTransport{params}; });
+  EXPECT_TRUE(refusal.starts_with("layout[2].thrust_ratio: is -1; expected")) << refusal;
 }
 
 }  // namespace

@@ -5,30 +5,13 @@
 
 #include <Eigen/Cholesky>
 
-#include "fairway/core/rng.hpp"
-#include "fairway/dynamics/integrate.hpp"
+#include "fairway/dynamics/testing/adrift.hpp"
 
 namespace fairway {
 namespace {
 
 using fossen::Matrix6;
 using fossen::Vector6;
-
-/// A body without actuators, as a model to integrate.
-struct Adrift {
-  using Params = NoParams;
-  static constexpr VehicleInfo info{"adrift", "a body without actuators", "test"};
-
-  explicit Adrift(Params) : body{SubmergedBodyNumbers{.mass = 1.0, .displaced_mass = 1.0}} {}
-  explicit Adrift(const SubmergedBodyNumbers& numbers) : body{numbers} {}
-  std::span<const ActuatorInfo> actuators() const { return {}; }
-  StateRate derivative(const VehicleState& x, const ActuatorValues&, const Water& water) const noexcept {
-    return body.derivative(x, Vector6::Zero(), water);
-  }
-  double power(const ActuatorValues&) const noexcept { return 0.0; }
-
-  SubmergedBody body;
-};
 
 /// A body with nothing zero and no symmetry: every off-diagonal term takes part.
 SubmergedBodyNumbers lopsided() {
@@ -50,21 +33,12 @@ SubmergedBodyNumbers with_damping(SubmergedBodyNumbers n) {
   return n;
 }
 
-Vec3 random_vector(Rng& rng, double size) { return size * Vec3{rng.normal(), rng.normal(), rng.normal()}; }
-
 VehicleState random_state(Rng& rng) {
   VehicleState x;
   x.p_n = random_vector(rng, 5.0);
-  x.q_nb = Eigen::Quaterniond{rng.normal(), rng.normal(), rng.normal(), rng.normal()}.normalized();
+  x.q_nb = random_orientation(rng);
   x.v_b = random_vector(rng, 0.5);
   x.omega_b = random_vector(rng, 0.4);
-  return x;
-}
-
-VehicleState integrated(const Adrift& model, VehicleState x, double duration, double h,
-                        const Water& water = {}) {
-  const int steps = static_cast<int>(std::lround(duration / h));
-  for (int i = 0; i < steps; ++i) x = rk4(model, x, ActuatorValues{}, water, h);
   return x;
 }
 
@@ -160,7 +134,7 @@ TEST(SubmergedBody, EnergyStaysConstantWithoutDamping) {
   for (const bool munk : {true, false}) {
     SubmergedBodyNumbers numbers = lopsided();
     numbers.munk_moment = munk;
-    const Adrift model{numbers};
+    const Adrift model{SubmergedBody{numbers}};
     for (int i = 0; i < 5; ++i) {
       const VehicleState start = random_state(rng);
       const VehicleState end = integrated(model, start, 5.0, 0.002);
@@ -172,7 +146,7 @@ TEST(SubmergedBody, EnergyStaysConstantWithoutDamping) {
 
 TEST(SubmergedBody, EnergyNeverGrowsWithDamping) {
   Rng rng{5};
-  const Adrift model{with_damping(lopsided())};
+  const Adrift model{SubmergedBody{with_damping(lopsided())}};
   for (int i = 0; i < 10; ++i) {
     VehicleState x = random_state(rng);
     double energy = model.body.energy(x);
@@ -190,7 +164,7 @@ TEST(SubmergedBody, MomentumOfBodyAndWaterIsConservedWhereNothingPulls) {
   SubmergedBodyNumbers numbers = lopsided();
   numbers.displaced_mass = numbers.mass;
   numbers.r_b = numbers.r_g;
-  const Adrift model{numbers};
+  const Adrift model{SubmergedBody{numbers}};
   const auto momenta = [&](const VehicleState& x) {
     Vector6 nu;
     nu << x.v_b, x.omega_b;
@@ -209,7 +183,7 @@ TEST(SubmergedBody, MomentumOfBodyAndWaterIsConservedWhereNothingPulls) {
 
 TEST(SubmergedBody, RungeKuttaConvergesWithOrderFour) {
   Rng rng{7};
-  const Adrift model{lopsided()};
+  const Adrift model{SubmergedBody{lopsided()}};
   const Water water{.current_n = {0.2, -0.3, 0.1}, .density = 1000.0};
   const VehicleState start = random_state(rng);
   const auto error = [&](double h) {
@@ -221,27 +195,6 @@ TEST(SubmergedBody, RungeKuttaConvergesWithOrderFour) {
   EXPECT_NEAR(order, 4.0, 0.2);
 }
 
-TEST(SubmergedBody, DriftingWithTheCurrentIsRestEvenWhileTurning) {
-  SubmergedBodyNumbers numbers = with_damping(lopsided());
-  numbers.displaced_mass = numbers.mass;
-  numbers.r_g = numbers.r_b = Vec3::Zero();
-  numbers.linear_damping.setZero();
-  numbers.quadratic_damping.tail<3>().setZero();  // keeps turning
-  numbers.inertia = Vec3{0.9, 9.4, 9.5}.asDiagonal();
-  numbers.added_mass(1, 5) = numbers.added_mass(5, 1) = 0.0;
-  numbers.added_mass(2, 4) = numbers.added_mass(4, 2) = 0.0;
-  const Adrift model{numbers};
-  const Water water{.current_n = {0.4, -0.3, 0.1}, .density = 1000.0};
-
-  VehicleState x;
-  x.q_nb = quaternion_of({.roll = 0.3, .pitch = -0.2, .yaw = 1.0});
-  x.v_b = x.q_nb.conjugate() * water.current_n;
-  x.omega_b = {0.1, -0.2, 0.5};
-  const VehicleState end = integrated(model, x, 20.0, 0.02, water);
-  EXPECT_LT((end.v_n() - water.current_n).norm(), 1e-6);
-  EXPECT_LT((end.p_n - 20.0 * water.current_n).norm(), 1e-5);
-}
-
 TEST(SubmergedBody, AtRestInACurrentItIsCarriedAlongAsTheClosedFormSays) {
   // (m + A) u_r' = -d u_r |u_r| from u_r(0) = -V: u_r = -V / (1 + d V t / (m + A))
   SubmergedBodyNumbers numbers;
@@ -251,13 +204,13 @@ TEST(SubmergedBody, AtRestInACurrentItIsCarriedAlongAsTheClosedFormSays) {
   numbers.quadratic_damping[0] = 14.2;
   const double V = 0.4, t = 120.0;
   const VehicleState x =
-      integrated(Adrift{numbers}, {}, t, 0.05, {.current_n = {V, 0, 0}, .density = 1000.0});
+      integrated(Adrift{SubmergedBody{numbers}}, {}, t, 0.05, {.current_n = {V, 0, 0}, .density = 1000.0});
   EXPECT_NEAR(x.v_b.x(), V - V / (1.0 + 14.2 * V * t / 54.0), 1e-8);
 }
 
 TEST(SubmergedBody, QuaternionStaysUnit) {
   Rng rng{8};
-  const Adrift model{lopsided()};
+  const Adrift model{SubmergedBody{lopsided()}};
   for (int i = 0; i < 5; ++i) {
     EXPECT_NEAR(integrated(model, random_state(rng), 20.0, 0.05).q_nb.norm(), 1.0, 1e-15);
   }

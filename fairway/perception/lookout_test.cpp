@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "fairway/core/testing/allocations.hpp"
+#include "fairway/core/testing/refusal.hpp"
 #include "fairway/perception/testing/quiet_sonar.hpp"
 
 namespace fairway {
@@ -47,12 +48,7 @@ Report report_after(Lookout& lookout, Waters& waters, int ticks) {
 }
 
 std::string refusal(std::string_view kind, const ParamValues& params) {
-  try {
-    Lookout{kind, params, reach, 8, Rng{1}};
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return refusal_of([&] { Lookout{kind, params, reach, 8, Rng{1}}; });
 }
 
 TEST(Lookout, WhatCannotBeIsRefusedWithOneLine) {

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "fairway/core/testing/refusal.hpp"
+
 namespace fairway {
 namespace {
 
@@ -149,13 +151,8 @@ TEST(Navigation, WithoutErrorsDriftingIsTheTruth) {
 }
 
 TEST(Navigation, WhatCannotBeIsRefusedWithOneLine) {
-  const auto refusal = [](std::string_view kind, const ParamValues& params) -> std::string {
-    try {
-      Navigation{kind, params, Rng{1}};
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "accepted";
+  const auto refusal = [](std::string_view kind, const ParamValues& params) {
+    return refusal_of([&] { Navigation{kind, params, Rng{1}}; });
   };
   EXPECT_EQ(refusal("drifting", {{"position_sigma_m", -1.0}}),
             "position_sigma_m: is -1; expected a number in [0, 1000]");

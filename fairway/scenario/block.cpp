@@ -11,23 +11,13 @@ namespace {
 
 std::string_view stem_of(std::string_view name) { return name.substr(0, name.rfind('_')); }
 
-std::string listed(const std::vector<std::string_view>& names) {
-  std::string list;
-  for (const std::string_view name : names) list += (list.empty() ? "" : ", ") + std::string(name);
-  return list;
-}
-
 }  // namespace
 
 void check_keys(const Value& value, const std::vector<std::string_view>& names,
                 const std::vector<std::string_view>& needed) {
-  value.expect_map(listed(names));
+  value.expect_keys(names);
   const std::vector<std::string>& keys = value.tree().keys;
-
   for (std::size_t i = 0; i < keys.size(); ++i) {
-    if (std::ranges::find(names, keys[i]) == names.end()) {
-      value.refuse_key(i, "unknown key" + suggestion(std::string_view(keys[i]).substr(0, 64), names));
-    }
     for (std::size_t j = 0; j < i; ++j) {
       if (stem_of(keys[i]) == stem_of(keys[j]))
         value.refuse_key(i, "given before as " + keys[j] + "; keep one");
@@ -205,6 +195,14 @@ Choice read_choice(const Value& value, std::string_view name_key, Needed needed,
     value.refuse("the key " + std::string(name_key) + " is missing");
   }
   return choice;
+}
+
+ParamValues read_params(const Value& value) {
+  value.expect_map("parameters and their values");
+  Choice choice;
+  for (std::size_t i = 0; i < value.tree().keys.size(); ++i)
+    read_param(value.entry(i), value.tree().keys[i], {}, choice);
+  return std::move(choice.params);
 }
 
 Tree write_choice(const Choice& choice, std::string_view name_key) {

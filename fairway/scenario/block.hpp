@@ -88,9 +88,7 @@ template <class Owner>
 void read_block(const Value& value, const Block<Owner>& block, Owner& owner) {
   detail::check_keys(value, detail::names_of(block, false), detail::names_of(block, true));
   for (const Key<Owner>& key : block) {
-    for (std::size_t i = 0; i < value.tree().keys.size(); ++i) {
-      if (value.tree().keys[i] == key.name) key.read(value.entry(i), owner);
-    }
+    if (const std::optional<Value> given = value.find(key.name)) key.read(*given, owner);
   }
 }
 
@@ -187,6 +185,8 @@ Form<Choice> choice_unless(std::string_view usual, std::string_view name_key);
 Choice read_choice(const Value& value, std::string_view name_key, Needed name,
                    const std::vector<std::string_view>& except = {});
 Tree write_choice(const Choice& choice, std::string_view name_key);
+/// The parameters in a mapping, a list of mappings as flat values.
+ParamValues read_params(const Value& value);
 
 /// The JSON schema of a number, referring to `#/$defs/distribution`.
 Tree number_schema(Bounds bounds);

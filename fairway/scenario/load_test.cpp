@@ -6,6 +6,7 @@
 
 #include "fairway/core/angles.hpp"
 #include "fairway/core/rng.hpp"
+#include "fairway/core/testing/refusal.hpp"
 
 namespace fairway {
 namespace {
@@ -268,14 +269,8 @@ TEST(OverrideTest, AnAngleInAnotherUnitReplacesTheDefault) {
 }
 
 TEST(LoadTest, AFileThatCannotBeReadIsRefused) {
-  for (const std::string file : {"/nonexistent.yaml", "/"}) {
-    try {
-      load_scenario(file);
-      FAIL();
-    } catch (const InputError& error) {
-      EXPECT_EQ(error.what(), file + ": cannot be read");
-    }
-  }
+  for (const std::string file : {"/nonexistent.yaml", "/"})
+    EXPECT_EQ(refusal_of([&] { load_scenario(file); }), file + ": cannot be read");
 }
 
 }  // namespace

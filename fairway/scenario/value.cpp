@@ -3,10 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <optional>
 
+#include "fairway/core/names.hpp"
 #include "fairway/core/text.hpp"
 
 namespace fairway::yaml {
@@ -68,8 +69,20 @@ void Value::expected(const std::string& what) const {
 
 Value Value::entry(std::size_t i) const {
   const Tree& item = tree_->items[i];
-  if (tree_->is_list()) return {item, fmt::format("{}[{}]", path_, i), *reading_};
+  if (tree_->is_list()) return {item, path_ + "[" + std::to_string(i) + "]", *reading_};
   return {item, path_.empty() ? tree_->keys[i] : path_ + "." + tree_->keys[i], *reading_};
+}
+
+std::optional<Value> Value::find(std::string_view key) const {
+  const auto found = std::ranges::find(tree_->keys, key);
+  if (found == tree_->keys.end()) return {};
+  return entry(static_cast<std::size_t>(found - tree_->keys.begin()));
+}
+
+Value Value::at(std::string_view key) const {
+  const std::optional<Value> found = find(key);
+  if (!found) refuse("the key " + std::string(key) + " is missing");
+  return *found;
 }
 
 void Value::expect_list(std::string_view of) const {
@@ -80,8 +93,17 @@ void Value::expect_map(std::string_view of) const {
   if (!tree_->is_map() && !tree_->is_null()) expected("a mapping: " + std::string(of));
 }
 
+void Value::expect_keys(const std::vector<std::string_view>& known) const {
+  if (!tree_->is_map()) expect_map(fmt::format("{}", fmt::join(known, ", ")));
+  for (std::size_t i = 0; i < tree_->keys.size(); ++i) {
+    const std::string& key = tree_->keys[i];
+    if (std::ranges::find(known, key) == known.end())
+      refuse_key(i, "unknown key" + suggestion(std::string_view(key).substr(0, 64), known));
+  }
+}
+
 double Value::number(Bounds bounds) const {
-  if (tree_->is_map()) return draw(bounds);
+  if (tree_->is_map() && reading_->rng) return draw(bounds);
   const std::optional<double> value = parsed_number(*tree_);
   if (!value) expected("a number in " + bounds.text());
   if (!std::isfinite(*value)) expected("a finite number in " + bounds.text());
@@ -99,7 +121,7 @@ double Value::draw(Bounds bounds) const {
     pair.expected(uniform ? "two numbers [lo, hi]" : "two numbers [mean, deviation]");
   }
   const double first = pair.entry(0).number(bounds);
-  Rng rng = reading_->rng.stream(path_);
+  Rng rng = reading_->rng->stream(path_);
 
   if (uniform) {
     const double hi = pair.entry(1).number(bounds);
@@ -116,14 +138,20 @@ double Value::draw(Bounds bounds) const {
   pair.refuse("none of 1000 draws lies in " + bounds.text());
 }
 
+double Value::item(std::size_t i, Bounds bounds) const {
+  const std::optional<double> value = parsed_number(tree_->items[i]);
+  // its path is put together where it is drawn or refused
+  return value && std::isfinite(*value) && bounds.holds(*value) ? *value : entry(i).number(bounds);
+}
+
 Vec3 Value::vector(Bounds each) const {
   if (!tree_->is_list() || tree_->items.size() != 3) expected(std::string(hint_of_vector));
-  return {entry(0).number(each), entry(1).number(each), entry(2).number(each)};
+  return {item(0, each), item(1, each), item(2, each)};
 }
 
 Vec3 Value::vertex(Bounds each) const {
   if (!tree_->is_list() || tree_->items.size() != 2) return vector(each);
-  return {entry(0).number(each), entry(1).number(each), 0.0};
+  return {item(0, each), item(1, each), 0.0};
 }
 
 bool Value::flag() const {

@@ -3,10 +3,12 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
 #include <utility>
+#include <vector>
 
 #include "fairway/core/params.hpp"
 #include "fairway/core/rng.hpp"
@@ -30,9 +32,10 @@ constexpr Bounds above_to(double lo, double hi) { return {lo, hi, true}; }
 
 /// What is common to all values of one document while it is read.
 struct Reading {
+  Reading() = default;
   explicit Reading(std::uint64_t seed) : rng{seed} {}
 
-  Rng rng;  ///< each distribution draws from the stream of its path
+  std::optional<Rng> rng;  ///< each distribution draws from the stream of its path; none is read without
   std::unordered_map<std::string_view, const Tree*> missions;  ///< named ones
   bool partial{};                                              ///< reading defaults: no key is missing
   std::size_t steps_left{200'000};  ///< legs that the vehicles' missions may have in all
@@ -51,6 +54,10 @@ class Value {
 
   /// A map's i-th entry, a list's i-th item.
   Value entry(std::size_t i) const;
+  /// The value of a map's key. O(keys).
+  std::optional<Value> find(std::string_view key) const;
+  /// The same; throws if the key is missing.
+  Value at(std::string_view key) const;
 
   double number(Bounds bounds) const;  ///< or a distribution, drawn
   Vec3 vector(Bounds each) const;      ///< [n, e, d]
@@ -65,6 +72,8 @@ class Value {
   /// These throw unless the value is a list or a mapping; nothing written counts as an empty one.
   void expect_list(std::string_view of) const;
   void expect_map(std::string_view of) const;
+  /// Throws unless the value is a mapping of no other keys than these.
+  void expect_keys(const std::vector<std::string_view>& known) const;
 
   /// `what` replaces the path of the message for an entry's key, as in "unknown key".
   [[noreturn]] void refuse(const std::string& message) const;
@@ -74,6 +83,7 @@ class Value {
 
  private:
   double draw(Bounds bounds) const;
+  double item(std::size_t i, Bounds bounds) const;
 
   const Tree* tree_;
   std::string path_;

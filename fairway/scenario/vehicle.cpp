@@ -122,9 +122,7 @@ Form<VehicleSpec> vehicle() {
                 const auto index = value.path().rfind('[');
                 if (index != std::string::npos)
                   vehicle.id = static_cast<std::uint32_t>(std::stoul(value.path().substr(index + 1)));
-                for (std::size_t i = 0; i < value.tree().keys.size(); ++i) {
-                  if (value.tree().keys[i] == "id") vehicle.id = value.entry(i).whole<std::uint32_t>();
-                }
+                if (const auto id = value.find("id")) vehicle.id = id->whole<std::uint32_t>();
                 vehicle.name = "robot" + std::to_string(vehicle.id);
                 vehicle.priority = static_cast<std::int32_t>(vehicle.id);
                 vehicle.model.path = value.path() + ".model";

@@ -107,15 +107,6 @@ TEST(Avoa, PrefersWhatIsFartherFromDanger) {
   EXPECT_LT(course(decide<Avoa>(e, how(0.4))), -0.02);
 }
 
-TEST(Avoa, TurningTheShipTurnsTheAnswerWithIt) {
-  OwnedSituation e = zarco();
-  e.obstacles = {buoy(7.0, 0.3), buoy(5.0, -4.0)};
-  e.tracks = {encounters::track(1, {10, 6, 0}, {0, -0.6, 0}, 0.75)};
-  const Vec3 expected = decide<Avoa>(e).velocity;
-  const Eigen::AngleAxisd turn(2.2, Vec3::UnitZ());
-  EXPECT_LT((decide<Avoa>(encounters::turned(e, 2.2)).velocity - turn * expected).norm(), 1e-9);
-}
-
 TEST(Avoa, WhereNoVelocityIsLeftItStops) {
   OwnedSituation e = zarco();
   for (int i = 0; i < 24; ++i) {
@@ -206,14 +197,6 @@ TEST(Avoa, GridsAreOfTwoToFourHundredAndOne) {
   }
 }
 
-TEST(Avoa, ReadsItsOptionsByName) {
-  Avoa::Params params;
-  set_param(params, "search", std::string("exhaustive"));
-  set_param(params, "time_to_contact", std::string("exact"));
-  EXPECT_EQ(params.search, VelocitySearch::exhaustive);
-  EXPECT_EQ(params.time_to_contact, TimeToContact::exact);
-}
-
 TEST(Avoa, DrawsItsThreePicturesInThePapersColours) {
   OwnedSituation e = zarco();
   e.situation.own.yaw = 0.1;
@@ -249,13 +232,6 @@ TEST(Avoa, DrawsItsThreePicturesInThePapersColours) {
   EXPECT_EQ(std::ranges::count(drawing.strokes(), std::string("desired"), &Stroke::meaning), 1);
   EXPECT_EQ(drawing.strokes().back().meaning, "chosen");
   EXPECT_EQ(drawing.strokes().back().points, std::vector<Vec3>{command.velocity});
-}
-
-TEST(Avoa, LookingDoesNotChangeTheAnswer) {
-  OwnedSituation e = zarco();
-  e.obstacles = {buoy(7.0, 0.3)};
-  Drawing drawing;
-  EXPECT_EQ(decide<Avoa>(e), decide<Avoa>(e, {}, &drawing));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "fairway/avoidance/direct/direct.hpp"
 #include "fairway/avoidance/hard_switching/testing/transport.hpp"
 #include "fairway/avoidance/safety_filter/safety_filter.hpp"
+#include "fairway/avoidance/testing/encounters.hpp"
 #include "fairway/avoidance/wall_following/wall_following.hpp"
 
 namespace fairway {
@@ -91,20 +92,10 @@ TEST(SafetyFilterOfForces, TooStiffForTheForcesItCountsWhatCannotBeKept) {
   EXPECT_GT(run.clearance + 20.0, 23.2);  // measured 23.37: nothing is touched for all that
 }
 
-/// Answers with the forces it was made with.
-struct AlwaysForces {
-  static constexpr AlgorithmInfo info{.name = "always"};
-  using Params = NoParams;
-  using Memory = NoMemory;
-  Params params;
-  Wrench wrench;
-  Command decide(const Situation&, Memory&, Context&) const noexcept { return {.wrench = wrench}; }
-};
-
 Command filtered(const Course& course, const transport::State& x, const OnboardModel& model) {
   Wrench wrench;
   wrench << 600.0, -50.0, 7.0, 8.0, 9.0, 123.0;
-  Avoider avoider{SafetyFilter{{}}, Avoider{AlwaysForces{{}, wrench}}};
+  Avoider avoider{SafetyFilter{{}}, Avoider{encounters::Always{{}, {.wrench = wrench}}}};
   return avoider.decide(course.situation(x, 0.0, model));
 }
 
@@ -134,34 +125,24 @@ TEST(SafetyFilterOfForces, AnAxisWithoutActuatorsIsNotAsked) {
 }
 
 /// Follows velocities with a proportional controller of surge and sway, clipped to the forces.
-transport::Voyage followed(Avoider avoider, const Course& course) {
-  transport::Voyage voyage;
+Wrench forces_after(const Command& command, const Course& course, const transport::State& x) {
   const OnboardModel model = course.plant.onboard();
-  transport::State x = transport::State::Zero();
-  for (int k = 0; k < static_cast<int>(course.duration / course.step); ++k) {
-    const Command command = avoider.decide(course.situation(x, k * course.step, model));
-    Wrench tau = Wrench::Zero();
-    for (int i = 0; i < 2; ++i) {
-      const double wanted = course.plant.damping * command.velocity[i] +
-                            course.plant.mass / 1.5 * (command.velocity[i] - x[3 + i]);
-      tau[i] = std::clamp(wanted, model.least[i], model.greatest[i]);
-    }
-    voyage.infeasible += command.mode == Mode::infeasible ? 1 : 0;
-    voyage.clearance = std::fmin(voyage.clearance, course.clearance(x));
-    if (voyage.arrival < 0.0 && (course.goal.head<2>() - x.head<2>()).norm() <= 1.0)
-      voyage.arrival = k * course.step;
-    x = course.plant.after(x, tau, course.step);
+  Wrench tau = Wrench::Zero();
+  for (int i = 0; i < 2; ++i) {
+    const double wanted = course.plant.damping * command.velocity[i] +
+                          course.plant.mass / 1.5 * (command.velocity[i] - x[3 + i]);
+    tau[i] = std::clamp(wanted, model.least[i], model.greatest[i]);
   }
-  return voyage;
+  return tau;
 }
 
 TEST(SafetyFilterOfForces, VelocitiesOfAVehicleWithThrustersAreFilteredWithinItsForcesToo) {
   const Avoider avoider{SafetyFilter{{}}, Avoider{Direct{{}}}};
-  const Voyage one = followed(avoider, Course{});
+  const Voyage one = transport::run(avoider, Course{}, forces_after);
   EXPECT_GT(one.clearance, 3.7);  // measured 3.74, at 1 m/s
   EXPECT_NEAR(one.arrival, 170.6, 1.0);
   EXPECT_EQ(one.infeasible, 0);
-  const Voyage four = followed(avoider, Course::of_four({}));
+  const Voyage four = transport::run(avoider, Course::of_four({}), forces_after);
   EXPECT_GT(four.clearance, 3.7);  // measured 3.99
   EXPECT_NEAR(four.arrival, 60.3, 1.0);
   EXPECT_EQ(four.infeasible, 0);

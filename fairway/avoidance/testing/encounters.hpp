@@ -54,6 +54,24 @@ Command decide(const Situation& s, const typename A::Params& params = {}, Sketch
   return A{params}.decide(s, memory, context);
 }
 
+/// Answers with the command that it was made with.
+struct Always {
+  static constexpr AlgorithmInfo info{.name = "always"};
+  using Params = NoParams;
+  using Memory = NoMemory;
+  Params params;
+  Command command;
+  Command decide(const Situation&, Memory&, Context&) const noexcept { return command; }
+};
+
+inline Obstacle sphere(double north, double east, double radius, double depth = 0.0) {
+  return {.kind = Obstacle::Kind::sphere, .position = {north, east, depth}, .radius = radius};
+}
+
+inline Obstacle wall(const Vec3& from, const Vec3& to) {
+  return {.kind = Obstacle::Kind::segment, .from = from, .to = to};
+}
+
 inline Track track(std::uint32_t id, const Vec3& position, const Vec3& velocity, double radius = 1.0) {
   return {.id = TrackId{id},
           .position = position,

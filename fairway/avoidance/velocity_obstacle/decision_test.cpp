@@ -38,21 +38,6 @@ OwnedSituation any_scene(std::uint64_t i) {
   return e.sorted();
 }
 
-TEST(VelocityObstacleDecision, GoesWhereItWasGoingWhenNobodyIsInRange) {
-  for (const Responsibility r : everyone) {
-    const OwnedSituation e = encounters::head_on(20.5);
-    const Command expected{.velocity = e.situation.preferred_velocity(), .mode = Mode::cruise};
-    EXPECT_EQ(decide(e, {}, r), expected);
-  }
-}
-
-TEST(VelocityObstacleDecision, SomebodyInRangeIsAvoidanceEvenIfTheCourseIsClear) {
-  OwnedSituation e = encounters::open_water();
-  e.tracks = {encounters::track(1, {-19.0, 0.0, 50.0}, {-1.0, 0.0, 0.0})};
-  EXPECT_EQ(vo(e).velocity, Vec3(1.0, 0.0, 0.0));
-  EXPECT_EQ(vo(e).mode, Mode::avoid);
-}
-
 TEST(VelocityObstacleDecision, WhatDoesNotReactIsAvoidedAloneByAll) {
   for (std::uint64_t i = 0; i < 300; ++i) {
     OwnedSituation e = any_scene(i);
@@ -94,22 +79,6 @@ TEST(VelocityObstacleDecision, WhoOverlapsPartsWithinOneInterval) {
   EXPECT_LT((half.velocity - Vec3(-0.25, 0.0, 0.0)).norm(), 1e-12);
 }
 
-TEST(VelocityObstacleDecision, TwoAtTheSamePlacePartAlongOneLineByTheirIds) {
-  OwnedSituation e = encounters::open_water();
-  e.situation.own.velocity = Vec3::Zero();
-  e.situation.goal.velocity = Vec3::Zero();
-  e.tracks = {encounters::track(1, e.situation.own.position, Vec3::Zero())};
-  for (const Responsibility r : everyone) {
-    const Command first = decide(e, {}, r);
-    OwnedSituation other = e;
-    other.situation.own.id = VehicleId{1};
-    other.tracks[0].id = TrackId{0};
-    const Command second = decide(other, {}, r);
-    EXPECT_GT(first.velocity.x(), 0.9);
-    EXPECT_LT((first.velocity + second.velocity).norm(), 1e-12);
-  }
-}
-
 TEST(VelocityObstacleDecision, WhoCannotGetApartInTimeIsInfeasibleAndLeavesAsFastAsItCan) {
   // 2 m apart, R = 3.5: 1.5 m/s back is the limit, but only 0.4 m/s of change are possible
   OwnedSituation e = encounters::open_water();
@@ -121,12 +90,6 @@ TEST(VelocityObstacleDecision, WhoCannotGetApartInTimeIsInfeasibleAndLeavesAsFas
   EXPECT_LT((command.velocity - Vec3(-0.4, 0.0, 0.0)).norm(), 1e-9);
 }
 
-TEST(VelocityObstacleDecision, WhoMayNotMoveStays) {
-  OwnedSituation e = encounters::head_on(4.0);
-  e.situation.limits.max_speed = 0.0;
-  for (const Responsibility r : everyone) EXPECT_EQ(decide(e, {}, r).velocity, Vec3(0.0, 0.0, 0.0));
-}
-
 TEST(VelocityObstacleDecision, DepthIsNotSeen) {
   OwnedSituation e = encounters::head_on(8.0);
   const Command level = vo(e);
@@ -135,13 +98,6 @@ TEST(VelocityObstacleDecision, DepthIsNotSeen) {
   e.situation.goal.position.z() += 30.0;
   EXPECT_EQ(vo(e).velocity.z(), 0.0);
   EXPECT_LT((vo(e).velocity - level.velocity).norm(), 1e-3);
-}
-
-TEST(VelocityObstacleDecision, LooksAtTheNearestWhenThereAreTooMany) {
-  OwnedSituation e = encounters::head_on(8.0);
-  e.tracks.push_back(encounters::track(2, {0.0, 9.0, 50.0}, {0.0, -2.0, 0.0}));
-  EXPECT_EQ(vo(e, {.max_neighbours_count = 1}), vo(encounters::head_on(8.0)));
-  EXPECT_EQ(vo(e, {.max_neighbours_count = 0}).mode, Mode::cruise);
 }
 
 TEST(VelocityObstacleDecision, ASphereThatDoesNotMoveIsATrackThatDoesNotReact) {

@@ -111,7 +111,7 @@ TEST(DecideTest, ABadLineIsNamedAndEarlierAnswersStay) {
   const auto [out, error] =
       refused(line(0) + "\n" + line(0, ",\"tracks\":1") + line(0), {.algorithm = "counting"});
   EXPECT_EQ(out, fresh);
-  EXPECT_EQ(error, "line 3: tracks: expected a list");
+  EXPECT_EQ(error, "line 3: tracks: expected a list of tracks, got 1");
 }
 
 TEST(DecideTest, ParametersAreChecked) {

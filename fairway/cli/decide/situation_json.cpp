@@ -9,101 +9,113 @@
 #include <tuple>
 
 #include "fairway/cli/decide/json_line.hpp"
+#include "fairway/scenario/block.hpp"
 #include "fairway/scenario/polygon.hpp"
 
 namespace fairway {
 namespace {
 
-Mat3 read_covariance(const JsonAt& at) {
-  if (at.size() != 3) at.refuse("expected three rows of three numbers");
+using yaml::Value;
+
+constexpr double unlimited = std::numeric_limits<double>::infinity();
+constexpr yaml::Bounds any{-unlimited, unlimited};
+constexpr yaml::Bounds not_negative{0.0, unlimited};
+
+Mat3 read_covariance(const Value& value) {
+  if (!value.tree().is_list() || value.tree().items.size() != 3)
+    value.expected("three rows of three numbers");
   Mat3 covariance;
-  for (int row = 0; row < 3; ++row) covariance.row(row) = at.item(static_cast<std::size_t>(row)).vector();
-  if (covariance != covariance.transpose()) at.refuse("expected a symmetric matrix");
+  for (int row = 0; row < 3; ++row)
+    covariance.row(row) = value.entry(static_cast<std::size_t>(row)).vector(any);
+  if (covariance != covariance.transpose()) value.refuse("expected a symmetric matrix");
 
   // what is singular may come out below zero by rounding
   const double largest = covariance.cwiseAbs().maxCoeff();
   const Eigen::SelfAdjointEigenSolver<Mat3> axes{covariance, Eigen::EigenvaluesOnly};
-  if (!(axes.eigenvalues()[0] >= -1e-9 * largest)) at.refuse("the variance along some direction is negative");
+  if (!(axes.eigenvalues()[0] >= -1e-9 * largest))
+    value.refuse("the variance along some direction is negative");
   return covariance;
 }
 
 template <class T>
-void read_value(const JsonAt& at, double least, T& value) {
+void read_member(const Value& value, double least, T& member) {
   if constexpr (std::same_as<T, double>) {
-    value = least == 0.0 ? at.not_negative() : at.number();
+    member = value.number({least, unlimited});
   } else if constexpr (std::same_as<T, bool>) {
-    value = at.flag();
-  } else if constexpr (std::same_as<T, std::int32_t> || std::is_enum_v<T>) {
-    using Whole = std::conditional_t<std::is_enum_v<T>, std::uint32_t, std::int32_t>;
-    using Bounds = std::numeric_limits<Whole>;
-    value = static_cast<T>(static_cast<Whole>(at.whole(Bounds::min(), Bounds::max())));
+    member = value.flag();
+  } else if constexpr (std::same_as<T, std::int32_t>) {
+    member = value.whole<std::int32_t>();
+  } else if constexpr (std::is_enum_v<T>) {
+    member = T{value.whole<std::uint32_t>()};
   } else if constexpr (std::same_as<T, Mat3>) {
-    value = read_covariance(at);
+    member = read_covariance(value);
   } else {
-    value = at.vector();
+    member = value.vector(any);
   }
 }
 
 /// A record's members by their names, and nothing else but `others`.
 template <RecordType R>
-R read_record(const JsonAt& at, std::initializer_list<std::string_view> others = {}) {
+R read_record(const Value& value, std::initializer_list<std::string_view> others = {}) {
   std::vector<std::string_view> known{others};
   for_each_member<R>([&](const auto& m) { known.push_back(m.name); });
-  at.expect_keys(known);
+  value.expect_keys(known);
 
   R record;
   for_each_member<R>([&](const auto& m) {
-    if (const std::optional<JsonAt> given = m.is_required ? at.at(m.name) : at.find(m.name))
-      read_value(*given, m.least, record.*m.at);
+    if (const std::optional<Value> given = m.is_required ? value.at(m.name) : value.find(m.name))
+      read_member(*given, m.least, record.*m.at);
   });
   return record;
 }
 
 /// One that may have no priority: then the id decides who has the right of way.
 template <RecordType R>
-R read_ranked(const JsonAt& at) {
-  auto record = read_record<R>(at);
-  if (!at.find("priority")) record.priority = static_cast<std::int32_t>(number(record.id));
+R read_ranked(const Value& value) {
+  auto record = read_record<R>(value);
+  if (!value.find("priority")) record.priority = static_cast<std::int32_t>(number(record.id));
   return record;
 }
 
-Limits read_limits(const JsonAt& at) {
+Limits read_limits(const Value& at) {
   const auto limits = read_record<Limits>(at);
   if (limits.min_depth > limits.max_depth) at.refuse("min_depth is below max_depth; depth counts downwards");
   return limits;
 }
 
-Goal read_goal(const JsonAt& line, const Limits& limits) {
-  const JsonAt at = line.at("goal");
+Goal read_goal(const Value& line, const Limits& limits) {
+  const Value at = line.at("goal");
   Goal goal = read_record<Goal>(at, {"speed"});
-  const std::optional<JsonAt> speed = at.find("speed");
+  const std::optional<Value> speed = at.find("speed");
   if (at.find("cruise_speed")) {
     if (speed) at.refuse("cruise_speed and speed are the same; keep one");
   } else {
-    goal.cruise_speed = speed ? speed->not_negative() : limits.max_speed;
+    goal.cruise_speed = speed ? speed->number(not_negative) : limits.max_speed;
   }
   if (const auto preferred = line.find("preferred_velocity")) {
     if (at.find("velocity")) at.refuse("velocity and preferred_velocity are the same; keep one");
-    goal.velocity = preferred->vector();
+    goal.velocity = preferred->vector(any);
   }
   return goal;
 }
 
-std::vector<Track> read_tracks(const JsonAt& at, const Ownship& own) {
+std::vector<Track> read_tracks(const Value& list, const Ownship& own) {
+  list.expect_list("tracks");
+  const std::size_t count = list.tree().items.size();
   std::vector<Track> tracks;
   std::vector<std::pair<std::uint32_t, std::size_t>> ids;
-  tracks.reserve(at.size());
-  for (std::size_t i = 0; i < at.size(); ++i) {
-    tracks.push_back(read_ranked<Track>(at.item(i)));
+  tracks.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    tracks.push_back(read_ranked<Track>(list.entry(i)));
     ids.emplace_back(number(tracks.back().id), i);
     if (ids.back().first == number(own.id))
-      at.item(i).refuse(fmt::format("id {} is own.id", ids.back().first));
+      list.entry(i).refuse(fmt::format("id {} is own.id", ids.back().first));
   }
 
   std::ranges::sort(ids);
   const auto twice = std::ranges::adjacent_find(ids, {}, &std::pair<std::uint32_t, std::size_t>::first);
   if (twice != ids.end())
-    at.item((twice + 1)->second)
+    list.entry((twice + 1)->second)
         .refuse(fmt::format("id {} is that of tracks[{}]", twice->first, twice->second));
 
   std::ranges::sort(tracks, {}, [&](const Track& t) {
@@ -112,86 +124,66 @@ std::vector<Track> read_tracks(const JsonAt& at, const Ownship& own) {
   return tracks;
 }
 
-std::vector<Vec3> read_vertices(const JsonAt& polygon) {
-  const JsonAt at = polygon.at("vertices");
+std::vector<Vec3> read_vertices(const Value& list) {
+  list.expect_list("vertices");
   std::vector<Vec3> vertices;
-  for (std::size_t i = 0; i < at.size(); ++i) vertices.push_back(at.item(i).vector());
-  if (vertices.size() < 3) at.refuse(fmt::format("expected at least three, got {}", vertices.size()));
+  for (std::size_t i = 0; i < list.tree().items.size(); ++i) vertices.push_back(list.entry(i).vector(any));
+  if (vertices.size() < 3) list.refuse(fmt::format("expected at least three, got {}", vertices.size()));
   const double area = signed_area(vertices);
-  if (!(area >= 0.0)) at.refuse("they run clockwise; write them counter-clockwise with n as x and e as y");
-  if (area == 0.0) at.refuse("they lie on one line; a polygon needs an area");
+  if (!(area >= 0.0)) list.refuse("they run clockwise; write them counter-clockwise with n as x and e as y");
+  if (area == 0.0) list.refuse("they lie on one line; a polygon needs an area");
   return vertices;
 }
 
-void read_obstacles(const JsonAt& at, DecideRequest& request) {
-  request.vertices.reserve(at.size());
-  for (std::size_t i = 0; i < at.size(); ++i) {
-    const JsonAt item = at.item(i);
-    if (item.value().kind != Json::Kind::object) item.refuse("expected an object");
-    const JsonAt kind_at = item.at("kind");
-    const std::string& kind = kind_at.text();
+void read_obstacles(const Value& list, DecideRequest& request) {
+  list.expect_list("obstacles");
+  const std::size_t count = list.tree().items.size();
+  request.vertices.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Value item = list.entry(i);
+    item.expect_map("kind, and the keys of that kind");
+    const Value kind = item.at("kind");
 
-    if (kind == "sphere") {
+    if (kind.text() == "sphere") {
       item.expect_keys({"kind", "position", "radius", "charted"});
       request.obstacles.push_back({.kind = Obstacle::Kind::sphere,
-                                   .position = item.at("position").vector(),
-                                   .radius = item.at("radius").not_negative()});
-    } else if (kind == "segment") {
+                                   .position = item.at("position").vector(any),
+                                   .radius = item.at("radius").number(not_negative)});
+    } else if (kind.text() == "segment") {
       item.expect_keys({"kind", "from", "to", "charted"});
-      request.obstacles.push_back(
-          {.kind = Obstacle::Kind::segment, .from = item.at("from").vector(), .to = item.at("to").vector()});
-    } else if (kind == "polygon") {
+      request.obstacles.push_back({.kind = Obstacle::Kind::segment,
+                                   .from = item.at("from").vector(any),
+                                   .to = item.at("to").vector(any)});
+    } else if (kind.text() == "polygon") {
       item.expect_keys({"kind", "vertices", "charted"});
-      request.vertices.push_back(read_vertices(item));
+      request.vertices.push_back(read_vertices(item.at("vertices")));
       request.obstacles.push_back({.kind = Obstacle::Kind::polygon, .vertices = request.vertices.back()});
     } else {
-      kind_at.refuse("expected sphere, segment or polygon");
+      kind.expected("sphere, segment or polygon");
     }
     if (const auto charted = item.find("charted")) request.obstacles.back().charted = charted->flag();
-  }
-}
-
-/// Each entry of `object` as `prefix` + its key; a list of objects as its length and its flat items.
-void read_params(const JsonAt& object, const std::string& prefix, ParamValues& params) {
-  for (const std::string& key : object.keys()) {
-    const JsonAt at = object.at(key);
-    if (at.value().kind != Json::Kind::list || !prefix.empty()) {
-      params.emplace_back(prefix + key, at.param());
-      continue;
-    }
-    params.emplace_back(key, static_cast<double>(at.size()));
-    for (std::size_t i = 0; i < at.size(); ++i) {
-      const JsonAt item = at.item(i);
-      if (item.value().kind != Json::Kind::object) item.refuse("expected an object");
-      read_params(item, fmt::format("{}[{}].", key, i), params);
-    }
   }
 }
 
 }  // namespace
 
 DecideRequest parse_situation(std::string_view text, std::size_t line) {
-  const Json json = parse_json(text, line);
-  const JsonAt at{json, line};
-  at.expect_keys(
+  const yaml::Tree tree = parse_json(text, line);
+  yaml::Reading reading;
+  const Value root{tree, "", reading};
+  root.expect_keys(
       {"time", "period", "own", "goal", "preferred_velocity", "limits", "params", "tracks", "obstacles"});
 
   DecideRequest request;
   Situation& s = request.without_others;
-  if (const auto time = at.find("time")) s.time = time->number();
-  const JsonAt period = at.at("period");
-  s.period = period.number();
-  if (!(s.period > 0.0)) period.refuse("expected a number above 0");
-  s.own = read_ranked<Ownship>(at.at("own"));
-  s.limits = read_limits(at.at("limits"));
-  s.goal = read_goal(at, s.limits);
-  if (const auto tracks = at.find("tracks")) request.tracks = read_tracks(*tracks, s.own);
-  if (const auto obstacles = at.find("obstacles")) read_obstacles(*obstacles, request);
-
-  if (const auto params = at.find("params")) {
-    if (params->value().kind != Json::Kind::object) params->refuse("expected an object");
-    read_params(*params, "", request.params);
-  }
+  if (const auto time = root.find("time")) s.time = time->number(any);
+  s.period = root.at("period").number(yaml::above_to(0.0, unlimited));
+  s.own = read_ranked<Ownship>(root.at("own"));
+  s.limits = read_limits(root.at("limits"));
+  s.goal = read_goal(root, s.limits);
+  if (const auto tracks = root.find("tracks")) request.tracks = read_tracks(*tracks, s.own);
+  if (const auto obstacles = root.find("obstacles")) read_obstacles(*obstacles, request);
+  if (const auto params = root.find("params")) request.params = yaml::read_params(*params);
   return request;
 }
 

@@ -4,6 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "fairway/core/testing/refusal.hpp"
+
 namespace fairway {
 namespace {
 
@@ -93,34 +97,35 @@ std::string refusal(std::string_view from, std::string_view to, std::string_view
   const std::size_t at = text.find(from);
   EXPECT_NE(at, std::string::npos) << from;
   text.replace(at, from.size(), to);
-  try {
-    parse_situation(text, 17);
-    return "";
-  } catch (const InputError& error) {
-    return error.what();
-  }
+  return refusal_of([&] { parse_situation(text, 17); });
 }
 
 TEST(SituationJsonTest, ARefusalNamesLineAndPath) {
-  EXPECT_EQ(refusal("[5,2,3]", "[5,2]"), "line 17: tracks[0].position: expected three numbers");
-  EXPECT_EQ(refusal("[5,2,3]", "[5,2,\"3\"]"), "line 17: tracks[0].position: expected three numbers");
-  EXPECT_EQ(refusal("[4,0,0]", "null"), "line 17: obstacles[2].vertices[1]: expected three numbers");
-  EXPECT_EQ(refusal("\"yaw\":0.25", "\"yaw\":\"north\""), "line 17: own.yaw: expected a number");
+  EXPECT_EQ(refusal("[5,2,3]", "[5,2]"),
+            "line 17: tracks[0].position: expected three numbers [n, e, d], got a list of 2");
+  EXPECT_EQ(refusal("[5,2,3]", "[5,2,\"3\"]"),
+            "line 17: tracks[0].position[2]: expected a number in [-inf, inf], got the text \"3\"");
+  EXPECT_EQ(refusal("[4,0,0]", "null"),
+            "line 17: obstacles[2].vertices[1]: expected three numbers [n, e, d], got null");
+  EXPECT_EQ(refusal("\"yaw\":0.25", "\"yaw\":\"north\""),
+            "line 17: own.yaw: expected a number in [-inf, inf], got the text \"north\"");
   EXPECT_EQ(refusal("\"own\"", "\"won\""), "line 17: won: unknown key; did you mean own?");
   EXPECT_EQ(refusal("max_turn_rate", "max_turn_rat"),
             "line 17: limits.max_turn_rat: unknown key; did you mean max_turn_rate?");
   EXPECT_EQ(refusal("\"max_speed\":0.5,", ""), "line 17: limits: the key max_speed is missing");
   EXPECT_EQ(refusal("\"period\":0.1,", ""), "line 17: the key period is missing");
-  EXPECT_EQ(refusal("\"period\":0.1", "\"period\":0"), "line 17: period: expected a number above 0");
+  EXPECT_EQ(refusal("\"period\":0.1", "\"period\":0"),
+            "line 17: period: expected a number in (0, inf], got 0");
   EXPECT_EQ(refusal("\"id\":9", "\"id\":-1"),
-            "line 17: tracks[0].id: expected a whole number in [0, 4294967295]");
+            "line 17: tracks[0].id: expected a whole number in [0, 4294967295], got -1");
   EXPECT_EQ(refusal("\"id\":9", "\"id\":1.5"),
-            "line 17: tracks[0].id: expected a whole number in [0, 4294967295]");
+            "line 17: tracks[0].id: expected a whole number in [0, 4294967295], got 1.5");
   EXPECT_EQ(refusal("\"radius\":2", "\"radius\":-2"),
-            "line 17: tracks[1].radius: expected a number that is not negative, got -2");
-  EXPECT_EQ(refusal("\"full\":true", "\"full\":[1]"), "line 17: params.full[0]: expected an object");
+            "line 17: tracks[1].radius: expected a number in [0, inf], got -2");
+  EXPECT_EQ(refusal("\"full\":true", "\"full\":[1]"),
+            "line 17: params.full[0]: expected a mapping of parameters, got 1");
   EXPECT_EQ(refusal("\"sphere\"", "\"ball\""),
-            "line 17: obstacles[0].kind: expected sphere, segment or polygon");
+            "line 17: obstacles[0].kind: expected sphere, segment or polygon, got the text \"ball\"");
   EXPECT_EQ(refusal("\"kind\":\"sphere\",", ""), "line 17: obstacles[0]: the key kind is missing");
   EXPECT_EQ(refusal("\"from\"", "\"radius\":1,\"from\""),
             "line 17: obstacles[1].radius: unknown key; known: kind, from, to, charted");
@@ -128,14 +133,37 @@ TEST(SituationJsonTest, ARefusalNamesLineAndPath) {
             "line 17: limits: min_depth is below max_depth; depth counts downwards");
   EXPECT_EQ(refusal("\"cruise_speed\"", "\"speed\":1,\"cruise_speed\""),
             "line 17: goal: cruise_speed and speed are the same; keep one");
+  EXPECT_EQ(refusal("\"yaw\":0.25", "\"yaw\":{\"uniform\":[0,1]}"),
+            "line 17: own.yaw: expected a number in [-inf, inf], got a mapping with the key uniform");
+  EXPECT_EQ(
+      refusal("\"time_horizon_s\":5", "\"time_horizon_s\":{\"normal\":[5,1]}"),
+      "line 17: params.time_horizon_s: expected a number in [-1e+100, 1e+100], got a mapping with the key "
+      "normal");
+}
+
+TEST(SituationJsonTest, ANumberHasTheBitsThatAreWritten) {
+  const auto yaw_of = [](std::string_view written) {
+    std::string text{least};
+    return parse_situation(text.replace(text.find("\"yaw\":0"), 7, "\"yaw\":" + std::string(written)), 1)
+        .without_others.own.yaw;
+  };
+  EXPECT_EQ(yaw_of("0.1"), 0.1);
+  EXPECT_EQ(yaw_of("-1E-3"), -1e-3);
+  EXPECT_EQ(yaw_of("12345678901234567890"), 12345678901234567890.0);
+  EXPECT_EQ(yaw_of("123456789012345678901234567890"), 123456789012345678901234567890.0);
+  EXPECT_EQ(yaw_of("1e-320"), 1e-320);
+  EXPECT_EQ(yaw_of("1e-400"), 0.0);
+  EXPECT_TRUE(std::signbit(yaw_of("-0.0")));
 }
 
 TEST(SituationJsonTest, ACovarianceIsSymmetricAndNowhereNegative) {
   constexpr std::string_view rows = "[[4,1,0],[1,2,0],[0,0,0]]";
   const std::string path = "line 17: tracks[1].position_covariance";
-  EXPECT_EQ(refusal(rows, "4"), path + ": expected a list");
-  EXPECT_EQ(refusal(rows, "[[4,1,0],[1,2,0]]"), path + ": expected three rows of three numbers");
-  EXPECT_EQ(refusal(rows, "[[4,1,0],[1,2],[0,0,0]]"), path + "[1]: expected three numbers");
+  EXPECT_EQ(refusal(rows, "4"), path + ": expected three rows of three numbers, got 4");
+  EXPECT_EQ(refusal(rows, "[[4,1,0],[1,2,0]]"),
+            path + ": expected three rows of three numbers, got a list of 2");
+  EXPECT_EQ(refusal(rows, "[[4,1,0],[1,2],[0,0,0]]"),
+            path + "[1]: expected three numbers [n, e, d], got a list of 2");
   EXPECT_EQ(refusal(rows, "[[4,1,0],[2,2,0],[0,0,0]]"), path + ": expected a symmetric matrix");
   EXPECT_EQ(refusal(rows, "[[4,3,0],[3,2,0],[0,0,0]]"),
             path + ": the variance along some direction is negative");  // 4 x 2 < 3 x 3
@@ -163,7 +191,7 @@ TEST(SituationJsonTest, WhatIsNotJsonIsRefused) {
   EXPECT_THAT(refusal("}]}", "}]"), HasSubstr("line 17: not JSON"));
   EXPECT_THAT(refusal("2.5", std::string(100'000, '[')), HasSubstr("line 17: nested deeper than 16 levels"));
   EXPECT_EQ(refusal("\"time\":2.5", "\"t\xff\":2.5"), "line 17: not JSON at column 4");
-  EXPECT_EQ(refusal(least, "[]", least), "line 17: expected an object");
+  EXPECT_THAT(refusal(least, "[]", least), HasSubstr("line 17: expected a mapping: time, period, own"));
 }
 
 }  // namespace

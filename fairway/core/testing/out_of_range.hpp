@@ -9,6 +9,7 @@
 #include <type_traits>
 
 #include "fairway/core/params.hpp"
+#include "fairway/core/testing/refusal.hpp"
 
 namespace fairway::testing {
 
@@ -16,14 +17,7 @@ namespace fairway::testing {
 /// lies beyond its range.
 template <Reflected P, class Make>
 void expect_ranges_kept(Make&& make) {
-  const auto refusal = [&](const P& params) -> std::string {
-    try {
-      make(params);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "accepted";
-  };
+  const auto refusal = [&](const P& params) { return refusal_of([&] { make(params); }); };
   EXPECT_EQ(refusal(P{}), "accepted");
   for_each_field<P>([&](const auto& f) {
     P params;

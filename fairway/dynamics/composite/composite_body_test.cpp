@@ -6,8 +6,7 @@
 
 #include <Eigen/LU>
 
-#include "fairway/core/rng.hpp"
-#include "fairway/dynamics/integrate.hpp"
+#include "fairway/dynamics/testing/adrift.hpp"
 
 namespace fairway {
 namespace {
@@ -16,42 +15,6 @@ using fossen::Matrix6;
 using fossen::Vector6;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
-
-Part unit_ball() {
-  Part part;
-  part.numbers.mass = part.numbers.displaced_mass = 1.0;
-  part.numbers.inertia.setIdentity();
-  return part;
-}
-
-/// A composite body without actuators, as a model to integrate.
-struct Adrift {
-  using Params = NoParams;
-  static constexpr VehicleInfo info{"adrift", "a composite body without actuators", "test"};
-
-  explicit Adrift(Params) : Adrift{std::array{unit_ball()}, {}} {}
-  Adrift(std::span<const Part> parts, const CompositeBody::Options& options) : body{parts, options} {}
-  std::span<const ActuatorInfo> actuators() const { return {}; }
-  StateRate derivative(const VehicleState& x, const ActuatorValues&, const Water& water) const noexcept {
-    return body.derivative(x, Vector6::Zero(), water);
-  }
-  double power(const ActuatorValues&) const noexcept { return 0.0; }
-
-  CompositeBody body;
-};
-
-VehicleState integrated(const Adrift& model, VehicleState x, double duration, double h,
-                        const Water& water = {}) {
-  const int steps = static_cast<int>(std::lround(duration / h));
-  for (int i = 0; i < steps; ++i) x = rk4(model, x, ActuatorValues{}, water, h);
-  return x;
-}
-
-Vec3 random_vector(Rng& rng, double size) { return size * Vec3{rng.normal(), rng.normal(), rng.normal()}; }
-
-Eigen::Quaterniond random_orientation(Rng& rng) {
-  return Eigen::Quaterniond{rng.normal(), rng.normal(), rng.normal(), rng.normal()}.normalized();
-}
 
 /// A neutrally buoyant part, anywhere and turned anyhow, balanced about its centre of gravity.
 Part random_part(Rng& rng) {
@@ -196,8 +159,8 @@ TEST(CompositeBody, KineticEnergyStaysConstantWithoutDampingWithAndWithoutCoriol
   Rng rng{4};
   for (const DegreesOfFreedom degrees_of_freedom : both) {
     for (const bool coriolis : {true, false}) {
-      const Adrift model{without_damping(random_parts(rng, 5)),
-                         {.degrees_of_freedom = degrees_of_freedom, .coriolis = coriolis}};
+      const Adrift model{CompositeBody{without_damping(random_parts(rng, 5)),
+                                       {.degrees_of_freedom = degrees_of_freedom, .coriolis = coriolis}}};
       const VehicleState start = random_state(rng, degrees_of_freedom);
       const VehicleState end = integrated(model, start, 100.0, 0.02);
       const double before = kinetic_energy(model.body, start);
@@ -212,7 +175,8 @@ TEST(CompositeBody, MomentumStaysInPlaceWithCoriolisTermsAndTurnsWithTheBodyWith
     const std::vector<Part> parts = without_damping(random_parts(rng, 5));
     const VehicleState start = random_state(rng, degrees_of_freedom);
     for (const bool coriolis : {true, false}) {
-      const Adrift model{parts, {.degrees_of_freedom = degrees_of_freedom, .coriolis = coriolis}};
+      const Adrift model{
+          CompositeBody{parts, {.degrees_of_freedom = degrees_of_freedom, .coriolis = coriolis}}};
       const VehicleState end = integrated(model, start, 100.0, 0.02);
       Vec3 before = momentum(model.body, start), after = momentum(model.body, end);
       if (degrees_of_freedom == DegreesOfFreedom::planar) before.z() = after.z() = 0.0;
@@ -231,7 +195,7 @@ TEST(CompositeBody, KineticEnergyNeverGrowsWithDamping) {
   Rng rng{6};
   for (const DegreesOfFreedom degrees_of_freedom : both) {
     for (int run = 0; run < 5; ++run) {
-      const Adrift model{random_parts(rng, 5), {.degrees_of_freedom = degrees_of_freedom}};
+      const Adrift model{CompositeBody{random_parts(rng, 5), {.degrees_of_freedom = degrees_of_freedom}}};
       VehicleState x = random_state(rng, degrees_of_freedom);
       double energy = kinetic_energy(model.body, x);
       for (int step = 0; step < 1000; ++step) {
@@ -241,20 +205,6 @@ TEST(CompositeBody, KineticEnergyNeverGrowsWithDamping) {
         energy = next;
       }
     }
-  }
-}
-
-TEST(CompositeBody, MovingWithTheCurrentIsRest) {
-  Rng rng{7};
-  const Water water{.current_n = {0.3, -0.2, 0.0}, .density = 1000.0};
-  for (const DegreesOfFreedom degrees_of_freedom : both) {
-    const Adrift model{random_parts(rng, 4), {.degrees_of_freedom = degrees_of_freedom}};
-    VehicleState x;
-    x.q_nb = quaternion_of({.roll = 0, .pitch = 0, .yaw = 1.0});
-    x.v_b = x.q_nb.conjugate() * water.current_n;
-    const VehicleState end = integrated(model, x, 20.0, 0.02, water);
-    EXPECT_LT((end.p_n - 20.0 * water.current_n).norm(), 1e-12);
-    EXPECT_LT(end.omega_b.norm(), 1e-15);
   }
 }
 

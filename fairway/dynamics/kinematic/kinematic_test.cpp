@@ -4,16 +4,10 @@
 #include <gtest/gtest.h>
 
 #include "fairway/core/rng.hpp"
-#include "fairway/dynamics/vehicle.hpp"
+#include "fairway/dynamics/testing/held_actuators.hpp"
 
 namespace fairway {
 namespace {
-
-ActuatorValues setpoints(double surge_mps, double heave_mps, double yaw_rate_radps) {
-  ActuatorValues u(3);
-  u << surge_mps, heave_mps, yaw_rate_radps;
-  return u;
-}
 
 TEST(Kinematic, KeepsItsLimitsForAnySetpoints) {
   Rng rng{1};
@@ -25,9 +19,9 @@ TEST(Kinematic, KeepsItsLimitsForAnySetpoints) {
                             .max_turn_acceleration_radps2 = 0.2};
   Vehicle vehicle{Kinematic{p}};
   const double h = 0.05, slack = 1e-9;
-  ActuatorValues u = setpoints(0, 0, 0);
+  ActuatorValues u = values({0, 0, 0});
   for (int i = 0; i < 20000; ++i) {
-    if (rng.uniform(0, 1) < 0.05) u = 5.0 * setpoints(rng.normal(), rng.normal(), rng.normal());
+    if (rng.uniform(0, 1) < 0.05) u = 5.0 * values({rng.normal(), rng.normal(), rng.normal()});
     const VehicleState before = vehicle.state();
     vehicle.step(u, {}, h);
     const VehicleState& x = vehicle.state();
@@ -46,7 +40,7 @@ TEST(Kinematic, KeepsItsLimitsForAnySetpoints) {
 TEST(Kinematic, ReachesASetpointWithoutOvershootOrChatterAtAnyStableStep) {
   for (const double h : {0.01, 0.05, 0.2, 0.5}) {
     Vehicle vehicle{Kinematic{{}}};
-    const ActuatorValues u = setpoints(0.5, 0.3, -0.4);
+    const ActuatorValues u = values({0.5, 0.3, -0.4});
     VehicleState before = vehicle.state();
     for (double t = 0.0; t < 20.0; t += h) {
       vehicle.step(u, {}, h);
@@ -71,7 +65,7 @@ TEST(Kinematic, SteadyTurnIsACircleOfSpeedOverTurnRate) {
   vehicle.set_state(x);
   const int steps = 1000;
   const double half_turn = pi / 0.25;
-  for (int i = 0; i < steps; ++i) vehicle.step(setpoints(0.5, 0, 0.25), {}, half_turn / steps);
+  for (int i = 0; i < steps; ++i) vehicle.step(values({0.5, 0, 0.25}), {}, half_turn / steps);
   EXPECT_NEAR(vehicle.state().p_n.x(), 0.0, 1e-8);
   EXPECT_NEAR(vehicle.state().p_n.y(), 2 * 0.5 / 0.25, 1e-8);
 }
@@ -85,24 +79,13 @@ TEST(Kinematic, WithSwayGoesAnyWayWithinOneLimitOfAcceleration) {
   const Kinematic::Params p{
       .max_speed_mps = 10.0, .max_sway_mps = 10.0, .max_acceleration_mps2 = 2.0, .time_constant_s = 0.02};
   Vehicle vehicle{Kinematic{p}};
-  ActuatorValues u(4);
-  u << 3.0, 0.0, 0.0, -4.0;
+  const ActuatorValues u = values({3.0, 0.0, 0.0, -4.0});
   for (int i = 0; i < 50; ++i) vehicle.step(u, {}, 0.02);
   EXPECT_NEAR(vehicle.state().v_b.norm(), 2.0, 1e-9);  // 2 m/s2 for a second
   for (int i = 0; i < 150; ++i) vehicle.step(u, {}, 0.02);
   EXPECT_NEAR(vehicle.state().v_b.x(), 3.0, 1e-6);
   EXPECT_NEAR(vehicle.state().v_b.y(), -4.0, 1e-6);
   EXPECT_NEAR(yaw_of(vehicle.state().q_nb), 0.0, 1e-12);
-}
-
-TEST(Kinematic, IsCarriedByTheCurrentWhileItTurns) {
-  const Water water{.current_n = {0.3, 0.2, -0.1}, .density = 1000.0};
-  Vehicle vehicle{Kinematic{{}}};
-  VehicleState x;
-  x.v_b = water.current_n;
-  vehicle.set_state(x);
-  for (int i = 0; i < 400; ++i) vehicle.step(setpoints(0, 0, 0.4), water, 0.05);
-  EXPECT_LT((vehicle.state().v_n() - water.current_n).norm(), 1e-6);
 }
 
 }  // namespace

@@ -3,26 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include "fairway/dynamics/vehicle.hpp"
+#include "fairway/dynamics/testing/held_actuators.hpp"
 
 namespace fairway {
 namespace {
 
-/// lateral, vertical port and starboard, main port and starboard [N].
-ActuatorValues thrust(double lateral, double port_down, double starboard_down, double port,
-                      double starboard) {
-  ActuatorValues u(5);
-  u << lateral, port_down, starboard_down, port, starboard;
-  return u;
-}
-
-/// The state after `duration` [s] of held thrust, from rest.
-VehicleState driven(const Minerva::Params& params, const ActuatorValues& u, double duration,
-                    const Water& water = {}) {
-  Vehicle vehicle{Minerva{params}};
-  vehicle.set_actuator_state(u);
-  for (double t = 0.0; t < duration - 0.025; t += 0.05) vehicle.drift(water, 0.05);
-  return vehicle.state();
+VehicleState driven(const Minerva::Params& params, const Leg& leg, const Water& water = {}) {
+  return driven(Vehicle{Minerva{params}}, {leg}, water);
 }
 
 constexpr Minerva::Params paper_compat{.plant = MinervaPlant::paper_compat};
@@ -44,7 +31,7 @@ TEST(Minerva, PaperCompatSwapsTheInertiasAsTheFileDoesAndHasLinearDragAlone) {
   const Minerva minerva{paper_compat};
   EXPECT_NEAR(minerva.body().mass()(5, 5), 50.31 + 57.0, 1e-12);
   EXPECT_TRUE(minerva.propulsion().quadratic_damping.isZero(0.0));
-  const VehicleState x = driven(paper_compat, thrust(0, 0, 0, 20.0, 20.0), 400.0);
+  const VehicleState x = driven(paper_compat, {400.0, {0, 0, 0, 20.0, 20.0}});
   EXPECT_NEAR(x.v_b.x(), 0.985 * 40.0 / 29.0, 1e-5);  // e^(-400 * 29 / 753) = 2e-7 is left
 }
 
@@ -72,26 +59,12 @@ TEST(Minerva, ThrustersPushWhereTheySit) {
       0.985, 0.174, 0, 0, 0, -0.335;
   const Minerva minerva{{}};
   EXPECT_TRUE(minerva.propulsion().effectiveness.isApprox(expected, 1e-15));
-
-  // the equations use the same configuration: M nu' = B u at rest
-  const ActuatorValues u = thrust(3.0, -2.0, 5.0, 7.0, -1.0);
-  const StateRate rate = minerva.derivative({}, u, {});
-  fossen::Vector6 acceleration;
-  acceleration << rate.v_b, rate.omega_b;
-  EXPECT_TRUE((minerva.body().mass() * acceleration).isApprox(expected * u.head<5>(), 1e-12));
 }
 
 TEST(Minerva, SteadySurgeIsWhereDragHoldsThrust) {
   // 29 u + 292 u^2 = 0.985 * 160 N
   const double u = (-29.0 + std::sqrt(29.0 * 29.0 + 4.0 * 292.0 * 157.6)) / (2.0 * 292.0);
-  const VehicleState x = driven(
-      {.degrees_of_freedom = DegreesOfFreedom::planar},
-      [] {
-        ActuatorValues mains(3);
-        mains << 0.0, 80.0, 80.0;
-        return mains;
-      }(),
-      120.0);
+  const VehicleState x = driven({.degrees_of_freedom = DegreesOfFreedom::planar}, {120.0, {0.0, 80.0, 80.0}});
   EXPECT_NEAR(x.v_b.x(), u, 1e-9);
 }
 
@@ -105,7 +78,7 @@ TEST(Minerva, PlanarHasNoVerticalThrusters) {
 
 TEST(Minerva, IsTrimmedAndRightsItself) {
   EXPECT_TRUE(Minerva{{}}.propulsion().restoring.isZero(1e-9));
-  const VehicleState still = driven({}, thrust(0, 0, 0, 0, 0), 60.0, {.density = 1000.0});
+  const VehicleState still = driven({}, {60.0, {0, 0, 0, 0, 0}}, {.density = 1000.0});
   EXPECT_LT(still.p_n.norm(), 1e-9);
 
   Vehicle vehicle{Minerva{{}}};
@@ -121,7 +94,7 @@ TEST(Minerva, PowerIsThatOfItsDisks) {
   const double lateral = pi / 4 * 0.19 * 0.19, main = pi / 4 * 0.22 * 0.22;
   const double expected = std::pow(9.0, 1.5) / std::sqrt(2 * 1025.0 * lateral) +
                           2 * std::pow(16.0, 1.5) / std::sqrt(2 * 1025.0 * main);
-  EXPECT_NEAR(Minerva{{}}.power(thrust(-9.0, 0, 16.0, 16.0, 0)), expected, 1e-12);
+  EXPECT_NEAR(Minerva{{}}.power(values({-9.0, 0, 16.0, 16.0, 0})), expected, 1e-12);
 }
 
 }  // namespace

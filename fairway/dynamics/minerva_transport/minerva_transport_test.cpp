@@ -4,7 +4,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "fairway/core/testing/allocations.hpp"
 #include "fairway/dynamics/catalog.hpp"
 
 namespace fairway {
@@ -172,21 +171,6 @@ TEST(MinervaTransport, RefusesLayoutsThatCannotBe) {
   std::vector<Station> row;
   for (int i = 0; i < 11; ++i) row.push_back({.x_m = 2.0 + i});
   EXPECT_THAT(making(with_layout(row)), ThrowsMessage<InputError>("a vehicle has more than 32 thrusters"));
-}
-
-TEST(MinervaTransport, DerivativeDoesNotAllocate) {
-  for (const DegreesOfFreedom degrees_of_freedom : {DegreesOfFreedom::planar, DegreesOfFreedom::six}) {
-    Params params;
-    params.degrees_of_freedom = degrees_of_freedom;
-    const MinervaTransport transport{params};
-    const ActuatorValues u =
-        ActuatorValues::Constant(static_cast<Eigen::Index>(transport.actuators().size()), 5.0);
-    const long before = allocation_count();
-    const StateRate rate = transport.derivative({}, u, {});
-    EXPECT_TRUE(rate.v_b.allFinite());
-    EXPECT_GT(transport.power(u), 0.0);
-    EXPECT_EQ(allocation_count(), before);
-  }
 }
 
 }  // namespace

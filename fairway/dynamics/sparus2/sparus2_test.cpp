@@ -3,16 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "fairway/dynamics/vehicle.hpp"
+#include "fairway/dynamics/testing/held_actuators.hpp"
 
 namespace fairway {
 namespace {
-
-ActuatorValues thrust(double heave_n, double surge_port_n, double surge_starboard_n) {
-  ActuatorValues u(3);
-  u << heave_n, surge_port_n, surge_starboard_n;
-  return u;
-}
 
 Sparus2::Params neutral() {
   Sparus2::Params params;
@@ -20,13 +14,8 @@ Sparus2::Params neutral() {
   return params;
 }
 
-/// The state after `duration` [s] of held thrust, from rest.
-VehicleState driven(const Sparus2::Params& params, const ActuatorValues& u, double duration,
-                    const Water& water = {}) {
-  Vehicle vehicle{Sparus2{params}};
-  vehicle.set_actuator_state(u);
-  for (double t = 0.0; t < duration - 0.025; t += 0.05) vehicle.drift(water, 0.05);
-  return vehicle.state();
+VehicleState driven(const Sparus2::Params& params, const Leg& leg, const Water& water = {}) {
+  return driven(Vehicle{Sparus2{params}}, {leg}, water);
 }
 
 TEST(Sparus2, MassMatrixIsThatOfTheTable) {
@@ -44,14 +33,6 @@ TEST(Sparus2, ThrustersPushWhereTheySit) {
       1, 0, 0, 0, 0, 0.17,                   //
       1, 0, 0, 0, 0, -0.17;
   EXPECT_TRUE(sparus.propulsion().effectiveness.isApprox(expected, 1e-15));
-
-  // the equations use the same configuration: M nu' = B u at rest, neutrally buoyant
-  const Sparus2 at_rest{neutral()};
-  const ActuatorValues u = thrust(3.0, 5.0, -2.0);
-  const StateRate rate = at_rest.derivative({}, u, {});
-  fossen::Vector6 acceleration;
-  acceleration << rate.v_b, rate.omega_b;
-  EXPECT_TRUE((at_rest.body().mass() * acceleration).isApprox(expected * u.head<3>(), 1e-12));
 }
 
 TEST(Sparus2, FullHeaveThrustReachesThePublishedSpeeds) {
@@ -59,8 +40,8 @@ TEST(Sparus2, FullHeaveThrustReachesThePublishedSpeeds) {
   const Range heave = sparus.actuators()[0].range;
   EXPECT_NEAR(heave.hi, 12.702, 0.001);  // 126 * 0.305^2 + 0.1 * 9.81
   EXPECT_NEAR(heave.lo, -6.277, 0.001);  // -(126 * 0.24^2 - 0.1 * 9.81)
-  EXPECT_NEAR(driven({}, thrust(100.0, 0, 0), 60.0).v_n().z(), 0.305, 0.005 * 0.305);
-  EXPECT_NEAR(driven({}, thrust(-100.0, 0, 0), 60.0).v_n().z(), -0.24, 0.005 * 0.24);
+  EXPECT_NEAR(driven({}, {60.0, {100.0, 0, 0}}).v_n().z(), 0.305, 0.005 * 0.305);
+  EXPECT_NEAR(driven({}, {60.0, {-100.0, 0, 0}}).v_n().z(), -0.24, 0.005 * 0.24);
 }
 
 TEST(Sparus2, UncalibratedHeaveHasThePublishedThrust) {
@@ -71,35 +52,29 @@ TEST(Sparus2, UncalibratedHeaveHasThePublishedThrust) {
 
 TEST(Sparus2, WithoutThrustItRisesAtTheSpeedWhereDragHoldsItsBuoyancy) {
   // 126 w^2 = 0.1 * 9.81
-  EXPECT_NEAR(driven({}, thrust(0, 0, 0), 120.0).v_n().z(), -std::sqrt(0.981 / 126.0), 1e-4);
+  EXPECT_NEAR(driven({}, {120.0, {0, 0, 0}}).v_n().z(), -std::sqrt(0.981 / 126.0), 1e-4);
 }
 
 TEST(Sparus2, SteadySurgeIsWhereDragHoldsThrust) {
   // 14.2 u^2 = 2 * 5 N
-  EXPECT_NEAR(driven(neutral(), thrust(0, 5.0, 5.0), 120.0).v_b.x(), std::sqrt(10.0 / 14.2), 1e-6);
+  EXPECT_NEAR(driven(neutral(), {120.0, {0, 5.0, 5.0}}).v_b.x(), std::sqrt(10.0 / 14.2), 1e-6);
 }
 
 TEST(Sparus2, SteadyTurnOnTheSpotIsWhereDragHoldsTheMoment) {
   // 9.44 r^2 = 2 * 0.17 * 4 N m
-  const VehicleState x = driven(neutral(), thrust(0, 4.0, -4.0), 120.0);
+  const VehicleState x = driven(neutral(), {120.0, {0, 4.0, -4.0}});
   EXPECT_NEAR(x.omega_b.z(), std::sqrt(2 * 0.17 * 4.0 / 9.44), 1e-6);
   EXPECT_LT(x.p_n.norm(), 1e-9);
 }
 
-TEST(Sparus2, DriftsWithTheCurrent) {
-  const Water water{.current_n = {0.2, -0.1, 0.0}, .density = 1000.0};
-  const VehicleState x = driven(neutral(), thrust(0, 0, 0), 3600.0, water);
-  EXPECT_LT((x.v_n() - water.current_n).norm(), 2e-3);  // quadratic drag: the rest goes as m / (d t)
-}
-
 TEST(Sparus2, DivesLevelWhileSurgingWithoutTheMunkMomentAndIsTurnedUpByIt) {
-  const ActuatorValues u = thrust(100.0, 1.0, 1.0);
-  const VehicleState level = driven({}, u, 120.0);
+  const Leg ahead_and_down{120.0, {100.0, 1.0, 1.0}};
+  const VehicleState level = driven({}, ahead_and_down);
   EXPECT_LT(std::abs(euler_of(level.q_nb).pitch), radians(0.1));
   EXPECT_NEAR(level.v_n().z(), 0.305, 0.002);
 
   // settles where (Z_wdot - X_udot) u w = 66.5 * 0.451 * 0.313 = 9.4 N m meets 52.1 * 9.81 * 0.02 sin(pitch)
-  const VehicleState turned = driven({.munk_moment = true}, u, 120.0);
+  const VehicleState turned = driven({.munk_moment = true}, ahead_and_down);
   EXPECT_NEAR(degrees(euler_of(turned.q_nb).pitch), 66.5, 0.5);
   EXPECT_LT(turned.v_n().z(), -0.2);  // climbs under full thrust down
 }
@@ -120,14 +95,14 @@ TEST(Sparus2, RollsUndampedAtTheFrequencyOfItsStability) {
 
 TEST(Sparus2, DenserWaterLiftsAndBrakesMore) {
   const Water sea{.current_n = Vec3::Zero(), .density = 1025.0};
-  const VehicleState x = driven({}, thrust(0, 0, 0), 60.0, sea);
+  const VehicleState x = driven({}, {60.0, {0, 0, 0}}, sea);
   EXPECT_NEAR(x.v_n().z(), -std::sqrt((52.1 * 1.025 - 52.0) * 9.81 / (126.0 * 1.025)), 1e-4);
 }
 
 TEST(Sparus2, PowerIsThatOfItsDisks) {
   const double area = pi / 4 * 0.13 * 0.13;
   const double expected = (std::pow(4.0, 1.5) + 2 * std::pow(9.0, 1.5)) / std::sqrt(2 * 1000.0 * area);
-  EXPECT_NEAR(Sparus2{{}}.power(thrust(-4.0, 9.0, -9.0)), expected, 1e-12);
+  EXPECT_NEAR(Sparus2{{}}.power(values({-4.0, 9.0, -9.0})), expected, 1e-12);
 }
 
 }  // namespace

@@ -3,25 +3,15 @@
 
 #include <gtest/gtest.h>
 
-#include "fairway/dynamics/vehicle.hpp"
+#include "fairway/dynamics/testing/held_actuators.hpp"
 
 namespace fairway {
 namespace {
 
-ActuatorValues zarco_thrust(double port_n, double starboard_n) {
-  ActuatorValues u(2);
-  u << port_n, starboard_n;
-  return u;
-}
-
-/// The state after `duration` [s] of held thrust.
-VehicleState zarco_driven(const ActuatorValues& u, double duration, const Water& water = {},
-                          const VehicleState& start = {}) {
+VehicleState driven(const Leg& leg, const Water& water = {}, const VehicleState& start = {}) {
   Vehicle vehicle{Zarco{{}}};
   vehicle.set_state(start);
-  vehicle.set_actuator_state(u);
-  for (int i = 0; i < std::lround(duration / 0.05); ++i) vehicle.drift(water, 0.05);
-  return vehicle.state();
+  return driven(vehicle, {leg}, water);
 }
 
 double tilt_energy(const Zarco& zarco, const VehicleState& x) {
@@ -33,24 +23,18 @@ double tilt_energy(const Zarco& zarco, const VehicleState& x) {
 
 TEST(Zarco, KeepsThePublishedLimitsAtTheSameTime) {
   // 37.5 N each hold 1.5 m/s: 20 * 1.5 + 20 * 1.5^2 = 75 N
-  EXPECT_NEAR(zarco_driven(zarco_thrust(37.5, 37.5), 60.0).v_b.x(), 1.5, 1e-6);
+  EXPECT_NEAR(driven({60.0, {37.5, 37.5}}).v_b.x(), 1.5, 1e-6);
   // +-12.9 N hold 0.3751 rad/s: 20 * 0.3751 + 20 * 0.3751^2 = 10.316 N m = 0.8 m * 12.895 N
-  EXPECT_NEAR(zarco_driven(zarco_thrust(12.895, -12.895), 60.0).omega_b.z(), 0.3751, 1e-4);
+  EXPECT_NEAR(driven({60.0, {12.895, -12.895}}).omega_b.z(), 0.3751, 1e-4);
   EXPECT_LT(37.5 + 12.895, Zarco{{}}.actuators()[0].range.hi);
 }
 
-TEST(Zarco, TurnsToStarboardOnPortThrust) {
-  const VehicleState x = zarco_driven(zarco_thrust(30.0, 10.0), 5.0);
-  EXPECT_GT(x.omega_b.z(), 0.1);
-  EXPECT_GT(x.p_n.y(), 0.0);
-}
-
 TEST(Zarco, FloatsAtRestAndComesBackLevel) {
-  EXPECT_EQ(zarco_driven(zarco_thrust(0, 0), 10.0).p_n, Vec3(0, 0, 0));
+  EXPECT_EQ(driven({10.0, {0, 0}}).p_n, Vec3(0, 0, 0));
   VehicleState tipped;
   tipped.p_n.z() = 0.1;
   tipped.q_nb = quaternion_of({.roll = 0.3, .pitch = -0.2});
-  const VehicleState x = zarco_driven(zarco_thrust(0, 0), 20.0, {}, tipped);
+  const VehicleState x = driven({20.0, {0, 0}}, {}, tipped);
   EXPECT_NEAR(x.p_n.z(), 0.0, 1e-6);
   EXPECT_NEAR(euler_of(x.q_nb).roll, 0.0, 1e-6);
   EXPECT_NEAR(euler_of(x.q_nb).pitch, 0.0, 1e-6);
@@ -59,7 +43,7 @@ TEST(Zarco, FloatsAtRestAndComesBackLevel) {
 TEST(Zarco, LiesOnTheSlopeOfAWave) {
   // the surface 0.1 m high, rising northwards by 2 % and eastwards by 1 %
   const Water water{.elevation = 0.1, .slope_n = {0.02, 0.01}};
-  const VehicleState x = zarco_driven(zarco_thrust(0, 0), 20.0, water);
+  const VehicleState x = driven({20.0, {0, 0}}, water);
   EXPECT_NEAR(x.p_n.z(), -0.1, 1e-6);
   EXPECT_NEAR(euler_of(x.q_nb).pitch, 0.02, 1e-4);  // bow up
   EXPECT_NEAR(euler_of(x.q_nb).roll, -0.01, 1e-4);  // starboard up
@@ -91,15 +75,10 @@ TEST(Zarco, EnergyIsKeptByHydrostaticsAndLostToDamping) {
 
   double last = tilt_energy(zarco, tipped);
   for (double t = 0.5; t < 5.0; t += 0.5) {
-    const double now = tilt_energy(zarco, zarco_driven(zarco_thrust(0, 0), t, {}, tipped));
+    const double now = tilt_energy(zarco, driven({t, {0, 0}}, {}, tipped));
     EXPECT_LT(now, last);
     last = now;
   }
-}
-
-TEST(Zarco, DriftsWithTheCurrent) {
-  const Water water{.current_n = {0.2, -0.1, 0.0}};
-  EXPECT_LT((zarco_driven(zarco_thrust(0, 0), 120.0, water).v_n() - water.current_n).norm(), 1e-4);
 }
 
 }  // namespace

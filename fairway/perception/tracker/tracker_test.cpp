@@ -5,6 +5,7 @@
 
 #include "fairway/core/rng.hpp"
 #include "fairway/core/testing/allocations.hpp"
+#include "fairway/core/testing/refusal.hpp"
 #include "fairway/perception/testing/ospa.hpp"
 #include "fairway/perception/tracker/gate.hpp"
 
@@ -263,12 +264,8 @@ TEST(Tracker, ACopyGoesOnAsTheOriginalDoesAndNeitherAllocates) {
 }
 
 TEST(Tracker, ContradictionsAreRefused) {
-  try {
-    Tracker{{.birth_hits_count = 9}};
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(), "birth_hits_count: is more than birth_pings_count");
-  }
+  EXPECT_EQ(refusal_of([] { Tracker{{.birth_hits_count = 9}}; }),
+            "birth_hits_count: is more than birth_pings_count");
 }
 
 TEST(Tracker, TheGateIsTheQuantileOfChiSquare) {

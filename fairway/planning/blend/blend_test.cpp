@@ -3,99 +3,64 @@
 
 #include <gtest/gtest.h>
 
+#include "fairway/avoidance/testing/passage.hpp"
+
 namespace fairway {
 namespace {
+
+using encounters::OwnedSituation;
+using encounters::Passage;
 
 Obstacle disc(double n, double e, double radius, bool charted) {
   return {.kind = Obstacle::Kind::sphere, .position = {n, e, 0}, .radius = radius, .charted = charted};
 }
 
-/// What came of a voyage of a vehicle that takes up velocities with a lag of one second.
-struct Voyage {
-  double clearance{std::numeric_limits<double>::infinity()};  ///< of the sphere of 3.2 m [m]
-  std::optional<double> arrival;                              ///< within 1 m of the goal [s]
-  double length{};
-  int going_round{};  ///< decisions that avoided
-  Ownship own;
-};
+/// Own sphere of 3.2 m, 40 m south of its goal; what is on no chart and what moves is seen from 5 m.
+OwnedSituation sea(std::vector<Obstacle> obstacles, std::vector<Track> movers = {}) {
+  OwnedSituation e;
+  e.situation = {.period = 0.1,
+                 .own = {.id = VehicleId{0}, .radius = 3.2},
+                 .goal = {.position = {40, 0, 0}, .cruise_speed = 0.5},
+                 .limits = {.max_speed = 0.5, .max_acceleration = 0.3}};
+  e.obstacles = std::move(obstacles);
+  e.tracks = std::move(movers);
+  return e;
+}
 
-struct Sea {
-  std::vector<Obstacle> obstacles;
-  std::vector<Track> movers;  ///< as they are at time 0
-  double range = 5.0;         ///< at which the uncharted is seen, from the sphere
-  Vec3 goal{40, 0, 0};
-};
-
-Voyage sail(Avoider avoider, const Sea& sea, double duration = 400.0) {
-  constexpr double h = 0.1, lag = 1.0;
-  Voyage voyage{.own = {.id = VehicleId{0}, .radius = 3.2}};
-  Ownship& own = voyage.own;
-  for (int tick = 0; tick * h < duration && !voyage.arrival; ++tick) {
-    const double time = tick * h;
-    std::vector<Obstacle> seen;
-    for (const Obstacle& o : sea.obstacles) {
-      const double gap = nearest_point(o, own.position).distance - own.radius;
-      voyage.clearance = std::fmin(voyage.clearance, gap);
-      if (o.charted || gap <= sea.range) seen.push_back(o);
-    }
-    std::vector<Track> tracks;
-    for (Track track : sea.movers) {
-      track.position += time * track.velocity;
-      const double gap = (track.position - own.position).norm() - track.radius - own.radius;
-      voyage.clearance = std::fmin(voyage.clearance, gap);
-      if (gap <= sea.range) tracks.push_back(track);
-    }
-    const Command command = avoider.decide({.time = time,
-                                            .period = h,
-                                            .own = own,
-                                            .goal = {.position = sea.goal, .cruise_speed = 0.5},
-                                            .limits = {.max_speed = 0.5, .max_acceleration = 0.3},
-                                            .tracks = tracks,
-                                            .obstacles = seen});
-    voyage.going_round += command.mode == Mode::avoid ? 1 : 0;
-    own.velocity += h / lag * (command.velocity - own.velocity);
-    own.position += h * own.velocity;
-    voyage.length += h * own.velocity.norm();
-    if ((own.position - sea.goal).norm() < 1.0) voyage.arrival = time;
-  }
-  return voyage;
+Passage sail(const Avoider& avoider, const OwnedSituation& e, double sight = 5.0) {
+  return passage(e, avoider, {.duration = 400.0, .lag = 1.0, .sight = sight});
 }
 
 Avoider blend(Blend::Params params = {}) { return Avoider{Blend{params}, Rng{1}}; }
 
 TEST(Blend, FollowsItsPlanWhereNothingIsUnknown) {
-  const Voyage voyage = sail(blend(), {.obstacles = {disc(20, 1, 3, true)}});
+  const Passage voyage = sail(blend(), sea({disc(20, 1, 3, true)}));
   ASSERT_TRUE(voyage.arrival);
   EXPECT_LT(*voyage.arrival, 150.0);
   EXPECT_GT(voyage.clearance, 0.0);
 }
 
 TEST(Blend, PassesWhatNoChartShows) {
-  const Sea sea{.obstacles = {disc(12, 1, 2, true), disc(26, -1, 2, false)}};
-  const Voyage voyage = sail(blend(), sea);
+  const Passage voyage = sail(blend(), sea({disc(12, 1, 2, true), disc(26, -1, 2, false)}));
   ASSERT_TRUE(voyage.arrival);
   EXPECT_GT(voyage.clearance, 0.4);  // the filter keeps 0.5 m, less what the lag makes of it
   EXPECT_LT(voyage.length, 60.0);
 }
 
 TEST(Blend, WithoutReplanningItGoesRoundAndComesBack) {
-  const Sea sea{.obstacles = {disc(20, 0.5, 2, false)}};
   Blend::Params params;
   params.replan = false;
-  const Voyage voyage = sail(blend(params), sea);
+  const Passage voyage = sail(blend(params), sea({disc(20, 0.5, 2, false)}));
   ASSERT_TRUE(voyage.arrival);
-  EXPECT_GT(voyage.going_round, 0);
+  EXPECT_GT(voyage.avoiding, 0);
   EXPECT_GT(voyage.clearance, 0.4);
 }
 
 TEST(Blend, PlansAnewWhereThatIsQuicker) {
   // a long wall across the way, seen early: round its near end
-  const Sea sea{.obstacles = {{.kind = Obstacle::Kind::segment,
-                               .from = {20, -4, 0},
-                               .to = {20, 30, 0},
-                               .charted = false}},
-                .range = 10.0};
-  const Voyage anew = sail(blend(), sea);
+  Obstacle wall = encounters::wall({20, -4, 0}, {20, 30, 0});
+  wall.charted = false;
+  const Passage anew = sail(blend(), sea({wall}), 10.0);
   ASSERT_TRUE(anew.arrival);
   EXPECT_GT(anew.clearance, 0.4);
   EXPECT_LT(anew.length, 55.0);
@@ -106,7 +71,7 @@ TEST(Blend, LetsAMoverPass) {
   crossing.reacts = false;
   Track ahead{.id = TrackId{10}, .position = {36, 0.5, 0}, .velocity = {-0.15, 0, 0}, .radius = 1.0};
   ahead.reacts = false;
-  const Voyage voyage = sail(blend(), {.movers = {crossing, ahead}});
+  const Passage voyage = sail(blend(), sea({}, {crossing, ahead}));
   ASSERT_TRUE(voyage.arrival);
   EXPECT_GT(voyage.clearance, 0.3);
 }
@@ -117,7 +82,7 @@ TEST(Blend, WhatRestsBesideItsWayOrGoesAlongDoesNotHoldItUp) {
     const Track resting{.id = TrackId{9}, .position = Vec3{20, 0, 0} + beside, .radius = 1.0};
     const Track abreast{.id = TrackId{9}, .position = beside, .velocity = {0.25, 0, 0}, .radius = 1.0};
     for (const Track& other : {resting, abreast}) {
-      const Voyage voyage = sail(blend(), {.movers = {other}});
+      const Passage voyage = sail(blend(), sea({}, {other}));
       ASSERT_TRUE(voyage.arrival) << gap;
       EXPECT_LT(*voyage.arrival, 220.0) << gap;
       EXPECT_GT(voyage.clearance, 0.4) << gap;
@@ -126,24 +91,9 @@ TEST(Blend, WhatRestsBesideItsWayOrGoesAlongDoesNotHoldItUp) {
 }
 
 TEST(Blend, SaysWhyItHasNoPlanAndGoesOnWithoutOne) {
-  Avoider avoider = blend();
-  const std::vector<Obstacle> obstacles{disc(40, 0, 2, true)};  // over the goal
-  const Command command = avoider.decide({.time = 0,
-                                          .period = 0.1,
-                                          .own = {.id = VehicleId{0}, .radius = 3.2},
-                                          .goal = {.position = {40, 0, 0}, .cruise_speed = 0.5},
-                                          .limits = {.max_speed = 0.5},
-                                          .obstacles = obstacles});
+  const Command command = blend().decide(sea({disc(40, 0, 2, true)}));  // over the goal
   EXPECT_EQ(command.note, "goal is inside an inflated obstacle");
   EXPECT_GT(command.velocity.x(), 0.0);
-}
-
-TEST(Blend, ACopyGoesOnAlike) {
-  const Sea sea{.obstacles = {disc(12, 1, 2, true), disc(26, -1, 2, false)}};
-  const Avoider one = blend();
-  const Voyage a = sail(one, sea), b = sail(one, sea);
-  EXPECT_EQ(a.own.position, b.own.position);
-  EXPECT_EQ(a.arrival, b.arrival);
 }
 
 TEST(Finds, EachIsKeptOnceAndOutlivesWhereItWasSeen) {

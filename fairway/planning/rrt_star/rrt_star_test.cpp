@@ -109,23 +109,6 @@ TEST(RrtStar, TheSameSituationsAndSeedGiveTheSameBits) {
   }
 }
 
-TEST(RrtStar, ACopyReplays) {
-  OwnedSituation e = four_obstacle_encounter();
-  Avoider helm = avoider();
-  Avoider before = helm;
-  for (int i = 0; i < 20; ++i) carry_out(e, helm.decide(e));
-  Avoider after = helm;
-  OwnedSituation again = e;
-  for (int i = 0; i < 20; ++i) {
-    const Command command = helm.decide(e);
-    EXPECT_EQ(after.decide(again), command);
-    carry_out(e, command);
-    carry_out(again, command);
-  }
-  OwnedSituation fresh = four_obstacle_encounter();
-  EXPECT_EQ(before.decide(fresh), avoider().decide(fresh));
-}
-
 TEST(RrtStar, InOpenWaterItGoesStraightAndCruises) {
   OwnedSituation e = four_obstacle_encounter();
   e.obstacles.clear();
@@ -243,12 +226,6 @@ TEST(RrtStar, ReadsWaypointsFromFlatParameters) {
   Drawing drawing;
   (void)avoider(params).decide(e, &drawing);
   EXPECT_EQ(drawing.strokes()[0].points, (std::vector<Vec3>{{0, 0, 7}, {0, 10, 7}, {-10, 10, 7}}));
-}
-
-TEST(RrtStar, WhoMayNotMoveDoesNot) {
-  OwnedSituation e = four_obstacle_encounter();
-  e.situation.limits.max_speed = 0.0;
-  EXPECT_EQ(avoider().decide(e).velocity, Vec3(0, 0, 0));
 }
 
 }  // namespace

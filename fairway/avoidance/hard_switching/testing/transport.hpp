@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "fairway/avoidance/avoider.hpp"
+#include "fairway/avoidance/testing/encounters.hpp"
 #include "fairway/core/angles.hpp"
 
 /// The transport of rehman2021 in the horizontal plane, small enough to hold printed numbers against: four
@@ -51,9 +52,7 @@ struct Plant {
   }
 };
 
-inline Obstacle sphere(double north, double east, double radius) {
-  return {.kind = Obstacle::Kind::sphere, .position = {north, east, 0.0}, .radius = radius, .vertices = {}};
-}
+using encounters::sphere;
 
 /// One obstacle of 20 m at (50, 40), to (100, 100) (section IV-A).
 struct Course {
@@ -113,7 +112,14 @@ struct Voyage {
   double displacement() const { return end.head<2>().norm(); }
 };
 
-inline Voyage run(Avoider avoider, const Course& course) {
+/// The wrench that carries out a command in a state.
+using Helmsman = Wrench (*)(const Command&, const Course&, const State&);
+
+inline Wrench wrench_of(const Command& command, const Course&, const State&) {
+  return command.wrench.value_or(Wrench::Zero());
+}
+
+inline Voyage run(Avoider avoider, const Course& course, Helmsman helmsman = wrench_of) {
   Voyage run;
   const OnboardModel model = course.plant.onboard();
   State x = State::Zero();
@@ -121,7 +127,7 @@ inline Voyage run(Avoider avoider, const Course& course) {
   for (int k = 0; k < steps; ++k) {
     const double time = k * course.step;
     const Command command = avoider.decide(course.situation(x, time, model));
-    const Wrench tau = command.wrench.value_or(Wrench::Zero());
+    const Wrench tau = helmsman(command, course, x);
     if (k == 0) run.first = tau;
     if (command.mode != Mode::cruise && run.avoided++ == 0) run.at_first_avoidance = x;
     run.infeasible += command.mode == Mode::infeasible ? 1 : 0;
