@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "fairway/core/testing/refusal.hpp"
+
 namespace fairway {
 namespace {
 
@@ -93,12 +95,7 @@ std::string refusal(std::string_view from, std::string_view to, std::string_view
   const std::size_t at = text.find(from);
   EXPECT_NE(at, std::string::npos) << from;
   text.replace(at, from.size(), to);
-  try {
-    parse_situation(text, 17);
-    return "";
-  } catch (const InputError& error) {
-    return error.what();
-  }
+  return refusal_by([&] { parse_situation(text, 17); });
 }
 
 TEST(SituationJsonTest, ARefusalNamesLineAndPath) {
