@@ -129,9 +129,7 @@ void add_bench(CLI::App& app, Program& program) {
       ->capture_default_str()
       ->transform(finite_number(0.01, 60.0));
   verb->add_flag("--json", *as_json, "print JSON");
-  verb->callback([=, &program] {
-    program.chosen = [=, &program] { return bench(*algorithms, *budget, *as_json, program.catalogs); };
-  });
+  program.on(*verb, [=, &program] { return bench(*algorithms, *budget, *as_json, program.catalogs); });
 }
 
 }  // namespace fairway::cli

@@ -48,31 +48,28 @@ void add_check(CLI::App& app, Program& program) {
   verb->add_option("--seed", *seed, "instead of the file's")->transform(whole_number<std::uint64_t>());
   verb->add_flag("--schema", *schema, "print the JSON schema of scenario files instead");
   verb->add_flag("--json", *json, "print JSON");
-  verb->callback([=, &program] {
-    program.chosen = [=, &program] {
-      if (*schema) {
-        std::cout << scenario_schema();
-        return ok;
-      }
-      if (files->empty()) throw InputError("check: name at least one scenario file");
-      nlohmann::json document = nlohmann::json::array();
-      for (const std::string& file : *files) {
-        const Scenario scenario = load_scenario(file, overrides_of(*settings), *seed);
-        check_expectations(scenario);
-        const Simulation simulation{scenario,
-                                    program.catalogs};  // the catalogs check what they are asked for
-        if (*json) {
-          document.push_back({{"file", file},
-                              {"name", scenario.name},
-                              {"resolved", to_yaml(scenario)},
-                              {"collision_rule", collision_rule(scenario)}});
-        } else {
-          std::cout << (files->size() > 1 ? "# " + file + "\n" : "") << annotated(scenario);
-        }
-      }
-      if (*json) std::cout << document.dump(2) << "\n";
+  program.on(*verb, [=, &program] {
+    if (*schema) {
+      std::cout << scenario_schema();
       return ok;
-    };
+    }
+    if (files->empty()) throw InputError("check: name at least one scenario file");
+    nlohmann::json document = nlohmann::json::array();
+    for (const std::string& file : *files) {
+      const Scenario scenario = load_scenario(file, overrides_of(*settings), *seed);
+      check_expectations(scenario);
+      const Simulation simulation{scenario, program.catalogs};  // the catalogs check what they are asked for
+      if (*json) {
+        document.push_back({{"file", file},
+                            {"name", scenario.name},
+                            {"resolved", to_yaml(scenario)},
+                            {"collision_rule", collision_rule(scenario)}});
+      } else {
+        std::cout << (files->size() > 1 ? "# " + file + "\n" : "") << annotated(scenario);
+      }
+    }
+    if (*json) std::cout << document.dump(2) << "\n";
+    return ok;
   });
 }
 

@@ -32,17 +32,15 @@ void add_compare(CLI::App& app, Program& program) {
       ->transform(finite_number(0.5, 0.9999));
   verb->add_flag("--csv", *csv, "print every measure of every run as CSV instead");
   verb->add_flag("--json", *json, "print JSON");
-  verb->callback([=, &program] {
-    program.chosen = [=] {
-      const StoredResults results = read_stores(*stores);
-      if (*csv) {
-        write_csv(std::cout, results.records);
-        return ok;
-      }
-      const Comparison comparison = compare(results.records, options_for(results.origin, *options));
-      std::cout << (*json ? to_json(comparison).dump(2) + "\n" : table_text(comparison));
+  program.on(*verb, [=] {
+    const StoredResults results = read_stores(*stores);
+    if (*csv) {
+      write_csv(std::cout, results.records);
       return ok;
-    };
+    }
+    const Comparison comparison = compare(results.records, options_for(results.origin, *options));
+    std::cout << (*json ? to_json(comparison).dump(2) + "\n" : table_text(comparison));
+    return ok;
   });
 }
 

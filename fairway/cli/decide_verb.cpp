@@ -25,14 +25,11 @@ void add_decide(CLI::App& app, Program& program) {
   verb->add_option("--set", *settings, "parameter=value");
   verb->add_flag("--keep-memory", *keep, "each own id keeps its avoider from line to line");
   verb->add_flag("--json", *json, "accepted for symmetry: the output is JSON lines anyway");
-  verb->callback([=, &program] {
-    program.chosen = [=, &program] {
-      std::ios::sync_with_stdio(false);
-      std::cin.tie(nullptr);
-      decide_lines(std::cin, std::cout, program.catalogs.avoiders,
-                   {*algorithm, settings_of(*settings), *keep});
-      return ok;
-    };
+  program.on(*verb, [=, &program] {
+    std::ios::sync_with_stdio(false);
+    std::cin.tie(nullptr);
+    decide_lines(std::cin, std::cout, program.catalogs.avoiders, {*algorithm, settings_of(*settings), *keep});
+    return ok;
   });
 }
 

@@ -169,16 +169,14 @@ void add_describe(CLI::App& app, Program& program) {
   auto as_json = std::make_shared<bool>(false);
   verb->add_option("name", *name, "as `fairway list` shows it")->required();
   verb->add_flag("--json", *as_json, "print JSON");
-  verb->callback([=, &program] {
-    program.chosen = [=, &program] {
-      const json document = describe(*name, program.catalogs);
-      if (*as_json) {
-        std::cout << document.dump(2) << "\n";
-      } else {
-        print(document);
-      }
-      return ok;
-    };
+  program.on(*verb, [=, &program] {
+    const json document = describe(*name, program.catalogs);
+    if (*as_json) {
+      std::cout << document.dump(2) << "\n";
+    } else {
+      print(document);
+    }
+    return ok;
   });
 }
 

@@ -41,12 +41,10 @@ void add_diff(CLI::App& app, Program& program) {
   auto json = std::make_shared<bool>(false);
   verb->add_option("recordings", *files, "two MCAP files")->required()->expected(2);
   verb->add_flag("--json", *json, "print JSON");
-  verb->callback([=, &program] {
-    program.chosen = [=] {
-      const Difference difference = diff(Recording::read((*files)[0]), Recording::read((*files)[1]));
-      std::cout << (*json ? document_of(difference).dump(2) + "\n" : difference.describe());
-      return difference.same() ? ok : expectation_failed;
-    };
+  program.on(*verb, [=] {
+    const Difference difference = diff(Recording::read((*files)[0]), Recording::read((*files)[1]));
+    std::cout << (*json ? document_of(difference).dump(2) + "\n" : difference.describe());
+    return difference.same() ? ok : expectation_failed;
   });
 }
 

@@ -101,8 +101,7 @@ void add_explain(CLI::App& app, Program& program) {
   outputs->add("--out", flags->page, playback_file,
                "write an HTML page of the 30 s before and after, with what was thought");
   verb->add_flag("--json", flags->json, "print JSON, every number exact");
-  verb->callback(
-      [=, &program] { program.chosen = [=, &program] { return explain(*flags, *outputs, program); }; });
+  program.on(*verb, [=, &program] { return explain(*flags, *outputs, program); });
 }
 
 }  // namespace fairway::cli

@@ -108,22 +108,20 @@ void add_list(CLI::App& app, Program& program) {
   verb->add_option("kind", *kind, "one of them; all without it")->check(CLI::IsMember(kinds));
   verb->add_option("--dir", *directory, "where scenarios are looked for")->capture_default_str();
   verb->add_flag("--json", *json, "print JSON");
-  verb->callback([=, &program] {
-    program.chosen = [=, &program] {
-      nlohmann::json document;
-      for (const auto& [name, items] : lists(program.catalogs, *directory)) {
-        if (!kind->empty() && *kind != name) continue;
-        if (kind->empty() && name == "scenarios" && !std::filesystem::is_directory(*directory)) continue;
-        if (!*json) std::cout << name << "\n";
-        document[name] = nlohmann::json::array();
-        for (const Item& item : items()) {
-          if (!*json) std::cout << fmt::format("  {:<22} {}\n", item.name, item.title);
-          document[name].push_back({{"name", item.name}, {"title", item.title}});
-        }
+  program.on(*verb, [=, &program] {
+    nlohmann::json document;
+    for (const auto& [name, items] : lists(program.catalogs, *directory)) {
+      if (!kind->empty() && *kind != name) continue;
+      if (kind->empty() && name == "scenarios" && !std::filesystem::is_directory(*directory)) continue;
+      if (!*json) std::cout << name << "\n";
+      document[name] = nlohmann::json::array();
+      for (const Item& item : items()) {
+        if (!*json) std::cout << fmt::format("  {:<22} {}\n", item.name, item.title);
+        document[name].push_back({{"name", item.name}, {"title", item.title}});
       }
-      if (*json) std::cout << document.dump(2) << "\n";
-      return ok;
-    };
+    }
+    if (*json) std::cout << document.dump(2) << "\n";
+    return ok;
   });
 }
 

@@ -26,6 +26,11 @@ struct Program {
   std::atomic<bool>* stop;      ///< set by Ctrl-C
   std::string name;          ///< of this program, as it was called: "fairway", or one with methods of its own
   const Catalogs& catalogs;  ///< what it offers
+
+  /// Has `run` chosen where the verb is asked for.
+  void on(CLI::App& verb, std::function<int()> run) {
+    verb.callback([this, run = std::move(run)] { chosen = run; });
+  }
 };
 
 // One function per verb, each in its own file: adds the subcommand with its flags, its help and an example.

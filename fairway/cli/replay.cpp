@@ -109,17 +109,15 @@ void add_replay(CLI::App& app, Program& program) {
   outputs->add("--tracks", flags->tracks, recording_table, "write what was perceived of others as CSV");
   outputs->add("--echoes", flags->echoes, recording_table, "write the echoes of sonars as CSV");
   verb->add_flag("--json", flags->json, "print JSON");
-  verb->callback([=, &program] {
-    program.chosen = [=, &program] {
-      outputs->judge({flags->recording});
-      const Recording recording = Recording::read(flags->recording);
-      export_to(flags->csv, recording, export_csv);
-      export_to(flags->tracks, recording, export_tracks_csv);
-      export_to(flags->echoes, recording, export_echoes_csv);
-      if (flags->verify) return verify(recording, flags->recording, flags->json, program.catalogs);
-      const bool exported = !(flags->csv + flags->tracks + flags->echoes).empty();
-      return exported ? ok : summarise(recording, flags->recording, flags->json, program.catalogs.vehicles);
-    };
+  program.on(*verb, [=, &program] {
+    outputs->judge({flags->recording});
+    const Recording recording = Recording::read(flags->recording);
+    export_to(flags->csv, recording, export_csv);
+    export_to(flags->tracks, recording, export_tracks_csv);
+    export_to(flags->echoes, recording, export_echoes_csv);
+    if (flags->verify) return verify(recording, flags->recording, flags->json, program.catalogs);
+    const bool exported = !(flags->csv + flags->tracks + flags->echoes).empty();
+    return exported ? ok : summarise(recording, flags->recording, flags->json, program.catalogs.vehicles);
   });
 }
 

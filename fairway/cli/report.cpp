@@ -26,18 +26,16 @@ void add_report(CLI::App& app, Program& program) {
   verb->add_option("--quantity", options->quantities,
                    "quantities; those of the campaign if none is named, or `all`");
   verb->add_flag("--json", *json, "print the page's document as JSON instead of writing the page");
-  verb->callback([=, &program] {
-    program.chosen = [=, &program] {
-      if (!*json) outputs->judge(*stores);
-      const nlohmann::json page = results_page(read_stores(*stores), *options, program.typed);
-      if (*json) {
-        std::cout << page.dump(2) << "\n";
-      } else {
-        write_page(page.dump(), *out);
-        std::cout << "report: " << *out << "\n";
-      }
-      return ok;
-    };
+  program.on(*verb, [=, &program] {
+    if (!*json) outputs->judge(*stores);
+    const nlohmann::json page = results_page(read_stores(*stores), *options, program.typed);
+    if (*json) {
+      std::cout << page.dump(2) << "\n";
+    } else {
+      write_page(page.dump(), *out);
+      std::cout << "report: " << *out << "\n";
+    }
+    return ok;
   });
 }
 

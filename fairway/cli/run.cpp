@@ -94,8 +94,7 @@ void add_run(CLI::App& app, Program& program) {
       ->needs(out);
   add_live(*verb, options->live);
   verb->add_flag("--json", options->json, "print JSON");
-  verb->callback(
-      [=, &program] { program.chosen = [=, &program] { return run(*options, *outputs, program); }; });
+  program.on(*verb, [=, &program] { return run(*options, *outputs, program); });
 }
 
 }  // namespace fairway::cli

@@ -189,17 +189,15 @@ void add_study(CLI::App& app, Program& program) {
       "make this run alone and print its measures: a name as reports show it, or its beginning");
   auto outputs = std::make_shared<Outputs>(*verb);
   outputs->add("--record", flags->record, recording_file, "record that run to this MCAP file")->needs(only);
-  verb->callback([=, &program] {
-    program.chosen = [=, &program] {
-      std::vector<const Study*> studies;
-      for (const std::string& name : flags->names) studies.push_back(&find_study(name));
-      if (!flags->only.empty() && studies.size() > 1) throw InputError("--only is of one study");
-      if (!flags->only.empty()) return show_only(*studies.front(), *flags, *outputs, program);
-      for (const Study* study : studies) {
-        if (const int code = run_study(*study, *flags, *outputs, program); code != ok) return code;
-      }
-      return ok;
-    };
+  program.on(*verb, [=, &program] {
+    std::vector<const Study*> studies;
+    for (const std::string& name : flags->names) studies.push_back(&find_study(name));
+    if (!flags->only.empty() && studies.size() > 1) throw InputError("--only is of one study");
+    if (!flags->only.empty()) return show_only(*studies.front(), *flags, *outputs, program);
+    for (const Study* study : studies) {
+      if (const int code = run_study(*study, *flags, *outputs, program); code != ok) return code;
+    }
+    return ok;
   });
 }
 

@@ -74,8 +74,7 @@ void add_sweep(CLI::App& app, Program& program) {
       ->capture_default_str();
   verb->add_flag("--retry-failures", flags->retry, "make failed runs again");
   verb->add_flag("--json", flags->json, "print the comparison as JSON");
-  verb->callback(
-      [=, &program] { program.chosen = [=, &program] { return sweep(*flags, *outputs, program); }; });
+  program.on(*verb, [=, &program] { return sweep(*flags, *outputs, program); });
 }
 
 }  // namespace fairway::cli

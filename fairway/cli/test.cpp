@@ -65,8 +65,7 @@ void add_test(CLI::App& app, Program& program) {
   auto as_json = std::make_shared<bool>(false);
   verb->add_option("directory", *directory, "folder")->capture_default_str();
   verb->add_flag("--json", *as_json, "print JSON");
-  verb->callback(
-      [=, &program] { program.chosen = [=, &program] { return test(*directory, *as_json, program); }; });
+  program.on(*verb, [=, &program] { return test(*directory, *as_json, program); });
 }
 
 }  // namespace fairway::cli

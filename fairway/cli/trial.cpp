@@ -50,9 +50,7 @@ void add_trial(CLI::App& app, Program& program) {
   verb->add_option("--set", flags->settings,
                    "state.*, current.*, actuator_dynamics, step_s or a vehicle's parameter");
   verb->add_flag("--json", flags->json, "print JSON");
-  verb->callback([=, &program] {
-    program.chosen = [=, &program] { return trial(*flags, *outputs, program.catalogs.vehicles); };
-  });
+  program.on(*verb, [=, &program] { return trial(*flags, *outputs, program.catalogs.vehicles); });
 }
 
 }  // namespace fairway::cli

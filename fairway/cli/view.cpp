@@ -151,11 +151,9 @@ void add_view(CLI::App& app, Program& program) {
       ->transform(whole_number(std::int64_t{1}))
       ->capture_default_str();
   verb->add_flag("--json", options->json, "print JSON");
-  verb->callback([=, &program] {
-    program.chosen = [=, &program] {
-      if (options->out.empty()) options->out = page_beside(options->recording);
-      return view(*options, *outputs, program);
-    };
+  program.on(*verb, [=, &program] {
+    if (options->out.empty()) options->out = page_beside(options->recording);
+    return view(*options, *outputs, program);
   });
 }
 

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "fairway/core/error.hpp"
+#include "fairway/core/testing/refusal.hpp"
 #include "fairway/core/text.hpp"
 #include "fairway/experiment/campaign_file.hpp"
 #include "fairway/experiment/digest.hpp"
@@ -44,12 +45,7 @@ class CampaignTest : public testing::Test {
   }
 
   std::string refusal(const std::string& yaml) const {
-    try {
-      parse_campaign(yaml, folder_.file("test.yaml"));
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "not refused";
+    return refusal_of([&] { parse_campaign(yaml, folder_.file("test.yaml")); });
   }
 
   /// Refusal of a line 4 and on, without the folder.
@@ -195,13 +191,9 @@ TEST_F(CampaignTest, EachCellIsCheckedBeforeAnythingIsRun) {
   };
   parse("algorithms: [apf, orca3d]\nseeds: {count: 3}\n", check);
   EXPECT_THAT(seen, ElementsAre("apf", "orca3d"));
-  try {
-    parse("algorithms: [apf, orca, orca3d]\nseeds: {first: 4, count: 3}\n", check);
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(),
-                HasSubstr("test.yaml: in case=pair method=orca seed=4: unknown algorithm orca"));
-  }
+  EXPECT_THAT(
+      refusal_of([&] { parse("algorithms: [apf, orca, orca3d]\nseeds: {first: 4, count: 3}\n", check); }),
+      HasSubstr("test.yaml: in case=pair method=orca seed=4: unknown algorithm orca"));
 }
 
 TEST_F(CampaignTest, MistakesAreRefusedWithTheirPlace) {

@@ -9,7 +9,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "fairway/core/error.hpp"
+#include "fairway/core/testing/refusal.hpp"
 
 namespace fairway {
 namespace {
@@ -306,12 +306,7 @@ TEST(CompareTest, QuantitiesThatAreNoTimesToAnArrivalAreNotCensored) {
 }
 
 std::string refusal(const std::vector<RunRecord>& records, const CompareOptions& options) {
-  try {
-    compare(records, options);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "not refused";
+  return refusal_of([&] { compare(records, options); });
 }
 
 TEST(CompareTest, RefusesWhatNoRunHas) {

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "fairway/core/error.hpp"
+#include "fairway/core/testing/refusal.hpp"
 #include "fairway/experiment/testing/sample_runs.hpp"
 
 namespace fairway {
@@ -94,13 +94,8 @@ TEST(ExecutorTest, TheSameRunTwiceIsRefusedBeforeAnythingIsRun) {
   auto specs = sample::specs(4);
   specs[3].key = specs[1].key;
   Store store = Store::in_memory();
-  try {
-    run_missing(specs, sample::measures, store);
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(),
-                HasSubstr("case=cube20_8 method=orca3d seed=0 and case=cube20_8 method=orca3d seed=1"));
-  }
+  EXPECT_THAT(refusal_of([&] { run_missing(specs, sample::measures, store); }),
+              HasSubstr("case=cube20_8 method=orca3d seed=0 and case=cube20_8 method=orca3d seed=1"));
   EXPECT_EQ(store.size(), 0U);
 }
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "fairway/avoidance/direct/direct.hpp"
+#include "fairway/core/testing/refusal.hpp"
 #include "fairway/core/testing/temporary_folder.hpp"
 #include "fairway/scenario/load.hpp"
 
@@ -22,12 +23,8 @@ std::string refusal_of(const std::string& program, const std::string& algorithm,
   writer.close();
   const Recording recording = Recording::read(folder.file("run.mcap"));
   EXPECT_EQ(recording.info().program, program);
-  try {
-    check_methods(recording, recorded_scenario(recording, "run.mcap"), catalogs, "run.mcap");
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return refusal_of(
+      [&] { check_methods(recording, recorded_scenario(recording, "run.mcap"), catalogs, "run.mcap"); });
 }
 
 TEST(ARecordedRun, IsRefusedWhereItsMethodIsNotAndSaysWhereItIs) {

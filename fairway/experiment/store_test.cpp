@@ -11,7 +11,7 @@
 #include <random>
 #include <stdexcept>
 
-#include "fairway/core/error.hpp"
+#include "fairway/core/testing/refusal.hpp"
 #include "fairway/experiment/labels.hpp"
 #include "fairway/experiment/sqlite.hpp"
 #include "fairway/experiment/stored_results.hpp"
@@ -201,12 +201,8 @@ TEST(StoreTest, HasOneWriterAndAnyNumberOfReaders) {
   const TemporaryFolder folder;
   Store writer = Store::open(folder.file("results.db"));
   writer.put(sample::records(2));
-  try {
-    Store::open(folder.file("./results.db"));
-    FAIL() << "a second writer";
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("results.db: another process is writing to it"));
-  }
+  EXPECT_THAT(refusal_of([&] { Store::open(folder.file("./results.db")); }),
+              HasSubstr("results.db: another process is writing to it"));
   const Store reader = Store::open_existing(folder.file("results.db"));
   EXPECT_EQ(reader.size(), 2U);
   writer.put(sample::records(6));

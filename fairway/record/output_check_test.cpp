@@ -12,7 +12,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "fairway/core/error.hpp"
+#include "fairway/core/testing/refusal.hpp"
 #include "fairway/core/testing/temporary_folder.hpp"
 #include "fairway/record/output_file.hpp"
 
@@ -36,12 +36,7 @@ class OutputCheckTest : public ::testing::Test {
 
   std::string judged(const std::vector<Output>& outputs, bool force = false) const {
     const std::vector<std::string> inputs{file("notes")};
-    try {
-      check_outputs(outputs, inputs, force);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "fine";
+    return refusal_of([&] { check_outputs(outputs, inputs, force); });
   }
   std::string judged(const std::string& path, bool force = false) const {
     return judged({{"--out", path, notes}}, force);
@@ -52,8 +47,8 @@ class OutputCheckTest : public ::testing::Test {
 
 TEST_F(OutputCheckTest, ANewFileAnEmptyOneAndOneOfItsKindAreFine) {
   write_file(file("former"), "notes\nwritten by us");
-  for (const char* name : {"new", "empty", "former"}) EXPECT_EQ(judged(file(name)), "fine");
-  EXPECT_EQ(judged(""), "fine");
+  for (const char* name : {"new", "empty", "former"}) EXPECT_EQ(judged(file(name)), "accepted");
+  EXPECT_EQ(judged(""), "accepted");
 }
 
 TEST_F(OutputCheckTest, AnInputIsRefusedByWhateverPathEvenByForce) {
@@ -71,7 +66,7 @@ TEST_F(OutputCheckTest, AFileOfAnotherKindIsRefusedWithoutForce) {
   EXPECT_EQ(judged(file("foreign")),
             "--out " + file("foreign") +
                 ": is there and is not a file of notes; expected another file, or --force to replace it");
-  EXPECT_EQ(judged(file("foreign"), true), "fine");
+  EXPECT_EQ(judged(file("foreign"), true), "accepted");
   write_file(file("foreign"), "notes\nby somebody");
   EXPECT_THAT(judged(file("foreign")), HasSubstr("is not a file of notes"));
   write_file(file("foreign"), "written by us, notes\n");
@@ -83,9 +78,9 @@ TEST_F(OutputCheckTest, TwoOutputsAreTwoFiles) {
               HasSubstr("./new: is what --a writes; expected another file"));
   EXPECT_THAT(judged({{"--a", "no_such_file", notes}, {"--b", "./no_such_file", notes}}),
               HasSubstr("is what --a writes"));
-  EXPECT_EQ(judged({{"--a", "", notes}, {"--b", file("new"), notes}, {"--c", "", notes}}), "fine");
-  EXPECT_EQ(judged({{"--a", "/dev/null", notes}, {"--b", "/dev/null", notes}}), "fine");
-  EXPECT_EQ(judged({{"--a", file("new"), notes}, {"--b", file("newer"), notes}}), "fine");
+  EXPECT_EQ(judged({{"--a", "", notes}, {"--b", file("new"), notes}, {"--c", "", notes}}), "accepted");
+  EXPECT_EQ(judged({{"--a", "/dev/null", notes}, {"--b", "/dev/null", notes}}), "accepted");
+  EXPECT_EQ(judged({{"--a", file("new"), notes}, {"--b", file("newer"), notes}}), "accepted");
 }
 
 TEST_F(OutputCheckTest, PlacesWhereNoFileCanBeAreRefused) {
@@ -98,8 +93,8 @@ TEST_F(OutputCheckTest, PlacesWhereNoFileCanBeAreRefused) {
 
 TEST_F(OutputCheckTest, PipesAndDevicesAreWrittenAndSocketsAreNot) {
   ASSERT_EQ(::mkfifo(file("pipe").c_str(), 0600), 0);
-  EXPECT_EQ(judged(file("pipe")), "fine");
-  EXPECT_EQ(judged("/dev/null"), "fine");
+  EXPECT_EQ(judged(file("pipe")), "accepted");
+  EXPECT_EQ(judged("/dev/null"), "accepted");
   const int socket = ::socket(AF_UNIX, SOCK_STREAM, 0);
   sockaddr_un address{.sun_family = AF_UNIX, .sun_path = {}};
   std::strncpy(address.sun_path, file("socket").c_str(), sizeof(address.sun_path) - 1);
@@ -109,7 +104,7 @@ TEST_F(OutputCheckTest, PipesAndDevicesAreWrittenAndSocketsAreNot) {
 }
 
 TEST_F(OutputCheckTest, ATableMayGoToStandardOutputAndNothingElse) {
-  EXPECT_EQ(judged("-"), "fine");
+  EXPECT_EQ(judged("-"), "accepted");
   EXPECT_THAT(judged({{"--out", "-", page}}), HasSubstr("does not go to standard output"));
   write_file(file("foreign"), "thesis");
   EXPECT_TRUE(is_of_kind(file("notes"), notes));

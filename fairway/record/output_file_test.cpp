@@ -14,6 +14,7 @@
 #include <iterator>
 
 #include "fairway/core/error.hpp"
+#include "fairway/core/testing/refusal.hpp"
 #include "fairway/core/testing/temporary_folder.hpp"
 
 namespace fairway {
@@ -33,12 +34,7 @@ std::size_t files_in(const fs::path& folder) {
 }
 
 std::string refusal(const std::string& path) {
-  try {
-    write_file(path, "new");
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "not refused";
+  return refusal_of([&] { write_file(path, "new"); });
 }
 
 class OutputFileTest : public ::testing::Test {

@@ -10,7 +10,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "fairway/core/error.hpp"
+#include "fairway/core/testing/refusal.hpp"
 
 namespace fairway {
 namespace {
@@ -90,12 +90,8 @@ TEST_F(WrittenPage, IsTheRenderedOneAndLeavesNothingBesideIt) {
 
 TEST_F(WrittenPage, IsRefusedWithTheReasonWhereItCannotBe) {
   for (const fs::path& path : {folder / "absent" / "report.html", folder}) {
-    try {
-      write_page("{}", path.string());
-      FAIL() << path << " was written";
-    } catch (const InputError& error) {
-      EXPECT_THAT(error.what(), StartsWith(path.string() + ": cannot be written: "));
-    }
+    EXPECT_THAT(refusal_of([&] { write_page("{}", path.string()); }),
+                StartsWith(path.string() + ": cannot be written: "));
   }
   EXPECT_TRUE(fs::is_empty(folder));
 }

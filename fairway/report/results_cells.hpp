@@ -48,7 +48,7 @@ class CellRuns {
   nlohmann::json line(nlohmann::json line, const Labels& group, const std::string& candidate,
                       const std::string& quantity) const;
 
-  nlohmann::json document() const { return list_.document(); }
+  const page::RunList& list() const { return list_; }
 
  private:
   std::span<const RunRecord> records_;

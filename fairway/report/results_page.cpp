@@ -8,7 +8,6 @@
 
 #include "fairway/core/error.hpp"
 #include "fairway/experiment/labels.hpp"
-#include "fairway/experiment/version.hpp"
 #include "fairway/report/methods_text.hpp"
 #include "fairway/report/results_tables.hpp"
 #include "fairway/studies/page_blocks.hpp"
@@ -162,16 +161,11 @@ json results_page(const StoredResults& results, CompareOptions options, const st
   options = options_for(results.origin, std::move(options));
   const Comparison comparison = compare(results.records, options);
   const CellRuns runs{results.records, comparison.by};
-  return {{"title", results.origin.campaign},
-          {"subtitle", results.origin.summary.empty() ? "Stored results" : results.origin.summary},
-          {"version", fmt::format("fairway {}", fairway_version)},
-          {"command", command},
-          {"facts",
-           {{{"label", "Runs"}, {"value", std::to_string(results.records.size())}},
-            {{"label", "Cells"}, {"value", std::to_string(comparison.cells.size())}},
-            {{"label", "Compared with"}, {"value", comparison.baseline}}}},
-          {"runs", runs.document()},
-          {"sections", sections_of(comparison, results, runs)}};
+  return page::document(results.origin.campaign,
+                        results.origin.summary.empty() ? "Stored results" : results.origin.summary, command,
+                        {page::fact("Cells", std::to_string(comparison.cells.size())),
+                         page::fact("Compared with", comparison.baseline)},
+                        runs.list(), sections_of(comparison, results, runs));
 }
 
 }  // namespace fairway

@@ -8,6 +8,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "fairway/core/text.hpp"
 #include "fairway/experiment/digest.hpp"
 #include "fairway/experiment/statistics.hpp"
 #include "fairway/experiment/version.hpp"
@@ -24,14 +25,25 @@ double Cell::value(std::size_t i, std::string_view quantity) const {
   return unknown;
 }
 
-void Cell::add_run(std::string_view study, std::function<Scenario()> scenario, std::uint64_t seed) {
-  const std::string digest = Digest::of(to_yaml(scenario()));
-  std::string key =
-      fmt::format("{}/{}/{}/{}/{}/{}/{}", study, place, method, mode, digest, results_epoch, seed);
-  runs.push_back({{std::move(key), labels(), seed, {}}, std::move(scenario), {}});
+void Cell::add_runs(std::string_view study, int count, const std::function<Scenario(std::uint64_t)>& scenario,
+                    std::uint64_t first, bool one_digest) {
+  const auto digest_of = [&](std::uint64_t seed) { return Digest::of(to_yaml(scenario(seed))); };
+  const std::string common = one_digest ? digest_of(0) : "";
+  for (std::uint64_t seed = first; seed < first + static_cast<std::uint64_t>(count); ++seed) {
+    std::string key = fmt::format("{}/{}/{}/{}/{}/{}/{}", study, place, method, mode,
+                                  one_digest ? common : digest_of(seed), results_epoch, seed);
+    runs.push_back({{std::move(key), labels(), seed, {}}, [scenario, seed] { return scenario(seed); }, {}});
+  }
 }
 
-Labels Cell::labels() const { return cell_labels(place, method, mode, part); }
+Labels Cell::labels() const {
+  Labels labels = cell_labels(place, method, mode, part);
+  for (const auto& [name, value] : params) {
+    const double* number = std::get_if<double>(&value);
+    labels.emplace_back(name, number != nullptr ? number_text(*number) : "true");
+  }
+  return labels;
+}
 
 Labels cell_labels(std::string_view place, std::string_view method, std::string_view mode,
                    std::string_view part) {
@@ -58,14 +70,6 @@ bool make_cells(std::span<const MeasuredCells> groups, const StudyOptions& optio
     }
   }
   return true;
-}
-
-std::size_t run_count(std::span<const std::vector<Cell>* const> groups) {
-  std::size_t count = 0;
-  for (const std::vector<Cell>* cells : groups) {
-    for (const Cell& cell : *cells) count += cell.runs.size();
-  }
-  return count;
 }
 
 const Cell& find_cell(const std::vector<Cell>& cells, std::string_view place, std::string_view method,
@@ -119,6 +123,7 @@ StudyRow cell_row(const Cell& cell, std::string_view quantity, double measured, 
           .mode = cell.mode,
           .part = cell.part,
           .quantity = std::string(quantity),
+          .params = cell.params,
           .measured = measured,
           .low = low,
           .high = high,

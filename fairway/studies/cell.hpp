@@ -23,6 +23,7 @@ struct Cell {
   std::string method;  ///< as in tables
   std::string mode;    ///< plant, or how it was varied
   std::string part;    ///< of the study, where two parts have a cell of the same place, method and mode
+  ParamValues params;  ///< what else tells it from others, where it is one of a grid
   std::vector<StudyRun> runs;
   std::vector<std::vector<Measure>> results;
 
@@ -32,9 +33,11 @@ struct Cell {
   /// What its runs share.
   Labels labels() const;
 
-  /// Plans one more run. Its key holds a digest of the scenario, so that a changed scenario makes another
-  /// run.
-  void add_run(std::string_view study, std::function<Scenario()> scenario, std::uint64_t seed);
+  /// Plans a run for each of `count` seeds from `first` on. Its key holds a digest of `scenario(seed)`, so
+  /// that a changed scenario makes another run; where scenarios differ in nothing but what the seed draws,
+  /// `one_digest` may serve them all.
+  void add_runs(std::string_view study, int count, const std::function<Scenario(std::uint64_t)>& scenario,
+                std::uint64_t first = 1, bool one_digest = false);
 };
 
 /// The labels of a cell; `part` where it has one.
@@ -50,9 +53,6 @@ struct MeasuredCells {
 /// Makes what the store lacks of all runs of all cells, and hands out the results. False if stopped before,
 /// or if one run was to be shown alone. Throws as make_runs().
 bool make_cells(std::span<const MeasuredCells> groups, const StudyOptions& options);
-
-/// Number of runs in all cells.
-std::size_t run_count(std::span<const std::vector<Cell>* const> groups);
 
 /// The cell of that place, method and mode. Throws std::out_of_range.
 const Cell& find_cell(const std::vector<Cell>& cells, std::string_view place, std::string_view method,
@@ -78,8 +78,9 @@ std::vector<StudyRow> rows_where(std::span<const StudyRow> rows,
 std::vector<StudyRow> rows_in_mode(std::span<const StudyRow> rows, std::string_view mode);
 
 /// A row of the cell's, without a published value.
-StudyRow cell_row(const Cell& cell, std::string_view quantity, double measured, double low, double high,
-                  std::string note);
+StudyRow cell_row(const Cell& cell, std::string_view quantity, double measured = 0.0,
+                  double low = -std::numeric_limits<double>::infinity(),
+                  double high = std::numeric_limits<double>::infinity(), std::string note = "");
 
 /// The share that `count` runs are of all, with Wilson's 95 % interval.
 StudyRow share_row(const Cell& cell, std::string_view quantity, std::size_t count, std::string note);

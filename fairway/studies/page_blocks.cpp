@@ -23,13 +23,6 @@ json box(std::vector<double> values) {
           {"outliers", summary.outliers}, {"count", summary.count}};
 }
 
-json interval(const MeanEstimate& estimate, std::optional<double> published) {
-  if (estimate.count < 2) return nullptr;
-  json point{{"value", estimate.mean}, {"low", estimate.low}, {"high", estimate.high}};
-  if (published) point["published"] = *published;
-  return point;
-}
-
 double rounded(double value, double parts) { return std::round(value * parts) / parts; }
 
 json series(std::string_view label, const std::vector<double>& x, const std::vector<double>& y) {
@@ -102,8 +95,8 @@ json comparison_table(std::string title, std::span<const StudyRow> rows, const R
 }
 
 json method_intervals(std::span<const StudyRow> rows, std::span<const Method> methods,
-                      std::string_view quantity, const char* label, const std::vector<std::string>& places,
-                      const RunIndex& runs) {
+                      std::string_view quantity, std::string_view label,
+                      const std::vector<std::string>& places, const RunIndex& runs) {
   json series = json::array();
   for (const Method& method : methods) {
     json points = json::array();
@@ -111,10 +104,11 @@ json method_intervals(std::span<const StudyRow> rows, std::span<const Method> me
       const auto row = std::ranges::find_if(rows, [&](const StudyRow& r) {
         return r.cell == place && r.method == method.name && r.quantity == quantity;
       });
-      const bool known = row != rows.end() && std::isfinite(row->measured) && std::isfinite(row->low);
-      points.push_back(known ? runs.mark({{"value", row->measured}, {"low", row->low}, {"high", row->high}},
-                                         cell_of(*row), quantity)
-                             : json());
+      json& point = points.emplace_back();
+      if (row == rows.end() || !std::isfinite(row->measured) || !std::isfinite(row->low)) continue;
+      point = {{"value", row->measured}, {"low", row->low}, {"high", row->high}};
+      if (row->published) point["published"] = *row->published;
+      point = runs.mark(std::move(point), cell_of(*row), quantity);
     }
     series.push_back({{"label", method.name}, {"points", points}});
   }
@@ -137,12 +131,13 @@ json fact(std::string_view label, std::span<const StudyRow> rows, Verdict verdic
   return fact(label, std::to_string(std::ranges::count(rows, verdict, &StudyRow::verdict)));
 }
 
-json document(std::string_view title, std::string_view subtitle, const StudyOptions& options, json facts,
-              const RunIndex& runs, json sections) {
+json document(std::string_view title, std::string_view subtitle, std::string_view command, json facts,
+              const RunList& runs, json sections) {
+  facts.insert(facts.begin(), fact("Runs", std::to_string(runs.size())));
   return {{"title", title},
           {"subtitle", subtitle},
           {"version", "fairway " + std::string(fairway_version)},
-          {"command", options.command},
+          {"command", command},
           {"facts", std::move(facts)},
           {"runs", runs.document()},
           {"sections", std::move(sections)}};

@@ -19,9 +19,6 @@ nlohmann::json number(double value);
 /// A box of a box plot, or null of no values.
 nlohmann::json box(std::vector<double> values);
 
-/// A point of an interval chart.
-nlohmann::json interval(const MeanEstimate& estimate, std::optional<double> published);
-
 /// To so many parts of one, as far as a picture shows it.
 double rounded(double value, double parts);
 
@@ -57,9 +54,10 @@ nlohmann::json grid(int columns, std::vector<nlohmann::json> blocks);
 /// Published against measured, one line a row, which leads to the runs of its cell.
 nlohmann::json comparison_table(std::string title, std::span<const StudyRow> rows, const RunIndex& runs);
 
-/// One quantity of every method by place, with its interval, where it is among the rows.
+/// One quantity of every method by place, with its interval and what is published, where it is among the
+/// rows.
 nlohmann::json method_intervals(std::span<const StudyRow> rows, std::span<const Method> methods,
-                                std::string_view quantity, const char* label,
+                                std::string_view quantity, std::string_view label,
                                 const std::vector<std::string>& places, const RunIndex& runs);
 
 /// A chart of intervals: each series has a point for each category.
@@ -71,9 +69,9 @@ nlohmann::json fact(std::string_view label, std::string value);
 /// How many rows have that verdict.
 nlohmann::json fact(std::string_view label, std::span<const StudyRow> rows, Verdict verdict);
 
-/// The report of a study.
-nlohmann::json document(std::string_view title, std::string_view subtitle, const StudyOptions& options,
-                        nlohmann::json facts, const RunIndex& runs, nlohmann::json sections);
+/// A whole report; the number of its runs goes before the facts.
+nlohmann::json document(std::string_view title, std::string_view subtitle, std::string_view command,
+                        nlohmann::json facts, const RunList& runs, nlohmann::json sections);
 
 nlohmann::json section(const char* id, const char* title, std::vector<std::string> paragraphs,
                        std::vector<nlohmann::json> blocks);

@@ -22,25 +22,19 @@ std::string list_label(const Labels& labels) {
 
 }  // namespace
 
-void RunIndex::add(std::span<const RunSpec> specs, std::span<const std::vector<Measure>> results) {
-  if (specs.empty()) return;
-  Group group{.results = results};
-  const std::string label = list_label(specs.front().labels);
-  for (const RunSpec& spec : specs) {
-    const RunSpec kept = spec_under(options_, spec);
-    const std::size_t place =
-        list_.add(label, kept, options_.playback ? options_.playback(kept) : std::string());
-    if (group.seeds.empty()) group.first = place;
-    group.seeds.push_back(spec.seed);
-  }
-  groups_[cell_name(specs.front().labels)] = std::move(group);
+RunIndex::RunIndex(const StudyOptions& options, std::initializer_list<const std::vector<Cell>*> groups)
+    : options_{options} {
+  for (const std::vector<Cell>* cells : groups) std::ranges::for_each(*cells, [&](const Cell& c) { add(c); });
 }
 
-void RunIndex::add(const std::vector<Cell>& cells) {
-  for (const Cell& cell : cells) {
-    std::vector<RunSpec> specs;
-    for (const StudyRun& run : cell.runs) specs.push_back(run.spec);
-    add(specs, cell.results);
+void RunIndex::add(const Cell& cell) {
+  Group& group = groups_[cell_name(cell.labels())];
+  group = {.first = list_.size(), .seeds = {}, .results = cell.results};
+  const std::string label = list_label(cell.labels());
+  for (const StudyRun& run : cell.runs) {
+    const RunSpec kept = spec_under(options_, run.spec);
+    list_.add(label, kept, options_.playback ? options_.playback(kept) : std::string());
+    group.seeds.push_back(kept.seed);
   }
 }
 

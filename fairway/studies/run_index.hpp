@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <initializer_list>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -17,11 +18,8 @@ namespace fairway {
 /// its runs. What is not known is null: then nothing leads anywhere.
 class RunIndex {
  public:
-  explicit RunIndex(const StudyOptions& options) : options_{options} {}
-
-  /// The runs of one cell, in the order of their results, which must outlive this.
-  void add(std::span<const RunSpec> specs, std::span<const std::vector<Measure>> results);
-  void add(const std::vector<Cell>& cells);
+  /// The runs of these cells, in the order of their results; options and results must outlive this.
+  RunIndex(const StudyOptions& options, std::initializer_list<const std::vector<Cell>*> groups);
 
   /// All runs of a cell.
   nlohmann::json runs_of(const Labels& cell) const;
@@ -35,8 +33,8 @@ class RunIndex {
   /// A line of a table likewise.
   nlohmann::json line(nlohmann::json row, const Labels& cell, std::string_view quantity) const;
 
-  /// The key `runs` of the report.
-  nlohmann::json document() const { return list_.document(); }
+  /// All of them, as the report lists them.
+  const page::RunList& list() const { return list_; }
 
  private:
   struct Group {
@@ -44,6 +42,7 @@ class RunIndex {
     std::vector<std::uint64_t> seeds;
     std::span<const std::vector<Measure>> results;
   };
+  void add(const Cell& cell);
   const Group* find(const Labels& cell) const;
 
   const StudyOptions& options_;

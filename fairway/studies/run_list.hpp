@@ -19,6 +19,7 @@ class RunList {
   std::size_t add(const std::string& label, const RunSpec& spec, const std::string& playback);
 
   nlohmann::json document() const;
+  std::size_t size() const { return size_; }
 
  private:
   struct Entry {

@@ -8,6 +8,7 @@
 
 #include "fairway/core/names.hpp"
 #include "fairway/studies/cubes/cubes.hpp"
+#include "fairway/studies/page_blocks.hpp"
 #include "fairway/studies/surface/surface.hpp"
 #include "fairway/studies/transport/transport.hpp"
 #include "fairway/studies/uuv/uuv.hpp"
@@ -17,14 +18,6 @@ namespace {
 
 constexpr double reproduced_within = 0.15;
 constexpr double partly_within = 0.35;
-
-nlohmann::json finite_or_null(double value) {
-  return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json();
-}
-
-nlohmann::json value_json(const ParamValue& value) {
-  return std::visit([](const auto& v) { return nlohmann::json(v); }, value);
-}
 
 }  // namespace
 
@@ -77,9 +70,9 @@ nlohmann::json rows_json(std::string_view study, std::span<const StudyRow> rows)
                          {"mode", row.mode},
                          {"quantity", row.quantity},
                          {"published", row.published ? nlohmann::json(*row.published) : nlohmann::json()},
-                         {"measured", finite_or_null(row.measured)},
-                         {"low", finite_or_null(row.low)},
-                         {"high", finite_or_null(row.high)},
+                         {"measured", page::number(row.measured)},
+                         {"low", page::number(row.low)},
+                         {"high", page::number(row.high)},
                          {"runs", row.runs},
                          {"deviation_ratio",
                           row.deviation_ratio() ? nlohmann::json(*row.deviation_ratio()) : nlohmann::json()},
@@ -88,7 +81,8 @@ nlohmann::json rows_json(std::string_view study, std::span<const StudyRow> rows)
     if (row.place_ratio) entry["place_ratio"] = *row.place_ratio;
     if (row.p_value) entry["p_value"] = *row.p_value;
     if (!row.params.empty()) {
-      for (const auto& [name, value] : row.params) entry["params"][name] = value_json(value);
+      for (const auto& [name, value] : row.params)
+        std::visit([&](const auto& v) { entry["params"][name] = v; }, value);
     }
     list.push_back(std::move(entry));
   }

@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 
+#include "fairway/core/testing/refusal.hpp"
 #include "fairway/core/text.hpp"
 #include "fairway/experiment/measure_run.hpp"
 #include "fairway/studies/cubes/plan.hpp"
@@ -108,14 +109,7 @@ TEST(StudyRunAlone, IsFoundByItsNameItsKeyAndTheirBeginnings) {
 
 TEST(StudyRunAlone, IsRefusedWhereNoneOrSeveralAreCalledSo) {
   const std::vector<StudyRun> runs = some_runs();
-  const auto refusal = [&](std::string_view called) -> std::string {
-    try {
-      find_run(runs, called);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "found";
-  };
+  const auto refusal = [&](std::string_view called) { return refusal_of([&] { find_run(runs, called); }); };
   EXPECT_THAT(refusal("cube/apf+saw/as_coded/w=0.5/2"),
               testing::AllOf(testing::HasSubstr("no run is called"),
                              testing::HasSubstr("did you mean cube/apf+saw/")));
@@ -168,14 +162,16 @@ TEST(RunIndex, LeadsFromACellToItsRunsAndTheirValues) {
   const std::vector<StudyRun> runs = some_runs();
   const StudyOptions options{
       .playback = [](const RunSpec& spec) { return spec.seed == 12 ? std::string("runs/a.html") : ""; }};
-  RunIndex index{options};
-  const std::vector<std::vector<Measure>> results{{{"time_s", 0, 1.0}, {"time_s", 1, 2.0}, {"sum", -1, 5.0}},
-                                                  {{"sum", -1, 1.0 / 3.0}}};
-  const std::array<std::array<RunSpec, 2>, 2> cells{
-      {{runs[0].spec, runs[1].spec}, {runs[2].spec, runs[3].spec}}};
-  for (const auto& cell : cells) index.add(cell, results);
+  std::vector<Cell> cells(2, {.place = "cube", .mode = "as coded", .params = {{"w", 0.5}}});
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    cells[i].method = i == 0 ? "apf" : "apf+saw";
+    cells[i].runs = {runs[2 * i], runs[2 * i + 1]};
+    cells[i].results = {{{"time_s", 0, 1.0}, {"time_s", 1, 2.0}, {"sum", -1, 5.0}}, {{"sum", -1, 1.0 / 3.0}}};
+  }
+  const RunIndex index{options, {&cells}};
 
-  const Labels& second = runs[2].spec.labels;
+  const Labels second = cells[1].labels();
+  EXPECT_EQ(second, runs[2].spec.labels);
   EXPECT_EQ(index.runs_of(second).dump(), "[[2,3]]");
   EXPECT_EQ(index.run_of(second, 12).dump(), "[3]");
   EXPECT_EQ(index.values_of(second, "time_s").dump(), "[1.5,null]");
@@ -184,7 +180,7 @@ TEST(RunIndex, LeadsFromACellToItsRunsAndTheirValues) {
   EXPECT_TRUE(index.runs_of({{"case", "cube"}}).is_null());
   EXPECT_EQ(index.mark({{"value", 1}}, second, "sum").dump(),
             R"({"runs":[[2,3]],"value":1,"values":[5.0,0.333333]})");
-  EXPECT_EQ(index.document().at(1).dump(),
+  EXPECT_EQ(index.list().document().at(1).dump(),
             R"({"command":"fairway study some --only cube/apf+saw/as_coded/w=0.5/",)"
             R"("label":"cube apf+saw as_coded w=0.5","playbacks":{"1":"runs/a.html"},"seeds":[1,12]})");
 }
@@ -199,21 +195,12 @@ std::vector<std::string> names_in(std::initializer_list<std::vector<Cell>> group
   return names;
 }
 
-std::vector<std::string> names_of_cubes() {
-  std::vector<cubes::Cell> cells = cubes::tuning_cells();
-  for (const auto& more : {cubes::comparison_cells(cubes::Code::as_coded, 0), cubes::heading_cells(),
-                           cubes::comparison_cells(cubes::Code::corrected, 2)})
-    std::ranges::copy(more, std::back_inserter(cells));
-  std::vector<std::string> names;
-  for (const cubes::Cell& cell : cells) {
-    for (const RunSpec& spec : cubes::specs_of(cell)) names.push_back(name_of(spec));
-  }
-  return names;
-}
-
 TEST(RunNames, AreEachOfOneRunInEveryStudy) {
   const std::map<std::string, std::vector<std::string>> studies{
-      {"cubes", names_of_cubes()},
+      {"cubes", names_in({cubes::tuning_cells(), cubes::comparison_cells(cubes::Code::as_coded, 5),
+                          cubes::heading_cells(), cubes::comparison_cells(cubes::Code::corrected, 2),
+                          cubes::replica_cells(cubes::Code::as_coded_starts, 2), cubes::timing_cells(2),
+                          cubes::told_cells(2)})},
       {"transport",
        names_in({transport::published_cells(), transport::case_cells(), transport::field_cells(2)})},
       {"surface", names_in({surface::published_cells(), surface::varied_cells(2)})},

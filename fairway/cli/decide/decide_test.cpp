@@ -8,6 +8,8 @@
 #include <ctime>
 #include <sstream>
 
+#include "fairway/core/testing/refusal.hpp"
+
 namespace fairway {
 namespace {
 
@@ -99,12 +101,8 @@ TEST(DecideTest, APlanarAlgorithmStaysAtItsDepth) {
 std::pair<std::string, std::string> refused(const std::string& in, const DecideOptions& options) {
   std::istringstream input{in};
   std::ostringstream output;
-  try {
-    decide_lines(input, output, test_catalog(), options);
-  } catch (const InputError& error) {
-    return {output.str(), error.what()};
-  }
-  return {output.str(), ""};
+  const std::string said = refusal_of([&] { decide_lines(input, output, test_catalog(), options); });
+  return {output.str(), said};
 }
 
 TEST(DecideTest, ABadLineIsNamedAndEarlierAnswersStay) {

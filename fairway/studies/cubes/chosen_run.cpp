@@ -81,21 +81,21 @@ class Curves final : public FrameSink {
 
 }  // namespace
 
-Cell chosen_cell() {
-  const CubeCase& busy = comparison_cases()[1];
-  const Method& orca = methods()[1];
-  return {Part::comparison, &busy, &orca, Code::corrected, comparison_tuning(busy, orca), 1};
+const Cell& chosen_cell(const std::vector<Cell>& cells) {
+  return find_cell(cells, "cube20_8", "orca3d", name_of(Code::corrected));
 }
 
 std::vector<json> chosen_run_blocks(const Overrides& overrides, const RunIndex& runs) {
-  const Cell cell = chosen_cell();
-  const Scenario scenario = under(overrides, cell.scenario(chosen_seed));
+  const std::vector<Cell> cells = comparison_cells(Code::corrected, 1);
+  const Cell& cell = chosen_cell(cells);
+  const StudyRun& chosen = cell.runs.front();
+  const Scenario scenario = under(overrides, chosen.scenario());
   Curves curves{scenario.vehicles.size()};
   const std::array<FrameSink*, 1> sinks{&curves};
   Simulation{scenario, cube_catalogs()}.run(sinks);
   const std::string title =
-      fmt::format("{}, {}, {}, seed {}", cell.cube->name, cell.method->name, name_of(cell.code), chosen_seed);
-  const json run = runs.run_of(cell.labels(), chosen_seed);
+      fmt::format("{}, {}, {}, seed {}", cell.place, cell.method, cell.mode, chosen.spec.seed);
+  const json run = runs.run_of(cell.labels(), chosen.spec.seed);
   return {page::linked(curves.trajectories(title), run, {}),
           page::linked(curves.separations("Separation: " + title), run, {})};
 }

@@ -9,10 +9,9 @@
 
 namespace fairway::cubes {
 
-/// The cell and the seed of the run that is made again to be looked at: eight vehicles in the small cube
-/// under ORCA as printed.
-Cell chosen_cell();
-inline constexpr std::uint64_t chosen_seed = 1;
+/// The cell whose first run is made again to be looked at, among those of the corrected comparison: eight
+/// vehicles in the small cube under ORCA as printed.
+const Cell& chosen_cell(const std::vector<Cell>& cells);
 
 /// That run: trajectories, and the least separation of each vehicle over time, at one point a second.
 std::vector<nlohmann::json> chosen_run_blocks(const Overrides& overrides, const RunIndex& runs);

@@ -16,13 +16,6 @@ constexpr std::array cases{
     CubeCase{"cube60_8", 30, 8, false},        CubeCase{"cube60_8_retuned", 30, 8, true},
 };
 
-constexpr std::array all_methods{
-    Method{"apf", false, false},
-    Method{"orca3d", true, false},
-    Method{"apf+saw", false, true},
-    Method{"orca3d+saw", true, true},
-};
-
 /// The vertex a robot starts from, in units of h: north, east, and whether it is deep.
 struct Vertex {
   double north, east;
@@ -54,17 +47,20 @@ std::vector<Leg> mission_of(const Vertex& vertex, double h) {
 }
 
 Choice avoider_of(const Method& method, Code code, const Tuning& tuning, const ParamValues& heard) {
-  Choice choice{
-      .name =
-          std::string(method.orca ? "orca3d" : "apf") + (is_as_coded(code) ? "_as_coded" : "") +
-          (method.stop_and_wait ? (is_as_coded(code) ? "+stop_and_wait_as_coded" : "+stop_and_wait") : ""),
-      .path = "avoider"};
-  choice.params = {{"crit_dist_m", tuning.crit_dist_m}};
-  if (!method.orca) choice.params.emplace_back("w2_ratio", tuning.w2_ratio);
-  if (method.orca) choice.params.emplace_back("time_horizon_s", tuning.time_horizon_s);
-  if (method.orca && is_as_coded(code)) choice.params.emplace_back("time_step_s", tuning.time_step_s);
+  Choice choice{.name = std::string(method.algorithm), .path = "avoider"};
+  if (is_as_coded(code)) {
+    choice.name += "_as_coded";
+    if (const auto wrapper = choice.name.find('+'); wrapper != std::string::npos)
+      choice.name.insert(wrapper, "_as_coded");
+  }
   if (!heard.empty()) choice.name += "+as_heard";
-  choice.params.insert(choice.params.end(), heard.begin(), heard.end());
+
+  const bool orca = is_orca(method.algorithm);
+  choice.params = {{"crit_dist_m", tuning.crit_dist_m}};
+  if (!orca) choice.params.emplace_back("w2_ratio", tuning.w2_ratio);
+  if (orca) choice.params.emplace_back("time_horizon_s", tuning.time_horizon_s);
+  if (orca && is_as_coded(code)) choice.params.emplace_back("time_step_s", tuning.time_step_s);
+  choice.params = merged(choice.params, merged(method.params, heard));
   return choice;
 }
 
@@ -88,7 +84,13 @@ void put_at_recorded_start(VehicleSpec& vehicle, const CubeCase& cube, Rng& chan
 }  // namespace
 
 std::span<const CubeCase> comparison_cases() { return cases; }
-std::span<const Method> methods() { return all_methods; }
+
+std::span<const Method> methods() {
+  static const std::array all{Method{"apf", "apf", {}}, Method{"orca3d", "orca3d", {}},
+                              Method{"apf+saw", "apf+stop_and_wait", {}},
+                              Method{"orca3d+saw", "orca3d+stop_and_wait", {}}};
+  return all;
+}
 
 std::string_view name_of(Code code) {
   constexpr std::array names{"as_coded",        "as_coded_north",  "as_coded_replicas",
@@ -98,7 +100,8 @@ std::string_view name_of(Code code) {
 }
 
 Tuning comparison_tuning(const CubeCase& cube, const Method& method) {
-  if (method.orca) return {.crit_dist_m = 20, .ori_error_rad = 0.6, .time_step_s = cube.retuned ? 0.5 : 1.0};
+  if (is_orca(method.algorithm))
+    return {.crit_dist_m = 20, .ori_error_rad = 0.6, .time_step_s = cube.retuned ? 0.5 : 1.0};
   return {.crit_dist_m = cube.retuned ? 7.0 : 6.0, .ori_error_rad = 0.8};
 }
 
@@ -133,7 +136,7 @@ Scenario cube_scenario(const CubeCase& cube, const Method& method, Code code, co
                         .radius_m = tuning.radius_m,
                         .priority = static_cast<std::int32_t>(i),
                         .mission = mission_of(vertices[i], cube.half_edge_m)};
-    if (method.orca) vehicle.limits.max_speed = speed;
+    if (is_orca(method.algorithm)) vehicle.limits.max_speed = speed;
     if (is_from_recorded_starts(code)) put_at_recorded_start(vehicle, cube, starts);
     scenario.vehicles.push_back(std::move(vehicle));
   }

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "fairway/scenario/scenario.hpp"
+#include "fairway/studies/cell.hpp"
 
 namespace fairway::cubes {
 
@@ -49,20 +50,17 @@ struct Tuning {
   double radius_m = 3.0;        ///< of a vehicle; ORCA keeps two of them apart
 };
 
-/// One way of getting across the cube.
-struct Method {
-  std::string_view name;  ///< "apf", "orca3d", "apf+saw", "orca3d+saw"
-  bool orca;
-  bool stop_and_wait;
-};
+/// The ways of getting across the cube: "apf", "orca3d", "apf+saw", "orca3d+saw".
 std::span<const Method> methods();
+constexpr bool is_orca(std::string_view method) { return method.starts_with("orca3d"); }
 
 /// The parameters of the comparison phase (raja2024, sections V-A and V-B).
 Tuning comparison_tuning(const CubeCase& cube, const Method& method);
 
 /// The whole experiment as a scenario: everyone from the NED origin to its vertex, wait for all, cross to the
 /// opposite vertex, hold there. What the published runs left to chance (heading at the origin, when
-/// each starts, the order of messages) is drawn from the seed. `heard` are parameters of AsHeard.
+/// each starts, the order of messages) is drawn from the seed. The method's algorithm and parameters go
+/// before those of the comparison; `heard` are parameters of AsHeard.
 Scenario cube_scenario(const CubeCase& cube, const Method& method, Code code, const Tuning& tuning,
                        std::uint64_t seed, const ParamValues& heard = {});
 

@@ -9,68 +9,42 @@
 #include "fairway/studies/cubes/as_heard.hpp"
 #include "fairway/studies/cubes/chosen_run.hpp"
 #include "fairway/studies/cubes/cubes_page.hpp"
-#include "fairway/studies/cubes/rows.hpp"
-#include "fairway/studies/study_runs.hpp"
+#include "fairway/studies/cubes/replicas.hpp"
 
 namespace fairway::cubes {
-namespace {
-
-/// The run that the report shows in detail.
-bool is_chosen(const RunSpec& spec) {
-  return spec.seed == chosen_seed && spec.labels == chosen_cell().labels();
+const Catalogs& cube_catalogs() {
+  static const Catalogs all = [] {
+    Catalogs catalogs = builtin_catalogs();
+    catalogs.avoiders.add<ApfAsCoded>()
+        .add<OrcaAsCoded>()
+        .add_wrapper<StopAndWaitAsCoded, Direct>()
+        .add_wrapper<AsHeard, Direct>();
+    return catalogs;
+  }();
+  return all;
 }
 
-}  // namespace
-
-Catalogs cube_catalogs() {
-  Catalogs catalogs = builtin_catalogs();
-  catalogs.avoiders.add<ApfAsCoded>()
-      .add<OrcaAsCoded>()
-      .add_wrapper<StopAndWaitAsCoded, Direct>()
-      .add_wrapper<AsHeard, Direct>();
-  return catalogs;
-}
-
-std::vector<CellResults> run_cells(const std::vector<Cell>& cells, const StudyOptions& options) {
-  const Catalogs catalogs = cube_catalogs();
-  const MeasureRun measure = measured_with(catalogs, measure_run);
-  std::vector<StudyRun> runs;
-  for (const Cell& cell : cells) {
-    for (const RunSpec& spec : specs_of(cell))
-      runs.push_back({spec, [&cell, seed = spec.seed] { return cell.scenario(seed); }, measure});
-  }
-  auto measures = make_runs(runs, options);
-  if (!measures) return {};
-  for (const StudyRun& run : runs) {
-    if (is_chosen(run.spec)) show_run(run, options);
-  }
-
-  std::vector<CellResults> results;
-  auto next = measures->begin();
-  for (const Cell& cell : cells) {
-    CellResults& mine = results.emplace_back(CellResults{&cell, {}});
-    for (int run = 0; run < cell.runs; ++run) mine.runs.push_back(std::move(*next++));
-  }
-  return results;
+bool make_crossings(std::vector<Cell>& cells, const StudyOptions& options) {
+  const MeasuredCells all{&cells, measured_with(cube_catalogs(), measure_run)};
+  return make_cells({&all, 1}, options);
 }
 
 StudyResult run_cubes(const StudyOptions& options) {
   std::vector<Cell> cells = tuning_cells();
-  std::ranges::copy(comparison_cells(Code::as_coded, 0), std::back_inserter(cells));
+  const auto plan = [&](std::vector<Cell> more) { std::ranges::move(more, std::back_inserter(cells)); };
+  plan(comparison_cells(Code::as_coded, published_runs));
   if (options.seeds > 0) {
-    std::ranges::copy(heading_cells(), std::back_inserter(cells));
-    std::ranges::copy(comparison_cells(Code::corrected, options.seeds), std::back_inserter(cells));
-    std::ranges::copy(replica_cells(Code::as_coded_replicas, options.seeds), std::back_inserter(cells));
-    std::ranges::copy(replica_cells(Code::as_coded_starts, options.seeds), std::back_inserter(cells));
-    std::ranges::copy(timing_cells(options.seeds), std::back_inserter(cells));
-    std::ranges::copy(told_cells(options.seeds), std::back_inserter(cells));
+    plan(heading_cells());
+    plan(comparison_cells(Code::corrected, options.seeds));
+    for (const Code code : repeated_codes) plan(replica_cells(code, options.seeds));
+    plan(timing_cells(options.seeds));
+    plan(told_cells(options.seeds));
   }
-  const std::vector<CellResults> results = run_cells(cells, options);
-  if (results.empty()) return {.complete = false};
+  if (!make_crossings(cells, options)) return {.complete = false};
+  if (options.seeds > 0) show_run(chosen_cell(cells).runs.front(), options);
 
-  StudyResult study{.rows = rows_of(results)};
-  study.page = page_of(results, study.rows, options);
-  return study;
+  const std::vector<StudyRow> rows = rows_of(cells);
+  return {.rows = rows, .page = page_of(cells, rows, options)};
 }
 
 Study study() {

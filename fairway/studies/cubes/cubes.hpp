@@ -11,11 +11,10 @@ namespace fairway::cubes {
 Study study();
 
 /// What comes with fairway, and the published code's ways (as_coded.hpp).
-Catalogs cube_catalogs();
+const Catalogs& cube_catalogs();
 
-/// Makes the runs of these cells that the options' store lacks. Empty if stopped before all were made.
-/// `cells` must outlive the results.
-std::vector<CellResults> run_cells(const std::vector<Cell>& cells, const StudyOptions& options);
+/// Makes the runs of these cells that the options' store lacks, as make_cells().
+bool make_crossings(std::vector<Cell>& cells, const StudyOptions& options);
 
 /// The whole experiment: parameter phase and comparison phase as coded, five runs a cell, then the
 /// comparison corrected, `options.seeds` runs a cell.

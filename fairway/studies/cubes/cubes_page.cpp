@@ -15,7 +15,7 @@ namespace fairway::cubes {
 namespace {
 
 using nlohmann::json;
-using Results = std::vector<CellResults>;
+using Cells = std::vector<Cell>;
 
 constexpr auto repeated_words =
     "A published value is a mean or a total of five runs. Here the five runs of each cell are repeated; the "
@@ -30,18 +30,19 @@ constexpr std::array plotted{
     Plotted{"avoided_count", "Avoided encounters"}, Plotted{"distance_m", "Distance [m]"}};
 
 /// A box per value of one parameter, over all cells of the tuning of a method (Figures 16 and 17).
-json tuning_boxes(const Results& results, bool orca, double Tuning::*parameter, std::string_view name,
-                  const Plotted& what, const RunIndex& runs) {
+json tuning_boxes(const Cells& cells, std::string_view method, std::string_view parameter,
+                  std::string_view name, const Plotted& what, const RunIndex& runs) {
   struct Pooled {
     std::vector<double> values;
     json runs = json::array();
   };
   std::map<double, Pooled> by_value;
-  for (const CellResults& cell : results) {
-    if (cell.cell->part != Part::tuning || cell.cell->method->orca != orca) continue;
-    Pooled& pooled = by_value[cell.cell->tuning.*parameter];
-    std::ranges::copy(cell.values(what.quantity), std::back_inserter(pooled.values));
-    for (json& run : runs.runs_of(cell.cell->labels())) pooled.runs.push_back(std::move(run));
+  for (const Cell& cell : cells) {
+    if (cell.place != tuning_place || cell.method != method) continue;
+    const auto param = std::ranges::find(cell.params, parameter, &ParamValues::value_type::first);
+    Pooled& pooled = by_value[std::get<double>(param->second)];
+    std::ranges::copy(values_of(cell, what.quantity), std::back_inserter(pooled.values));
+    for (json& run : runs.runs_of(cell.labels())) pooled.runs.push_back(std::move(run));
   }
   json categories = json::array(), boxes = json::array();
   for (auto& [value, pooled] : by_value) {
@@ -49,54 +50,41 @@ json tuning_boxes(const Results& results, bool orca, double Tuning::*parameter, 
     boxes.push_back(
         page::linked(page::box(pooled.values), std::move(pooled.runs), page::shown_values(pooled.values)));
   }
-  json block{
-      {"kind", "boxes"},          {"title", fmt::format("{} by {}", what.label, name)},
-      {"y_label", what.label},    {"category_label", name},
-      {"categories", categories}, {"series", {{{"label", orca ? "orca3d" : "apf"}, {"boxes", boxes}}}}};
+  json block{{"kind", "boxes"},          {"title", fmt::format("{} by {}", what.label, name)},
+             {"y_label", what.label},    {"category_label", name},
+             {"categories", categories}, {"series", {{{"label", method}, {"boxes", boxes}}}}};
   if (what.quantity == "navigation_time_s") block["lines"] = {{{"label", "time limit"}, {"value", 592}}};
   return block;
 }
 
-json tuning_grid(const Results& results, bool orca, const RunIndex& runs) {
-  std::vector<std::pair<double Tuning::*, std::string_view>> parameters{
-      {&Tuning::crit_dist_m, "CRIT_DIST [m]"}, {&Tuning::ori_error_rad, "ORI_ERROR [rad]"}};
-  if (orca) {
-    parameters.emplace_back(&Tuning::time_step_s, "time_step [s]");
-    parameters.emplace_back(&Tuning::time_horizon_s, "time_horizon [s]");
+json tuning_grid(const Cells& cells, std::string_view method, const RunIndex& runs) {
+  std::vector<std::pair<std::string_view, std::string_view>> parameters{{"crit_dist_m", "CRIT_DIST [m]"},
+                                                                        {"ori_error_rad", "ORI_ERROR [rad]"}};
+  if (is_orca(method)) {
+    parameters.emplace_back("time_step_s", "time_step [s]");
+    parameters.emplace_back("time_horizon_s", "time_horizon [s]");
   } else {
-    parameters.emplace_back(&Tuning::w2_ratio, "W2");
+    parameters.emplace_back("w2_ratio", "W2");
   }
   std::vector<json> blocks;
   for (const auto& [parameter, name] : parameters) {
     for (const Plotted& what : plotted)
-      blocks.push_back(tuning_boxes(results, orca, parameter, name, what, runs));
+      blocks.push_back(tuning_boxes(cells, method, parameter, name, what, runs));
   }
   return page::grid(4, std::move(blocks));
 }
 
-const CellResults* find(const Results& results, const CubeCase& cube, const Method& method, Code code) {
-  const auto found = std::ranges::find_if(results, [&](const CellResults& r) {
-    return r.cell->part == Part::comparison && r.cell->cube == &cube && r.cell->method == &method &&
-           r.cell->code == code;
-  });
-  return found == results.end() ? nullptr : &*found;
-}
-
 /// A box per robot and method (Figures 18 to 23).
-json robot_boxes(const Results& results, const CubeCase& cube, const Plotted& what, const RunIndex& runs) {
+json robot_boxes(const Cells& cells, const CubeCase& cube, const Plotted& what, const RunIndex& runs) {
   json categories = json::array(), series = json::array();
   for (std::size_t robot = 0; robot < cube.team; ++robot) categories.push_back(fmt::format("{}", robot));
   for (const Method& method : methods()) {
-    const CellResults* cell = find(results, cube, method, Code::as_coded);
+    const Cell& cell = find_cell(cells, cube.name, method.name, name_of(Code::as_coded));
     json boxes = json::array();
     for (std::size_t robot = 0; robot < cube.team; ++robot) {
-      if (cell == nullptr) {
-        boxes.push_back(nullptr);
-        continue;
-      }
-      const std::vector<double> values = cell->values(what.quantity, static_cast<int>(robot));
+      const std::vector<double> values = values_of(cell, what.quantity, static_cast<int>(robot));
       boxes.push_back(
-          page::linked(page::box(values), runs.runs_of(cell->cell->labels()), page::shown_values(values)));
+          page::linked(page::box(values), runs.runs_of(cell.labels()), page::shown_values(values)));
     }
     series.push_back({{"label", method.name}, {"boxes", boxes}});
   }
@@ -104,54 +92,31 @@ json robot_boxes(const Results& results, const CubeCase& cube, const Plotted& wh
           {"category_label", "robot"}, {"categories", categories}, {"series", series}};
 }
 
-json intervals(const Results& results, Code code, const Plotted& what, const RunIndex& runs) {
-  json categories = json::array(), series = json::array();
-  for (const CubeCase& cube : comparison_cases()) categories.push_back(cube.name);
-  for (const Method& method : methods()) {
-    json points = json::array();
-    for (const CubeCase& cube : comparison_cases()) {
-      const CellResults* cell = find(results, cube, method, code);
-      if (cell == nullptr) {
-        points.push_back(nullptr);
-        continue;
-      }
-      points.push_back(runs.mark(page::interval(estimate_mean(cell->run_means(what.quantity)),
-                                                published(cube.name, method.name, what.quantity)),
-                                 cell->cell->labels(), what.quantity));
-    }
-    series.push_back({{"label", method.name}, {"points", points}});
-  }
-  return page::intervals(what.label, what.label, std::move(categories), std::move(series));
-}
-
 std::vector<StudyRow> chosen_rows(std::span<const StudyRow> rows, std::string_view mode) {
   return rows_where(rows, [&](const StudyRow& row) { return row.mode == mode && row.cell != "tuning"; });
 }
 
-RunIndex index_of(const Results& results, const StudyOptions& options) {
-  RunIndex index{options};
-  for (const CellResults& cell : results) index.add(specs_of(*cell.cell), cell.runs);
-  return index;
+json intervals(std::span<const StudyRow> rows, std::string_view mode, const Plotted& what,
+               const RunIndex& runs) {
+  std::vector<std::string> places;
+  for (const CubeCase& cube : comparison_cases()) places.emplace_back(cube.name);
+  return page::method_intervals(chosen_rows(rows, mode), methods(), what.quantity, what.label, places, runs);
 }
 
-json facts(const Results& results, std::span<const StudyRow> rows) {
-  std::size_t runs = 0;
-  for (const CellResults& cell : results) runs += cell.runs.size();
+json facts(std::span<const StudyRow> rows) {
   std::string covered = "not repeated";
   for (const StudyRow& row : rows) {
     if (row.mode == "as_coded_replicas" && row.quantity == "navigation_time_s_covered_count")
       covered = fmt::format("{:.0f} of 24", row.measured);
   }
-  return {page::fact("Runs", std::to_string(runs)),
-          page::fact("Published navigation times within repetitions", covered),
+  return {page::fact("Published navigation times within repetitions", covered),
           page::fact("Published cases", "6 cubes × 4 methods"),
           page::fact("Parameter cells", "36 APF, 108 ORCA")};
 }
 
-json corrected_section(const Results& results, std::span<const StudyRow> rows, int seeds,
-                       const RunIndex& runs) {
+json corrected_section(std::span<const StudyRow> rows, int seeds, const RunIndex& runs) {
   std::vector<json> blocks;
-  for (const Plotted& what : plotted) blocks.push_back(intervals(results, Code::corrected, what, runs));
+  for (const Plotted& what : plotted) blocks.push_back(intervals(rows, "corrected", what, runs));
   std::vector<std::string> paragraphs{
       fmt::format("The comparison again with the general methods of this library: repulsion summed afresh at "
                   "each step, velocities in NED, one consistent step of 0.05 s. {} seeds a cell, the same "
@@ -171,14 +136,14 @@ json corrected_section(const Results& results, std::span<const StudyRow> rows, i
 
 }  // namespace
 
-json page_of(const Results& results, std::span<const StudyRow> rows, const StudyOptions& options) {
-  const RunIndex runs = index_of(results, options);
+json page_of(const Cells& cells, std::span<const StudyRow> rows, const StudyOptions& options) {
+  const RunIndex runs{options, {&cells}};
   json sections = json::array();
-  sections.push_back(
-      page::section("published", "Published against measured", findings(rows),
-                    {page::grid(2, {intervals(results, Code::as_coded, plotted[0], runs),
-                                    intervals(results, Code::as_coded, plotted[3], runs)}),
-                     page::comparison_table("As coded, all cells", chosen_rows(rows, "as_coded"), runs)}));
+  sections.push_back(page::section(
+      "published", "Published against measured", findings(rows),
+      {page::grid(
+           2, {intervals(rows, "as_coded", plotted[0], runs), intervals(rows, "as_coded", plotted[3], runs)}),
+       page::comparison_table("As coded, all cells", chosen_rows(rows, "as_coded"), runs)}));
   if (options.seeds > 0) {
     sections.push_back(page::section(
         "repeated", "The five runs again and again", {repeated_words},
@@ -189,14 +154,14 @@ json page_of(const Results& results, std::span<const StudyRow> rows, const Study
                                                              chosen_rows(rows, "as_coded_north"), runs)}));
   }
   sections.push_back(page::section("tuning-apf", "Parameter setting, APF (Figure 16)", {},
-                                   {tuning_grid(results, false, runs)}));
+                                   {tuning_grid(cells, "apf", runs)}));
   sections.push_back(page::section("tuning-orca", "Parameter setting, ORCA (Figure 17)", {},
-                                   {tuning_grid(results, true, runs)}));
+                                   {tuning_grid(cells, "orca3d", runs)}));
 
   std::vector<json> figures;
   for (const CubeCase& cube : comparison_cases()) {
     std::vector<json> blocks;
-    for (const Plotted& what : plotted) blocks.push_back(robot_boxes(results, cube, what, runs));
+    for (const Plotted& what : plotted) blocks.push_back(robot_boxes(cells, cube, what, runs));
     json block = page::grid(2, std::move(blocks));
     block["title"] = fmt::format("{} m cube, {} vehicles{}", 2 * cube.half_edge_m, cube.team,
                                  cube.retuned ? ", retuned" : "");
@@ -204,7 +169,7 @@ json page_of(const Results& results, std::span<const StudyRow> rows, const Study
   }
   sections.push_back(page::section("robots", "Comparison by robot (Figures 18 to 23)",
                                    {"As coded, five runs a box."}, std::move(figures)));
-  if (options.seeds > 0) sections.push_back(corrected_section(results, rows, options.seeds, runs));
+  if (options.seeds > 0) sections.push_back(corrected_section(rows, options.seeds, runs));
 
   sections.push_back(page::section(
       "run", "A run in detail",
@@ -213,8 +178,8 @@ json page_of(const Results& results, std::span<const StudyRow> rows, const Study
 
   return page::document(
       "Crossing a cube",
-      "raja2024: APF and ORCA, each with and without stop-and-wait; 4 and 8 Sparus II vehicles", options,
-      facts(results, rows), runs, std::move(sections));
+      "raja2024: APF and ORCA, each with and without stop-and-wait; 4 and 8 Sparus II vehicles",
+      options.command, facts(rows), runs.list(), std::move(sections));
 }
 
 }  // namespace fairway::cubes

@@ -16,13 +16,9 @@ namespace {
 
 /// One run of each method in the smallest case, as coded and corrected.
 std::vector<Cell> few_cells() {
-  std::vector<Cell> cells = comparison_cells(Code::as_coded, 1);
-  std::erase_if(cells, [](const Cell& cell) { return cell.cube->name != "cube20_4"; });
-  std::vector<Cell> corrected = comparison_cells(Code::corrected, 2);
-  for (const Cell& cell : corrected) {
-    if (cell.cube->name == "cube20_4") cells.push_back(cell);
-  }
-  for (Cell& cell : cells) cell.runs = 2;
+  std::vector<Cell> cells = comparison_cells(Code::as_coded, 2);
+  std::ranges::move(comparison_cells(Code::corrected, 2), std::back_inserter(cells));
+  std::erase_if(cells, [](const Cell& cell) { return cell.place != "cube20_4"; });
   return cells;
 }
 
@@ -34,36 +30,36 @@ std::string csv_of(const Store& store) {
 
 TEST(Cubes, TheExperimentHasThePublishedSize) {
   const auto count = [](const std::vector<Cell>& cells) {
-    int runs = 0;
-    for (const Cell& cell : cells) runs += cell.runs;
+    std::size_t runs = 0;
+    for (const Cell& cell : cells) runs += cell.runs.size();
     return std::pair{cells.size(), runs};
   };
-  EXPECT_EQ(count(tuning_cells()), std::pair(std::size_t{144}, 720));
-  EXPECT_EQ(count(comparison_cells(Code::as_coded, 0)), std::pair(std::size_t{24}, 120));
+  EXPECT_EQ(count(tuning_cells()), std::pair(std::size_t{144}, std::size_t{720}));
+  EXPECT_EQ(count(comparison_cells(Code::as_coded, published_runs)),
+            std::pair(std::size_t{24}, std::size_t{120}));
 }
 
 TEST(Cubes, AnyNumberOfThreadsGivesTheSameBits) {
-  const std::vector<Cell> cells = few_cells();
+  std::vector<Cell> cells = few_cells();
   Store one = Store::in_memory(), three = Store::in_memory();
-  run_cells(cells, {.jobs = 1, .store = &one});
-  run_cells(cells, {.jobs = 3, .store = &three});
+  make_crossings(cells, {.jobs = 1, .store = &one});
+  make_crossings(cells, {.jobs = 3, .store = &three});
   EXPECT_EQ(csv_of(one), csv_of(three));
 }
 
 TEST(Cubes, WhatTheStoreHasIsNotRunAgain) {
-  const std::vector<Cell> cells = few_cells();
+  std::vector<Cell> first = few_cells(), second = few_cells();
   Store store = Store::in_memory();
-  const auto first = run_cells(cells, {.store = &store});
+  ASSERT_TRUE(make_crossings(first, {.store = &store}));
   std::atomic<bool> stop{true};  // nothing may be begun, and nothing needs to be
-  const auto second = run_cells(cells, {.store = &store, .stop = &stop});
-  ASSERT_EQ(second.size(), first.size());
-  for (std::size_t i = 0; i < first.size(); ++i) EXPECT_EQ(first[i].runs, second[i].runs);
+  ASSERT_TRUE(make_crossings(second, {.store = &store, .stop = &stop}));
+  for (std::size_t i = 0; i < first.size(); ++i) EXPECT_EQ(first[i].results, second[i].results);
 }
 
 TEST(Cubes, EveryPublishedNumberHasARowWithAVerdict) {
-  const std::vector<Cell> cells = few_cells();
-  Store store = Store::in_memory();
-  const std::vector<StudyRow> rows = rows_of(run_cells(cells, {.store = &store}));
+  std::vector<Cell> cells = few_cells();
+  ASSERT_TRUE(make_crossings(cells, {}));
+  const std::vector<StudyRow> rows = rows_of(cells);
   for (const Method& method : methods()) {
     for (const Quantity& quantity : published_quantities()) {
       const auto row = std::ranges::find_if(rows, [&](const StudyRow& r) {

@@ -19,10 +19,9 @@ using ::testing::IsEmpty;
 using ::testing::Not;
 
 /// Runs of one cell, by how many collisions each has; every navigation time as given.
-CellResults made_results(const Cell& cell, const std::vector<double>& collisions, double navigation_time) {
-  CellResults results{&cell, {}};
+Cell made_results(Cell cell, const std::vector<double>& collisions, double navigation_time) {
   for (const double count : collisions) {
-    results.runs.push_back({{"navigation_time_s", 0, navigation_time},
+    cell.results.push_back({{"navigation_time_s", 0, navigation_time},
                             {"avoidance_time_s", 0, 10},
                             {"avoided_count", 0, 3},
                             {"distance_m", 0, 40},
@@ -30,17 +29,17 @@ CellResults made_results(const Cell& cell, const std::vector<double>& collisions
                             {"stuck_count", 0, 0},
                             {"min_separation_m", Measure::fleet, count > 0 ? 2.5 : 4.5}});
   }
-  return results;
+  return cell;
 }
 
 /// The cell in which the thesis counted six collisions in two of five runs.
 std::vector<Cell> colliding_cell(int replicas) {
   std::vector<Cell> cells = replica_cells(Code::as_coded_replicas, replicas);
-  std::erase_if(cells, [](const Cell& c) { return c.cube->name != "cube20_8" || c.method->name != "apf"; });
+  std::erase_if(cells, [](const Cell& c) { return c.place != "cube20_8" || c.method != "apf"; });
   return cells;
 }
 
-std::vector<std::string> words_about(const CellResults& results) { return findings(rows_of({results})); }
+std::vector<std::string> words_about(const Cell& results) { return findings(rows_of({results})); }
 
 TEST(Findings, OfNothingThereIsNothingToSay) {
   EXPECT_THAT(findings({}), IsEmpty());
@@ -90,11 +89,12 @@ TEST(Findings, CoverageFollowsTheRepetitions) {
 
 TEST(Findings, OfEachWayOfHearingTheCollisionsAreCountedWhereTheyWerePublishedAndWhereNot) {
   const std::vector<Cell> cells = timing_cells(4);
-  std::vector<CellResults> results;
+  std::vector<Cell> results;
   for (std::size_t i = 0; i < comparison_cases().size(); ++i)
     results.push_back(made_results(
         cells[i],
-        cells[i].cube->team == 8 ? std::vector<double>{2, 0, 0, 0} : std::vector<double>{0, 0, 0, 0}, 100));
+        comparison_cases()[i].team == 8 ? std::vector<double>{2, 0, 0, 0} : std::vector<double>{0, 0, 0, 0},
+        100));
   EXPECT_THAT(causes(rows_of(results)),
               Contains(HasSubstr("published 2 of 8 (published 4 of 10, p = 0.64), in the others 2 of 16 "
                                  "(published 0 of 20, p = 0.19)")));
@@ -134,7 +134,7 @@ TEST(Replicas, ThePlaceOfAValueCountsTiesHalf) {
 
 TEST(Replicas, ARepetitionIsFiveDifferentRuns) {
   const std::vector<Cell> cells = colliding_cell(1);
-  const CellResults five = made_results(cells[0], {1, 0, 0, 0, 2}, 100);
+  const Cell five = made_results(cells[0], {1, 0, 0, 0, 2}, 100);
   const Quantity collisions{"collision_count", true};
   EXPECT_THAT(repetitions(five, collisions), Each(3.0));  // there is one draw of five out of five
   EXPECT_THAT(repetitions(five, {"navigation_time_s", false}), Each(100.0));
@@ -148,8 +148,8 @@ TEST(Replicas, ARepetitionIsFiveDifferentRuns) {
 
 TEST(Replicas, NoneIsARunOfThePublishedPart) {
   for (const Cell& cell : replica_cells(Code::as_coded_starts, 3)) {
-    EXPECT_EQ(specs_of(cell).size(), 15U);
-    EXPECT_EQ(specs_of(cell).front().seed, 6U);
+    EXPECT_EQ(cell.runs.size(), 15U);
+    EXPECT_EQ(cell.runs.front().spec.seed, 6U);
   }
 }
 

@@ -102,18 +102,21 @@ constexpr PublishedMean starts[2][8]{
      {99.25, 0.069}},
 };
 
-/// The place of a value of the grid, or nothing.
+/// The place of a parameter's value on the grid, or nothing.
 template <std::size_t N>
-std::optional<std::size_t> place_of(double value, const std::array<double, N>& grid) {
-  const auto found = std::ranges::find(grid, value);
+std::optional<std::size_t> place_of(const ParamValues& params, std::string_view name,
+                                    const std::array<double, N>& grid) {
+  const auto param = std::ranges::find(params, name, &ParamValues::value_type::first);
+  if (param == params.end()) return std::nullopt;
+  const auto found = std::ranges::find(grid, std::get<double>(param->second));
   if (found == grid.end()) return std::nullopt;
   return static_cast<std::size_t>(found - grid.begin());
 }
 
 /// CRIT_DIST and ORI_ERROR together.
-std::optional<std::size_t> row_of(const Tuning& tuning) {
-  const auto crit = place_of(tuning.crit_dist_m, crit_dists);
-  const auto error = place_of(tuning.ori_error_rad, ori_errors);
+std::optional<std::size_t> row_of(const ParamValues& params) {
+  const auto crit = place_of(params, "crit_dist_m", crit_dists);
+  const auto error = place_of(params, "ori_error_rad", ori_errors);
   if (!crit || !error) return std::nullopt;
   return ori_errors.size() * *crit + *error;
 }
@@ -138,19 +141,19 @@ std::optional<double> published(std::string_view cube, std::string_view method, 
   return std::nullopt;
 }
 
-std::optional<double> published_tuning_time(bool orca, const Tuning& tuning) {
-  const auto row = row_of(tuning);
-  const auto w2 = place_of(tuning.w2_ratio, w2s);
-  const auto step = place_of(tuning.time_step_s, time_steps);
-  const auto horizon = place_of(tuning.time_horizon_s, time_horizons);
-  if (row && orca && step && horizon) return orca_times[*row][time_horizons.size() * *step + *horizon];
-  if (row && !orca && w2) return apf_times[*row][*w2];
+std::optional<double> published_tuning_time(const ParamValues& params) {
+  const auto row = row_of(params);
+  const auto w2 = place_of(params, "w2_ratio", w2s);
+  const auto step = place_of(params, "time_step_s", time_steps);
+  const auto horizon = place_of(params, "time_horizon_s", time_horizons);
+  if (row && step && horizon) return orca_times[*row][time_horizons.size() * *step + *horizon];
+  if (row && w2) return apf_times[*row][*w2];
   return std::nullopt;
 }
 
-std::optional<double> published_tuning_stuck(const Tuning& tuning) {
-  const auto row = row_of(tuning);
-  const auto w2 = place_of(tuning.w2_ratio, w2s);
+std::optional<double> published_tuning_stuck(const ParamValues& params) {
+  const auto row = row_of(params);
+  const auto w2 = place_of(params, "w2_ratio", w2s);
   if (row && w2) return apf_stuck[*row][*w2];
   return std::nullopt;
 }

@@ -6,10 +6,11 @@
 #include <optional>
 #include <string_view>
 
+#include "fairway/core/params.hpp"
+
 namespace fairway::cubes {
 
 struct CubeCase;
-struct Tuning;
 
 /// A cell as published.
 inline constexpr int published_runs = 5;
@@ -48,12 +49,12 @@ const PublishedCell* published_cell(std::string_view cube, std::string_view meth
 /// The published value of a quantity of the comparison, by the name of the quantity.
 std::optional<double> published(std::string_view cube, std::string_view method, std::string_view quantity);
 
-/// The mean navigation time of a cell of the parameter phase, over four robots and five runs [s]
-/// (simulation_results/high_density/parametrization_results.csv).
-std::optional<double> published_tuning_time(bool orca, const Tuning& tuning);
+/// The mean navigation time of a cell of the parameter phase, by its parameters, over four robots and five
+/// runs [s] (simulation_results/high_density/parametrization_results.csv).
+std::optional<double> published_tuning_time(const ParamValues& params);
 
 /// Robots that were stuck in such a cell of potential fields, of 20; none was under ORCA.
-std::optional<double> published_tuning_stuck(const Tuning& tuning);
+std::optional<double> published_tuning_stuck(const ParamValues& params);
 
 /// How far a robot was from its goal as the crossing began, over all runs of eight robots in a cube
 /// (`optimal_distance_travelled`) [m].

@@ -37,7 +37,7 @@ void compare(StudyRow& row, std::vector<double> repeated, std::optional<double> 
 std::vector<std::array<std::size_t, published_runs>> fives_of(std::size_t runs, const Cell& cell) {
   std::vector<std::array<std::size_t, published_runs>> fives;
   if (runs < published_runs) return fives;
-  Rng rng = Rng{0}.stream(cell.name() + std::string(cell.method->name), runs);
+  Rng rng = Rng{0}.stream(cell.place + cell.method, runs);
   std::vector<std::size_t> order(runs);
   std::iota(order.begin(), order.end(), std::size_t{0});
   fives.resize(repetition_count);
@@ -51,10 +51,10 @@ std::vector<std::array<std::size_t, published_runs>> fives_of(std::size_t runs, 
 }
 
 /// The standard deviation of five runs' navigation times, one for each repetition.
-std::vector<double> deviations(const CellResults& results) {
-  const std::vector<double> means = results.run_means("navigation_time_s");
+std::vector<double> deviations(const Cell& cell) {
+  const std::vector<double> means = run_means(cell, "navigation_time_s");
   std::vector<double> found;
-  for (const auto& five : fives_of(means.size(), *results.cell)) {
+  for (const auto& five : fives_of(means.size(), cell)) {
     std::array<double, published_runs> values{};
     std::ranges::transform(five, values.begin(), [&](std::size_t run) { return means[run]; });
     found.push_back(estimate_mean(values).deviation);
@@ -62,18 +62,15 @@ std::vector<double> deviations(const CellResults& results) {
   return found;
 }
 
-StudyRow colliding_row(const CellResults& results, const PublishedCell& published_cell) {
-  StudyRow row = blank_row(results, "colliding_run_ratio");
+StudyRow colliding_row(const Cell& cell, const PublishedCell& published_cell) {
   const auto there = static_cast<std::size_t>(published_cell.colliding_run_count);
-  const RateEstimate rate = wilson_interval(results.colliding_runs(), results.runs.size());
+  const std::size_t here = colliding_runs(cell), runs = cell.results.size();
+  StudyRow row =
+      share_row(cell, "colliding_run_ratio", here,
+                fmt::format("{} of 5 runs published, {} of {} here; Fisher's exact test", there, here, runs));
   row.published = static_cast<double>(there) / published_runs;
-  row.measured = rate.rate;
-  row.low = rate.low;
-  row.high = rate.high;
-  row.p_value = fisher_exact(there, published_runs, rate.successes, rate.trials);
+  row.p_value = fisher_exact(there, published_runs, here, runs);
   row.verdict = *row.p_value < 0.05 ? Verdict::not_reproduced : Verdict::within_spread;
-  row.note = fmt::format("{} of 5 runs published, {} of {} here; Fisher's exact test", there, rate.successes,
-                         rate.trials);
   return row;
 }
 
@@ -96,12 +93,11 @@ StudyRow covered_row(std::span<const StudyRow> rows, std::string_view quantity) 
 }
 
 /// How many cells of one repetition come within 15 % of the published value.
-StudyRow alike_row(std::span<const CellResults* const> cells, const Quantity& quantity,
-                   const StudyRow& like) {
+StudyRow alike_row(std::span<const Cell* const> cells, const Quantity& quantity, const StudyRow& like) {
   StudyRow row = summary_row(like, fmt::format("{}_within_15_percent_count", quantity.name));
   std::vector<double> counts;
-  for (const CellResults* cell : cells) {
-    const auto there = published(cell->cell->name(), cell->cell->method->name, quantity.name);
+  for (const Cell* cell : cells) {
+    const auto there = published(cell->place, cell->method, quantity.name);
     const std::vector<double> repeated = repetitions(*cell, quantity);
     counts.resize(std::max(counts.size(), repeated.size()));
     for (std::size_t i = 0; there && i < repeated.size(); ++i)
@@ -114,11 +110,15 @@ StudyRow alike_row(std::span<const CellResults* const> cells, const Quantity& qu
 
 }  // namespace
 
-std::vector<double> repetitions(const CellResults& results, const Quantity& quantity) {
+bool is_repeated(const Cell& cell) {
+  return std::ranges::any_of(repeated_codes, [&](Code code) { return cell.mode == name_of(code); });
+}
+
+std::vector<double> repetitions(const Cell& cell, const Quantity& quantity) {
   const std::vector<double> runs =
-      quantity.is_total ? results.run_totals(quantity.name) : results.run_means(quantity.name);
+      quantity.is_total ? run_totals(cell, quantity.name) : run_means(cell, quantity.name);
   std::vector<double> repeated;
-  for (const auto& five : fives_of(runs.size(), *results.cell)) {
+  for (const auto& five : fives_of(runs.size(), cell)) {
     double sum = 0.0;
     for (const std::size_t run : five) sum += runs[run];
     repeated.push_back(quantity.is_total ? sum : sum / published_runs);
@@ -133,22 +133,22 @@ std::optional<double> place_among(double value, std::span<const double> others) 
   return below / static_cast<double>(others.size());
 }
 
-void add_replica_rows(std::vector<StudyRow>& rows, const std::vector<CellResults>& results, Code code) {
-  std::vector<const CellResults*> cells;
-  for (const CellResults& cell : results) {
-    if (cell.cell->code == code && cell.runs.size() >= published_runs) cells.push_back(&cell);
+void add_replica_rows(std::vector<StudyRow>& rows, const std::vector<Cell>& all, Code code) {
+  std::vector<const Cell*> cells;
+  for (const Cell& cell : all) {
+    if (cell.mode == name_of(code) && cell.results.size() >= published_runs) cells.push_back(&cell);
   }
   if (cells.empty()) return;
 
   std::vector<StudyRow> mine;
-  for (const CellResults* cell : cells) {
-    const PublishedCell* there = published_cell(cell->cell->name(), cell->cell->method->name);
+  for (const Cell* cell : cells) {
+    const PublishedCell* there = published_cell(cell->place, cell->method);
     if (there == nullptr) continue;
     for (const Quantity& quantity : published_quantities()) {
-      compare(mine.emplace_back(blank_row(*cell, quantity.name)), repetitions(*cell, quantity),
+      compare(mine.emplace_back(cell_row(*cell, quantity.name)), repetitions(*cell, quantity),
               published(there->cube, there->method, quantity.name));
     }
-    compare(mine.emplace_back(blank_row(*cell, "navigation_time_deviation_s")), deviations(*cell),
+    compare(mine.emplace_back(cell_row(*cell, "navigation_time_deviation_s")), deviations(*cell),
             there->navigation_time_s.deviation);
     mine.push_back(colliding_row(*cell, *there));
   }

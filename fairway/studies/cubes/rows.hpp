@@ -4,9 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "fairway/experiment/statistics.hpp"
 #include "fairway/studies/cubes/plan.hpp"
-#include "fairway/studies/study.hpp"
 
 namespace fairway::cubes {
 
@@ -16,9 +14,6 @@ struct Quantity {
   bool is_total;  ///< published as a total over robots and runs; else as a mean
 };
 std::span<const Quantity> published_quantities();
-
-/// A row of a cell in which only its names and its number of runs are set.
-StudyRow blank_row(const CellResults& results, std::string_view quantity);
 
 /// Published numbers beside measured ones.
 ///
@@ -31,9 +26,6 @@ StudyRow blank_row(const CellResults& results, std::string_view quantity);
 /// middle 95 % of them, and the place of the published value; likewise of the standard deviation over the
 /// five runs; the share of runs with a collision with Fisher's p; and over all cells how many published
 /// values lie in their range, and how many navigation times within 15 %.
-std::vector<StudyRow> rows_of(const std::vector<CellResults>& results);
-
-/// The share of a cell's runs in which its vehicles kept at least so far apart [m].
-RateEstimate kept_apart(const CellResults& results, double distance);
+std::vector<StudyRow> rows_of(const std::vector<Cell>& cells);
 
 }  // namespace fairway::cubes

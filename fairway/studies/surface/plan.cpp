@@ -89,18 +89,13 @@ Choice model_of(Vessel vessel) {
   return model;
 }
 
-/// A run for each of the seeds 1, 2, …
 Cell cell_of(Course course, Vessel vessel, const Method& method, std::string_view mode, int seeds,
              const std::function<Layout(std::uint64_t)>& layout) {
   Cell cell{
       .place = std::string(name_of(course)), .method = std::string(method.name), .mode = std::string(mode)};
-  for (int i = 1; i <= seeds; ++i) {
-    const auto seed = static_cast<std::uint64_t>(i);
-    const auto scenario = [course, vessel, &method, layout, seed] {
-      return passage(course, layout(seed), vessel, method, seed);
-    };
-    cell.add_run("surface", scenario, seed);
-  }
+  cell.add_runs("surface", seeds, [course, vessel, &method, layout](std::uint64_t seed) {
+    return passage(course, layout(seed), vessel, method, seed);
+  });
   return cell;
 }
 

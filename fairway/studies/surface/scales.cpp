@@ -146,8 +146,8 @@ std::vector<Cell> scale_cells() {
           Cell cell{.place = std::string(name_of(course)),
                     .method = std::string(sailor),
                     .mode = mode_of(length, limit)};
-          cell.add_run(
-              "surface", [=] { return scaled_passage(course, length, limit, sailor); }, 1);
+          cell.add_runs("surface", 1,
+                        [=](std::uint64_t) { return scaled_passage(course, length, limit, sailor); });
           cells.push_back(std::move(cell));
         }
       }

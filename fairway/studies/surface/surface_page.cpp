@@ -124,19 +124,20 @@ json variations_section(const Results& results, const RunIndex& runs) {
                         page::comparison_table("All courses, all methods", rows, runs)});
 }
 
+/// Of the published part alone, a row for each number, method, setting and vessel that it is set beside.
 json facts(const Results& results) {
-  const std::array groups{&results.published, &results.variations, &results.scales};
-  return {page::fact("Runs", std::to_string(run_count(groups))),
-          page::fact("Rows reproduced, assuming", results.rows, Verdict::reproduced_assuming),
-          page::fact("Partly", results.rows, Verdict::partly),
-          page::fact("Not reproduced", results.rows, Verdict::not_reproduced)};
+  const auto rows = rows_where(std::span{results.rows}.first(results.published_rows),
+                               [](const StudyRow& row) { return row.published.has_value(); });
+  return {page::fact("Rows with a published number", std::to_string(rows.size())),
+          page::fact("of these reproduced, assuming", rows, Verdict::reproduced_assuming),
+          page::fact("Partly", rows, Verdict::partly),
+          page::fact("Not reproduced", rows, Verdict::not_reproduced)};
 }
 
 }  // namespace
 
 json page_of(const Results& results, const StudyOptions& options) {
-  RunIndex runs{options};
-  for (const auto* cells : {&results.published, &results.variations, &results.scales}) runs.add(*cells);
+  const RunIndex runs{options, {&results.published, &results.variations, &results.scales}};
   const std::vector<std::vector<Passage>> shown = passages(options.overrides, runs);
   json sections = json::array({published_section(results, runs), figures_section(shown), zones_section()});
   if (results.seeds > 0) {
@@ -148,7 +149,7 @@ json page_of(const Results& results, const StudyOptions& options) {
   return page::document(
       "A surface vessel among buoys and vessels",
       "campos2019: AVOA and TEB on five courses; then improved, varied, and beside every other method",
-      options, facts(results), runs, std::move(sections));
+      options.command, facts(results), runs.list(), std::move(sections));
 }
 
 }  // namespace fairway::surface

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "fairway/experiment/compare.hpp"
 #include "fairway/experiment/measure_run.hpp"
 #include "fairway/studies/surface/findings.hpp"
 #include "fairway/studies/surface/scales.hpp"
@@ -180,11 +181,8 @@ TEST(SurfaceStudy, TheOwnVesselCrossesTheWayOfTheOtherAsternOrAhead) {
     layout.buoys.clear();
     layout.vessel = {12.5, start};
     const Method direct{"direct", "direct", {}};
-    for (const Measure& m : measure_scale(passage(Course::orthogonal, layout, Vessel::at_once, direct, 1),
-                                          builtin_catalogs(), nullptr, {})) {
-      if (m.quantity == "ahead_of_vessel_m") return m.value;
-    }
-    return std::nan("");
+    const Scenario scenario = passage(Course::orthogonal, layout, Vessel::at_once, direct, 1);
+    return run_value(measure_scale(scenario, builtin_catalogs(), nullptr, {}), "ahead_of_vessel_m");
   };
   // at 1.2 m/s it is there after 10.4 s, in which the other makes 5.7 m
   EXPECT_NEAR(ahead(-20.0), 20.0 - 0.55 * 12.5 / 1.2, 0.1);

@@ -17,8 +17,7 @@ std::vector<Cell> published_cells() {
     for (const Plant plant : plants) {
       Cell cell = cell_of(name_of(run.which), run.method, plant);
       cell.part = published_part;
-      cell.add_run(
-          "transport", [&run, plant] { return scenario_of(run, plant); }, 1);
+      cell.add_runs("transport", 1, [&run, plant](std::uint64_t) { return scenario_of(run, plant); });
       cells.push_back(std::move(cell));
     }
   }
@@ -52,8 +51,7 @@ std::vector<Cell> case_cells() {
   for (const Case which : {Case::one_obstacle, Case::four_obstacles, Case::unknown_obstacle}) {
     for (const Method& method : compared_methods()) {
       Cell cell = cell_of(name_of(which), method, Plant::physical);
-      const auto scenario = [which, &method] { return case_voyage(which, method); };
-      cell.add_run("transport", scenario, 1);
+      cell.add_runs("transport", 1, [which, &method](std::uint64_t) { return case_voyage(which, method); });
       cells.push_back(std::move(cell));
     }
   }
@@ -65,14 +63,10 @@ std::vector<Cell> field_cells(int seeds) {
   for (const FieldKind kind : field_kinds) {
     for (const Method& method : compared_methods()) {
       Cell cell = cell_of(name_of(kind), method, Plant::physical);
-      for (int i = 1; i <= seeds; ++i) {
-        const auto seed = static_cast<std::uint64_t>(i);
-        const auto scenario = [kind, &method, seed] {
-          Field field = random_field(kind, seed);
-          return voyage(name_of(kind), method, std::move(field.obstacles), field.goal, voyage_duration, seed);
-        };
-        cell.add_run("transport", scenario, seed);
-      }
+      cell.add_runs("transport", seeds, [kind, &method](std::uint64_t seed) {
+        Field field = random_field(kind, seed);
+        return voyage(name_of(kind), method, std::move(field.obstacles), field.goal, voyage_duration, seed);
+      });
       cells.push_back(std::move(cell));
     }
   }

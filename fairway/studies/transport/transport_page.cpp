@@ -80,26 +80,23 @@ json fields_section(const Results& results, const RunIndex& runs) {
       "their discs over the kinds and are the same for every method. Bars are 95 % intervals.",
       results.seeds)};
   std::ranges::copy(field_findings(results.fields, results.seeds), std::back_inserter(paragraphs));
+  const auto bars = [&](std::string_view quantity, std::string_view label) {
+    return page::method_intervals(rows, compared_methods(), quantity, label, places, runs);
+  };
   return page::section("fields", "Random fields: known, unknown and moving obstacles", std::move(paragraphs),
-                       {page::grid(2, {page::method_intervals(rows, compared_methods(), "success_ratio",
-                                                              "arrived, nothing touched", places, runs),
-                                       page::method_intervals(rows, compared_methods(), "untouched_ratio",
-                                                              "nothing touched", places, runs),
-                                       page::method_intervals(rows, compared_methods(), "navigation_time_s",
-                                                              "time of arrival [s]", places, runs),
-                                       page::method_intervals(rows, compared_methods(), "body_energy_j",
-                                                              "energy into the body [J]", places, runs)}),
+                       {page::grid(2, {bars("success_ratio", "arrived, nothing touched"),
+                                       bars("untouched_ratio", "nothing touched"),
+                                       bars("navigation_time_s", "time of arrival [s]"),
+                                       bars("body_energy_j", "energy into the body [J]")}),
                         page::comparison_table("All kinds, all methods", rows, runs)});
 }
 
 json facts(const Results& results) {
-  const std::array groups{&results.published, &results.cases, &results.fields};
   const auto disagrees = [](const StudyRow& row) {
     return row.verdict == Verdict::not_reproduced || row.verdict == Verdict::partly ||
            row.verdict == Verdict::another_course;
   };
-  return {page::fact("Runs", std::to_string(run_count(groups))),
-          page::fact("Reproduced", results.rows, Verdict::reproduced),
+  return {page::fact("Reproduced", results.rows, Verdict::reproduced),
           page::fact("Reproduced, assuming", results.rows, Verdict::reproduced_assuming),
           page::fact("Not reproduced", std::to_string(std::ranges::count_if(results.rows, disagrees))),
           page::fact("Follow from inputs, not counted", results.rows, Verdict::follows_from_inputs)};
@@ -108,8 +105,7 @@ json facts(const Results& results) {
 }  // namespace
 
 json page_of(const Results& results, const StudyOptions& options) {
-  RunIndex runs{options};
-  for (const auto* cells : {&results.published, &results.cases, &results.fields}) runs.add(*cells);
+  const RunIndex runs{options, {&results.published, &results.cases, &results.fields}};
   json sections = json::array({published_section(results, runs), plants_section(results.published),
                                figures_section(options.overrides, runs),
                                cases_section(results, options.overrides, runs)});
@@ -117,7 +113,7 @@ json page_of(const Results& results, const StudyOptions& options) {
   return page::document(
       "A transport system among obstacles",
       "rehman2021: hard switching, wall following and a planned path; then corrected, filtered and blended",
-      options, facts(results), runs, std::move(sections));
+      options.command, facts(results), runs.list(), std::move(sections));
 }
 
 }  // namespace fairway::transport

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "fairway/experiment/compare.hpp"
 #include "fairway/studies/run_index.hpp"
 #include "fairway/studies/transport/findings.hpp"
 #include "fairway/studies/transport/voyage_log.hpp"
@@ -207,15 +208,10 @@ TEST(TransportStudy, EveryPublishedNumberHasARowOnBothPlants) {
 
 TEST(TransportStudy, AnUnknownObstacleStopsThePlanAndNotTheBlend) {
   const auto clearance = [](std::string_view method) {
-    for (const Method& candidate : compared_methods()) {
-      if (candidate.name != method) continue;
-      const Scenario scenario = voyage("unknown", candidate, obstacles_of(Case::unknown_obstacle),
-                                       goal_of(Case::unknown_obstacle), 600.0, 1);
-      for (const Measure& m : measure_voyage(scenario, builtin_catalogs(), nullptr)) {
-        if (m.quantity == "footprint_clearance_m") return m.value;
-      }
-    }
-    return std::nan("");
+    const Method& candidate = *std::ranges::find(compared_methods(), method, &Method::name);
+    const Scenario scenario = voyage("unknown", candidate, obstacles_of(Case::unknown_obstacle),
+                                     goal_of(Case::unknown_obstacle), 600.0, 1);
+    return run_value(measure_voyage(scenario, builtin_catalogs(), nullptr), "footprint_clearance_m");
   };
   EXPECT_LT(clearance("rrt_star"), 0.0);
   EXPECT_GT(clearance("blend"), 0.3);

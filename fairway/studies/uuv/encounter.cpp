@@ -10,10 +10,9 @@
 namespace fairway::uuv {
 namespace {
 
-constexpr double duration = 60.0;       // [s]
-constexpr double max_speed = 10.0;      // [m/s], as published
-constexpr double ship_speed = 6.0;      // [m/s], likewise
-constexpr double arrived_within = 1.0;  // [m]
+constexpr double duration = 60.0;   // [s]
+constexpr double max_speed = 10.0;  // [m/s], as published
+constexpr double ship_speed = 6.0;  // [m/s], likewise
 
 constexpr std::array known_settings{
     Setting{"fit_head_on", 6.8, 1.0, 0.0, 1.5, 1.5, 2.0}, Setting{"fit_ships", 6.0, 2.0, 6.0, 2.0, 3.0, 2.0},
@@ -50,26 +49,15 @@ Agility agility_of(const Setting& setting) {
           .time_constant_s = 0.05};
 }
 
-VehicleSpec uuv_of(const Meeting& meeting, std::size_t index, const Setting& setting, Hull hull,
-                   const Method& method) {
-  const Vec3 way = meeting.goals[index] - meeting.starts[index];
-  const double yaw = std::atan2(way.y(), way.x());
-  VehicleSpec uuv{.id = static_cast<std::uint32_t>(index), .name = index == 0 ? "uuv1" : "uuv2"};
-  uuv.model = model_of(hull, agility_of(setting));
+VehicleSpec meeting_uuv(const Meeting& meeting, std::size_t index, const Setting& setting, Hull hull,
+                        const Method& method) {
+  VehicleSpec uuv = uuv_of(index, meeting.starts[index], meeting.goals[index], setting.speed_mps, hull,
+                           agility_of(setting));
   uuv.avoider = {
       .name = std::string(method.algorithm), .params = params_of(method, setting), .path = "avoider"};
-  uuv.steering = steering_of(hull, yaw);
-  uuv.position = meeting.starts[index];
-  uuv.yaw = yaw;
   uuv.speed = setting.start_speed_mps;
   uuv.start_delay_s = meeting.start_delays_s[index];
   uuv.radius_m = setting.uuv_radius_m;
-  uuv.priority = static_cast<std::int32_t>(index);
-  uuv.limits = limits_of(hull, agility_of(setting));
-  uuv.mission = {{.kind = LegKind::transit,
-                  .position = meeting.goals[index],
-                  .speed_mps = setting.speed_mps,
-                  .arrival_m = arrived_within}};
   return uuv;
 }
 
@@ -164,7 +152,7 @@ Scenario encounter_scenario(Encounter encounter, const Meeting& meeting, const S
   for (const Vec3& ship : meeting.ships)
     scenario.obstacles.push_back(ship_at(ship, meeting.ship_velocity, setting.ship_radius_m));
   for (std::size_t i = 0; i < meeting.starts.size(); ++i)
-    scenario.vehicles.push_back(uuv_of(meeting, i, setting, hull, method));
+    scenario.vehicles.push_back(meeting_uuv(meeting, i, setting, hull, method));
   return scenario;
 }
 

@@ -86,23 +86,6 @@ std::vector<Voyage> crowding(std::size_t count, Rng rng) {
   return voyages;
 }
 
-VehicleSpec vehicle_of(const Voyage& voyage, std::size_t index, Hull hull, const Method& method) {
-  const Vec3 way = voyage.goal - voyage.start;
-  const double yaw = std::atan2(way.y(), way.x());
-  VehicleSpec vehicle{.id = static_cast<std::uint32_t>(index), .name = fmt::format("uuv{}", index + 1)};
-  vehicle.model = model_of(hull, agility);
-  vehicle.avoider = {.name = std::string(method.algorithm), .params = method.params, .path = "avoider"};
-  vehicle.steering = steering_of(hull, yaw);
-  vehicle.position = voyage.start;
-  vehicle.yaw = yaw;
-  vehicle.radius_m = kept_radius;
-  vehicle.priority = static_cast<std::int32_t>(index);
-  vehicle.limits = limits_of(hull, agility);
-  vehicle.mission = {
-      {.kind = LegKind::transit, .position = voyage.goal, .speed_mps = cruise_speed, .arrival_m = 1.0}};
-  return vehicle;
-}
-
 }  // namespace
 
 std::string_view name_of(Pattern pattern) {
@@ -155,8 +138,12 @@ Scenario gathering_scenario(const Gathering& gathering, const Awareness& awarene
   scenario.perception.kind = {.name = std::string(awareness.perception), .path = "perception"};
   scenario.exchange = {.name = std::string(awareness.exchange), .path = "exchange"};
   if (awareness.exchange == "acoustic") scenario.exchange.params = {{"update_rate_hz", 1.0}};
-  for (std::size_t i = 0; i < voyages.size(); ++i)
-    scenario.vehicles.push_back(vehicle_of(voyages[i], i, awareness.hull, method));
+  for (std::size_t i = 0; i < voyages.size(); ++i) {
+    VehicleSpec& uuv = scenario.vehicles.emplace_back(
+        uuv_of(i, voyages[i].start, voyages[i].goal, cruise_speed, awareness.hull, agility));
+    uuv.avoider = {.name = std::string(method.algorithm), .params = method.params, .path = "avoider"};
+    uuv.radius_m = kept_radius;
+  }
   return scenario;
 }
 

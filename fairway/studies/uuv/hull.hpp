@@ -24,13 +24,9 @@ struct Agility {
   double time_constant_s{};
 };
 
-/// The kinematic vehicle that does so.
-Choice model_of(Hull hull, const Agility& agility);
-
-/// What methods are told of it.
-Limits limits_of(Hull hull, const Agility& agility);
-
-/// How a hull that starts on heading `yaw` [rad] carries out a velocity.
-Choice steering_of(Hull hull, double yaw);
+/// "uuv1" and so on, from `start` to `goal` [m, NED] at `speed` [m/s], heading there; done 1 m from it.
+/// Whoever comes first has the right of way.
+VehicleSpec uuv_of(std::size_t index, const Vec3& start, const Vec3& goal, double speed, Hull hull,
+                   const Agility& agility);
 
 }  // namespace fairway::uuv

@@ -31,15 +31,10 @@ constexpr std::array moments{
     PublishedMoment{Encounter::multi_obstacle, "contact_count", 0.0},
 };
 
-/// A run for each of the seeds 1, 2, …
 Cell cell_of(std::string_view place, std::string_view method, std::string mode, int seeds,
              const std::function<Scenario(std::uint64_t)>& scenario) {
   Cell cell{.place = std::string(place), .method = std::string(method), .mode = std::move(mode)};
-  for (int i = 1; i <= seeds; ++i) {
-    const auto seed = static_cast<std::uint64_t>(i);
-    cell.add_run(
-        "uuv", [scenario, seed] { return scenario(seed); }, seed);
-  }
+  cell.add_runs("uuv", seeds, scenario);
   return cell;
 }
 
@@ -68,9 +63,7 @@ std::optional<double> published(Encounter encounter, std::string_view quantity) 
 }
 
 Labels published_labels(Encounter encounter, const Setting& setting, Hull hull, const Method& method) {
-  return {{"case", std::string(name_of(encounter))},
-          {"method", std::string(method.name)},
-          {"mode", mode_of(setting, hull)}};
+  return cell_labels(name_of(encounter), method.name, mode_of(setting, hull));
 }
 
 std::vector<Cell> published_cells() {

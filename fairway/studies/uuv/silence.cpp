@@ -55,15 +55,10 @@ std::span<const Method> silence_methods() {
 Scenario silence_scenario(std::string_view cube, const Method& method, const Channel& channel,
                           std::uint64_t seed) {
   const auto published_case = std::ranges::find(cubes::comparison_cases(), cube, &cubes::CubeCase::name);
-  const cubes::Method plain{method.name, method.algorithm.starts_with("orca3d"), false};
-  Scenario scenario = cubes::cube_scenario(*published_case, plain, cubes::Code::corrected,
-                                           cubes::comparison_tuning(*published_case, plain), seed);
+  Scenario scenario = cubes::cube_scenario(*published_case, method, cubes::Code::corrected,
+                                           cubes::comparison_tuning(*published_case, method), seed);
   scenario.name = fmt::format("{} {} {}", cube, method.name, channel.name());
   scenario.exchange = exchange_of(channel);
-  for (VehicleSpec& vehicle : scenario.vehicles) {
-    vehicle.avoider.name = std::string(method.algorithm);
-    vehicle.avoider.params = merged(vehicle.avoider.params, method.params);
-  }
   return scenario;
 }
 

@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "fairway/experiment/compare.hpp"
+
 namespace fairway::uuv {
 namespace {
 
@@ -45,10 +47,7 @@ class Encountering {
   double fleet(std::string_view quantity) const {
     std::vector<Measure> measures;
     timeline_.report(measures);
-    for (const Measure& measure : measures) {
-      if (measure.vehicle == Measure::fleet && measure.quantity == quantity) return measure.value;
-    }
-    return std::nan("");
+    return run_value(measures, quantity);
   }
 
  private:

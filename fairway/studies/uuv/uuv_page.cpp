@@ -76,7 +76,7 @@ json gatherings_section(const Results& results, const RunIndex& runs) {
     const auto rows = rows_in_mode(results.gathering_rows, awareness.name);
     const auto bars = [&](const char* quantity, const char* label) {
       return page::method_intervals(rows, gathering_methods(), quantity,
-                                    fmt::format("{}, {}", awareness.name, label).c_str(), places, runs);
+                                    fmt::format("{}, {}", awareness.name, label), places, runs);
     };
     blocks.push_back(page::grid(2, {bars("collision_ratio", "runs with a collision"),
                                     bars("deadlock_ratio", "runs in which somebody did not arrive"),
@@ -128,10 +128,8 @@ json silence_section(const Results& results, const RunIndex& runs) {
 }
 
 json facts(const Results& results) {
-  const std::array groups{&results.published, &results.variations, &results.gatherings, &results.silence};
   const std::span<const StudyRow> rows = results.published_rows;
-  return {page::fact("Runs", std::to_string(run_count(groups))),
-          page::fact("Reproduced, assuming", rows, Verdict::reproduced_assuming),
+  return {page::fact("Reproduced, assuming", rows, Verdict::reproduced_assuming),
           page::fact("Partly", rows, Verdict::partly),
           page::fact("Not reproduced", rows, Verdict::not_reproduced)};
 }
@@ -139,9 +137,8 @@ json facts(const Results& results) {
 }  // namespace
 
 json page_of(const Results& results, const StudyOptions& options) {
-  RunIndex runs{options};
-  for (const auto* cells : {&results.published, &results.variations, &results.gatherings, &results.silence})
-    runs.add(*cells);
+  const RunIndex runs{options,
+                      {&results.published, &results.variations, &results.gatherings, &results.silence}};
   json sections = json::array({published_section(results, runs), figures_section(options, runs)});
   if (results.seeds > 0) {
     sections.push_back(variations_section(results, runs));
@@ -151,7 +148,7 @@ json page_of(const Results& results, const StudyOptions& options) {
   return page::document("UUVs that meet, and what they know of each other",
                         "cao2022: velocity obstacles head-on and among ships; then every method, up to fifty "
                         "vehicles, sonar and acoustic messages",
-                        options, facts(results), runs, std::move(sections));
+                        options.command, facts(results), runs.list(), std::move(sections));
 }
 
 }  // namespace fairway::uuv

@@ -7,7 +7,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-#include "fairway/core/error.hpp"
+#include "fairway/core/testing/refusal.hpp"
 
 namespace fairway {
 namespace {
@@ -150,12 +150,8 @@ TEST(LiveServer, WhoBeginsARequestAndNeverEndsItIsDropped) {
 
 TEST(LiveServer, APortThatIsTakenIsOneClearLine) {
   const LiveServer server{0};
-  try {
-    const LiveServer second{server.port()};
-    FAIL() << "two servers at one port";
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("cannot be served: Address already in use"));
-  }
+  EXPECT_THAT(refusal_of([&] { const LiveServer second{server.port()}; }),
+              HasSubstr("cannot be served: Address already in use"));
 }
 
 }  // namespace
