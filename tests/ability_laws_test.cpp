@@ -1,29 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the whole catalog owes a vehicle that can neither stop nor go astern or sideways.
-#include <gtest/gtest.h>
-
-#include <string>
-#include <vector>
-
 #include "fairway/avoidance/ability.hpp"
-#include "fairway/avoidance/catalog.hpp"
-#include "fairway/avoidance/testing/encounters.hpp"
-#include "fairway/planning/builtin.hpp"
+#include "tests/laws.hpp"
 
 namespace fairway {
 namespace {
 
 using encounters::OwnedSituation;
 
-Catalog everything() {
-  Catalog catalog = builtin_avoiders();
-  add_planners(catalog);
-  return catalog;
-}
-
 std::vector<std::string> everybody() {
   std::vector<std::string> names;
-  const Catalog catalog = everything();
+  const Catalog catalog = laws::catalog();
   for (const Catalog::Entry& entry : catalog.entries()) {
     names.emplace_back(entry.info.name);
     if (entry.wraps) names.push_back("orca3d+" + names.back());
@@ -57,7 +44,7 @@ OwnedSituation scene(std::uint64_t i) {
 /// Calls `law(avoider, situation)` in 300 swarms; 30 for a planner.
 template <class Law>
 void everywhere(const std::string& method, Law law) {
-  const Catalog catalog = everything();
+  const Catalog catalog = laws::catalog();
   const bool is_slow = catalog.find(method.substr(0, method.find('+'))).info.allocates;
   // teb's own largest speed is below the vehicle's least one
   const ParamValues params = method == "teb" ? ParamValues{{"max_vel_x_mps", 1.5}} : ParamValues{};
@@ -94,16 +81,10 @@ TEST_P(OfATorpedoRespected, WhoeverChoosesAmongVelocitiesChoosesOneThatItCanMake
   EXPECT_GT(chosen, 10);
 }
 
-const auto name_of_instance = [](const auto& instance) {
-  std::string name = instance.param;
-  std::ranges::replace(name, '+', '_');
-  return name;
-};
-
-INSTANTIATE_TEST_SUITE_P(Catalog, OfATorpedo, testing::ValuesIn(everybody()), name_of_instance);
+INSTANTIATE_TEST_SUITE_P(Catalog, OfATorpedo, testing::ValuesIn(everybody()), laws::test_name);
 INSTANTIATE_TEST_SUITE_P(Catalog, OfATorpedoRespected,
                          testing::Values("vo", "rvo", "hrvo", "avoa", "avoa_improved", "teb"),
-                         name_of_instance);
+                         laws::test_name);
 
 }  // namespace
 }  // namespace fairway

@@ -8,10 +8,12 @@
 #include <vector>
 
 #include "fairway/avoidance/catalog.hpp"
-#include "fairway/avoidance/testing/encounters.hpp"
+#include "fairway/avoidance/testing/fleet.hpp"
 
 namespace fairway {
 namespace {
+
+using encounters::Fleet;
 
 constexpr double degree = pi / 180.0;
 constexpr double range = 20.0;
@@ -72,65 +74,11 @@ TEST(Symmetry, ByIdTheLargerOneLeansAndEveryoneForWhatDoesNotReact) {
   EXPECT_NEAR(lean(e, Symmetry::by_id), 10 * degree, 1e-15);
 }
 
-/// Some who go for a place under one method and take up what it says within half a second.
-struct Fleet {
-  std::vector<Ownship> ships;
-  std::vector<Vec3> goals;
-  std::vector<Obstacle> obstacles;
-  double separation = 1e9;  ///< between centres [m]
-
-  void add(const Vec3& from, const Vec3& to) {
-    ships.push_back({.id = VehicleId{static_cast<std::uint32_t>(ships.size())}, .position = from});
-    goals.push_back(to);
-  }
-
-  int arrived() const {
-    int count = 0;
-    for (std::size_t i = 0; i < ships.size(); ++i) count += (ships[i].position - goals[i]).norm() < 1.0;
-    return count;
-  }
-
-  std::vector<Track> seen_by(std::size_t own) const {
-    std::vector<Track> tracks;
-    for (std::size_t i = 0; i < ships.size(); ++i) {
-      if (i == own) continue;
-      tracks.push_back(encounters::track(number(ships[i].id), ships[i].position, ships[i].velocity));
-    }
-    const auto distance = [&](const Track& t) { return (t.position - ships[own].position).norm(); };
-    std::ranges::stable_sort(tracks, {}, distance);
-    return tracks;
-  }
-
-  void sail(const std::string& method, const char* symmetry, double duration) {
-    constexpr double period = 0.1, lag = 0.5;
-    std::vector<Avoider> avoiders;
-    for (std::size_t i = 0; i < ships.size(); ++i) {
-      avoiders.push_back(builtin_avoiders().make(method, {{"symmetry", std::string{symmetry}}},
-                                                 Rng{1}.stream("avoider", i)));
-    }
-    for (int tick = 0; tick * period < duration; ++tick) {
-      std::vector<Vec3> wanted;
-      for (std::size_t i = 0; i < ships.size(); ++i) {
-        const std::vector<Track> tracks = seen_by(i);
-        if (!tracks.empty())
-          separation = std::fmin(separation, (tracks[0].position - ships[i].position).norm());
-        wanted.push_back(avoiders[i]
-                             .decide({.time = tick * period,
-                                      .period = period,
-                                      .own = ships[i],
-                                      .goal = {.position = goals[i], .cruise_speed = 0.5},
-                                      .limits = {.max_speed = 0.5, .max_climb_rate = 0.0},
-                                      .tracks = tracks,
-                                      .obstacles = obstacles})
-                             .velocity);
-      }
-      for (std::size_t i = 0; i < ships.size(); ++i) {
-        ships[i].velocity += period / lag * (wanted[i] - ships[i].velocity);
-        ships[i].position += period * ships[i].velocity;
-      }
-    }
-  }
-};
+void sail(Fleet& fleet, const std::string& method, const std::string& rule, double duration) {
+  fleet.sail(duration, [&](std::size_t i) {
+    return builtin_avoiders().make(method, {{"symmetry", rule}}, Rng{1}.stream("avoider", i));
+  });
+}
 
 Fleet circle(int count) {
   Fleet fleet;
@@ -148,8 +96,8 @@ TEST_P(SymmetryOf, ASphereExactlyAheadIsPassedByEveryRule) {
   for (const char* rule : {"starboard", "drawn", "by_id"}) {
     Fleet fleet;
     fleet.add({0, 0, 0}, {30, 0, 0});
-    fleet.obstacles = {{.kind = Obstacle::Kind::sphere, .position = {15, 0, 0}, .radius = 2}};
-    fleet.sail(GetParam(), rule, 120.0);
+    fleet.obstacles = {encounters::sphere(15, 0, 2)};
+    sail(fleet, GetParam(), rule, 120.0);
     EXPECT_EQ(fleet.arrived(), 1) << rule;
   }
 }
@@ -158,7 +106,7 @@ TEST_P(SymmetryOf, FourOnACrossAndEightOnACircleChangePlacesByEveryRule) {
   for (const char* rule : {"starboard", "drawn", "by_id"}) {
     for (const int count : {2, 4, 8}) {
       Fleet fleet = circle(count);
-      fleet.sail(GetParam(), rule, 300.0);
+      sail(fleet, GetParam(), rule, 300.0);
       EXPECT_EQ(fleet.arrived(), count) << rule << " " << count << " least " << fleet.separation;
     }
   }

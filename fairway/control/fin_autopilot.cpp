@@ -30,7 +30,8 @@ FinAutopilot::FinAutopilot(const FinDrive& drive, std::span<const ActuatorInfo> 
     : drive_{drive},
       largest_rudder_{largest(actuators[drive.rudder])},
       largest_stern_{largest(actuators[drive.stern])},
-      actuators_{actuators} {
+      actuators_{actuators},
+      mean_{actuators_.rest()} {
   if (!(drive.rudder_moment * largest_rudder_ > 0.0 && drive.stern_moment * largest_stern_ < 0.0)) {
     throw InputError("rudder or stern planes do not turn the vehicle: it cannot be steered");
   }
@@ -50,8 +51,7 @@ void FinAutopilot::reset() noexcept { surge_ = yaw_ = pitch_ = {}; }
 
 void FinAutopilot::observe(double pitch, const Vec3& v_b, const Vec3& omega_b, double U2) noexcept {
   const double h = actuators_.step();
-  const ActuatorValues& u = actuators_.mean();
-  const auto setting = [&](std::size_t i) { return u[static_cast<Eigen::Index>(i)]; };
+  const auto setting = [&](std::size_t i) { return mean_[static_cast<Eigen::Index>(i)]; };
   surge_.observe(v_b.x(), h, kept_, [&](double nu) {
     return (drive_.speed_per_turn * setting(drive_.propeller) - nu) * std::abs(nu) / drive_.surge_distance;
   });
@@ -110,7 +110,7 @@ ActuatorValues FinAutopilot::control(const BodyRequest& request, double pitch, c
   u = actuators_.limited(u);
 
   if (h != actuators_.step()) kept_ = std::exp(-bandwidth_ * h);
-  actuators_.follow(u, h);
+  mean_ = actuators_.follow(u, h);
   return u;
 }
 

@@ -5,8 +5,8 @@
 
 #include "fairway/control/acceleration_observer.hpp"
 #include "fairway/control/body_request.hpp"
-#include "fairway/control/expected_actuators.hpp"
 #include "fairway/core/vec.hpp"
+#include "fairway/dynamics/actuators.hpp"
 #include "fairway/dynamics/fin_drive.hpp"
 
 namespace fairway {
@@ -57,7 +57,8 @@ class FinAutopilot {
   double largest_stern_{};
   double bandwidth_{};  // omega [rad/s]
   double steerage_way_{};
-  ExpectedActuators actuators_;
+  Actuators actuators_;  // as they should be
+  ActuatorValues mean_;  // over their last step
   AccelerationObserver surge_, yaw_, pitch_;
   double kept_{1.0};  // exp(-omega h) for the actuators' step
 };

@@ -33,7 +33,9 @@ std::vector<int> independent_rows(const Eigen::MatrixXd& B) {
 
 VelocityController::VelocityController(const Propulsion& propulsion, std::span<const ActuatorInfo> actuators,
                                        const Params& params)
-    : observer_bandwidth_{checked_params(params).observer_bandwidth_radps}, thrusters_{actuators} {
+    : observer_bandwidth_{checked_params(params).observer_bandwidth_radps},
+      thrusters_{actuators},
+      mean_{thrusters_.rest()} {
   const auto thrusters = static_cast<Eigen::Index>(actuators.size());
   if (propulsion.effectiveness.cols() != thrusters) {
     throw InputError("the thrust configuration has " + std::to_string(propulsion.effectiveness.cols()) +
@@ -75,7 +77,7 @@ void VelocityController::observe(const Axis& axis, AccelerationObserver& memory,
                                  double velocity) const noexcept {
   memory.observe(velocity, thrusters_.step(), kept_surprise_, [&](double nu) {
     const double drag = (axis.linear_damping + axis.quadratic_damping * std::abs(nu)) * nu;
-    return (axis.effect.dot(thrusters_.mean()) - axis.restoring - drag) / axis.mass;
+    return (axis.effect.dot(mean_) - axis.restoring - drag) / axis.mass;
   });
 }
 
@@ -127,7 +129,7 @@ ActuatorValues VelocityController::control(const BodyRequest& request, const Vec
 
   ActuatorValues u = allocate(missing);
   if (h != thrusters_.step()) kept_surprise_ = std::exp(-observer_bandwidth_ * h);
-  thrusters_.follow(u, h);
+  mean_ = thrusters_.follow(u, h);
   return u;
 }
 

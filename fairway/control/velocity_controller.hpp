@@ -7,8 +7,8 @@
 
 #include "fairway/control/acceleration_observer.hpp"
 #include "fairway/control/body_request.hpp"
-#include "fairway/control/expected_actuators.hpp"
 #include "fairway/control/thrust_allocator.hpp"
+#include "fairway/dynamics/actuators.hpp"
 #include "fairway/dynamics/propulsion.hpp"
 
 namespace fairway {
@@ -90,7 +90,8 @@ class VelocityController {
   std::optional<ThrustAllocator> allocator_;  // of more thrusters than axes
 
   std::array<AccelerationObserver, 4> memories_{};
-  ExpectedActuators thrusters_;
+  Actuators thrusters_;        // as they should be
+  ActuatorValues mean_;        // over their last step
   double kept_surprise_{1.0};  // exp(-L h) for their step
 };
 

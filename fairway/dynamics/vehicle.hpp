@@ -4,6 +4,7 @@
 #include <memory>
 #include <utility>
 
+#include "fairway/dynamics/actuators.hpp"
 #include "fairway/dynamics/fin_drive.hpp"
 #include "fairway/dynamics/integrate.hpp"
 #include "fairway/dynamics/propulsion.hpp"
@@ -16,20 +17,11 @@ namespace fairway {
 class Vehicle {
  public:
   template <VehicleModel M>
-  explicit Vehicle(M model) : self_{std::make_unique<Model<M>>(std::move(model))} {
-    equip();
-  }
+  explicit Vehicle(M model)
+      : self_{std::make_unique<Model<M>>(std::move(model))}, actuators_{self_->actuators()} {}
 
   Vehicle(const Vehicle& other)
-      : self_{other.self_->clone()},
-        state_{other.state_},
-        actuators_{other.actuators_},
-        lowest_{other.lowest_},
-        highest_{other.highest_},
-        time_constants_{other.time_constants_},
-        lag_step_{other.lag_step_},
-        remaining_{other.remaining_},
-        mean_remaining_{other.mean_remaining_} {}
+      : self_{other.self_->clone()}, state_{other.state_}, actuators_{other.actuators_} {}
   Vehicle& operator=(const Vehicle& other) { return *this = Vehicle{other}; }
   Vehicle(Vehicle&&) noexcept = default;
   Vehicle& operator=(Vehicle&&) noexcept = default;
@@ -48,16 +40,18 @@ class Vehicle {
   const VehicleState& state() const { return state_; }
   void set_state(const VehicleState& state) { state_ = state; }
 
-  const ActuatorValues& actuator_state() const { return actuators_; }
+  const ActuatorValues& actuator_state() const { return actuators_.now(); }
   /// Puts the actuators there at once, within their limits, without lag. NaN leaves an actuator where it is.
-  void set_actuator_state(const ActuatorValues& values) noexcept;
+  void set_actuator_state(const ActuatorValues& values) noexcept { actuators_.set(values); }
 
   /// Lets the actuators follow `command` (limits, first-order lag, exact over h; NaN leaves one where it
   /// is) and moves the vehicle by `h` [s] in `water`: one RK4 step with the actuators at their mean over h.
-  void step(const ActuatorValues& command, const Water& water, double h) noexcept;
+  void step(const ActuatorValues& command, const Water& water, double h) noexcept {
+    self_->advance(state_, actuators_.follow(command, h), water, h);
+  }
 
   /// Moves the vehicle with the actuators held where they are.
-  void drift(const Water& water, double h) noexcept { self_->advance(state_, actuators_, water, h); }
+  void drift(const Water& water, double h) noexcept { self_->advance(state_, actuators_.now(), water, h); }
 
   /// How fast `x` would change with the actuators at `u`: the model's equations, of any state.
   StateRate rate(const VehicleState& x, const ActuatorValues& u, const Water& water) const noexcept {
@@ -65,7 +59,7 @@ class Vehicle {
   }
 
   /// Drawn by the actuators at their present state [W].
-  double power() const noexcept { return self_->power(actuators_); }
+  double power() const noexcept { return self_->power(actuators_.now()); }
 
  private:
   struct Interface {
@@ -110,20 +104,9 @@ class Vehicle {
     M model;
   };
 
-  void equip();
-  double admissible(const ActuatorValues& values, Eigen::Index i) const noexcept;
-
   std::unique_ptr<Interface> self_;
   VehicleState state_;
-  ActuatorValues actuators_;
-
-  // of the actuators, and what their lags come to over a step of lag_step_ [s]
-  ActuatorValues lowest_;
-  ActuatorValues highest_;
-  ActuatorValues time_constants_;
-  double lag_step_{-1.0};
-  ActuatorValues remaining_;
-  ActuatorValues mean_remaining_;
+  Actuators actuators_;
 };
 
 }  // namespace fairway

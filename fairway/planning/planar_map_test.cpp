@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "fairway/avoidance/testing/encounters.hpp"
 #include "fairway/core/error.hpp"
 #include "fairway/core/rng.hpp"
 #include "fairway/planning/testing/four_obstacles.hpp"
@@ -14,15 +15,10 @@
 namespace fairway {
 namespace {
 
+using encounters::sphere;
+using encounters::wall;
+
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-Obstacle sphere(double n, double e, double radius, double depth = 0.0) {
-  return {.kind = Obstacle::Kind::sphere, .position = {n, e, depth}, .radius = radius};
-}
-
-Obstacle wall(const Vec3& from, const Vec3& to) {
-  return {.kind = Obstacle::Kind::segment, .from = from, .to = to};
-}
 
 /// A square with corners (0, 0) and (side, side), counter-clockwise with n as x and e as y.
 constexpr auto square = [](double side) {

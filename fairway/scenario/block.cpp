@@ -13,6 +13,13 @@ std::string_view stem_of(std::string_view name) { return name.substr(0, name.rfi
 
 }  // namespace
 
+std::string with_default(std::string_view meaning, const std::function<std::optional<Tree>()>& usual) {
+  std::string text{meaning};
+  if (const auto place = text.find("{}"); place != std::string::npos)
+    text.replace(place, 2, usual().value_or(Tree{}).text);
+  return text;
+}
+
 void check_keys(const Value& value, const std::vector<std::string_view>& names,
                 const std::vector<std::string_view>& needed) {
   value.expect_keys(names);

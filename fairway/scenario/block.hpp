@@ -48,12 +48,20 @@ Block<Owner> joined(std::initializer_list<Block<Owner>> blocks) {
   return all;
 }
 
+namespace detail {
+
+/// `meaning` with what is usual in place of "{}".
+std::string with_default(std::string_view meaning, const std::function<std::optional<Tree>()>& usual);
+
+}  // namespace detail
+
+/// "Default {}." in `meaning` tells the value that an Owner has from its declaration.
 template <class Owner, class T>
 Key<Owner> key(std::string_view name, T Owner::*member, const Form<T>& form, std::string_view meaning,
                Needed needed = Needed::no) {
   return {
       .name = std::string(name),
-      .meaning = std::string(meaning),
+      .meaning = detail::with_default(meaning, [&] { return form.write(Owner{}.*member); }),
       .needed = needed,
       .read = [member, read = form.read](const Value& value, Owner& owner) { owner.*member = read(value); },
       .write = [member, write = form.write](const Owner& owner) { return write(owner.*member); },

@@ -17,7 +17,7 @@ void check_arrival(const Value& leg, const Leg&) {
 /// The distance of arrival is written where there is no box.
 Key<Leg> arrival() {
   Key<Leg> entry = key("arrival_m", &Leg::arrival_m, number(from_to(0.0, 1e6)),
-                       "The leg is done this near the goal. Default 1.");
+                       "The leg is done this near the goal. Default {}.");
   entry.write = [write = entry.write](const Leg& leg) {
     return leg.box_m.isZero(0.0) ? write(leg) : std::nullopt;
   };
@@ -28,7 +28,7 @@ const Kinds<Leg>& leg_kinds() {
   const auto position =
       key("position_m", &Leg::position, vector(anywhere), "The goal [n, e, d].", Needed::yes);
   const auto speed =
-      key("speed_mps", &Leg::speed_mps, number(above_to(0.0, 100.0)), "Along the leg. Default 0.5.");
+      key("speed_mps", &Leg::speed_mps, number(above_to(0.0, 100.0)), "Along the leg. Default {}.");
   const auto box = key("box_m", &Leg::box_m, unless(Vec3::Zero(), vector(from_to(0.0, 1e6))),
                        "The leg is done when the error is at most this along n, e and d.");
   static const Kinds<Leg> table{

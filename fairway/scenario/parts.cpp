@@ -55,14 +55,14 @@ Form<PerceptionSpec> perception() {
 
 Block<Exam> exam_block() {
   return {key("crit_dist_m", &Exam::crit_dist_m, number(from_to(0.0, 1e6)),
-              "A neighbour this near is detected. Default 6."),
+              "A neighbour this near is detected. Default {}."),
           key("safety_distance_m", &Exam::safety_distance_m, number(from_to(0.0, 1e6)),
-              "Centres this near have collided. Default 3."),
+              "Centres this near have collided. Default {}."),
           key("time_coefficient_ratio", &Exam::time_coefficient_ratio, number(above_to(0.0, 1e6)),
-              "Stuck after this many times the time of the straight way. Default 10."),
+              "Stuck after this many times the time of the straight way. Default {}."),
           key("progress_window_s", &Exam::progress_window_s, number(above_to(0.0, 1e6)),
               "Whoever comes neither nearer to its goal nor to a new place for so long makes no progress. "
-              "Default 30.")};
+              "Default {}.")};
 }
 
 /// The version of this format. It stands in the file and not in the Scenario.
@@ -83,7 +83,7 @@ Key<Scenario> format_version() {
 Key<Scenario> step() {
   Key<Scenario> entry = key("step_s", &Scenario::step_s, number(from_to(1e-5, 1.0)),
                             "The control period and integration step, short enough for every vehicle's "
-                            "fastest motion. Default 0.05.");
+                            "fastest motion. Default {}.");
   entry.read = [read = entry.read](const Value& value, Scenario& scenario) {
     read(value, scenario);
     scenario.step_where = value.tree().where.location();
@@ -192,10 +192,10 @@ const Block<Scenario>& scenario_block() {
       key("summary", &Scenario::summary, text(), "One line about it."),
       step(),
       key("steps_per_decision_count", &Scenario::steps_per_decision, integer(1, 10000),
-          "Avoiders decide at every so many steps. Default 1."),
+          "Avoiders decide at every so many steps. Default {}."),
       key("duration_s", &Scenario::duration_s, number(above_to(0.0, 1e7)),
-          "The run ends here at the latest. Default 600."),
-      key("seed", &Scenario::seed, seed(), "Of everything that is drawn. Default 1."),
+          "The run ends here at the latest. Default {}."),
+      key("seed", &Scenario::seed, seed(), "Of everything that is drawn. Default {}."),
       key("water", &Scenario::water, water(), "The water."),
       key("exam", &Scenario::exam, block_form(exam_block()), "How encounters are counted."),
       key("perception", &Scenario::perception, perception(),
@@ -205,9 +205,9 @@ const Block<Scenario>& scenario_block() {
       key("navigation", &Scenario::navigation, choice_unless("perfect", "kind"),
           "How well vehicles know where they are: perfect, or drifting. Default: perfect."),
       key("coincident_start", &Scenario::coincident_start, flag(),
-          "Vehicles may start at one place. Default false."),
+          "Vehicles may start at one place. Default {}."),
       key("stop_when_done", &Scenario::stop_when_done, flag(),
-          "End when everyone has arrived or is stuck. Default true."),
+          "End when everyone has arrived or is stuck. Default {}."),
       key("obstacles", &Scenario::obstacles, list_of(obstacle(), "obstacles"),
           "What is solid. Nothing here reacts to anyone."),
       missions(),

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "fairway/core/testing/refusal.hpp"
+
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <ctime>
 
-#include "fairway/core/testing/refusal.hpp"
 #include "fairway/scenario/load.hpp"
 
 namespace fairway {

@@ -28,10 +28,10 @@ Block<VehicleSpec> start_block() {
   return joined<VehicleSpec>(
       {{position()},
        angle("yaw", "_deg", "_rad", &VehicleSpec::yaw, from_to(-360.0, 360.0),
-             "Its heading, 0 north, 90 east. Default 0."),
-       {key("speed_mps", &VehicleSpec::speed, number(start_speeds), "Its speed ahead. Default 0."),
+             "Its heading, 0 north, 90 east. Default {}."),
+       {key("speed_mps", &VehicleSpec::speed, number(start_speeds), "Its speed ahead. Default {}."),
         key("delay_s", &VehicleSpec::start_delay_s, number(from_to(0.0, 1e7)),
-            "Before its mission begins. Default 0.")}});
+            "Before its mission begins. Default {}.")}});
 }
 
 Block<Limits> limits_block() {
@@ -96,7 +96,7 @@ const Block<VehicleSpec>& vehicle_block() {
           "How the thrusters are driven to a velocity: velocity_controller with its bandwidths."),
       group("start", start_block(), "Where and how it begins.", Needed::yes),
       key("radius_m", &VehicleSpec::radius_m, number(from_to(0.0, 1000.0)),
-          "Of the sphere that others keep clear of. Default 1."),
+          "Of the sphere that others keep clear of. Default {}."),
       key("priority_count", &VehicleSpec::priority, integer(),
           "The smaller number has the right of way. Default: its id."),
       key("cooperative", &VehicleSpec::cooperative, unless(true, flag()),

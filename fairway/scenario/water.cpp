@@ -82,7 +82,7 @@ Block<Owner> direction(double Owner::*member, const std::string& of) {
                     .schema = schema};
   return joined<Owner>({{std::move(vector)},
                         angle("direction", "_deg", "_rad", member, full_turn,
-                              "Where " + of + " to, 0 north, 90 east. Default 0.")});
+                              "Where " + of + " to, 0 north, 90 east. Default {}.")});
 }
 
 /// Throws if no wave on deep water is so high and so short: [m], [s].
@@ -102,7 +102,7 @@ Form<WaveSpec> wave() {
                              "Its period, on deep water.", Needed::yes)},
                         direction(&WaveSpec::direction_rad, "it runs"),
                         angle("phase", "_deg", "_rad", &WaveSpec::phase_rad, full_turn,
-                              "Of the elevation's cosine at the origin at the start. Default 0.")}));
+                              "Of the elevation's cosine at the origin at the start. Default {}.")}));
   form.read = [read = form.read](const Value& value) {
     const WaveSpec wave = read(value);
     check_steepness(value, 2.0 * wave.amplitude_m, wave.period_s);
@@ -124,7 +124,7 @@ Form<double> peakedness() {
 Form<SpectrumSpec> spectrum() {
   Key<SpectrumSpec> gamma =
       key("peakedness_ratio", &SpectrumSpec::peakedness_ratio, peakedness(),
-          "Gamma of jonswap, 1 to 7; 0 takes it from height and period as DNV does. Default 3.3.");
+          "Gamma of jonswap, 1 to 7; 0 takes it from height and period as DNV does. Default {}.");
   gamma.write = [](const SpectrumSpec& spec) -> std::optional<Tree> {
     if (spec.spectrum != SpectrumKind::jonswap) return {};
     return Tree::number(spec.peakedness_ratio);
@@ -138,10 +138,10 @@ Form<SpectrumSpec> spectrum() {
         gamma},
        direction(&SpectrumSpec::direction_rad, "the waves run"),
        {key("spreading_count", &SpectrumSpec::spreading_count, integer(0, 100),
-            "The s of cos^2s of the angle to that direction. Default 0: all waves run there."),
+            "The s of cos^2s of the angle to that direction. Default {}: all waves run there."),
         key("components_count", &SpectrumSpec::components_count,
             integer(1, static_cast<std::int32_t>(max_wave_components)),
-            "Waves that are drawn. Default 50.")}}));
+            "Waves that are drawn. Default {}.")}}));
   form.read = [read = form.read](const Value& value) {
     const SpectrumSpec spec = read(value);
     const Tree* given = value.tree().find("peakedness_ratio");
@@ -205,15 +205,15 @@ Form<GaussMarkovCurrentSpec> gauss_markov() {
       {{key("mean_speed_mps", &Spec::mean_speed_mps, number(flow_speeds), "Its mean speed.", Needed::yes),
         key("deviation_mps", &Spec::deviation_mps, number(from_to(0.0, fastest_flow)),
             "Standard deviation of the speed.", Needed::yes),
-        key("correlation_time_s", &Spec::correlation_time_s, number(time), "Of the speed. Default 100."),
-        key("min_speed_mps", &Spec::min_speed_mps, number(flow_speeds), "It is never slower. Default 0."),
+        key("correlation_time_s", &Spec::correlation_time_s, number(time), "Of the speed. Default {}."),
+        key("min_speed_mps", &Spec::min_speed_mps, number(flow_speeds), "It is never slower. Default {}."),
         key("max_speed_mps", &Spec::max_speed_mps, unless(unlimited, number(flow_speeds)),
             "It is never faster. Default: no such limit.")},
        direction(&Spec::direction_rad, "it flows"),
        angle("direction_deviation", "_deg", "_rad", &Spec::direction_deviation_rad, from_to(0.0, 360.0),
-             "Standard deviation of the direction. Default 0."),
+             "Standard deviation of the direction. Default {}."),
        {key("direction_correlation_time_s", &Spec::direction_correlation_time_s, number(time),
-            "Of the direction. Default 1000.")}}));
+            "Of the direction. Default {}.")}}));
   form.read = [read = form.read](const Value& value) {
     const Spec spec = read(value);
     if (spec.min_speed_mps > spec.max_speed_mps) value.refuse("min_speed_mps is above max_speed_mps");
@@ -248,7 +248,7 @@ Form<WaterSpec> water() {
     return spec.current.none() ? write(spec) : std::nullopt;
   };
   return block_form<WaterSpec>(
-      {key("density_kgpm3", &WaterSpec::density_kgpm3, number(above_to(0.0, 20000.0)), "Default 1000."),
+      {key("density_kgpm3", &WaterSpec::density_kgpm3, number(above_to(0.0, 20000.0)), "Default {}."),
        uniform,
        key("current", &WaterSpec::current, current(),
            "One that changes with depth, with time, or both, which then add."),

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "fairway/avoidance/direct/direct.hpp"
+#include "fairway/avoidance/testing/fleet.hpp"
 #include "fairway/avoidance/testing/passage.hpp"
 
 namespace fairway {
@@ -174,29 +175,12 @@ TEST(SafetyFilter, OfWhatReactsHalfIsLeftToIt) {
 }
 
 TEST(SafetyFilter, TwoWhoBothUseItPassEachOther) {
-  std::array<OwnedSituation, 2> agents{at_rest(), at_rest()};
-  agents[1].situation.own = {.id = VehicleId{1}, .position = {40.0, 0.0, 0.0}, .yaw = pi};
-  agents[1].situation.goal.position = {0.0, 0.0, 0.0};
-  std::array<Avoider, 2> avoiders{around_direct(), around_direct()};
-  double clearance = 1e9;
-  for (int step = 0; step < 1500; ++step) {
-    std::array<Command, 2> commands;
-    for (std::uint32_t k = 0; k < 2; ++k) {
-      const Ownship& other = agents[1 - k].situation.own;
-      agents[k].tracks = {encounters::track(1 - k, other.position, other.velocity)};
-      commands[k] = avoiders[k].decide(agents[k]);
-    }
-    for (std::uint32_t k = 0; k < 2; ++k) {
-      Ownship& own = agents[k].situation.own;
-      own.velocity += 0.1 / 1.5 * (commands[k].velocity - own.velocity);
-      own.position += 0.1 * own.velocity;
-    }
-    clearance = std::fmin(clearance,
-                          (agents[0].situation.own.position - agents[1].situation.own.position).norm() - 2.0);
-  }
-  EXPECT_GT(clearance, 0.5);  // measured 2.28
-  for (const OwnedSituation& e : agents)
-    EXPECT_LT((e.situation.own.position - e.situation.goal.position).norm(), 0.5);
+  encounters::Fleet fleet{.cruise_speed = 1.0, .max_speed = 1.5, .lag = 1.5};
+  fleet.add({0, 0, 0}, {40, 0, 0});
+  fleet.add({40, 0, 0}, {0, 0, 0});
+  fleet.sail(150.0, [](std::size_t) { return around_direct(); });
+  EXPECT_GT(fleet.separation - 2.0, 0.5);  // measured 2.28
+  EXPECT_EQ(fleet.arrived(), 2);
 }
 
 TEST(SafetyFilter, TooLateItBrakesToStopAtTheMarginAndSaysSo) {

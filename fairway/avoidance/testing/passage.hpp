@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include "fairway/avoidance/avoider.hpp"
@@ -15,8 +14,7 @@ struct Trip {
   double duration{};  ///< at the most [s]
   double lag{0.0};    ///< of velocities, of the first order [s]
   double reach{1.0};  ///< it has arrived this near to the goal [m]
-  double sight{
-      std::numeric_limits<double>::infinity()};  ///< of what moves and is on no chart, from its sphere [m]
+  double sight{1e9};  ///< of what moves and what no chart shows, from its sphere [m]
 };
 
 /// What came of it.

@@ -8,6 +8,7 @@
 namespace fairway {
 namespace {
 
+/// From rest, by lateral, vertical port and starboard, main port and starboard thrust [N].
 VehicleState driven(const Minerva::Params& params, const Leg& leg, const Water& water = {}) {
   return driven(Vehicle{Minerva{params}}, {leg}, water);
 }

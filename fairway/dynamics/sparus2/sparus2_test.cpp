@@ -14,6 +14,7 @@ Sparus2::Params neutral() {
   return params;
 }
 
+/// From rest, by thrusts down, and of port and starboard ahead [N].
 VehicleState driven(const Sparus2::Params& params, const Leg& leg, const Water& water = {}) {
   return driven(Vehicle{Sparus2{params}}, {leg}, water);
 }

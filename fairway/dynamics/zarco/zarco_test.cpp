@@ -8,6 +8,7 @@
 namespace fairway {
 namespace {
 
+/// By thrusts of port and starboard [N].
 VehicleState driven(const Leg& leg, const Water& water = {}, const VehicleState& start = {}) {
   Vehicle vehicle{Zarco{{}}};
   vehicle.set_state(start);
