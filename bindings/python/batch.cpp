@@ -45,41 +45,22 @@ py::object exception_of(const py::error_already_set& error) {
   return value;
 }
 
-/// A run with algorithms in Python of its own.
-void make_user_run(const ScenarioText& scenario, const py::object& algorithms, const std::atomic<bool>& stop,
-                   BatchRun& run) {
+/// Without the lock held. `algorithms` are objects of this run's own.
+std::vector<Measure> measured(const ScenarioText& scenario, const py::object& algorithms,
+                              const Catalogs& builtin, const std::atomic<bool>& stop, BatchRun& run) {
+  if (algorithms.is_none()) return measure_run(scenario.drawn(run.seed), builtin, &stop);
   const py::gil_scoped_acquire locked;
+  std::vector<Measure> measures;
   try {
     with_algorithms(algorithms, [&](const Catalogs& catalogs, FrameSink& guard) {
       std::array<FrameSink*, 1> guards{&guard};
-      run.measures = measure_run(scenario.drawn(run.seed), catalogs, &stop, guards);
+      measures = measure_run(scenario.drawn(run.seed), catalogs, &stop, guards);
     });
-  } catch (const RunAbandoned&) {
-    throw;
-  } catch (const RunDiverged& error) {
-    run.diverged = true;
-    run.failure = error.what();
   } catch (py::error_already_set& error) {
     run.raised = exception_of(error);
-    run.failure = error.what();
-  } catch (const std::exception& error) {
-    run.failure = error.what();
+    throw std::runtime_error(error.what());
   }
-  if (!run.failure.empty()) run.measures.clear();
-}
-
-void make_plain_run(const ScenarioText& scenario, const Catalogs& catalogs, const std::atomic<bool>& stop,
-                    BatchRun& run) {
-  try {
-    run.measures = measure_run(scenario.drawn(run.seed), catalogs, &stop);
-  } catch (const RunAbandoned&) {
-    throw;
-  } catch (const RunDiverged& error) {
-    run.diverged = true;
-    run.failure = error.what();
-  } catch (const std::exception& error) {
-    run.failure = error.what();
-  }
+  return measures;
 }
 
 /// Throws InputError for what no seed can mend: names that nobody has.
@@ -120,15 +101,12 @@ void make_all(const std::vector<ScenarioText>& scenarios, const py::object& algo
   std::atomic<bool> stop{false};
   const auto make = [&](std::size_t i) {
     BatchRun& run = runs[i];
-    const ScenarioText& scenario = scenarios[run.scenario];
     try {
-      if (algorithms.is_none()) {
-        make_plain_run(scenario, builtin, stop, run);
-      } else {
-        make_user_run(scenario, algorithms, stop, run);
-      }
-    } catch (const RunAbandoned&) {
-      run.measures.clear();  // only once everything stops
+      run.measures = measured(scenarios[run.scenario], algorithms, builtin, stop, run);
+    } catch (const RunAbandoned&) {  // only once everything stops
+    } catch (const std::exception& error) {
+      run.diverged = dynamic_cast<const RunDiverged*>(&error) != nullptr;
+      run.failure = error.what();
     }
   };
   std::function<void(std::size_t)> tell;

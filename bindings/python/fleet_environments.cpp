@@ -6,18 +6,21 @@
 
 namespace fairway::python {
 
-Crew::Crew(unsigned threads) {
-  const unsigned wanted = threads > 0 ? threads : std::max(1U, std::thread::hardware_concurrency());
-  for (unsigned i = 1; i < wanted; ++i) threads_.emplace_back([this] { wait_for_work(); });
+namespace {
+
+std::ptrdiff_t crew_size(unsigned threads) {
+  return threads > 0 ? threads : std::max(1U, std::thread::hardware_concurrency());
+}
+
+}  // namespace
+
+Crew::Crew(unsigned threads) : barrier_{crew_size(threads)} {
+  for (std::ptrdiff_t i = 1; i < crew_size(threads); ++i) threads_.emplace_back([this] { wait_for_work(); });
 }
 
 Crew::~Crew() {
-  {
-    const std::scoped_lock lock{mutex_};
-    closing_ = true;
-  }
-  begun_.notify_all();
-  for (std::thread& thread : threads_) thread.join();
+  closing_ = true;
+  if (!threads_.empty()) barrier_.arrive_and_wait();
 }
 
 void Crew::take_part() {
@@ -25,37 +28,21 @@ void Crew::take_part() {
 }
 
 void Crew::wait_for_work() {
-  std::uint64_t done = 0;
-  std::unique_lock lock{mutex_};
-  for (;;) {
-    begun_.wait(lock, [&] { return closing_ || round_ != done; });
-    if (closing_) return;
-    done = round_;
-    lock.unlock();
+  for (barrier_.arrive_and_wait(); !closing_; barrier_.arrive_and_wait()) {
     take_part();
-    lock.lock();
-    if (--busy_ == 0) ended_.notify_one();
+    barrier_.arrive_and_wait();
   }
 }
 
 void Crew::share(Work work, void* context, std::size_t count) {
-  if (threads_.empty() || count == 1) {
-    for (std::size_t i = 0; i < count; ++i) work(context, i);
-    return;
-  }
-  {
-    const std::scoped_lock lock{mutex_};
-    work_ = work;
-    context_ = context;
-    count_ = count;
-    next_ = 0;
-    busy_ = threads_.size();
-    ++round_;
-  }
-  begun_.notify_all();
+  work_ = work;
+  context_ = context;
+  count_ = count;
+  next_ = 0;
+  const bool alone = threads_.empty() || count == 1;
+  if (!alone) barrier_.arrive_and_wait();
   take_part();
-  std::unique_lock lock{mutex_};
-  ended_.wait(lock, [&] { return busy_ == 0; });
+  if (!alone) barrier_.arrive_and_wait();
 }
 
 FleetEnvironments::FleetEnvironments(const Scenario& scenario, const DrawScenario& draw,

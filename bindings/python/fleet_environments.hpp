@@ -2,12 +2,11 @@
 #pragma once
 
 #include <atomic>
-#include <condition_variable>
+#include <barrier>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <span>
 #include <thread>
@@ -43,17 +42,13 @@ class Crew {
   void wait_for_work();
   void take_part();
 
-  std::mutex mutex_;
-  std::condition_variable begun_;
-  std::condition_variable ended_;
-  std::uint64_t round_{0};
-  std::size_t busy_{0};
+  std::barrier<> barrier_;  // where work begins, and where it has ended
   bool closing_{false};
   Work work_{nullptr};
   void* context_{nullptr};
   std::size_t count_{0};
   std::atomic<std::size_t> next_{0};
-  std::vector<std::thread> threads_;
+  std::vector<std::jthread> threads_;  // end first
 };
 
 /// Several environments of one scenario, side by side, with what they show in arrays: environments x learners

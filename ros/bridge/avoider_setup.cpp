@@ -8,8 +8,10 @@
 #include <limits>
 #include <sstream>
 #include <string_view>
+#include <type_traits>
 
 #include "fairway/core/names.hpp"
+#include "fairway/core/record.hpp"
 #include "fairway/core/text.hpp"
 #include "fairway/scenario/load.hpp"
 #include "fairway/sim/agent.hpp"
@@ -31,7 +33,7 @@ struct Draft {
 };
 
 struct Setting {
-  std::string_view name;
+  std::string name;
   std::function<void(Draft&, const std::string& text)> set;
 };
 
@@ -55,7 +57,7 @@ std::int32_t whole_of(std::string_view name, const std::string& text, double lo)
 }
 
 template <class Target>
-Setting number(std::string_view name, double lo, double hi, Target target, double factor = 1.0) {
+Setting number(const std::string& name, double lo, double hi, Target target, double factor = 1.0) {
   return {name, [=](Draft& draft, const std::string& text) {
             target(draft) = factor * number_of(name, text, lo, hi);
           }};
@@ -68,7 +70,7 @@ bool flag_of(std::string_view name, const std::string& text) {
 }
 
 template <class Target>
-Setting flag(std::string_view name, Target target) {
+Setting flag(const std::string& name, Target target) {
   return {name, [=](Draft& draft, const std::string& text) { target(draft) = flag_of(name, text); }};
 }
 
@@ -84,8 +86,9 @@ void choose_algorithm(Draft& draft, const std::string& name) {
   avoider.name = name;
 }
 
-const std::vector<Setting>& settings() {
-  static const std::vector<Setting> all{
+/// The limits are those of their record.
+std::vector<Setting> made_settings() {
+  std::vector<Setting> all{
       {"algorithm", choose_algorithm},
       {"model",
        [](Draft& d, const std::string& text) { d.vehicle().model = {.name = text, .path = "model"}; }},
@@ -100,22 +103,23 @@ const std::vector<Setting>& settings() {
       number("record_period_s", 1e-3, 60.0, [](Draft& d) -> double& { return d.helm.record_period; }),
       number("arrival_m", 1e-3, 1e4, [](Draft& d) -> double& { return d.helm.arrival; }),
       number("range_m", 0.0, unlimited, [](Draft& d) -> double& { return d.helm.range; }),
-      number("max_speed_mps", 0.0, 1e3, [](Draft& d) -> double& { return d.vehicle().limits.max_speed; }),
-      number("max_climb_rate_mps", 0.0, 1e3,
-             [](Draft& d) -> double& { return d.vehicle().limits.max_climb_rate; }),
-      number("max_acceleration_mps2", 0.0, 1e3,
-             [](Draft& d) -> double& { return d.vehicle().limits.max_acceleration; }),
-      number("max_turn_rate_radps", 0.0, 1e3,
-             [](Draft& d) -> double& { return d.vehicle().limits.max_turn_rate; }),
       number(
           "max_turn_rate_degps", 0.0, 1e5,
           [](Draft& d) -> double& { return d.vehicle().limits.max_turn_rate; }, radians(1.0)),
-      number("min_depth_m", -1e4, 1e5, [](Draft& d) -> double& { return d.vehicle().limits.min_depth; }),
-      number("max_depth_m", -1e4, 1e5, [](Draft& d) -> double& { return d.vehicle().limits.max_depth; }),
-      number("min_speed_mps", 0.0, 1e3, [](Draft& d) -> double& { return d.vehicle().limits.min_speed; }),
-      flag("sternway", [](Draft& d) -> bool& { return d.vehicle().limits.sternway; }),
-      flag("sway", [](Draft& d) -> bool& { return d.vehicle().limits.sway; }),
   };
+  for_each_member<Limits>([&](const auto& m) {
+    const auto target = [at = m.at](Draft& d) -> auto& { return d.vehicle().limits.*at; };
+    if constexpr (std::is_same_v<decltype(m.at), bool Limits::*>) {
+      all.push_back(flag(m.name_with_unit(), target));
+    } else {
+      all.push_back(number(m.name_with_unit(), std::fmax(m.least, -1e5), 1e5, target));
+    }
+  });
+  return all;
+}
+
+const std::vector<Setting>& settings() {
+  static const std::vector<Setting> all = made_settings();
   return all;
 }
 

@@ -31,7 +31,8 @@ class Relay:
     def __init__(self, vehicle):
         self.fault = None
         self.publisher = rospy.Publisher(f"/{vehicle}/relayed", Odometry, queue_size=1000, tcp_nodelay=True)
-        self.subscriber = rospy.Subscriber(f"/{vehicle}/odometry", Odometry, self.hand_on, tcp_nodelay=True)
+        subscriber = rospy.Subscriber(f"/{vehicle}/odometry", Odometry, self.hand_on, tcp_nodelay=True)
+        listen.links += [self.publisher, subscriber]
 
     def hand_on(self, message):
         fault = self.fault
@@ -39,10 +40,6 @@ class Relay:
             message = fault(copy.deepcopy(message))
         if message:
             self.publisher.publish(message)
-
-    def close(self):
-        self.subscriber.unregister()
-        self.publisher.unregister()
 
 
 class Pair:
@@ -75,10 +72,6 @@ class Pair:
         self.in_state("under_way")
         self.diagnostics.forget()
         self.commands.forget()
-
-    def close(self):
-        for part in (self.own, self.others, self.state, self.status, self.diagnostics, self.commands):
-            part.close()
 
 
 def not_a_number(message):

@@ -5,6 +5,7 @@ import os
 
 import pytest
 
+import listen
 from graph import Graph
 
 
@@ -29,6 +30,7 @@ def graph(master, request):
     if getattr(request.node, "failed", False):
         print(master.output())
     master.clear()
+    listen.close_all()
 
 
 @pytest.hookimpl(hookwrapper=True)

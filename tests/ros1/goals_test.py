@@ -2,13 +2,12 @@
 """Vehicles that reach their goals through ROS without a collision: the simulator ends with 0 only if all that the
 scenario expects is so."""
 
-import csv
 import os
 import subprocess
 
 import pytest
 
-from graph import BIN, FLEET, ROOT, measures
+from graph import BIN, FLEET, ROOT, measures, states_of
 
 
 def run_through(graph, scenario, sim, avoider):
@@ -25,24 +24,13 @@ def plain_run(scenario, recording):
     subprocess.run([os.path.join(BIN, "fairway"), "run", path, "--out", recording], check=True, capture_output=True)
 
 
-def path_of(recording):
-    """What was measured of it, and each vehicle's state in each frame as text."""
-    text = subprocess.run(
-        [os.path.join(BIN, "fairway"), "replay", recording, "--csv", "-"], check=True, capture_output=True, text=True
-    ).stdout
-    # the command is not the avoider's there but what was asked of the vehicle's controller
-    rows = list(csv.DictReader(text.splitlines()))
-    kept = [n for n in rows[0] if not n.startswith("command_") and n not in ("mode", "astern")]
-    return [[row[name] for name in kept] for row in rows]
-
-
 @pytest.mark.parametrize("scenario", ["head_on", "priority_wait", "cube20_8"])
 def test_a_fleet_in_lockstep_goes_where_it_goes_without_ros(graph, tmp_path, scenario):
     through, plain = str(tmp_path / "through.mcap"), str(tmp_path / "plain.mcap")
     run_through(graph, scenario, dict(speed=0, lockstep=True, lockstep_timeout_s=20, frame="ned", record=through), dict(frame="ned", lockstep=True))
     plain_run(scenario, plain)
     assert measures(through)["min_separation_m"] == measures(plain)["min_separation_m"]
-    first = next((pair for pair in zip(path_of(through), path_of(plain)) if pair[0] != pair[1]), None)
+    first = next((pair for pair in zip(states_of(through), states_of(plain)) if pair[0] != pair[1]), None)
     assert first is None
     assert measures(through)["frames"] == measures(plain)["frames"]
 

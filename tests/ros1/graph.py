@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """A ROS graph of its own on the loopback address: master, simulator and avoiders as child processes that end with it."""
 
+import csv
 import ctypes
 import json
 import os
@@ -189,3 +190,18 @@ def measures(recording):
         [os.path.join(BIN, "fairway"), "replay", recording, "--json"], capture_output=True, text=True, check=True
     ).stdout
     return json.loads(text)
+
+
+def rows_of(recording):
+    """Its CSV: a row for each vehicle at each frame, numbers as text."""
+    text = subprocess.run(
+        [os.path.join(BIN, "fairway"), "replay", recording, "--csv", "-"], capture_output=True, text=True, check=True
+    ).stdout
+    return list(csv.DictReader(text.splitlines()))
+
+
+def states_of(recording):
+    """Each vehicle's state in each frame: the command is not the avoider's there but what was asked of the vehicle's controller."""
+    rows = rows_of(recording)
+    kept = [n for n in rows[0] if not n.startswith("command_") and n not in ("mode", "astern")]
+    return [[row[name] for name in kept] for row in rows]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What is heard in a graph, from the process of the tests. rospy wants the master in the environment before it."""
+"""What is heard in a graph, from the process of the tests. Whoever listens does so until close_all()."""
 
 import json
 import threading
@@ -12,13 +12,21 @@ from std_msgs.msg import String
 from graph import wait_for
 
 
+links = []  # publishers and subscribers that are to be closed
+
+
+def close_all():
+    while links:
+        links.pop().unregister()
+
+
 class Heard:
     """The messages of a topic since it began to listen, or since forget()."""
 
     def __init__(self, topic, kind):
         self.lock = threading.Lock()
         self.messages = []
-        self.subscriber = rospy.Subscriber(topic, kind, self.hear, queue_size=1000, tcp_nodelay=True)
+        links.append(rospy.Subscriber(topic, kind, self.hear, queue_size=1000, tcp_nodelay=True))
 
     def hear(self, message):
         with self.lock:
@@ -35,9 +43,6 @@ class Heard:
     def forget(self):
         with self.lock:
             self.messages = []
-
-    def close(self):
-        self.subscriber.unregister()
 
 
 class Words(Heard):

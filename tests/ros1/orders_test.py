@@ -1,15 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """What people and missions ask of an avoider: goals, paths, services, advice, limits, parameters."""
 
-import csv
 import math
-import subprocess
 import time
 
 import pytest
 
 import apart
-from graph import BIN, wait_for
+import listen
+from graph import rows_of, wait_for
 
 OK = 0
 
@@ -17,31 +16,21 @@ OK = 0
 @pytest.fixture
 def alone(graph, tmp_path):
     """`left` steered by its avoider, `right` by nobody."""
-    import listen
-
     class Alone:
         def __init__(self):
             self.path = tmp_path / "apart.yaml"
             self.path.write_text(apart.SCENARIO)
-            self.heard = []
 
         def start(self, **left):
-            self.state = self.hear(listen.Simulated())
-            self.status = self.hear(listen.avoider_status("left"))
-            self.commands = self.hear(listen.commands("left"))
+            self.state = listen.Simulated()
+            self.status = listen.avoider_status("left")
+            self.commands = listen.commands("left")
             graph.avoider(str(self.path), "left", **left)
             graph.simulator(str(self.path), speed=2)
             self.state.wait_until(1.0)
             self.status.wait(lambda s: s["state"] == "under_way", 10, "under way")
 
-        def hear(self, one):
-            self.heard.append(one)
-            return one
-
-    alone = Alone()
-    yield alone
-    for one in alone.heard:
-        one.close()
+    return Alone()
 
 
 def test_orders_come_as_services_and_unusable_ones_are_refused_in_words(alone):
@@ -120,11 +109,10 @@ def test_a_goal_and_a_path_come_as_messages(alone):
 
 
 def test_advice_commands_nobody(alone):
-    import listen
     import rosgraph
     from geometry_msgs.msg import TwistStamped
 
-    advice = alone.hear(listen.Heard("/left/advice", TwistStamped))
+    advice = listen.Heard("/left/advice", TwistStamped)
     alone.start(advisory=True)
     wait_for(lambda: advice.last() and listen.speed(advice.last()) > 0.1, 10, "advice")
     assert alone.commands.all() == []
@@ -160,8 +148,7 @@ def highest_and_deepest(graph, tmp_path, **limits):
     simulator = graph.simulator(str(path), speed=0, lockstep=True, wait_for_subscribers=2, record=recording)
     assert simulator.result(90) == 0, simulator.output()
     graph.clear()
-    text = subprocess.run([f"{BIN}/fairway", "replay", recording, "--csv", "-"], capture_output=True, text=True).stdout
-    depths = [float(row["z_m"]) for row in csv.DictReader(text.splitlines())]
+    depths = [float(row["z_m"]) for row in rows_of(recording)]
     return min(depths), max(depths)
 
 

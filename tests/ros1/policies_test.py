@@ -6,6 +6,7 @@ import time
 import pytest
 
 import apart
+import listen
 from graph import wait_for
 
 OK, WARNING, ERROR = 0, 1, 2
@@ -13,9 +14,8 @@ OK, WARNING, ERROR = 0, 1, 2
 
 @pytest.fixture(scope="module")
 def pair(master, tmp_path_factory):
-    pair = apart.Pair(master, tmp_path_factory.mktemp("pair"))
-    yield pair
-    pair.close()
+    yield apart.Pair(master, tmp_path_factory.mktemp("pair"))
+    listen.close_all()
     master.clear()
 
 
@@ -36,8 +36,6 @@ FAULTS = {
 
 @pytest.mark.parametrize("verdict", FAULTS, ids=str)
 def test_a_vehicle_without_good_navigation_holds_then_is_let_go_and_comes_back(settled, verdict):
-    import listen
-
     before = settled.count(f"own.{verdict}_count") if verdict else 0
     settled.own.fault = FAULTS[verdict]
 

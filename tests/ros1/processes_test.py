@@ -6,6 +6,7 @@ import subprocess
 import time
 
 import apart
+import listen
 from graph import FLEET, Graph, wait_for
 
 ERROR = 2
@@ -21,95 +22,72 @@ def start_pair(graph, folder, speed=2, **left):
 
 
 def test_who_loses_its_avoider_holds_and_the_others_stay_clear_of_it(graph):
-    import listen
-
     state = listen.Simulated()
     names = FLEET["cube20_8"]
     avoiders = {name: graph.avoider("cube20_8", name) for name in names}
     graph.simulator("cube20_8", speed=10, wait_for_subscribers=8)
-    try:
-        crossing = "under_way"
-        state.wait(lambda s: all(v["phase"] == crossing for v in s["vehicles"]), 90, "all cross")
-        state.wait_until(state.now() + 10)
-        avoiders["robot3"].kill()
-        state.wait(lambda s: s["vehicles"][3]["holding"], 10, "it holds")
-        others = [n for n in names if n != "robot3"]
-        state.wait(
-            lambda s: all(v["phase"] == "arrived" for v in s["vehicles"] if v["name"] in others), 90, "the others arrive"
-        )
-        end = state.last()
-        assert end["collisions"] == 0
-        assert end["vehicles"][3]["phase"] == crossing and end["vehicles"][3]["holding"]
-    finally:
-        state.close()
+    crossing = "under_way"
+    state.wait(lambda s: all(v["phase"] == crossing for v in s["vehicles"]), 90, "all cross")
+    state.wait_until(state.now() + 10)
+    avoiders["robot3"].kill()
+    state.wait(lambda s: s["vehicles"][3]["holding"], 10, "it holds")
+    others = [n for n in names if n != "robot3"]
+    state.wait(
+        lambda s: all(v["phase"] == "arrived" for v in s["vehicles"] if v["name"] in others), 90, "the others arrive"
+    )
+    end = state.last()
+    assert end["collisions"] == 0
+    assert end["vehicles"][3]["phase"] == crossing and end["vehicles"][3]["holding"]
 
 
 def test_an_avoider_that_comes_back_takes_over_again(graph, tmp_path):
-    import listen
-
     state = listen.Simulated()
-    try:
-        avoider = start_pair(graph, tmp_path)
-        state.wait_until(2.0)
-        avoider.kill()
-        state.wait(lambda s: s["vehicles"][0]["holding"], 10, "it holds")
-        graph.avoider(str(tmp_path / "apart.yaml"), "left")
-        state.wait(lambda s: not s["vehicles"][0]["holding"], 15, "it is under way again")
-    finally:
-        state.close()
+    avoider = start_pair(graph, tmp_path)
+    state.wait_until(2.0)
+    avoider.kill()
+    state.wait(lambda s: s["vehicles"][0]["holding"], 10, "it holds")
+    graph.avoider(str(tmp_path / "apart.yaml"), "left")
+    state.wait(lambda s: not s["vehicles"][0]["holding"], 15, "it is under way again")
 
 
 def test_a_process_that_stands_still_is_noticed_by_the_vehicle(graph, tmp_path):
-    import listen
-
     state = listen.Simulated()
-    try:
-        avoider = start_pair(graph, tmp_path)
-        state.wait_until(2.0)
-        avoider.signal(signal.SIGSTOP)
-        state.wait(lambda s: s["vehicles"][0]["holding"], 10, "it holds")
-        avoider.signal(signal.SIGCONT)
-        state.wait(lambda s: not s["vehicles"][0]["holding"], 10, "it is under way again")
-    finally:
-        avoider.signal(signal.SIGCONT)
-        state.close()
+    avoider = start_pair(graph, tmp_path)
+    state.wait_until(2.0)
+    avoider.signal(signal.SIGSTOP)
+    state.wait(lambda s: s["vehicles"][0]["holding"], 10, "it holds")
+    avoider.signal(signal.SIGCONT)
+    state.wait(lambda s: not s["vehicles"][0]["holding"], 10, "it is under way again")
 
 
 def test_the_watchdog_sees_a_loop_that_hangs_and_tells_the_vehicle_to_stand_still(graph, tmp_path):
-    import listen
     import rospy
     from std_msgs.msg import Float64
 
-    heard = [listen.Simulated(), listen.Diagnostics("left"), listen.commands("left"), listen.avoider_status("left")]
-    state, diagnostics, commands, status = heard
-    try:
-        hang = rospy.Publisher("/left/test_hang", Float64, queue_size=1)
-        start_pair(graph, tmp_path, speed=1, test_hooks=True)
-        state.wait_until(2.0)
-        wait_for(lambda: commands.last() and listen.speed(commands.last()) > 0.1, 20, "it moves")
-        wait_for(lambda: hang.get_num_connections() == 1, 10, "the hook")
-        hang.publish(3.5)
-        diagnostics.wait("watchdog: the loop has stood still", ERROR)
-        time.sleep(0.3)
-        assert listen.speed(commands.last()) == 0.0
-        status.wait(lambda s: s["watchdog_count"] >= 2 and s["state"] == "under_way", 15, "it recovers")
-        wait_for(lambda: listen.speed(commands.last()) > 0.1, 10, "it goes on")
-    finally:
-        for one in heard:
-            one.close()
+    state, diagnostics, commands, status = (
+        listen.Simulated(), listen.Diagnostics("left"), listen.commands("left"), listen.avoider_status("left")
+    )  # fmt: skip
+    hang = rospy.Publisher("/left/test_hang", Float64, queue_size=1)
+    start_pair(graph, tmp_path, speed=1, test_hooks=True)
+    state.wait_until(2.0)
+    wait_for(lambda: commands.last() and listen.speed(commands.last()) > 0.1, 20, "it moves")
+    wait_for(lambda: hang.get_num_connections() == 1, 10, "the hook")
+    hang.publish(3.5)
+    diagnostics.wait("watchdog: the loop has stood still", ERROR)
+    time.sleep(0.3)
+    assert listen.speed(commands.last()) == 0.0
+    status.wait(lambda s: s["watchdog_count"] >= 2 and s["state"] == "under_way", 15, "it recovers")
+    wait_for(lambda: listen.speed(commands.last()) > 0.1, 10, "it goes on")
 
 
 def test_a_lost_neighbour_can_be_a_reason_to_hold(graph, tmp_path):
     policy = dict(policy__neighbour_lost="hold", policy__neighbour_lost_s=2.0)
     pair = apart.Pair(graph, tmp_path, left=policy)
-    try:
-        pair.others.fault = apart.silent
-        pair.in_state("holding")
-        pair.diagnostics.wait("holding: a neighbour is lost", ERROR)
-        pair.others.fault = None
-        pair.in_state("under_way")
-    finally:
-        pair.close()
+    pair.others.fault = apart.silent
+    pair.in_state("holding")
+    pair.diagnostics.wait("holding: a neighbour is lost", ERROR)
+    pair.others.fault = None
+    pair.in_state("under_way")
 
 
 def registered(environment):

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """fairway_sim alone: what it publishes is the plain run, to the bit where no frame is changed, and people can steer it."""
 
-import csv
 import math
 import os
 import subprocess
@@ -15,7 +14,7 @@ from std_srvs.srv import Trigger
 from tf2_msgs.msg import TFMessage
 from visualization_msgs.msg import Marker, MarkerArray
 
-from graph import BIN, ROOT, parameter, wait_for
+from graph import BIN, ROOT, parameter, rows_of, wait_for
 from listen import Heard, Simulated
 
 HEAD_ON = os.path.join(ROOT, "scenarios", "head_on.yaml")
@@ -28,11 +27,9 @@ def command(name, *words):
 
 def plain_run(folder, *words):
     """Rows of the plain run by nanosecond and vehicle, numbers as they are."""
-    recording, table = str(folder / "plain.mcap"), str(folder / "plain.csv")
+    recording = str(folder / "plain.mcap")
     command("fairway", "run", HEAD_ON, "--out", recording, *words)
-    command("fairway", "replay", recording, "--csv", table)
-    with open(table, encoding="utf-8") as lines:
-        return {(round(float(row["time_s"]) * 1e9), row["vehicle"]): row for row in csv.DictReader(lines)}
+    return {(round(float(row["time_s"]) * 1e9), row["vehicle"]): row for row in rows_of(recording)}
 
 
 def numbers(row, *names):
@@ -101,8 +98,6 @@ def test_odometry_is_that_of_the_plain_run_at_every_instant(graph, tmp_path, fra
     times = [message.clock.to_nsec() for message in clock.all()]
     assert times == sorted(times)
     assert set(instants) <= set(times)
-    for listener in [*heard.values(), *truths.values(), clock]:
-        listener.close()
 
 
 def test_the_summary_is_that_of_the_command(graph):
@@ -135,7 +130,6 @@ def test_it_pauses_steps_and_goes_on(graph):
     still = state.wait(lambda s: s["paused"], 10, "the pause")["time_s"]
     wait_for(lambda: state.last()["wall_s"] > 1, 10, "time on the wall")
     assert state.now() == pytest.approx(still, abs=0.051)
-    state.close()
 
 
 @pytest.mark.parametrize("speed", [4, 20])
@@ -147,7 +141,6 @@ def test_it_goes_at_the_speed_that_is_asked(graph, speed):
     passed = {key: later[key] - first[key] for key in ("time_s", "wall_s", "behind_s")}
     # what a busy machine could not keep up with is said, and nothing else is missing
     assert passed["time_s"] / speed == pytest.approx(passed["wall_s"] - passed["behind_s"], abs=0.35)
-    state.close()
 
 
 def test_with_speed_0_it_goes_as_fast_as_it_can(graph):
@@ -156,7 +149,6 @@ def test_with_speed_0_it_goes_as_fast_as_it_can(graph):
     done = state.wait(lambda s: s["done"], 40, "the end")
     assert done["time_s"] > 100
     assert done["wall_s"] < done["time_s"] / 10
-    state.close()
 
 
 def test_markers_show_vehicles_spheres_and_goals_and_tf_moves(graph):
@@ -186,8 +178,6 @@ def test_markers_show_vehicles_spheres_and_goals_and_tf_moves(graph):
     assert [v["phase"] for v in done["vehicles"]] == ["arrived", "arrived"]
     final = wait_for(lambda: not [m for m in markers.last().markers if m.ns == "goals" and m.action == Marker.ADD], 10, "no goals")
     assert final
-    for listener in [markers, transforms, state, *goals.values()]:
-        listener.close()
 
 
 def test_who_is_not_told_holds_and_who_is_goes(graph):
@@ -219,8 +209,6 @@ def test_who_is_not_told_holds_and_who_is_goes(graph):
     tell(2.0)
     state.wait(lambda s: s["refused_count"] > before, 10, "an old command is refused")
     assert state.vehicle("north_bound")["holding"]
-    for listener in (state, heard):
-        listener.close()
     publisher.unregister()
 
 
@@ -229,7 +217,6 @@ def test_lockstep_goes_on_without_those_who_do_not_answer_and_counts(graph):
     stays(graph, speed=0, lockstep=True, lockstep_timeout_s=0.05)
     seen = state.wait(lambda s: s["missed_count"] >= 5, 20, "five instants without a command")
     assert seen["missed_count"] == pytest.approx(seen["time_s"] / 0.05, abs=2)
-    state.close()
 
 
 @pytest.mark.parametrize(
