@@ -2,6 +2,7 @@
 #include "fairway/studies/transport/plan.hpp"
 
 namespace fairway::transport {
+
 std::vector<Cell> published_cells() {
   std::vector<Cell> cells;
   for (const PublishedRun& run : published_runs()) {
