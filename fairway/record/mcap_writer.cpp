@@ -20,35 +20,16 @@ using mcap::Opcode;
 // of zstd; see README.md for the sizes and times measured
 constexpr int compression_level = 1;
 
-// A record under construction at the end of a buffer: the length is filled in when it is complete.
-class RecordScope {
- public:
-  RecordScope(Bytes& out, Opcode opcode) : out_{out} {
-    put(out_, static_cast<std::uint8_t>(opcode));
-    put(out_, std::uint64_t{0});
-    start_ = out_.size();
-  }
-  ~RecordScope() {
-    const std::uint64_t length = out_.size() - start_;
-    std::memcpy(out_.data() + start_ - sizeof(length), &length, sizeof(length));
-  }
-  RecordScope(const RecordScope&) = delete;
-  RecordScope& operator=(const RecordScope&) = delete;
-
- private:
-  Bytes& out_;
-  std::size_t start_;
-};
-
-// The same for a map or array: its length in bytes goes before it.
+// What is put at the end of a buffer while this lives: its length in bytes goes before it.
+template <class Length>
 class Counted {
  public:
   explicit Counted(Bytes& out) : out_{out} {
-    put(out_, std::uint32_t{0});
+    put(out_, Length{0});
     start_ = out_.size();
   }
   ~Counted() {
-    const auto length = static_cast<std::uint32_t>(out_.size() - start_);
+    const auto length = static_cast<Length>(out_.size() - start_);
     std::memcpy(out_.data() + start_ - sizeof(length), &length, sizeof(length));
   }
   Counted(const Counted&) = delete;
@@ -57,6 +38,20 @@ class Counted {
  private:
   Bytes& out_;
   std::size_t start_;
+};
+using CountedList = Counted<std::uint32_t>;  // a map or array
+
+// A record under construction, behind its opcode.
+class RecordScope {
+ public:
+  RecordScope(Bytes& out, Opcode opcode) : content_{begun(out, opcode)} {}
+
+ private:
+  static Bytes& begun(Bytes& out, Opcode opcode) {
+    put(out, static_cast<std::uint8_t>(opcode));
+    return out;
+  }
+  Counted<std::uint64_t> content_;
 };
 
 }  // namespace
@@ -91,7 +86,7 @@ void McapWriter::emit(ByteView bytes) {
 }
 
 void McapWriter::put_map(Bytes& out, const Map& map) {
-  const Counted counted{out};
+  const CountedList counted{out};
   for (const auto& [key, value] : map) {
     put_string(out, key);
     put_string(out, value);
@@ -239,7 +234,7 @@ void McapWriter::flush_chunk() {
     put(chunk_indexes_, chunk_length);
     scratch_.clear();
     {
-      const Counted offsets{chunk_indexes_};
+      const CountedList offsets{chunk_indexes_};
       for (std::size_t id = 0; id < channels_.size(); ++id) {
         Bytes& entries = channels_[id].index;
         if (entries.empty()) continue;
@@ -272,7 +267,7 @@ void McapWriter::put_statistics(Bytes& out) const {
   put(out, chunk_count_);
   put(out, start_);
   put(out, end_);
-  const Counted counts{out};
+  const CountedList counts{out};
   for (std::size_t id = 0; id < channels_.size(); ++id) {
     put(out, static_cast<std::uint16_t>(id));
     put(out, channels_[id].count);

@@ -36,6 +36,13 @@ void Cell::add_runs(std::string_view study, int count, const std::function<Scena
   }
 }
 
+Cell planned_cell(std::string_view study, std::string_view place, std::string_view method,
+                  std::string_view mode, int seeds, const std::function<Scenario(std::uint64_t)>& scenario) {
+  Cell cell{.place = std::string(place), .method = std::string(method), .mode = std::string(mode)};
+  cell.add_runs(study, seeds, scenario);
+  return cell;
+}
+
 Labels Cell::labels() const {
   Labels labels = cell_labels(place, method, mode, part);
   for (const auto& [name, value] : params) {

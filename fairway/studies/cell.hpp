@@ -40,6 +40,10 @@ struct Cell {
                 std::uint64_t first = 1, bool one_digest = false);
 };
 
+/// A cell with a run for each of the seeds 1, 2, ...
+Cell planned_cell(std::string_view study, std::string_view place, std::string_view method,
+                  std::string_view mode, int seeds, const std::function<Scenario(std::uint64_t)>& scenario);
+
 /// The labels of a cell; `part` where it has one.
 Labels cell_labels(std::string_view place, std::string_view method, std::string_view mode,
                    std::string_view part = "");

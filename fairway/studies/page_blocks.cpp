@@ -58,21 +58,7 @@ json grid(int columns, std::vector<json> blocks) {
 
 json comparison_table(std::string title, std::span<const StudyRow> rows, const RunIndex& runs) {
   json lines = json::array();
-  for (const StudyRow& row : rows) {
-    const auto deviation = row.deviation_ratio();
-    json line{{"case", row.cell},
-              {"method", row.method},
-              {"quantity", row.quantity},
-              {"published", row.published ? json(*row.published) : json()},
-              {"measured", number(row.measured)},
-              {"low", number(row.low)},
-              {"high", number(row.high)},
-              {"runs", row.runs},
-              {"deviation", deviation ? json(*deviation) : json()},
-              {"verdict", name_of(row.verdict)},
-              {"note", row.note}};
-    lines.push_back(runs.line(std::move(line), cell_of(row), row.quantity));
-  }
+  for (const StudyRow& row : rows) lines.push_back(runs.line(row_json(row), cell_of(row), row.quantity));
   const auto column = [](const char* key, const char* label, const char* type) {
     return json{{"key", key}, {"label", label}, {"type", type}};
   };
@@ -83,7 +69,7 @@ json comparison_table(std::string title, std::span<const StudyRow> rows, const R
             column("quantity", "Quantity", "text"),
             json{{"key", "published"}, {"label", "Published"}, {"type", "number"}, {"digits", 1}},
             json{{"key", "measured"}, {"label", "Measured"}, {"type", "number"}, {"digits", 1}},
-            column("deviation", "Deviation", "deviation"), column("verdict", "Verdict", "verdict"),
+            column("deviation_ratio", "Deviation", "deviation"), column("verdict", "Verdict", "verdict"),
             json{{"key", "low"}, {"label", "95 % from"}, {"type", "number"}, {"digits", 1}},
             json{{"key", "high"}, {"label", "to"}, {"type", "number"}, {"digits", 1}},
             column("runs", "Runs", "number"), column("note", "Note", "text")}},

@@ -62,22 +62,28 @@ const Study& find_study(std::string_view name) {
   throw InputError("unknown study \"" + std::string(name) + "\"" + suggestion(name, known));
 }
 
+nlohmann::json row_json(const StudyRow& row) {
+  const auto known = [](const std::optional<double>& value) {
+    return value ? page::number(*value) : nlohmann::json();
+  };
+  return {{"case", row.cell},
+          {"method", row.method},
+          {"mode", row.mode},
+          {"quantity", row.quantity},
+          {"published", known(row.published)},
+          {"measured", page::number(row.measured)},
+          {"low", page::number(row.low)},
+          {"high", page::number(row.high)},
+          {"runs", row.runs},
+          {"deviation_ratio", known(row.deviation_ratio())},
+          {"verdict", name_of(row.verdict)},
+          {"note", row.note}};
+}
+
 nlohmann::json rows_json(std::string_view study, std::span<const StudyRow> rows) {
   nlohmann::json list = nlohmann::json::array();
   for (const StudyRow& row : rows) {
-    nlohmann::json entry{{"case", row.cell},
-                         {"method", row.method},
-                         {"mode", row.mode},
-                         {"quantity", row.quantity},
-                         {"published", row.published ? nlohmann::json(*row.published) : nlohmann::json()},
-                         {"measured", page::number(row.measured)},
-                         {"low", page::number(row.low)},
-                         {"high", page::number(row.high)},
-                         {"runs", row.runs},
-                         {"deviation_ratio",
-                          row.deviation_ratio() ? nlohmann::json(*row.deviation_ratio()) : nlohmann::json()},
-                         {"verdict", name_of(row.verdict)},
-                         {"note", row.note}};
+    nlohmann::json entry = row_json(row);
     if (row.place_ratio) entry["place_ratio"] = *row.place_ratio;
     if (row.p_value) entry["p_value"] = *row.p_value;
     if (!row.params.empty()) {

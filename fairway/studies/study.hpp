@@ -104,6 +104,9 @@ std::span<const Study> builtin_studies();
 /// Throws InputError with the nearest known name.
 const Study& find_study(std::string_view name);
 
+/// The names, numbers and verdict of a row, as `study --json` and the tables of reports have them.
+nlohmann::json row_json(const StudyRow& row);
+
 /// `study --json`.
 nlohmann::json rows_json(std::string_view study, std::span<const StudyRow> rows);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <string>
 #include <string_view>
@@ -85,5 +87,21 @@ class Mutator {
   std::vector<std::string> samples_;
   std::vector<std::string> words_;
 };
+
+/// Expects that `read` accepts every sample, and what is made of them by `count` mutations neither hardly
+/// ever, less often than `least`, nor mostly, and that nothing but what it catches comes of any.
+template <class Read>
+void expect_refusals_alone(const std::vector<std::string>& samples, const std::vector<std::string>& words,
+                           const Read& read, std::uint64_t count, std::uint64_t least) {
+  for (const std::string& sample : samples) EXPECT_TRUE(read(sample)) << sample;
+  const Mutator mutated{samples, words};
+  std::uint64_t accepted = 0;
+  for (std::uint64_t number = 0; number < count; ++number) {
+    ASSERT_NO_THROW(accepted += read(mutated(number)) ? 1 : 0) << "case " << number << ":\n"
+                                                               << mutated(number);
+  }
+  EXPECT_GT(accepted, least);
+  EXPECT_LT(accepted, count / 2);
+}
 
 }  // namespace fairway

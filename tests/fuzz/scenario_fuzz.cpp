@@ -41,8 +41,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 
 #ifndef FAIRWAY_LIBFUZZER
 
-#include <gtest/gtest.h>
-
 #include "tests/fuzz/mutate.hpp"
 
 namespace fairway {
@@ -107,20 +105,8 @@ const std::vector<std::string> words{
     "{polygon: {vertices_m: [[0, 0], [1, 0], [1, 1]]}}", "fairway", "id", "start", "position_m"};
 // clang-format on
 
-TEST(ScenarioFuzzTest, TheSamplesAreAccepted) {
-  for (const std::string& sample : samples) EXPECT_TRUE(read_scenario(sample)) << sample;
-}
-
 TEST(ScenarioFuzzTest, NothingButARefusalComesOfBadInput) {
-  const Mutator mutated{samples, words};
-  int accepted = 0;
-  for (std::uint64_t number = 0; number < 20'000; ++number) {
-    ASSERT_NO_THROW(accepted += read_scenario(mutated(number)) ? 1 : 0) << "case " << number << ":\n"
-                                                                        << mutated(number);
-  }
-  // neither all noise nor too tame
-  EXPECT_GT(accepted, 400);
-  EXPECT_LT(accepted, 10'000);
+  expect_refusals_alone(samples, words, read_scenario, 20'000, 400);
 }
 
 }  // namespace

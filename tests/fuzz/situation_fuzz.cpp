@@ -32,8 +32,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 
 #ifndef FAIRWAY_LIBFUZZER
 
-#include <gtest/gtest.h>
-
 #include "tests/fuzz/mutate.hpp"
 
 namespace fairway {
@@ -61,20 +59,8 @@ const std::vector<std::string> words{
     "max_depth", "[4,4,0],[4,0,0]"};
 // clang-format on
 
-TEST(SituationFuzzTest, TheSamplesAreAccepted) {
-  for (const std::string& sample : samples) EXPECT_TRUE(read_situation(sample)) << sample;
-}
-
 TEST(SituationFuzzTest, NothingButARefusalComesOfBadInput) {
-  const Mutator mutated{samples, words};
-  int accepted = 0;
-  for (std::uint64_t number = 0; number < 100'000; ++number) {
-    ASSERT_NO_THROW(accepted += read_situation(mutated(number)) ? 1 : 0) << "case " << number << ":\n"
-                                                                         << mutated(number);
-  }
-  // neither all noise nor too tame
-  EXPECT_GT(accepted, 1'000);
-  EXPECT_LT(accepted, 50'000);
+  expect_refusals_alone(samples, words, read_situation, 100'000, 1'000);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "fairway/sim/simulation.hpp"
+#include "fairway/experiment/measure_run.hpp"
 #include "fairway/studies/cubes/cubes.hpp"
 #include "fairway/studies/page_blocks.hpp"
 #include "fairway/studies/study_runs.hpp"
@@ -91,8 +91,7 @@ std::vector<json> chosen_run_blocks(const Overrides& overrides, const RunIndex& 
   const StudyRun& chosen = cell.runs.front();
   const Scenario scenario = under(overrides, chosen.scenario());
   Curves curves{scenario.vehicles.size()};
-  const std::array<FrameSink*, 1> sinks{&curves};
-  Simulation{scenario, cube_catalogs()}.run(sinks);
+  run_into(scenario, cube_catalogs(), sinks_of({&curves}, {}), nullptr);
   const std::string title =
       fmt::format("{}, {}, {}, seed {}", cell.place, cell.method, cell.mode, chosen.spec.seed);
   const json run = runs.run_of(cell.labels(), chosen.spec.seed);

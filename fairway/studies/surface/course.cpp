@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fairway/core/rng.hpp"
+#include "fairway/studies/disc.hpp"
 
 namespace fairway::surface {
 namespace {
@@ -44,12 +45,7 @@ Vec2 anywhere_near(const Vec2& place, double reach, Rng& rng) {
   return place + Vec2{n, rng.uniform(-reach, reach)};
 }
 
-ObstacleSpec disc(const Vec2& at, double radius) {
-  ObstacleSpec spec{.kind = Obstacle::Kind::sphere};
-  spec.position = {at.x(), at.y(), 0.0};
-  spec.radius = radius;
-  return spec;
-}
+Vec3 afloat(const Vec2& v) { return {v.x(), v.y(), 0.0}; }
 
 }  // namespace
 
@@ -61,11 +57,8 @@ std::string_view name_of(Course course) {
 
 std::vector<ObstacleSpec> Layout::obstacles() const {
   std::vector<ObstacleSpec> specs;
-  for (const Vec2& buoy : buoys) specs.push_back(disc(buoy, buoy_radius));
-  if (vessel) {
-    specs.push_back(disc(*vessel, vessel_radius));
-    specs.back().velocity = {vessel_velocity.x(), vessel_velocity.y(), 0.0};
-  }
+  for (const Vec2& buoy : buoys) specs.push_back(disc(afloat(buoy), buoy_radius));
+  if (vessel) specs.push_back(disc(afloat(*vessel), vessel_radius, afloat(vessel_velocity)));
   return specs;
 }
 

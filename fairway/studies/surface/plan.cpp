@@ -91,12 +91,10 @@ Choice model_of(Vessel vessel) {
 
 Cell cell_of(Course course, Vessel vessel, const Method& method, std::string_view mode, int seeds,
              const std::function<Layout(std::uint64_t)>& layout) {
-  Cell cell{
-      .place = std::string(name_of(course)), .method = std::string(method.name), .mode = std::string(mode)};
-  cell.add_runs("surface", seeds, [course, vessel, &method, layout](std::uint64_t seed) {
+  const auto scenario = [course, vessel, &method, layout](std::uint64_t seed) {
     return passage(course, layout(seed), vessel, method, seed);
-  });
-  return cell;
+  };
+  return planned_cell("surface", name_of(course), method.name, mode, seeds, scenario);
 }
 
 }  // namespace

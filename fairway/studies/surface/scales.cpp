@@ -143,12 +143,9 @@ std::vector<Cell> scale_cells() {
     for (const std::string_view sailor : sailors) {
       for (const double length : lengths) {
         for (const double limit : limits) {
-          Cell cell{.place = std::string(name_of(course)),
-                    .method = std::string(sailor),
-                    .mode = mode_of(length, limit)};
-          cell.add_runs("surface", 1,
-                        [=](std::uint64_t) { return scaled_passage(course, length, limit, sailor); });
-          cells.push_back(std::move(cell));
+          const auto scenario = [=](std::uint64_t) { return scaled_passage(course, length, limit, sailor); };
+          cells.push_back(
+              planned_cell("surface", name_of(course), sailor, mode_of(length, limit), 1, scenario));
         }
       }
     }

@@ -128,8 +128,8 @@ json variations_section(const Results& results, const RunIndex& runs) {
 json facts(const Results& results) {
   const auto rows = rows_where(std::span{results.rows}.first(results.published_rows),
                                [](const StudyRow& row) { return row.published.has_value(); });
-  return {page::fact("Rows with a published number", std::to_string(rows.size())),
-          page::fact("of these reproduced, assuming", rows, Verdict::reproduced_assuming),
+  return {page::fact("Rows with a printed number", std::to_string(rows.size())),
+          page::fact("Reproduced, assuming", rows, Verdict::reproduced_assuming),
           page::fact("Partly", rows, Verdict::partly),
           page::fact("Not reproduced", rows, Verdict::not_reproduced)};
 }

@@ -5,6 +5,7 @@
 #include <bitset>
 
 #include "fairway/core/rng.hpp"
+#include "fairway/studies/disc.hpp"
 
 namespace fairway::transport {
 namespace {
@@ -23,13 +24,6 @@ bool leaves_room(const Field& field, const Vec3& at, double radius) {
   return (at - field.start).norm() >= room && (at - field.goal).norm() >= room;
 }
 
-ObstacleSpec sphere(const Vec3& at, double radius) {
-  ObstacleSpec spec{.kind = Obstacle::Kind::sphere};
-  spec.position = at;
-  spec.radius = radius;
-  return spec;
-}
-
 void add_discs(Field& field, FieldKind kind, Rng rng) {
   const std::uint64_t count = 8 + rng.index(7);
   while (field.obstacles.size() < count) {
@@ -37,9 +31,8 @@ void add_discs(Field& field, FieldKind kind, Rng rng) {
     const Vec3 at = place_in(rng, 0.0, edge);
     const bool uncharted = rng.uniform(0.0, 1.0) < 0.5;
     if (!leaves_room(field, at, radius)) continue;
-    ObstacleSpec disc = sphere(at, radius);
-    disc.charted = kind == FieldKind::known || !uncharted;
-    field.obstacles.push_back(disc);
+    field.obstacles.push_back(disc(at, radius));
+    field.obstacles.back().charted = kind == FieldKind::known || !uncharted;
   }
 }
 
@@ -50,10 +43,8 @@ void add_drifters(Field& field, Rng rng) {
     const Vec3 aim = place_in(rng, 10.0, 40.0);
     const double speed = rng.uniform(0.05, 0.2);
     if ((at - field.start).norm() < 20.0 || (aim - at).norm() < 1.0) continue;
-    ObstacleSpec drifter = sphere(at, radius);
-    drifter.charted = false;
-    drifter.velocity = speed * (aim - at).normalized();
-    field.obstacles.push_back(drifter);
+    field.obstacles.push_back(disc(at, radius, speed * (aim - at).normalized()));
+    field.obstacles.back().charted = false;
     ++added;
   }
 }

@@ -3,15 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include "fairway/studies/disc.hpp"
+
 namespace fairway::transport {
 namespace {
-
-ObstacleSpec disc(const Vec3& at, double radius) {
-  ObstacleSpec spec{.kind = Obstacle::Kind::sphere};
-  spec.position = at;
-  spec.radius = radius;
-  return spec;
-}
 
 TEST(RandomField, TheKindsOfASeedShareTheirDiscs) {
   const Field known = random_field(FieldKind::known, 7);
@@ -61,9 +56,7 @@ TEST(Escape, AGapMustTakeTheFootprint) {
 
 TEST(Escape, WhoIsOverrunHasNone) {
   Field field;
-  ObstacleSpec wall = disc({0, 30, 0}, 25.0);  // as wide as the field, faster than anyone
-  wall.velocity = {0, -5, 0};
-  field.obstacles.push_back(wall);
+  field.obstacles.push_back(disc({0, 30, 0}, 25.0, {0, -5, 0}));  // as wide as the field, faster than anyone
   EXPECT_FALSE(has_escape(field));
 }
 
@@ -71,9 +64,7 @@ TEST(StayClear, BetweenTwoDiscsAndADrifterThatClosesInThereIsNoWayOut) {
   std::vector<ObstacleSpec> trap{disc({0, 0, 0}, 4), disc({0, 13, 0}, 4), disc({14, 6.5, 0}, 7)};  // a pocket
   const Vec3 inside{5.5, 6.5, 0};
   EXPECT_TRUE(can_stay_clear(trap, {-5, 30, 0}, 0.0));
-  ObstacleSpec lid = disc({-6, 6.5, 0}, 6);
-  lid.velocity = {0.1, 0, 0};
-  trap.push_back(lid);
+  trap.push_back(disc({-6, 6.5, 0}, 6, {0.1, 0, 0}));
   EXPECT_FALSE(can_stay_clear(trap, inside, 0.0));
 }
 

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
+#include "fairway/experiment/measure_run.hpp"
 #include "fairway/planning/path_planner.hpp"
-#include "fairway/sim/simulation.hpp"
 #include "fairway/studies/page_blocks.hpp"
 #include "fairway/studies/study_runs.hpp"
 #include "fairway/studies/transport/field.hpp"
@@ -66,8 +66,7 @@ class Curve final : public FrameSink {
 
 Curve followed(const Scenario& scenario) {
   Curve curve{scenario.step_s};
-  const std::array<FrameSink*, 1> sinks{&curve};
-  Simulation{scenario, builtin_catalogs()}.run(sinks);
+  run_into(scenario, builtin_catalogs(), sinks_of({&curve}, {}), nullptr);
   return curve;
 }
 

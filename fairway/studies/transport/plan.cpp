@@ -2,21 +2,15 @@
 #include "fairway/studies/transport/plan.hpp"
 
 namespace fairway::transport {
-namespace {
-
-Cell cell_of(std::string_view place, const Method& method, Plant plant) {
-  return {
-      .place = std::string(place), .method = std::string(method.name), .mode = std::string(name_of(plant))};
-}
-
-}  // namespace
 
 std::vector<Cell> published_cells() {
   std::vector<Cell> cells;
   for (const PublishedRun& run : published_runs()) {
     for (const Plant plant : plants) {
-      Cell cell = cell_of(name_of(run.which), run.method, plant);
-      cell.part = published_part;
+      Cell cell{.place = std::string(name_of(run.which)),
+                .method = std::string(run.method.name),
+                .mode = std::string(name_of(plant)),
+                .part = std::string(published_part)};
       cell.add_runs("transport", 1, [&run, plant](std::uint64_t) { return scenario_of(run, plant); });
       cells.push_back(std::move(cell));
     }
@@ -50,9 +44,9 @@ std::vector<Cell> case_cells() {
   std::vector<Cell> cells;
   for (const Case which : {Case::one_obstacle, Case::four_obstacles, Case::unknown_obstacle}) {
     for (const Method& method : compared_methods()) {
-      Cell cell = cell_of(name_of(which), method, Plant::physical);
-      cell.add_runs("transport", 1, [which, &method](std::uint64_t) { return case_voyage(which, method); });
-      cells.push_back(std::move(cell));
+      const auto scenario = [which, &method](std::uint64_t) { return case_voyage(which, method); };
+      cells.push_back(
+          planned_cell("transport", name_of(which), method.name, name_of(Plant::physical), 1, scenario));
     }
   }
   return cells;
@@ -62,12 +56,12 @@ std::vector<Cell> field_cells(int seeds) {
   std::vector<Cell> cells;
   for (const FieldKind kind : field_kinds) {
     for (const Method& method : compared_methods()) {
-      Cell cell = cell_of(name_of(kind), method, Plant::physical);
-      cell.add_runs("transport", seeds, [kind, &method](std::uint64_t seed) {
+      const auto scenario = [kind, &method](std::uint64_t seed) {
         Field field = random_field(kind, seed);
         return voyage(name_of(kind), method, std::move(field.obstacles), field.goal, voyage_duration, seed);
-      });
-      cells.push_back(std::move(cell));
+      };
+      cells.push_back(
+          planned_cell("transport", name_of(kind), method.name, name_of(Plant::physical), seeds, scenario));
     }
   }
   return cells;

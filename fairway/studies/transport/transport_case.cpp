@@ -3,17 +3,11 @@
 
 #include <fmt/format.h>
 
+#include "fairway/studies/disc.hpp"
 #include "fairway/studies/transport/field.hpp"
 
 namespace fairway::transport {
 namespace {
-
-ObstacleSpec disc(double n, double e, double radius, bool charted = true) {
-  ObstacleSpec spec{.kind = Obstacle::Kind::sphere, .charted = charted};
-  spec.position = {n, e, 0.0};
-  spec.radius = radius;
-  return spec;
-}
 
 /// Table 6 and the gains printed with it; Tables 1 and 2 are the methods' defaults.
 ParamValues four_obstacle_gains() {
@@ -136,9 +130,12 @@ std::optional<double> published(Case which, std::string_view method, std::string
 }
 
 std::vector<ObstacleSpec> obstacles_of(Case which) {
-  if (which == Case::one_obstacle) return {disc(50, 40, 20)};
-  std::vector<ObstacleSpec> table_5{disc(10, 12, 1), disc(20, 20, 1), disc(10, 33, 1), disc(20, 30, 1)};
-  if (which == Case::unknown_obstacle) table_5.push_back(disc(8, 21.5, 1, /*charted=*/false));
+  if (which == Case::one_obstacle) return {disc({50, 40, 0}, 20)};
+  std::vector<ObstacleSpec> table_5{disc({10, 12, 0}, 1), disc({20, 20, 0}, 1), disc({10, 33, 0}, 1),
+                                    disc({20, 30, 0}, 1)};
+  if (which != Case::unknown_obstacle) return table_5;
+  table_5.push_back(disc({8, 21.5, 0}, 1));
+  table_5.back().charted = false;
   return table_5;
 }
 

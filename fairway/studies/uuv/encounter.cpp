@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "fairway/core/rng.hpp"
+#include "fairway/studies/disc.hpp"
 
 namespace fairway::uuv {
 namespace {
@@ -59,14 +60,6 @@ VehicleSpec meeting_uuv(const Meeting& meeting, std::size_t index, const Setting
   uuv.start_delay_s = meeting.start_delays_s[index];
   uuv.radius_m = setting.uuv_radius_m;
   return uuv;
-}
-
-ObstacleSpec ship_at(const Vec3& position, const Vec3& velocity, double radius) {
-  ObstacleSpec ship{.kind = Obstacle::Kind::sphere};
-  ship.position = position;
-  ship.velocity = velocity;
-  ship.radius = radius;
-  return ship;
 }
 
 }  // namespace
@@ -150,7 +143,7 @@ Scenario encounter_scenario(Encounter encounter, const Meeting& meeting, const S
   scenario.exam = {
       .crit_dist_m = 20.0, .safety_distance_m = 2.0 * setting.uuv_radius_m, .time_coefficient_ratio = 1e6};
   for (const Vec3& ship : meeting.ships)
-    scenario.obstacles.push_back(ship_at(ship, meeting.ship_velocity, setting.ship_radius_m));
+    scenario.obstacles.push_back(disc(ship, setting.ship_radius_m, meeting.ship_velocity));
   for (std::size_t i = 0; i < meeting.starts.size(); ++i)
     scenario.vehicles.push_back(meeting_uuv(meeting, i, setting, hull, method));
   return scenario;

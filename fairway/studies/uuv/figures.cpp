@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "fairway/sim/simulation.hpp"
+#include "fairway/experiment/measure_run.hpp"
 #include "fairway/studies/page_blocks.hpp"
 #include "fairway/studies/study_runs.hpp"
 #include "fairway/studies/uuv/plan.hpp"
@@ -58,8 +58,7 @@ class Wakes final : public FrameSink {
 
 std::vector<Wake> sailed(const Scenario& scenario) {
   Wakes wakes{scenario.vehicles.size()};
-  const std::array<FrameSink*, 1> sinks{&wakes};
-  Simulation{scenario, builtin_catalogs()}.run(sinks);
+  run_into(scenario, builtin_catalogs(), sinks_of({&wakes}, {}), nullptr);
   return wakes.all();
 }
 

@@ -31,22 +31,16 @@ constexpr std::array moments{
     PublishedMoment{Encounter::multi_obstacle, "contact_count", 0.0},
 };
 
-Cell cell_of(std::string_view place, std::string_view method, std::string mode, int seeds,
-             const std::function<Scenario(std::uint64_t)>& scenario) {
-  Cell cell{.place = std::string(place), .method = std::string(method), .mode = std::move(mode)};
-  cell.add_runs("uuv", seeds, scenario);
-  return cell;
-}
-
 std::string mode_of(const Setting& setting, Hull hull) {
   return fmt::format("{} {}", setting.name, name_of(hull));
 }
 
 Cell published_cell(Encounter encounter, const Setting& setting, Hull hull, const Method& method) {
-  return cell_of(name_of(encounter), method.name, mode_of(setting, hull), 1,
-                 [encounter, &setting, hull, &method](std::uint64_t seed) {
-                   return encounter_scenario(encounter, meeting_of(encounter), setting, hull, method, seed);
-                 });
+  return planned_cell("uuv", name_of(encounter), method.name, mode_of(setting, hull), 1,
+                      [encounter, &setting, hull, &method](std::uint64_t seed) {
+                        return encounter_scenario(encounter, meeting_of(encounter), setting, hull, method,
+                                                  seed);
+                      });
 }
 
 }  // namespace
@@ -91,7 +85,7 @@ std::vector<Cell> varied_cells(int seeds) {
         return encounter_scenario(encounter, varied(encounter, seed), find_setting("common"), hull_of(method),
                                   method, seed);
       };
-      cells.push_back(cell_of(name_of(encounter), method.name, "varied", seeds, scenario));
+      cells.push_back(planned_cell("uuv", name_of(encounter), method.name, "varied", seeds, scenario));
     }
   }
   return cells;
@@ -106,7 +100,7 @@ std::vector<Cell> gathering_cells(int seeds) {
         const auto scenario = [&gathering, &awareness, &method](std::uint64_t seed) {
           return gathering_scenario(gathering, awareness, method, seed);
         };
-        cells.push_back(cell_of(gathering.name(), method.name, std::string(awareness.name), runs, scenario));
+        cells.push_back(planned_cell("uuv", gathering.name(), method.name, awareness.name, runs, scenario));
       }
     }
   }
@@ -125,7 +119,7 @@ std::vector<Cell> silence_cells(int seeds) {
         const auto scenario = [cube, &method, channel](std::uint64_t seed) {
           return silence_scenario(cube, method, channel, seed);
         };
-        cells.push_back(cell_of(cube, method.name, channel.name(), seeds, scenario));
+        cells.push_back(planned_cell("uuv", cube, method.name, channel.name(), seeds, scenario));
       }
     }
   }

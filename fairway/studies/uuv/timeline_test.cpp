@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "fairway/experiment/compare.hpp"
+#include "fairway/studies/disc.hpp"
 
 namespace fairway::uuv {
 namespace {
@@ -54,11 +55,7 @@ class Encountering {
   static Scenario scenario() {
     Scenario scenario;
     scenario.vehicles.resize(2);
-    ObstacleSpec ship{.kind = Obstacle::Kind::sphere};
-    ship.position = {50.0, 30.0, 0.0};
-    ship.velocity = {0.0, -5.0, 0.0};
-    ship.radius = 2.0;
-    scenario.obstacles = {ship};
+    scenario.obstacles = {disc({50.0, 30.0, 0.0}, 2.0, {0.0, -5.0, 0.0})};
     return scenario;
   }
 
