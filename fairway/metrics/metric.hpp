@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "fairway/core/cell_index.hpp"
 #include "fairway/metrics/measure.hpp"
 #include "fairway/record/frame.hpp"
 
@@ -19,8 +20,30 @@ struct QuantityInfo {
   std::string_view complete_at_1{};
 };
 
+/// The vehicles of a frame, sorted by place, for the metrics that ask who is near. Does not allocate after
+/// the first frame.
+class Neighbours {
+ public:
+  /// Of one vehicle at once there is room for so many contacts; whoever has more takes memory for them.
+  static constexpr std::size_t usual_contacts = 8;
+
+  /// `reach` is how far the metrics usually look [m].
+  explicit Neighbours(double reach) : reach_{reach} {}
+
+  const CellIndex& of(const Frame& frame) {
+    index_.rebuild(frame.vehicles.size(), reach_,
+                   [&](std::size_t i) -> const Vec3& { return frame.vehicles[i].state.p_n; });
+    return index_;
+  }
+
+ private:
+  double reach_;
+  CellIndex index_;
+};
+
 /// A fold over the frames of a run, the same live and from a file, in memory that does not grow with
-/// the run. See each implementation for its quantities.
+/// the run. See each implementation for its quantities. Those that ask who is near take a frame together with
+/// its `Neighbours` too, so that several share them.
 class Metric {
  public:
   virtual ~Metric() = default;
