@@ -55,9 +55,9 @@ class CellIndex {
     };
     // where the cells to look through are as many as the points, the points are sooner looked through
     const double around = 2.0 * reach / edge_ + 2.0;
-    const bool all =
-        points_.size() <= handful || !(around * around * around < static_cast<double>(points_.size()));
-    if (all) {
+    const bool few = points_.size() <= handful || !is_finite(place) ||
+                     !(around * around * around < static_cast<double>(points_.size()));
+    if (few) {
       std::ranges::for_each(points_, compare);
       return points_.size();
     }

@@ -29,13 +29,12 @@ void EncounterMetric::begin(const Frame& frame, std::size_t index) {
   count.last_position = own.state.p_n;
 }
 
-bool EncounterMetric::update_contacts(const Frame& frame, std::size_t index, const CellIndex& near) {
+bool EncounterMetric::update_contacts(const Frame& frame, std::size_t index, const Neighbours& near) {
   Count& count = counts_[index];
   detected_.clear();
-  near.visit(frame.vehicles[index].state.p_n, rules_.crit_dist_m, [&](std::size_t j, double distance2) {
+  near.visit(index, rules_.crit_dist_m, [&](std::size_t j, double distance2) {
     const bool collided = distance2 <= rules_.safety_distance_m * rules_.safety_distance_m;
-    if (j != index)
-      detected_.push_back({static_cast<std::uint32_t>(j), collided ? Contact::collided : Contact::near});
+    detected_.push_back({static_cast<std::uint32_t>(j), collided ? Contact::collided : Contact::near});
   });
   std::ranges::sort(detected_, {}, &OpenEncounter::other);
   const auto hit = std::ranges::find(detected_, Contact::collided, &OpenEncounter::worst);
@@ -56,7 +55,7 @@ bool EncounterMetric::update_contacts(const Frame& frame, std::size_t index, con
   return !detected_.empty();
 }
 
-void EncounterMetric::see(const Frame& frame, std::size_t index, const CellIndex& near) {
+void EncounterMetric::see(const Frame& frame, std::size_t index, const Neighbours& near) {
   Count& count = counts_[index];
   const VehicleFrame& own = frame.vehicles[index];
   if (count.finished || (!count.started && !is_avoiding(own.phase))) return;
@@ -87,7 +86,7 @@ void EncounterMetric::make_room(std::size_t vehicles) {
   for (Count& count : counts_) count.open.reserve(usual);
 }
 
-void EncounterMetric::see(const Frame& frame, const CellIndex& near) {
+void EncounterMetric::see(const Frame& frame, const Neighbours& near) {
   if (counts_.empty()) make_room(frame.vehicles.size());
   for (std::size_t i = 0; i < frame.vehicles.size(); ++i) see(frame, i, near);
 }

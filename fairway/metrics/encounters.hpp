@@ -34,7 +34,7 @@ class EncounterMetric final : public Metric {
 
   explicit EncounterMetric(EncounterRules rules) : rules_{rules}, neighbours_{rules.crit_dist_m} {}
   void see(const Frame& frame) override { see(frame, neighbours_.of(frame)); }
-  void see(const Frame& frame, const CellIndex& near);
+  void see(const Frame& frame, const Neighbours& near);
   void report(std::vector<Measure>& measures) const override;
 
   /// A vehicle's open encounters as of the last frame, in ascending order of the other; none before it is
@@ -58,9 +58,9 @@ class EncounterMetric final : public Metric {
   };
 
   void make_room(std::size_t vehicles);
-  void see(const Frame& frame, std::size_t index, const CellIndex& near);
+  void see(const Frame& frame, std::size_t index, const Neighbours& near);
   void begin(const Frame& frame, std::size_t index);
-  bool update_contacts(const Frame& frame, std::size_t index, const CellIndex& near);
+  bool update_contacts(const Frame& frame, std::size_t index, const Neighbours& near);
   static void count_closed(Count& count, Contact worst) {
     ++(worst == Contact::collided ? count.collisions : count.avoided);
   }

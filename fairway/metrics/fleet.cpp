@@ -40,12 +40,12 @@ const std::vector<QuantityInfo>& FleetMetric::quantities() {
   return all;
 }
 
-void FleetMetric::see(const Frame& frame, const CellIndex& near) {
+void FleetMetric::see(const Frame& frame, const Neighbours& near) {
   if (own_.empty()) {
     own_.resize(frame.vehicles.size());
     const std::size_t n = frame.vehicles.size();
     for (std::vector<Pair>* pairs : {&touching_, &touch_, &apart_})
-      pairs->reserve(std::min(n * n / 2, Neighbours::usual_contacts * n));
+      pairs->reserve(std::min(n * n / 2, Neighbours::usual_contacts * n / 2));
   }
   if (!started_) {
     started_ =
@@ -92,18 +92,17 @@ void FleetMetric::see_obstacles(const Frame& frame, std::size_t index) {
   }
 }
 
-void FleetMetric::see_others(const Frame& frame, const CellIndex& near, std::size_t index) {
+void FleetMetric::see_others(const Frame& frame, const Neighbours& near, std::size_t index) {
   Own& own = own_[index];
-  const Vec3& here = frame.vehicles[index].state.p_n;
-  const auto counts = [&](std::size_t j) { return j != index && takes_part(frame.vehicles[j]); };
+  const auto counts = [&](std::size_t j) { return takes_part(frame.vehicles[j]); };
 
   // whoever comes nearer than anyone before is within the least distance so far, a little more for rounding
   constexpr double little = 1.0 + 1e-12;
   const double nearest =
-      std::isinf(own.nearest2) ? near.reach_of(1, here, counts) : little * std::sqrt(own.nearest2);
+      std::isinf(own.nearest2) ? near.reach_of_one(index, counts) : little * std::sqrt(own.nearest2);
   double nearest2 = own.nearest2;
   std::size_t who = frame.vehicles.size();
-  near.visit(here, std::fmax(nearest, safety_distance_), [&](std::size_t j, double distance2) {
+  near.visit(index, std::fmax(nearest, safety_distance_), [&](std::size_t j, double distance2) {
     if (!counts(j)) return;
     if (distance2 < nearest2 || (distance2 == nearest2 && j < who && nearest2 < own.nearest2)) {
       nearest2 = distance2;
@@ -117,7 +116,7 @@ void FleetMetric::see_others(const Frame& frame, const CellIndex& near, std::siz
   own.nearest_at = {.other = static_cast<int>(who), .time = frame.time};
 }
 
-void FleetMetric::see_pairs(const Frame& frame, const CellIndex& near) {
+void FleetMetric::see_pairs(const Frame& frame, const Neighbours& near) {
   touch_.clear();
   for (std::size_t i = 0; i < frame.vehicles.size(); ++i) {
     if (takes_part(frame.vehicles[i])) see_others(frame, near, i);

@@ -31,7 +31,7 @@ class FleetMetric final : public Metric {
         surroundings_{std::move(surroundings)},
         neighbours_{safety_distance_m} {}
   void see(const Frame& frame) override { see(frame, neighbours_.of(frame)); }
-  void see(const Frame& frame, const CellIndex& near);
+  void see(const Frame& frame, const Neighbours& near);
   void report(std::vector<Measure>& measures) const override;
 
  private:
@@ -52,8 +52,8 @@ class FleetMetric final : public Metric {
   bool is_beyond(const VehicleFrame& vehicle, std::size_t index) const;
   void see_vehicle(const Frame& frame, std::size_t index);
   void see_obstacles(const Frame& frame, std::size_t index);
-  void see_pairs(const Frame& frame, const CellIndex& near);
-  void see_others(const Frame& frame, const CellIndex& near, std::size_t index);
+  void see_pairs(const Frame& frame, const Neighbours& near);
+  void see_others(const Frame& frame, const Neighbours& near, std::size_t index);
   Occasion not_arrived() const;  ///< the first vehicle that did not arrive
 
   double safety_distance_;

@@ -375,43 +375,51 @@ class EveryPair {
   }
 };
 
+/// A crowd that drifts by up to `drift` and stumbles by up to `stumble` along each axis and tick [m].
+void hold_to_every_pair(std::size_t count, double drift, double stumble) {
+  Rng rng{count};
+  const auto any = [&](double most) {
+    return Vec3{rng.uniform(-most, most), rng.uniform(-most, most), rng.uniform(-most, most)};
+  };
+  const double size = 4.0 * std::cbrt(static_cast<double>(count));
+  std::vector<VehicleFrame> vehicles(count);
+  std::vector<Vec3> velocities;
+  for (VehicleFrame& vehicle : vehicles) {
+    vehicle.state.p_n = any(size);
+    vehicle.phase = Phase::under_way;
+    velocities.push_back(any(drift));
+  }
+  RunMetrics metrics{{6.0, 3.0}};
+  EveryPair every{count};
+  for (std::int64_t tick = 0; tick < 300; ++tick) {
+    for (std::size_t i = 0; i < count; ++i) vehicles[i].state.p_n += velocities[i] + any(stumble);
+    vehicles[0].phase =
+        tick % 20 < 5 ? Phase::deploying : Phase::under_way;  // does not take part for a while
+    metrics.write({Tick{tick}, static_cast<double>(tick), 1.0, vehicles});
+    every.see(vehicles);
+  }
+  for (const Measure& m : metrics.measures()) {
+    const auto i = static_cast<std::size_t>(std::max(m.vehicle, 0));
+    if (m.quantity == "pair_collision_count") {
+      EXPECT_EQ(m.value, every.pair_events);
+      EXPECT_GT(m.value, 0.0);
+    } else if (m.quantity == "nearest_m") {
+      EXPECT_EQ(m.value, every.nearest[i]);
+      EXPECT_EQ(m.occasion.other, every.nearest_with[i]);
+    } else if (m.quantity == "avoided_count" && i > 0) {  // the first one begins and pauses
+      EXPECT_EQ(m.value, every.avoided[i]);
+    } else if (m.quantity == "collision_count" && i > 0) {
+      EXPECT_EQ(m.value, every.collided[i]);
+    }
+  }
+}
+
 TEST(RunMetrics, WhoIsNearIsFoundAsByComparingEveryPair) {
-  for (const std::size_t count : {5U, 60U, 300U}) {
-    Rng rng{count};
-    const double size = 8.0 * std::cbrt(static_cast<double>(count));
-    std::vector<VehicleFrame> vehicles(count);
-    for (VehicleFrame& vehicle : vehicles) {
-      vehicle.state.p_n = {rng.uniform(0, size), rng.uniform(0, size), rng.uniform(0, size)};
-      vehicle.phase = Phase::under_way;
-    }
-    RunMetrics metrics{{6.0, 3.0}};
-    EveryPair every{count};
-    for (std::int64_t tick = 0; tick < 200; ++tick) {
-      for (VehicleFrame& vehicle : vehicles)
-        vehicle.state.p_n += Vec3{rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1)};
-      vehicles[0].phase =
-          tick % 20 < 5 ? Phase::deploying : Phase::under_way;  // does not take part for a while
-      metrics.write({Tick{tick}, static_cast<double>(tick), 1.0, vehicles});
-      every.see(vehicles);
-    }
-    for (const Measure& m : metrics.measures()) {
-      const auto i = static_cast<std::size_t>(std::max(m.vehicle, 0));
-      if (m.quantity == "pair_collision_count") {
-        EXPECT_EQ(m.value, every.pair_events) << count;
-        EXPECT_GT(m.value, 0.0);
-      }
-      if (m.quantity == "nearest_m") {
-        EXPECT_EQ(m.value, every.nearest[i]) << count;
-        EXPECT_EQ(m.occasion.other, every.nearest_with[i]) << count;
-      }
-      if (i == 0) continue;  // it begins and pauses
-      if (m.quantity == "avoided_count") {
-        EXPECT_EQ(m.value, every.avoided[i]) << count;
-      }
-      if (m.quantity == "collision_count") {
-        EXPECT_EQ(m.value, every.collided[i]) << count;
-      }
-    }
+  for (const std::size_t count : {12U, 60U, 300U}) {
+    SCOPED_TRACE(count);
+    hold_to_every_pair(count, 0.05, 0.0);
+    hold_to_every_pair(count, 0.0, 1.0);
+    hold_to_every_pair(count, 0.02, 0.02);
   }
 }
 

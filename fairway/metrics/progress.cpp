@@ -40,7 +40,7 @@ double ProgressMetric::radius_of(std::size_t index) const {
   return index < surroundings_.radii.size() ? surroundings_.radii[index] : 0.0;
 }
 
-void ProgressMetric::see(const Frame& frame, const CellIndex& near) {
+void ProgressMetric::see(const Frame& frame, const Neighbours& near) {
   if (own_.empty()) {
     own_.assign(frame.vehicles.size(), {.watch = ProgressWatch{window_}});
     bystanders_.reserve(frame.vehicles.size() + surroundings_.obstacles.size());
@@ -58,7 +58,7 @@ void ProgressMetric::see(const Frame& frame, const CellIndex& near) {
   }
 }
 
-void ProgressMetric::find_bystanders(const Frame& frame, std::size_t index, const CellIndex& near) {
+void ProgressMetric::find_bystanders(const Frame& frame, std::size_t index, const Neighbours& near) {
   const Vec3& here = frame.vehicles[index].state.p_n;
   const double reach = own_[index].watch.reach();
   const auto see_one = [&](std::size_t id, double distance, double rests_since, bool may_clear_way) {
@@ -68,8 +68,7 @@ void ProgressMetric::find_bystanders(const Frame& frame, std::size_t index, cons
   };
   // of two that are equally near the one of the lesser index counts; a little more for rounding
   const double farthest = (1.0 + 1e-12) * (reach + radius_of(index) + largest_radius_);
-  near.visit(here, farthest, [&](std::size_t j, double distance2) {
-    if (j == index) return;
+  near.visit(index, farthest, [&](std::size_t j, double distance2) {
     see_one(j, std::sqrt(distance2) - radius_of(j), own_[j].watch.trail().since(),
             frame.vehicles[j].phase != Phase::arrived);
   });

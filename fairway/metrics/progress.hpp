@@ -20,7 +20,7 @@ class ProgressMetric final : public Metric {
   /// `window` [s].
   explicit ProgressMetric(double window, Surroundings surroundings = {});
   void see(const Frame& frame) override { see(frame, neighbours_.of(frame)); }
-  void see(const Frame& frame, const CellIndex& near);
+  void see(const Frame& frame, const Neighbours& near);
   void report(std::vector<Measure>& measures) const override;
 
   /// How a vehicle got on, as of the last frame; only after one. `with` is the index of a vehicle or, from
@@ -43,7 +43,7 @@ class ProgressMetric final : public Metric {
 
   Goal goal_of(const Frame& frame, std::size_t index) const;
   double radius_of(std::size_t index) const;
-  void find_bystanders(const Frame& frame, std::size_t index, const CellIndex& near);
+  void find_bystanders(const Frame& frame, std::size_t index, const Neighbours& near);
   void count(const Frame& frame, std::size_t index);
 
   double window_;

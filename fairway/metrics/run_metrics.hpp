@@ -23,7 +23,7 @@ class RunMetrics final : public FrameSink {
         fleet_{rules.safety_distance_m, std::move(surroundings)} {}
 
   void write(const Frame& frame) override {
-    const CellIndex& near = neighbours_.of(frame);
+    const Neighbours& near = neighbours_.of(frame);
     encounters_.see(frame, near);
     progress_.see(frame, near);
     fleet_.see(frame, near);
