@@ -60,7 +60,7 @@ export async function look_at_live(browser, sample) {
   const options = { width: 1180, height: 820, scheme: 'light', harmless: /GPU stall|GL Driver Message|ERR_CONNECTION_REFUSED/ };
   await browser.open(address, 'a live run', options, async (page, expect) => {
     const view = new ViewPage(page);
-    const until = (what, wanted) => page.waitForFunction(what, wanted, { timeout: 6000 }).then(() => true, () => false);
+    const until = (what, wanted) => page.waitForFunction(what, wanted, { timeout: 20000 }).then(() => true, () => false);
     const shown = () => page.evaluate(() => window.fairway.state().index);
     expect(await until((n) => window.fairway?.film.count === n, 120), 'the frames that were there do not come');
     expect(await until((n) => window.fairway.state().index === n, 119), `it shows frame ${await shown()}, not the newest`);
@@ -76,8 +76,10 @@ export async function look_at_live(browser, sample) {
     expect(await until(() => window.fairway.film.generation === 1 && window.fairway.film.count === 90), 'a thinned film does not replace the old one');
     expect(await shown() === 89, `after that it shows frame ${await shown()}`);
     const before = run.asked;
+    const began = performance.now();
     await page.waitForTimeout(1000);
-    expect(run.asked - before <= 21 && run.asked > before, `${run.asked - before} questions in a second`);
+    const most = 21 * (performance.now() - began) / 1000;
+    expect(run.asked - before <= most && run.asked > before, `${run.asked - before} questions where ${most} are too many`);
     expect(run.most === 1, `${run.most} questions at once`);
     server.close();
     server.closeAllConnections();
@@ -88,7 +90,7 @@ export async function look_at_live(browser, sample) {
 
   const broken = await serve(html, sample);
   await browser.open(broken.address, 'a live run that diverges', options, async (page, expect) => {
-    const until = (wanted) => page.waitForFunction((text) => document.querySelector('.live-status')?.textContent === text, wanted, { timeout: 6000 })
+    const until = (wanted) => page.waitForFunction((text) => document.querySelector('.live-status')?.textContent === text, wanted, { timeout: 20000 })
       .then(() => true, () => false);
     await page.waitForFunction(() => window.fairway !== undefined);
     Object.assign(broken.run, { done: true, divergence: 'diverged: auv_0 at 12.1 s: its speed is beyond 200 m/s' });

@@ -139,7 +139,7 @@ export async function look_at_known_runs(page, expect, context) {
   expect((await page.locator('dialog').innerText()).includes('not known'), 'a run without a command shows one');
   expect((await lines_of(page))[0] === 'cube b | seed 18446744073709551615', `a large seed: ${await lines_of(page)}`);
   await page.mouse.click(2, 2);
-  await page.locator('dialog').waitFor({ state: 'detached', timeout: 5000 }).catch(() => {});
+  await page.locator('dialog').waitFor({ state: 'detached', timeout: 20000 }).catch(() => {});
   expect(await page.locator('dialog').count() === 0, 'a click beside the list does not close it');
 
   const rows = page.locator('figure.table tbody tr');

@@ -177,12 +177,14 @@ async function it_ends_and_begins_again(view, expect) {
   const { count } = await view.film();
   await view.seek_frame(count - 3);
   await view.page.click('.play');
-  await view.page.waitForFunction(() => !window.fairway.state().playing, null, { timeout: 8000 });
+  await view.page.waitForFunction(() => !window.fairway.state().playing, null, { timeout: 20000 });
   expect((await view.state()).index === count - 1, 'it does not stop at the end');
   await view.page.click('.play');
-  await view.page.waitForTimeout(150);
-  const { index, playing } = await view.state();
-  expect(playing && index < count / 2, `after the end it plays from frame ${index}`);
+  const again = view.page.waitForFunction((half) => {
+    const { playing, index } = window.fairway.state();
+    return playing && index < half;
+  }, count / 2, { timeout: 20000 });
+  expect(await again.then(() => true, () => false), `after the end it plays from frame ${(await view.state()).index}`);
   await view.page.click('.play');
 }
 
