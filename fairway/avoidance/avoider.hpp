@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+#include <limits>
 #include <memory>
 #include <utility>
 
@@ -38,6 +40,10 @@ class Avoider {
 
   const AlgorithmInfo& info() const { return self_->info(); }
 
+  /// How many of the tracks, the nearest first, it looks at: any others change no command of it. All of them
+  /// unless the algorithm says otherwise (`most_tracks()`).
+  std::size_t most_tracks() const { return self_->most_tracks(); }
+
   /// Decides, then holds the decision to the limits, so that no algorithm has to. What the vehicle cannot
   /// carry out of it (see `shortfall`) stands in the note unless the method says something itself, and what
   /// was to avoid somebody so is Mode::infeasible. A situation that is not usable (NaN, no period) is
@@ -71,6 +77,7 @@ class Avoider {
     virtual std::unique_ptr<Interface> clone() const = 0;
     virtual void restore(const Interface& clone) = 0;  ///< to what the clone of this remembers
     virtual const AlgorithmInfo& info() const = 0;
+    virtual std::size_t most_tracks() const { return std::numeric_limits<std::size_t>::max(); }
   };
 
   template <AvoidanceAlgorithm A>
@@ -82,6 +89,10 @@ class Avoider {
     std::unique_ptr<Interface> clone() const override { return std::make_unique<Model>(*this); }
     void restore(const Interface& clone) override { memory = static_cast<const Model&>(clone).memory; }
     const AlgorithmInfo& info() const override { return A::info; }
+    std::size_t most_tracks() const override {
+      if constexpr (requires { algorithm.most_tracks(); }) return algorithm.most_tracks();
+      return Interface::most_tracks();
+    }
 
     A algorithm;
     typename A::Memory memory{};

@@ -2,6 +2,7 @@
 // What ORCA in space and in the plane have in common, with each other and with velocity obstacles.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 
 #include "fairway/avoidance/hrvo/hrvo.hpp"
@@ -84,6 +85,22 @@ TYPED_TEST(ByVelocity, LooksAtTheNearestWhenThereAreTooMany) {
   e.tracks.push_back(encounters::track(2, {0.0, 9.0, 50.0}, {0.0, -2.0, 0.0}));
   EXPECT_EQ(decide<TypeParam>(e, {.max_neighbours_count = 1}), decide<TypeParam>(encounters::head_on(8.0)));
   EXPECT_EQ(decide<TypeParam>(e, {.max_neighbours_count = 0}).mode, Mode::cruise);
+}
+
+TEST(Orca3dTracks, BeyondThoseThatItLooksAtNobodyMatters) {
+  for (std::uint64_t seed = 0; seed < 50; ++seed) {
+    OwnedSituation e = encounters::crowd(40, Rng{seed});
+    std::ranges::sort(e.tracks, {}, [&](const Track& track) {
+      return (track.position - e.situation.own.position).squaredNorm();
+    });
+    Avoider avoider{Orca3d{{.max_neighbours_count = 5}}};
+    ASSERT_EQ(avoider.most_tracks(), 5U);
+    const Command among_all = avoider.decide(e);
+    e.tracks.resize(5);
+    EXPECT_EQ(avoider.decide(e), among_all) << seed;
+  }
+  const Avoider leaning{Orca3d{{.max_neighbours_count = 5, .symmetry = Symmetry::starboard}}};
+  EXPECT_GT(leaning.most_tracks(), 500U) << "a rule for symmetric conflicts asks all of them";
 }
 
 TYPED_TEST(Orca, FromInsideASolidTheWayIsOutThroughTheNearestSide) {

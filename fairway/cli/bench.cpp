@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "fairway/avoidance/testing/encounters.hpp"
+#include "fairway/cli/bench_fleet.hpp"
 #include "fairway/cli/numbers.hpp"
 #include "fairway/cli/program.hpp"
 #include "fairway/core/angles.hpp"
@@ -119,17 +120,24 @@ int bench(const std::vector<std::string>& algorithms, double budget_s, bool as_j
 void add_bench(CLI::App& app, Program& program) {
   CLI::App* verb =
       app.add_subcommand("bench", "Time of a decision, and vehicle-steps per second, on this machine");
-  verb->footer("Example: fairway bench --seconds 2");
+  verb->footer("Example: fairway bench --seconds 2\n         fairway bench --fleet 8,64,1000");
   auto budget = std::make_shared<double>(0.5);
   auto algorithms = std::make_shared<std::vector<std::string>>(
       std::vector<std::string>{"orca3d", "apf", "orca3d+stop_and_wait"});
+  auto fleets = std::make_shared<std::vector<std::size_t>>();
   auto as_json = std::make_shared<bool>(false);
   verb->add_option("--algorithm", *algorithms, "whose decisions are timed")->capture_default_str();
   verb->add_option("--seconds", *budget, "per figure; each is the median of its repetitions")
       ->capture_default_str()
       ->transform(finite_number(0.01, 60.0));
+  verb->add_option("--fleet", *fleets, "instead: what a step of fleets of so many vehicles costs, by stage")
+      ->delimiter(',')
+      ->transform(whole_number<std::size_t>(1, 1'000'000));
   verb->add_flag("--json", *as_json, "print JSON");
-  program.on(*verb, [=, &program] { return bench(*algorithms, *budget, *as_json, program.catalogs); });
+  program.on(*verb, [=, &program] {
+    if (!fleets->empty()) return bench_fleets(*fleets, *budget, *as_json, program.catalogs);
+    return bench(*algorithms, *budget, *as_json, program.catalogs);
+  });
 }
 
 }  // namespace fairway::cli

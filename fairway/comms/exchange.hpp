@@ -37,6 +37,9 @@ class Exchange {
   /// time.
   void add_under_way(std::vector<MessageFlight>& flights) const;
 
+  /// True if everyone hears what everyone says, at once: heard_by() is then what was said, by vehicle.
+  bool carries_at_once() const { return std::holds_alternative<Everywhere>(way_); }
+
   /// False if nobody ever hears anything.
   bool carries_anything() const { return !std::holds_alternative<Silence>(way_); }
 

@@ -8,6 +8,7 @@
 #include "fairway/control/fin_autopilot.hpp"
 #include "fairway/control/thrust_allocator.hpp"
 #include "fairway/control/velocity_controller.hpp"
+#include "fairway/core/boxed.hpp"
 #include "fairway/dynamics/vehicle.hpp"
 
 namespace fairway {
@@ -33,9 +34,9 @@ class Autopilot {
   void reset() noexcept;
 
  private:
-  std::optional<VelocityController> controller_;
-  std::optional<ThrustAllocator> allocator_;
-  std::optional<FinAutopilot> fins_;
+  Boxed<VelocityController> controller_;
+  Boxed<ThrustAllocator> allocator_;
+  Boxed<FinAutopilot> fins_;
   std::array<double BodyRequest::*, max_actuators> setpoints_{};  // of each actuator, without a controller
   Eigen::Index setpoint_count_{};
 };

@@ -282,8 +282,9 @@ void FleetEnvironment::observe(std::size_t row, std::span<float> numbers) const 
   Sight sight{.own = seen_by.own, .goal = {.position = seen_by.own.position}, .tracks = {}, .obstacles = {}};
   if (leg != nullptr) sight.goal = {.position = leg->position, .cruise_speed = leg->speed_mps};
   if (avoids) {
-    sight.tracks = seen_by.tracks;
-    sight.obstacles = seen_by.obstacles;
+    const Simulation::Sight& seen = simulation_->sight(places_[row].agent);
+    sight.tracks = seen.tracks;
+    sight.obstacles = seen.obstacles;
   }
   environment::observe(options_.observation, sight, numbers);
 }

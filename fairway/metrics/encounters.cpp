@@ -27,32 +27,35 @@ void EncounterMetric::begin(const Frame& frame, std::size_t index) {
   count.started = true;
   count.start_distance = (own.goal - own.state.p_n).norm();
   count.last_position = own.state.p_n;
-  count.contacts.assign(frame.vehicles.size(), Contact::none);
 }
 
-bool EncounterMetric::update_contacts(const Frame& frame, std::size_t index) {
+bool EncounterMetric::update_contacts(const Frame& frame, std::size_t index, const Neighbours& near) {
   Count& count = counts_[index];
-  const Vec3& here = frame.vehicles[index].state.p_n;
-  bool anyone = false;
-  for (std::size_t j = 0; j < frame.vehicles.size(); ++j) {
-    if (j == index) continue;
-    Contact& contact = count.contacts[j];
-    const double distance2 = (frame.vehicles[j].state.p_n - here).squaredNorm();
-    if (distance2 <= rules_.crit_dist_m * rules_.crit_dist_m) {
-      anyone = true;
-      const bool collided = distance2 <= rules_.safety_distance_m * rules_.safety_distance_m;
-      contact = std::max(contact, collided ? Contact::collided : Contact::near);
-      if (collided && count.first_collision.other == Occasion::none)
-        count.first_collision = {.other = static_cast<int>(j), .time = frame.time};
-    } else if (contact != Contact::none) {
-      ++(contact == Contact::collided ? count.collisions : count.avoided);
-      contact = Contact::none;
-    }
+  detected_.clear();
+  near.visit(index, rules_.crit_dist_m, [&](std::size_t j, double distance2) {
+    const bool collided = distance2 <= rules_.safety_distance_m * rules_.safety_distance_m;
+    detected_.push_back({static_cast<std::uint32_t>(j), collided ? Contact::collided : Contact::near});
+  });
+  std::ranges::sort(detected_, {}, &OpenEncounter::other);
+  const auto hit = std::ranges::find(detected_, Contact::collided, &OpenEncounter::worst);
+  if (hit != detected_.end() && count.first_collision.other == Occasion::none)
+    count.first_collision = {.other = static_cast<int>(hit->other), .time = frame.time};
+
+  // whoever was near before is near still, or has left; both lists ascend
+  auto before = count.open.begin();
+  for (OpenEncounter& now : detected_) {
+    for (; before != count.open.end() && before->other < now.other; ++before)
+      count_closed(count, before->worst);
+    if (before == count.open.end() || before->other != now.other) continue;
+    now.worst = std::max(now.worst, before->worst);
+    ++before;
   }
-  return anyone;
+  for (; before != count.open.end(); ++before) count_closed(count, before->worst);
+  count.open.assign(detected_.begin(), detected_.end());
+  return !detected_.empty();
 }
 
-void EncounterMetric::see(const Frame& frame, std::size_t index) {
+void EncounterMetric::see(const Frame& frame, std::size_t index, const Neighbours& near) {
   Count& count = counts_[index];
   const VehicleFrame& own = frame.vehicles[index];
   if (count.finished || (!count.started && !is_avoiding(own.phase))) return;
@@ -63,23 +66,29 @@ void EncounterMetric::see(const Frame& frame, std::size_t index) {
 
   if (own.phase == Phase::under_way) {
     count.navigation_time += frame.period;
-    if (update_contacts(frame, index)) count.avoidance_time += frame.period;
+    if (update_contacts(frame, index, near)) count.avoidance_time += frame.period;
     return;
   }
 
   // whoever is still near on arrival counts; a stuck vehicle leaves its open encounters uncounted
   count.finished = true;
   count.stuck = own.phase == Phase::stuck;
-  for (const Contact contact : count.contacts) {
-    if (contact != Contact::none && !count.stuck)
-      ++(contact == Contact::collided ? count.collisions : count.avoided);
+  for (const OpenEncounter& encounter : count.open) {
+    if (!count.stuck) count_closed(count, encounter.worst);
   }
-  count.contacts.clear();
+  count.open.clear();
 }
 
-void EncounterMetric::see(const Frame& frame) {
-  if (counts_.empty()) counts_.resize(frame.vehicles.size());
-  for (std::size_t i = 0; i < frame.vehicles.size(); ++i) see(frame, i);
+void EncounterMetric::make_room(std::size_t vehicles) {
+  const std::size_t usual = std::min(vehicles, Neighbours::usual_contacts);
+  detected_.reserve(vehicles);
+  counts_.resize(vehicles);
+  for (Count& count : counts_) count.open.reserve(usual);
+}
+
+void EncounterMetric::see(const Frame& frame, const Neighbours& near) {
+  if (counts_.empty()) make_room(frame.vehicles.size());
+  for (std::size_t i = 0; i < frame.vehicles.size(); ++i) see(frame, i, near);
 }
 
 void EncounterMetric::report(std::vector<Measure>& measures) const {

@@ -26,13 +26,20 @@ class EncounterMetric final : public Metric {
   /// The worst that a neighbour was to a vehicle since it came within the detection distance.
   enum class Contact : std::uint8_t { none, near, collided };
 
-  explicit EncounterMetric(EncounterRules rules) : rules_{rules} {}
-  void see(const Frame& frame) override;
+  /// Another vehicle, by index, and the worst that it was.
+  struct OpenEncounter {
+    std::uint32_t other{};
+    Contact worst{};
+  };
+
+  explicit EncounterMetric(EncounterRules rules) : rules_{rules}, neighbours_{rules.crit_dist_m} {}
+  void see(const Frame& frame) override { see(frame, neighbours_.of(frame)); }
+  void see(const Frame& frame, const Neighbours& near);
   void report(std::vector<Measure>& measures) const override;
 
-  /// A vehicle's open encounters as of the last frame, by index of the other; empty before it is under way
-  /// and after it has finished. Valid until the next frame. O(1).
-  std::span<const Contact> contacts(std::size_t index) const { return counts_[index].contacts; }
+  /// A vehicle's open encounters as of the last frame, in ascending order of the other; none before it is
+  /// under way and after it has finished. Valid until the next frame. O(1).
+  std::span<const OpenEncounter> contacts(std::size_t index) const { return counts_[index].open; }
 
  private:
   struct Count {
@@ -46,16 +53,22 @@ class EncounterMetric final : public Metric {
     int avoided{};
     int collisions{};
     Vec3 last_position = Vec3::Zero();
-    std::vector<Contact> contacts;  ///< by index of the other vehicle
+    std::vector<OpenEncounter> open;
     Occasion first_collision;
   };
 
-  void see(const Frame& frame, std::size_t index);
+  void make_room(std::size_t vehicles);
+  void see(const Frame& frame, std::size_t index, const Neighbours& near);
   void begin(const Frame& frame, std::size_t index);
-  bool update_contacts(const Frame& frame, std::size_t index);
+  bool update_contacts(const Frame& frame, std::size_t index, const Neighbours& near);
+  static void count_closed(Count& count, Contact worst) {
+    ++(worst == Contact::collided ? count.collisions : count.avoided);
+  }
 
   EncounterRules rules_;
+  Neighbours neighbours_;
   std::vector<Count> counts_;
+  std::vector<OpenEncounter> detected_;  // by the vehicle at hand
 };
 
 }  // namespace fairway

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "fairway/avoidance/ability.hpp"
 
@@ -39,10 +40,12 @@ const std::vector<QuantityInfo>& FleetMetric::quantities() {
   return all;
 }
 
-void FleetMetric::see(const Frame& frame) {
+void FleetMetric::see(const Frame& frame, const Neighbours& near) {
   if (own_.empty()) {
     own_.resize(frame.vehicles.size());
-    touching_.resize(frame.vehicles.size() * frame.vehicles.size());
+    const std::size_t n = frame.vehicles.size();
+    for (std::vector<Pair>* pairs : {&touching_, &touch_, &apart_})
+      pairs->reserve(std::min(n * n / 2, Neighbours::usual_contacts * n / 2));
   }
   if (!started_) {
     started_ =
@@ -51,7 +54,7 @@ void FleetMetric::see(const Frame& frame) {
     start_time_ = frame.time;
   }
   for (std::size_t i = 0; i < frame.vehicles.size(); ++i) see_vehicle(frame, i);
-  see_pairs(frame);
+  see_pairs(frame, near);
 }
 
 bool FleetMetric::is_beyond(const VehicleFrame& vehicle, std::size_t index) const {
@@ -89,25 +92,49 @@ void FleetMetric::see_obstacles(const Frame& frame, std::size_t index) {
   }
 }
 
-void FleetMetric::see_pairs(const Frame& frame) {
-  const std::size_t n = frame.vehicles.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    if (!takes_part(frame.vehicles[i])) continue;
-    for (std::size_t j = i + 1; j < n; ++j) {
-      if (!takes_part(frame.vehicles[j])) continue;
-      const double distance2 = (frame.vehicles[i].state.p_n - frame.vehicles[j].state.p_n).squaredNorm();
-      for (const auto& [one, other] : {std::pair{i, j}, std::pair{j, i}}) {
-        if (!(distance2 < own_[one].nearest2)) continue;
-        own_[one].nearest2 = distance2;
-        own_[one].nearest_at = {.other = static_cast<int>(other), .time = frame.time};
-      }
+void FleetMetric::see_others(const Frame& frame, const Neighbours& near, std::size_t index) {
+  Own& own = own_[index];
+  const auto counts = [&](std::size_t j) { return takes_part(frame.vehicles[j]); };
 
-      const bool touching = distance2 <= safety_distance_ * safety_distance_;
-      if (touching && !touching_[i * n + j] && ++pair_events_ == 1)
-        first_pair_event_ = {static_cast<int>(i), static_cast<int>(j), Occasion::none, frame.time};
-      touching_[i * n + j] = touching;
+  // whoever comes nearer than anyone before is within the least distance so far, a little more for rounding
+  constexpr double little = 1.0 + 1e-12;
+  const double nearest =
+      std::isinf(own.nearest2) ? near.reach_of_one(index, counts) : little * std::sqrt(own.nearest2);
+  double nearest2 = own.nearest2;
+  std::size_t who = frame.vehicles.size();
+  near.visit(index, std::fmax(nearest, safety_distance_), [&](std::size_t j, double distance2) {
+    if (!counts(j)) return;
+    if (distance2 < nearest2 || (distance2 == nearest2 && j < who && nearest2 < own.nearest2)) {
+      nearest2 = distance2;
+      who = j;
     }
+    if (j > index && distance2 <= safety_distance_ * safety_distance_)
+      touch_.push_back({static_cast<std::uint32_t>(index), static_cast<std::uint32_t>(j)});
+  });
+  if (!(nearest2 < own.nearest2)) return;
+  own.nearest2 = nearest2;
+  own.nearest_at = {.other = static_cast<int>(who), .time = frame.time};
+}
+
+void FleetMetric::see_pairs(const Frame& frame, const Neighbours& near) {
+  touch_.clear();
+  for (std::size_t i = 0; i < frame.vehicles.size(); ++i) {
+    if (takes_part(frame.vehicles[i])) see_others(frame, near, i);
   }
+  std::ranges::sort(touch_);
+  for (const Pair& pair : touch_) {
+    if (std::ranges::binary_search(touching_, pair) || ++pair_events_ > 1) continue;
+    first_pair_event_ = {static_cast<int>(pair.one), static_cast<int>(pair.other), Occasion::none,
+                         frame.time};
+  }
+
+  // of a pair of which one has left for a while it is not known that it has parted
+  apart_.clear();
+  std::ranges::copy_if(touching_, std::back_inserter(apart_), [&](const Pair& pair) {
+    return !takes_part(frame.vehicles[pair.one]) || !takes_part(frame.vehicles[pair.other]);
+  });
+  touching_.clear();
+  std::ranges::merge(touch_, apart_, std::back_inserter(touching_));
 }
 
 Occasion FleetMetric::not_arrived() const {

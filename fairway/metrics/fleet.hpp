@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <compare>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -25,8 +27,11 @@ class FleetMetric final : public Metric {
   static const std::vector<QuantityInfo>& quantities();
 
   explicit FleetMetric(double safety_distance_m, Surroundings surroundings = {})
-      : safety_distance_{safety_distance_m}, surroundings_{std::move(surroundings)} {}
-  void see(const Frame& frame) override;
+      : safety_distance_{safety_distance_m},
+        surroundings_{std::move(surroundings)},
+        neighbours_{safety_distance_m} {}
+  void see(const Frame& frame) override { see(frame, neighbours_.of(frame)); }
+  void see(const Frame& frame, const Neighbours& near);
   void report(std::vector<Measure>& measures) const override;
 
  private:
@@ -47,7 +52,8 @@ class FleetMetric final : public Metric {
   bool is_beyond(const VehicleFrame& vehicle, std::size_t index) const;
   void see_vehicle(const Frame& frame, std::size_t index);
   void see_obstacles(const Frame& frame, std::size_t index);
-  void see_pairs(const Frame& frame);
+  void see_pairs(const Frame& frame, const Neighbours& near);
+  void see_others(const Frame& frame, const Neighbours& near, std::size_t index);
   Occasion not_arrived() const;  ///< the first vehicle that did not arrive
 
   double safety_distance_;
@@ -58,7 +64,17 @@ class FleetMetric final : public Metric {
   int pair_events_{};
   Occasion first_pair_event_;
   std::vector<Own> own_;
-  std::vector<bool> touching_;  ///< by pair, row-major
+  Neighbours neighbours_;
+
+  /// Two vehicles within the safety distance, the one of the lesser index first.
+  struct Pair {
+    std::uint32_t one;
+    std::uint32_t other;
+    friend auto operator<=>(const Pair&, const Pair&) = default;
+  };
+  std::vector<Pair> touching_;  ///< as of the last frame, ascending
+  std::vector<Pair> touch_;     ///< those of this one
+  std::vector<Pair> apart_;     ///< memory to work in
 };
 
 }  // namespace fairway

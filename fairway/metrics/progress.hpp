@@ -18,9 +18,9 @@ class ProgressMetric final : public Metric {
   static const std::vector<QuantityInfo>& quantities();
 
   /// `window` [s].
-  explicit ProgressMetric(double window, Surroundings surroundings = {})
-      : window_{window}, surroundings_{std::move(surroundings)} {}
-  void see(const Frame& frame) override;
+  explicit ProgressMetric(double window, Surroundings surroundings = {});
+  void see(const Frame& frame) override { see(frame, neighbours_.of(frame)); }
+  void see(const Frame& frame, const Neighbours& near);
   void report(std::vector<Measure>& measures) const override;
 
   /// How a vehicle got on, as of the last frame; only after one. `with` is the index of a vehicle or, from
@@ -43,11 +43,13 @@ class ProgressMetric final : public Metric {
 
   Goal goal_of(const Frame& frame, std::size_t index) const;
   double radius_of(std::size_t index) const;
-  void find_bystanders(const Frame& frame, std::size_t index);
+  void find_bystanders(const Frame& frame, std::size_t index, const Neighbours& near);
   void count(const Frame& frame, std::size_t index);
 
   double window_;
   Surroundings surroundings_;
+  double largest_radius_{};  // of a vehicle [m]
+  Neighbours neighbours_;
   std::vector<Own> own_;
   std::vector<Bystander> bystanders_;  // of whoever is judged
 };

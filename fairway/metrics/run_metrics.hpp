@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "fairway/metrics/effort.hpp"
@@ -16,17 +17,21 @@ class RunMetrics final : public FrameSink {
  public:
   /// `progress_window` [s], as `ProgressMetric`.
   explicit RunMetrics(EncounterRules rules, Surroundings surroundings = {}, double progress_window = 30.0)
-      : encounters_{rules},
+      : neighbours_{std::fmax(rules.crit_dist_m, rules.safety_distance_m)},
+        encounters_{rules},
         progress_{progress_window, surroundings},
         fleet_{rules.safety_distance_m, std::move(surroundings)} {}
 
   void write(const Frame& frame) override {
-    encounters_.see(frame);
-    progress_.see(frame);
-    fleet_.see(frame);
+    const Neighbours& near = neighbours_.of(frame);
+    encounters_.see(frame, near);
+    progress_.see(frame, near);
+    fleet_.see(frame, near);
     effort_.see(frame);
     smoothness_.see(frame);
   }
+
+  bool wants_tracks() const override { return false; }
 
   /// All quantities, in a fixed order. Infinite where nothing was seen (no pair: no separation).
   std::vector<Measure> measures() const;
@@ -35,6 +40,7 @@ class RunMetrics final : public FrameSink {
   const ProgressMetric& progress() const { return progress_; }
 
  private:
+  Neighbours neighbours_;
   EncounterMetric encounters_;
   ProgressMetric progress_;
   FleetMetric fleet_;

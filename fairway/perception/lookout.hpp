@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <span>
 #include <string_view>
-#include <variant>
 #include <vector>
 
+#include "fairway/core/boxed.hpp"
 #include "fairway/core/echo.hpp"
 #include "fairway/core/kind_info.hpp"
 #include "fairway/core/params.hpp"
@@ -28,9 +28,10 @@ class Lookout {
   /// state.
   void sense(const Scene& scene, const Viewpoint& own);
 
-  /// All that the vehicle knows now: tracks nearest first, ties by id, and obstacles; with a sonar, of these
-  /// only the charted ones, for others are tracks. Does not allocate once the vectors have the capacity.
-  void report(const Scene& scene, const Viewpoint& own, std::vector<Track>& tracks,
+  /// All that the vehicle knows now: tracks nearest first, ties by id, up to `own.most_tracks`, and
+  /// obstacles; with a sonar, of these only the charted ones, for others are tracks. `near` is memory to work
+  /// in. Does not allocate once the vectors have the capacity.
+  void report(const Scene& scene, const Viewpoint& own, std::vector<Near>& near, std::vector<Track>& tracks,
               std::vector<Obstacle>& obstacles);
 
   /// The echoes of the sonar's last ping; empty without one.
@@ -38,7 +39,7 @@ class Lookout {
 
  private:
   Reach reach_;
-  std::variant<PerfectPerception, SonarWatch> watch_;
+  Boxed<SonarWatch> sonar_;  ///< nothing: perception is perfect
 };
 
 /// The kinds of perception that there are.

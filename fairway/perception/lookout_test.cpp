@@ -43,7 +43,8 @@ const Viewpoint at_the_origin{at_rest, at_rest, 1.0};
 Report report_after(Lookout& lookout, Waters& waters, int ticks) {
   for (int i = 0; i <= ticks; ++i) lookout.sense(waters.at(i * period), at_the_origin);
   Report report;
-  lookout.report(waters.at(ticks * period), at_the_origin, report.tracks, report.obstacles);
+  std::vector<Near> near;
+  lookout.report(waters.at(ticks * period), at_the_origin, near, report.tracks, report.obstacles);
   return report;
 }
 
@@ -165,10 +166,11 @@ TEST(SonarWatch, InSteadyStateNothingIsAllocated) {
   waters.heard = {{.from = VehicleId{1}, .position = {20, -24, 0}}};
   Lookout lookout{"sonar", {{"false_echoes_count", 5.0}}, reach, 8, Rng{1}};
   auto [tracks, obstacles] = report_after(lookout, waters, 20);
+  std::vector<Near> near;
   const long before = allocation_count();
   for (int i = 21; i < 400; ++i) {
     lookout.sense(waters.at(i * period), at_the_origin);
-    lookout.report(waters.at(i * period), at_the_origin, tracks, obstacles);
+    lookout.report(waters.at(i * period), at_the_origin, near, tracks, obstacles);
   }
   EXPECT_EQ(allocation_count() - before, 0);
   EXPECT_GE(tracks.size(), 7U);

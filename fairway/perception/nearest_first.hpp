@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "fairway/core/ids.hpp"
@@ -16,11 +17,17 @@ struct Near {
   std::size_t index;  ///< of what it is, to whoever asks
 };
 
-/// Nearest first, ties by id. So the larger tracks are written once, in order.
-inline void sort_nearest_first(std::vector<Near>& near) {
-  std::ranges::sort(near, [](const Near& a, const Near& b) {
+/// Nearest first, ties by id, and of them the first `most`. So the larger tracks are written once, in order.
+inline void sort_nearest_first(std::vector<Near>& near,
+                               std::size_t most = std::numeric_limits<std::size_t>::max()) {
+  const auto is_nearer = [](const Near& a, const Near& b) {
     return a.distance2 != b.distance2 ? a.distance2 < b.distance2 : number(a.id) < number(b.id);
-  });
+  };
+  if (most < near.size()) {
+    std::ranges::nth_element(near, near.begin() + static_cast<std::ptrdiff_t>(most), is_nearer);
+    near.resize(most);
+  }
+  std::ranges::sort(near, is_nearer);
 }
 
 }  // namespace fairway

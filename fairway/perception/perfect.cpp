@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/perception/perfect.hpp"
 
+#include <cmath>
+
 namespace fairway {
 namespace {
 
@@ -24,6 +26,47 @@ Track track_of(const Mover& mover) {
           .reacts = mover.reacts};
 }
 
+/// Whoever was heard of within reach, but the own vehicle; `index` is that of the message.
+void add_heard(const Scene& scene, const Viewpoint& own, const Reach& reach, std::vector<Near>& near) {
+  const TrackId self = scene.movers[scene.own_index].id;
+  for (std::size_t i = 0; i < scene.heard.size(); ++i) {
+    const Message& message = scene.heard[i];
+    const TrackId id{number(message.from)};
+    const double distance2 = (place_of(message, scene) - own.estimate.p_n).squaredNorm();
+    if (message.told && id != self && distance2 <= reach.vehicles * reach.vehicles)
+      near.push_back({distance2, id, i});
+  }
+}
+
+/// The vehicles within reach that were sorted by place; of one that is seen, `index` follows the messages.
+void add_places(const Scene& scene, const Viewpoint& own, const Reach& reach, std::vector<Near>& near) {
+  const CellIndex& places = *scene.places;
+  const Vec3& here = own.estimate.p_n;
+  double farthest = reach.vehicles;
+  if (own.most_tracks < places.size() && farthest > places.edge()) {
+    const auto is_other = [&](std::size_t i) { return i != scene.own_index; };
+    farthest = std::fmin(farthest, places.reach_of(own.most_tracks, here, is_other));
+  }
+  places.visit(here, farthest, [&](std::size_t i, double distance2) {
+    const Mover& mover = scene.movers[i];
+    if (i != scene.own_index)
+      near.push_back({distance2, mover.id, mover.silent ? scene.heard.size() + i : i});
+  });
+}
+
+/// What drifts and, where nobody was sorted by place, the silent vehicles.
+void add_seen(const Scene& scene, const Viewpoint& own, const Reach& reach, std::vector<Near>& near) {
+  const bool drifters_alone = scene.places != nullptr;
+  for (std::size_t i = scene.movers.size(); i-- > 0;) {
+    const Mover& mover = scene.movers[i];
+    if (drifters_alone && mover.is_vehicle) return;
+    if (!mover.silent || i == scene.own_index) continue;
+    const double distance2 = (mover.position - own.estimate.p_n).squaredNorm();
+    const double range = mover.is_vehicle ? reach.vehicles : reach.obstacles + own.radius + mover.radius;
+    if (distance2 <= range * range) near.push_back({distance2, mover.id, scene.heard.size() + i});
+  }
+}
+
 }  // namespace
 
 Track track_of(const Message& message, const Scene& scene) {
@@ -42,33 +85,19 @@ Track track_of(const Message& message, const Scene& scene) {
           .velocity_covariance = drift * drift * Mat3::Identity()};
 }
 
-void PerfectPerception::perceive(const Scene& scene, const Viewpoint& own, const Reach& reach,
-                                 std::vector<Track>& tracks) {
-  const Vec3& here = own.estimate.p_n;
-  const TrackId self = scene.movers[scene.own_index].id;
-
-  near_.clear();
-  for (std::size_t i = 0; i < scene.heard.size(); ++i) {
-    const Message& message = scene.heard[i];
-    const TrackId id{number(message.from)};
-    const double distance2 = (place_of(message, scene) - here).squaredNorm();
-    if (message.told && id != self && distance2 <= reach.vehicles * reach.vehicles)
-      near_.push_back({distance2, id, i});
-  }
-  for (std::size_t i = 0; i < scene.movers.size(); ++i) {
-    const Mover& mover = scene.movers[i];
-    if (!mover.silent || i == scene.own_index) continue;
-    const double distance2 = (mover.position - here).squaredNorm();
-    const double range = mover.is_vehicle ? reach.vehicles : reach.obstacles + own.radius + mover.radius;
-    if (distance2 <= range * range) near_.push_back({distance2, mover.id, scene.heard.size() + i});
-  }
-  sort_nearest_first(near_);
+void perceive_movers(const Scene& scene, const Viewpoint& own, const Reach& reach, std::vector<Near>& near,
+                     std::vector<Track>& tracks) {
+  near.clear();
+  if (!scene.heard_at_once) add_heard(scene, own, reach, near);
+  if (scene.places != nullptr) add_places(scene, own, reach, near);
+  add_seen(scene, own, reach, near);
+  sort_nearest_first(near, own.most_tracks);
 
   tracks.clear();
-  for (const Near& near : near_) {
-    const bool heard = near.index < scene.heard.size();
-    tracks.push_back(heard ? track_of(scene.heard[near.index], scene)
-                           : track_of(scene.movers[near.index - scene.heard.size()]));
+  for (const Near& one : near) {
+    const bool heard = one.index < scene.heard.size();
+    tracks.push_back(heard ? track_of(scene.heard[one.index], scene)
+                           : track_of(scene.movers[one.index - scene.heard.size()]));
   }
 }
 

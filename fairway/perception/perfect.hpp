@@ -11,18 +11,12 @@
 namespace fairway {
 
 /// Perfect perception: whoever tells is known by what it tells, everything else that moves within reach is
-/// seen exactly and at once. Holds scratch memory only.
-class PerfectPerception {
- public:
-  explicit PerfectPerception(std::size_t track_count) { near_.reserve(track_count); }
-
-  /// A track for everyone heard of but the own vehicle, and for every silent vehicle and drifter, within
-  /// reach, nearest first, ties by id. Does not allocate once `tracks` has the capacity. O(n log n).
-  void perceive(const Scene& scene, const Viewpoint& own, const Reach& reach, std::vector<Track>& tracks);
-
- private:
-  std::vector<Near> near_;
-};
+/// seen exactly and at once. Makes a track for everyone heard of but the own vehicle, and for every silent
+/// vehicle and drifter, within reach, nearest first, ties by id, and of these the first `own.most_tracks`.
+/// `near` is memory to work in. Does not allocate once both have the capacity. With `scene.places` it costs
+/// what is near, and what drifts; O(n log n) without.
+void perceive_movers(const Scene& scene, const Viewpoint& own, const Reach& reach, std::vector<Near>& near,
+                     std::vector<Track>& tracks);
 
 /// The track of a vehicle that was heard of, predicted from its last message to the time of the scene.
 Track track_of(const Message& message, const Scene& scene);

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "fairway/core/rng.hpp"
+
 namespace fairway {
 namespace {
 
@@ -27,10 +29,10 @@ Mover drifter(const Vec3& at) {
 }
 
 std::vector<Track> perceived(const Scene& scene, const Reach& reach = {.vehicles = 100, .obstacles = 100}) {
-  PerfectPerception perception{scene.movers.size()};
   const VehicleState x{.p_n = scene.movers[scene.own_index].position};
+  std::vector<Near> near;
   std::vector<Track> tracks;
-  perception.perceive(scene, {x, x, 1.0}, reach, tracks);
+  perceive_movers(scene, {x, x, 1.0}, reach, near, tracks);
   return tracks;
 }
 
@@ -91,6 +93,65 @@ TEST(PerfectPerception, WhatIsChartedIsKnownAndTheRestOnceNear) {
   EXPECT_TRUE(known[0].charted);
   perceive_obstacles(all, {86, 0, 0}, 3.0, {.obstacles = 10}, known);
   EXPECT_EQ(known.size(), 2U);
+}
+
+/// A crowd in which some are silent, some at one place and many equally far, and two things drift.
+struct Crowd {
+  std::vector<Mover> movers;
+  Mailbox heard;
+  CellIndex places;
+
+  Crowd(std::size_t count, Rng rng) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const Vec3 at{std::round(rng.uniform(-20, 20)), std::round(rng.uniform(-20, 20)), rng.uniform(0, 10)};
+      movers.push_back(vehicle(static_cast<std::uint32_t>(i), at));
+      movers.back().silent = rng.index(3) == 0;
+      heard.push_back(message(static_cast<std::uint32_t>(i), at + Vec3{0.5, 0, 0}));
+      heard.back().told = !movers.back().silent;
+    }
+    movers.push_back(drifter({3, 3, 3}));
+    movers.push_back(drifter({-3, 3, 3}));
+    movers.back().id = TrackId{0x8000'0004U};
+    places.rebuild(count, 5.0,
+                   [&](std::size_t i) { return movers[i].silent ? movers[i].position : heard[i].position; });
+  }
+
+  Scene seen_by(std::size_t index) const { return {.own_index = index, .movers = movers, .heard = heard}; }
+};
+
+std::vector<TrackId> ids_of(const Scene& scene, const Reach& reach,
+                            std::size_t most = std::numeric_limits<std::size_t>::max()) {
+  const VehicleState x{.p_n = scene.movers[scene.own_index].position};
+  std::vector<Near> near;
+  std::vector<Track> tracks;
+  perceive_movers(scene, {x, x, 1.0, most}, reach, near, tracks);
+  std::vector<TrackId> ids;
+  for (const Track& track : tracks) ids.push_back(track.id);
+  return ids;
+}
+
+TEST(PerfectPerception, SortedByPlaceTheSameAreSeenInTheSameOrder) {
+  for (const std::size_t count : {2U, 20U, 300U}) {
+    const Crowd crowd{count, Rng{count}};
+    for (const double range : {0.0, 4.0, 15.0, 1e9}) {
+      for (std::size_t own = 0; own < count; own += 1 + count / 10) {
+        const Reach reach{.vehicles = range, .obstacles = 6.0};
+        const std::vector<TrackId> all = ids_of(crowd.seen_by(own), reach);
+        Scene sorted = crowd.seen_by(own);
+        sorted.places = &crowd.places;
+        sorted.heard_at_once = true;
+        ASSERT_EQ(ids_of(sorted, reach), all) << count << " within " << range;
+
+        // of whoever looks at a few alone, the first ones
+        for (const std::size_t most : {0U, 1U, 10U}) {
+          const std::vector<TrackId> first{all.begin(),
+                                           all.begin() + static_cast<long>(std::min(most, all.size()))};
+          ASSERT_EQ(ids_of(sorted, reach, most), first) << most << " of " << count << " within " << range;
+          ASSERT_EQ(ids_of(crowd.seen_by(own), reach, most), first);
+        }
+      }
+    }
+  }
 }
 
 }  // namespace

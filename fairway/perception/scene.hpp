@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 #include "fairway/comms/message.hpp"
+#include "fairway/core/cell_index.hpp"
 #include "fairway/core/ids.hpp"
 #include "fairway/core/shapes.hpp"
 #include "fairway/core/state.hpp"
@@ -33,7 +36,13 @@ struct Scene {
   std::span<const Mover> movers;        ///< all vehicles by index, then what drifts
   std::span<const Obstacle> obstacles;  ///< all that do not move
   std::span<const Message> heard;       ///< the last message of each vehicle, as far as there is one
-  double unforeseen_acceleration{};     ///< of those who sent them [m/s2]
+
+  /// The vehicles, each where perfect perception finds it: a silent one where it is, and, if everyone hears
+  /// at once (`heard_at_once`), one that tells where it says to be; the others nowhere. Null: nobody has
+  /// sorted them, and all are looked through.
+  const CellIndex* places{nullptr};
+  bool heard_at_once{false};         ///< `heard` is by index of the vehicles, sent now, the same for everyone
+  double unforeseen_acceleration{};  ///< of those who sent them [m/s2]
 };
 
 /// The vehicle that looks.
@@ -41,6 +50,9 @@ struct Viewpoint {
   const VehicleState& truth;     ///< where its sensors are
   const VehicleState& estimate;  ///< where it believes to be
   double radius{};               ///< of its sphere [m]
+
+  /// Of the tracks the method looks at no more than these, the nearest.
+  std::size_t most_tracks{std::numeric_limits<std::size_t>::max()};
 };
 
 /// How far perception reaches.

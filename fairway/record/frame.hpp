@@ -26,7 +26,7 @@ struct VehicleFrame {
   std::span<const double> actuators;  ///< state, in the order of the model
   double power{};                     ///< drawn by the actuators [W]
   Wrench wrench = Wrench::Zero();     ///< of the actuators on the vehicle [N, N m, body]
-  std::span<const Track> tracks;      ///< as it perceived the others when it last decided
+  std::span<const Track> tracks;      ///< as it perceived the others when it last decided; see FrameSink
   std::span<const Echo> echoes;       ///< of the sonar's last ping; empty without one
   std::span<const Stroke> strokes;    ///< what it drew when it last decided; empty unless someone is looking
 };
@@ -48,6 +48,9 @@ class FrameSink {
 
   /// Whether it looks at strokes and flights, which a run that it is handed to then shows.
   virtual bool wants_thoughts() const { return false; }
+
+  /// Whether it looks at tracks. Where no sink of a run does, frames have none, and nobody keeps any.
+  virtual bool wants_tracks() const { return true; }
 };
 
 }  // namespace fairway

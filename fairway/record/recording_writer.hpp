@@ -64,6 +64,7 @@ class RecordingWriter : public FrameSink {
   /// holds.
   void write(const Frame& frame) override;
   bool wants_thoughts() const override { return info_.sketches; }
+  bool wants_tracks() const override { return info_.perception; }
 
   /// Completes the file, and says in it how the run ended. Throws InputError if that fails; does nothing the
   /// second time.

@@ -3,22 +3,11 @@
 
 #include <fstream>
 
+#include "fairway/scenario/fleet.hpp"
 #include "fairway/scenario/overrides.hpp"
 #include "fairway/scenario/parts.hpp"
 
 namespace fairway {
-namespace {
-
-/// The seed decides what the distributions become, so it is read before anything else.
-std::uint64_t seed_of(const yaml::Tree& document, std::optional<std::uint64_t> given) {
-  if (given) return *given;
-  const yaml::Tree* written = document.is_map() ? document.find("seed") : nullptr;
-  if (written == nullptr) return Scenario{}.seed;
-  yaml::Reading reading{0};
-  return yaml::Value{*written, "seed", reading}.whole<std::uint64_t>();
-}
-
-}  // namespace
 
 Scenario parse_scenario(std::string_view text, const std::string& file, const Overrides& overrides,
                         std::optional<std::uint64_t> seed) {
@@ -29,9 +18,10 @@ Scenario parse_scenario(std::string_view text, const std::string& file, const Ov
     throw InputError(campaign->where.location(), "fairway_campaign",
                      "this is a campaign, not a scenario; fairway sweep " + file + " --out RESULTS runs it");
   }
-  yaml::apply(document, overrides);
+  yaml::apply(document, overrides, seed);
 
-  yaml::Reading reading{seed_of(document, seed)};
+  // the seed decides what the distributions become, so it is read before anything else
+  yaml::Reading reading{yaml::seed_of(document, seed)};
   if (const yaml::Tree* missions = document.find("missions")) {
     for (std::size_t i = 0; i < missions->keys.size(); ++i)
       reading.missions.emplace(missions->keys[i], &missions->items[i]);

@@ -8,6 +8,7 @@
 #include <charconv>
 #include <variant>
 
+#include "fairway/scenario/fleet.hpp"
 #include "fairway/scenario/value.hpp"
 
 namespace fairway::yaml {
@@ -171,7 +172,7 @@ void fill_vehicles(Tree& document) {
 
 }  // namespace
 
-void apply(Tree& document, const Overrides& overrides) {
+void apply(Tree& document, const Overrides& overrides, std::optional<std::uint64_t> seed) {
   std::vector<Override> of_vehicles;
   for (const auto& [path, value] : overrides) {
     Override override{path, value};
@@ -181,6 +182,7 @@ void apply(Tree& document, const Overrides& overrides) {
       override.apply(document);
     }
   }
+  write_out_fleet(document, seed);
   fill_vehicles(document);
 
   // a vehicle that was replaced as a whole takes what it does not say from the defaults as well

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "fairway/scenario/fleet.hpp"
+
 namespace fairway::yaml {
 namespace {
 
@@ -213,6 +215,7 @@ const Block<Scenario>& scenario_block() {
       missions(),
       defaults(),
       vehicles(),
+      fleet(),
       key("expect", &Scenario::expect, expectations(), "Bounds that a run must keep, by metric."),
   };
   return block;

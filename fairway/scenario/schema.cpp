@@ -31,6 +31,16 @@ Tree definitions() {
   return Tree::map({{"distribution", std::move(distribution)}, {"parameter", std::move(parameter)}});
 }
 
+/// Vehicles are listed, or a fleet, which the loader makes vehicles of before it asks for them.
+void let_fleet_do(Tree& schema) {
+  Tree& required = *schema.find("required");
+  std::erase_if(required.items, [](const Tree& key) { return key.text == "vehicles"; });
+  const auto needs = [](std::string_view key) {
+    return Tree::map({{"required", Tree::list({Tree::quote(key)})}});
+  };
+  schema.set("anyOf", Tree::list({needs("vehicles"), needs("fleet")}));
+}
+
 }  // namespace
 }  // namespace yaml
 
@@ -42,6 +52,7 @@ std::string scenario_schema() {
        {"description", Tree::quote("SI units, north-east-down; the unit is in the name of each key.")}});
   Tree body = yaml::schema_of(yaml::scenario_block());
   for (std::size_t i = 0; i < body.keys.size(); ++i) schema.set(body.keys[i], std::move(body.items[i]));
+  yaml::let_fleet_do(schema);
   schema.set("$defs", yaml::definitions());
   return json_text(schema);
 }

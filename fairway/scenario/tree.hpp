@@ -63,8 +63,8 @@ struct Tree {
   std::size_t size() const;
 };
 
-/// What a document may hold. A scenario of a thousand vehicles needs a tenth of it.
-inline constexpr std::size_t max_document_bytes = 4 << 20;
+/// What a document may hold. A scenario of ten thousand vehicles, written out, needs half of it.
+inline constexpr std::size_t max_document_bytes = 16 << 20;
 inline constexpr std::size_t max_tree_nodes = 1'000'000;
 inline constexpr std::size_t max_tree_depth = 64;
 inline constexpr std::size_t max_key_bytes = 100;  ///< YAML itself ends a key, escapes and all, at 1024

@@ -155,7 +155,7 @@ Agent make_agent(const VehicleSpec& spec, const Scenario& scenario, const Catalo
   Autopilot autopilot = made(spec.model, [&] { return Autopilot{vehicle, controller, allocation}; });
   ActuatorValues demand = vehicle.actuator_state();
 
-  Agent agent{
+  return {
       .start_delay = spec.start_delay_s,
       .cooperative = spec.cooperative,
       .vehicle = vehicle,
@@ -177,9 +177,6 @@ Agent make_agent(const VehicleSpec& spec, const Scenario& scenario, const Catalo
                                        drawn_for("perception")};
                       }),
       .demand = std::move(demand)};
-  agent.tracks.reserve(track_count);
-  agent.obstacles.reserve(scenario.obstacles.size());
-  return agent;
 }
 
 }  // namespace fairway

@@ -37,8 +37,6 @@ struct Agent {
   Vec3 current = Vec3::Zero();            ///< of the water round it [m/s, NED]
   Vec3 estimated_current = Vec3::Zero();  ///< what it believes that to be
   Ownship own;
-  std::vector<Track> tracks;
-  std::vector<Obstacle> obstacles;     ///< as far as it knows of them
   std::optional<Command> order;        ///< from outside, instead of asking the avoider
   std::optional<BodyRequest> request;  ///< that carries out the order, instead of the pilot's
   std::string_view note;               ///< of the last command that had one

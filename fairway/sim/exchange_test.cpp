@@ -61,8 +61,9 @@ TEST(AcousticExchange, TheTeamRecordRoundsTracksToCentimetres) {
   Simulation simulation{meeting(rounded), builtin_catalogs()};
   double farthest_off = 0.0;
   for (int i = 0; i < 20 * 40; ++i) {
-    simulation.step({});
-    const Track& track = simulation.agents()[0].tracks.at(0);
+    simulation.look();
+    const Track track = simulation.situation(0).tracks[0];
+    simulation.act({});
     const Ownship& sender = simulation.agents()[1].own;
     EXPECT_LT((track.position - sender.position).cwiseAbs().maxCoeff(), 0.005 + 1e-9);
     EXPECT_LT((track.velocity - sender.velocity).cwiseAbs().maxCoeff(), 0.005 + 1e-9);
@@ -76,10 +77,11 @@ TEST(AcousticExchange, TracksAgeBetweenMessagesAndArePredicted) {
   double oldest = 0.0;
   double farthest_off = 0.0;
   for (int i = 0; i < 20 * 40; ++i) {
-    simulation.step({});
-    const Agent& agent = simulation.agents()[0];
-    if (agent.tracks.empty()) continue;
-    const Track& track = agent.tracks[0];
+    simulation.look();
+    const std::span<const Track> tracks = simulation.situation(0).tracks;
+    simulation.act({});
+    if (tracks.empty()) continue;
+    const Track& track = tracks[0];
     oldest = std::max(oldest, track.age);
     const double off = (track.position - simulation.agents()[1].vehicle.state().p_n).norm();
     farthest_off = std::max(farthest_off, off);
@@ -93,8 +95,11 @@ TEST(AcousticExchange, TracksAgeBetweenMessagesAndArePredicted) {
 
 TEST(AcousticExchange, WhoIsOutOfRangeIsNotKnown) {
   Simulation simulation{meeting({{"range_m", 5.0}}), builtin_catalogs()};
-  for (int i = 0; i < 20 * 20; ++i) simulation.step({});
-  EXPECT_TRUE(simulation.agents()[0].tracks.empty());
+  for (int i = 0; i < 20 * 20; ++i) {
+    simulation.look();
+    EXPECT_TRUE(simulation.situation(0).tracks.empty());
+    simulation.act({});
+  }
 }
 
 TEST(AcousticExchange, BadParametersAreRefusedWithTheirPlace) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 #include "fairway/sim/feasibility.hpp"
 
@@ -52,6 +53,10 @@ Message message_of(const Agent& agent, Tick now) {
           .told = agent.cooperative};
 }
 
+Viewpoint viewpoint_of(const Agent& agent) {
+  return {agent.vehicle.state(), agent.estimate, agent.ship().radius, agent.avoider.most_tracks()};
+}
+
 /// The wrench of the actuators at their present state; zero where they do not push.
 Wrench wrench_of(const Vehicle& vehicle) {
   const Propulsion* propulsion = vehicle.propulsion();
@@ -76,43 +81,87 @@ Simulation::Simulation(const Scenario& scenario, const Catalogs& catalogs)
       stop_when_done_{scenario.stop_when_done},
       sea_{scenario.water, Rng{scenario.seed}},
       obstacles_{scenario.obstacles},
-      exchange_{make_exchange(scenario)} {
+      exchange_{make_exchange(scenario)},
+      range_{scenario.perception.range_m} {
+  agents_.reserve(scenario.vehicles.size());
   for (const VehicleSpec& spec : scenario.vehicles) agents_.push_back(make_agent(spec, scenario, catalogs));
   movers_.resize(agents_.size() + obstacles_.drifters().size());
   places_.resize(agents_.size());
   mailbox_.resize(agents_.size());
-  rendezvous_.resize(agents_.size());
+  near_.reserve(movers_.size());
   frame_.resize(agents_.size());
   drawings_.resize(agents_.size());
   check_feasible(scenario, agents_, sea_);
 }
 
 void Simulation::step(std::span<FrameSink* const> sinks) {
-  look();
+  look(std::ranges::any_of(sinks, [](const FrameSink* sink) { return sink->wants_tracks(); }));
   act(sinks);
 }
 
-void Simulation::look() {
+void Simulation::look() { look(true); }
+
+void Simulation::make_room(bool keeping) {
+  keeping_ = keeping;
+  const auto make = [&](Sight& sight, std::size_t most_tracks) {
+    sight.tracks.reserve(std::min(most_tracks, movers_.size()));
+    sight.obstacles.reserve(obstacles_.fixed().size());
+  };
+  if (!keeping && passing_.tracks.capacity() == 0) {
+    std::size_t most = 1;
+    for (const Agent& agent : agents_) most = std::max(most, agent.avoider.most_tracks());
+    make(passing_, most);
+  }
+  if (!keeping || !kept_.empty()) return;
+  kept_.resize(agents_.size());
+  for (std::size_t i = 0; i < agents_.size(); ++i) make(kept_[i], agents_[i].avoider.most_tracks());
+}
+
+/// The stages that a vehicle goes through by itself, for a part of the fleet at a time, so that what one
+/// stage leaves in the cache the next one finds there. Each reads of the others only what stood still before.
+template <class... Stages>
+void Simulation::in_parts(const Stages&... stages) {
+  constexpr std::size_t part = 32;
+  for (std::size_t first = 0; first < agents_.size(); first += part) {
+    const std::size_t end = std::min(first + part, agents_.size());
+    const auto go_through = [&](const auto& stage) {
+      for (std::size_t i = first; i < end; ++i) (this->*stage.work)(i);
+      stages_.finish(stage.stage);
+    };
+    (go_through(stages), ...);
+  }
+}
+
+void Simulation::look(bool keeping) {
   if (divergence_) return;
-  locate();
+  make_room(keeping);
+  stages_.begin();
+  in_parts(Work{&Simulation::locate, Stage::locate}, Work{&Simulation::tell, Stage::deliver});
   deliver();
-  perceive();
+  stages_.finish(Stage::deliver);
+  if (keeping) in_parts(Work{&Simulation::perceive, Stage::perceive});
 }
 
 void Simulation::act(std::span<FrameSink* const> sinks) {
   if (divergence_) return;
-  decide();
-  control();
+  stages_.begin();
+  if (!keeping_) {
+    in_parts(Work{&Simulation::perceive, Stage::perceive}, Work{&Simulation::decide, Stage::decide},
+             Work{&Simulation::control, Stage::control});
+  } else {
+    in_parts(Work{&Simulation::decide, Stage::decide}, Work{&Simulation::control, Stage::control});
+  }
   if (divergence_) return;
-  record(sinks);
-  move();
+  show(sinks);
+  stages_.finish(Stage::record);
+  in_parts(Work{&Simulation::move, Stage::move});
+  sea_.advance(period_);
   tick_ = next(tick_);
-  for (std::size_t i = 0; i < agents_.size(); ++i) notice(i, why_impossible(agents_[i].vehicle.state()));
 }
 
-void Simulation::notice(std::size_t index, std::string_view impossible) {
+void Simulation::notice(std::size_t index, std::string_view impossible, Tick when) {
   if (impossible.empty() || divergence_) return;
-  divergence_ = {.vehicle = index, .tick = tick_, .time = time(), .why = impossible};
+  divergence_ = {.vehicle = index, .tick = when, .time = seconds(when, period_), .why = impossible};
 }
 
 void Simulation::refuse_divergence() const {
@@ -142,29 +191,39 @@ bool Simulation::is_done() const {
   return stop_when_done_ && std::ranges::all_of(agents_, is_finished);
 }
 
-void Simulation::locate() {
-  for (Agent& agent : agents_) {
-    const VehicleState& truth = agent.vehicle.state();
-    agent.current = sea_.water_at(truth.p_n, time()).current_n;
-    agent.estimated_current = agent.navigation.current(agent.current);
-    agent.estimate = agent.navigation.estimate(truth, period_);
-    agent.own = agent.pilot.own_ship(agent.estimate, agent.mission.phase() == Phase::arrived);
-  }
+void Simulation::locate(std::size_t index) {
+  Agent& agent = agents_[index];
+  const VehicleState& truth = agent.vehicle.state();
+  agent.current = sea_.water_at(truth.p_n, time()).current_n;
+  agent.estimated_current = agent.navigation.current(agent.current);
+  agent.estimate = agent.navigation.estimate(truth, period_);
+  agent.own = agent.pilot.own_ship(agent.estimate, agent.mission.phase() == Phase::arrived);
+}
+
+void Simulation::tell(std::size_t index) {
+  const Agent& agent = agents_[index];
+  mailbox_[index] = message_of(agent, tick_);
+  places_[index] = agent.vehicle.state().p_n;
+  movers_[index] = mover_of(agent, !agent.cooperative || !exchange_.carries_anything());
+  const int reached = agent.mission.rendezvous_reached();
+  rendezvous_reached_ = index == 0 ? reached : std::min(rendezvous_reached_, reached);
 }
 
 void Simulation::deliver() {
-  for (std::size_t i = 0; i < agents_.size(); ++i) {
-    const Agent& agent = agents_[i];
-    mailbox_[i] = message_of(agent, tick_);
-    places_[i] = agent.vehicle.state().p_n;
-    movers_[i] = mover_of(agent, !agent.cooperative || !exchange_.carries_anything());
-    rendezvous_[i] = agent.mission.rendezvous_reached();
-  }
   exchange_.pass_on(tick_, mailbox_, places_);
+  sort_places();
+  obstacles_.move_to(time());
+  std::ranges::transform(obstacles_.drifters(), movers_.begin() + static_cast<std::ptrdiff_t>(agents_.size()),
+                         [](const Drifter& drifter) { return mover_of(drifter); });
 }
 
-bool Simulation::everyone_ready(std::size_t index) const {
-  return std::ranges::all_of(rendezvous_, [&](int reached) { return reached >= rendezvous_[index]; });
+void Simulation::sort_places() {
+  const Vec3 nowhere = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
+  const bool told_at_once = exchange_.carries_at_once();
+  found_at_.rebuild(agents_.size(), range_, [&](std::size_t i) -> Vec3 {
+    if (movers_[i].silent) return places_[i];
+    return told_at_once ? mailbox_[i].position : nowhere;
+  });
 }
 
 Scene Simulation::scene_of(std::size_t index) const {
@@ -174,28 +233,30 @@ Scene Simulation::scene_of(std::size_t index) const {
           .movers = movers_,
           .obstacles = obstacles_.fixed(),
           .heard = exchange_.heard_by(index),
+          .places = &found_at_,
+          .heard_at_once = exchange_.carries_at_once(),
           .unforeseen_acceleration = exchange_.unforeseen_acceleration()};
 }
 
-void Simulation::perceive() {
-  obstacles_.move_to(time());
-  std::ranges::transform(obstacles_.drifters(), movers_.begin() + static_cast<std::ptrdiff_t>(agents_.size()),
-                         [](const Drifter& drifter) { return mover_of(drifter); });
-  for (std::size_t i = 0; i < agents_.size(); ++i) {
-    Agent& agent = agents_[i];
-    if (time() >= agent.start_delay) agent.mission.advance(agent.own, time(), everyone_ready(i));
-    const Scene scene = scene_of(i);
-    const Viewpoint own{agent.vehicle.state(), agent.estimate, agent.ship().radius};
-    agent.lookout.sense(scene, own);
-    if (is_deciding(agent)) agent.lookout.report(scene, own, agent.tracks, agent.obstacles);
-  }
+void Simulation::perceive(std::size_t index) {
+  Agent& agent = agents_[index];
+  const bool everyone_ready = rendezvous_reached_ >= agent.mission.rendezvous_reached();
+  if (time() >= agent.start_delay) agent.mission.advance(agent.own, time(), everyone_ready);
+  agent.lookout.sense(scene_of(index), viewpoint_of(agent));
+  if (keeping_ && is_deciding(agent)) look_round(index);
+}
+
+void Simulation::look_round(std::size_t index) {
+  Agent& agent = agents_[index];
+  Sight& sight = keeping_ ? kept_[index] : passing_;
+  agent.lookout.report(scene_of(index), viewpoint_of(agent), near_, sight.tracks, sight.obstacles);
 }
 
 bool Simulation::is_deciding(const Agent& agent) const {
   return is_avoiding(agent.mission.phase()) && agent.pilot.is_due(time(), period_);
 }
 
-Command Simulation::decide(std::size_t index) {
+Command Simulation::decided(std::size_t index) {
   Agent& agent = agents_[index];
   const Leg* leg = agent.mission.leg();
   if (leg == nullptr || time() < agent.start_delay) return {.mode = Mode::hold};
@@ -215,7 +276,8 @@ Command Simulation::decide(std::size_t index) {
 
 Situation Simulation::situation(std::size_t index) const {
   const Agent& agent = agents_[index];
-  return agent.pilot.situation(time(), agent.own, *agent.mission.leg(), agent.tracks, agent.obstacles);
+  const Sight& sight = keeping_ ? kept_[index] : passing_;
+  return agent.pilot.situation(time(), agent.own, *agent.mission.leg(), sight.tracks, sight.obstacles);
 }
 
 Command Simulation::ask(std::size_t index) {
@@ -227,35 +289,32 @@ Command Simulation::ask(std::size_t index) {
   return command;
 }
 
-void Simulation::decide() {
-  for (std::size_t i = 0; i < agents_.size(); ++i) {
-    Agent& agent = agents_[i];
-    const bool deciding = is_deciding(agent);
-    if (is_avoiding(agent.mission.phase()) && !deciding) continue;
-    drawings_[i].clear();
-    using Clock = std::chrono::steady_clock;
-    const bool timed = timing_ && deciding;
-    const Clock::time_point begin = timed ? Clock::now() : Clock::time_point{};
-    const Command command = decide(i);
-    if (timed) {
-      const double took = std::chrono::duration<double>(Clock::now() - begin).count();
-      times_ = {times_.count + 1, times_.total_s + took, std::fmax(times_.worst_s, took)};
-    }
-    agent.pilot.obey(command, {agent.own.position, agent.own.yaw});
-    if (deciding) agent.pilot.note_decision(time());
-    if (!deciding) agent.pilot.ask_at_once();
+void Simulation::decide(std::size_t index) {
+  Agent& agent = agents_[index];
+  const bool deciding = is_deciding(agent);
+  if (is_avoiding(agent.mission.phase()) && !deciding) return;
+  drawings_[index].clear();
+  if (deciding && !keeping_) look_round(index);
+  using Clock = std::chrono::steady_clock;
+  const bool timed = timing_ && deciding;
+  const Clock::time_point begin = timed ? Clock::now() : Clock::time_point{};
+  const Command command = decided(index);
+  if (timed) {
+    const double took = std::chrono::duration<double>(Clock::now() - begin).count();
+    times_ = {times_.count + 1, times_.total_s + took, std::fmax(times_.worst_s, took)};
   }
+  agent.pilot.obey(command, {agent.own.position, agent.own.yaw});
+  if (deciding) agent.pilot.note_decision(time());
+  if (!deciding) agent.pilot.ask_at_once();
 }
 
-void Simulation::control() {
-  for (std::size_t i = 0; i < agents_.size(); ++i) {
-    Agent& agent = agents_[i];
-    const Command& command = agent.pilot.command();
-    notice(i, why_impossible(command));
-    if (!command.note.empty()) agent.note = command.note;
-    agent.demand = demanded(i);
-    notice(i, why_impossible(agent.demand));
-  }
+void Simulation::control(std::size_t index) {
+  Agent& agent = agents_[index];
+  const Command& command = agent.pilot.command();
+  notice(index, why_impossible(command), tick_);
+  if (!command.note.empty()) agent.note = command.note;
+  agent.demand = demanded(index);
+  notice(index, why_impossible(agent.demand), tick_);
 }
 
 ActuatorValues Simulation::demanded(std::size_t index) {
@@ -271,7 +330,7 @@ ActuatorValues Simulation::demanded(std::size_t index) {
   }
   const BodyRequest request =
       steered_from_outside ? *agent.request : agent.pilot.request(agent.own, agent.estimated_current, avoids);
-  notice(index, why_impossible(request));
+  notice(index, why_impossible(request), tick_);
 
   // the vehicle's own controller works on velocities through the water
   const VehicleState& x = agent.vehicle.state();
@@ -280,37 +339,39 @@ ActuatorValues Simulation::demanded(std::size_t index) {
                                  x.v_b - current_b, x.omega_b, period_, x.q_nb);
 }
 
-void Simulation::record(std::span<FrameSink* const> sinks) {
+void Simulation::record(std::size_t index) {
+  const Agent& agent = agents_[index];
+  const Leg* leg = agent.mission.leg();
+  const ActuatorValues& actuators = agent.vehicle.actuator_state();
+  frame_[index] = {
+      .id = agent.ship().id,
+      .state = agent.vehicle.state(),
+      .command = agent.pilot.command(),
+      .phase = agent.mission.phase(),
+      .goal = leg != nullptr ? leg->position : agent.own.position,
+      .goal_speed = leg != nullptr ? leg->speed_mps : 0.0,
+      .actuators = {actuators.data(), static_cast<std::size_t>(actuators.size())},
+      .power = agent.vehicle.power(),
+      .wrench = wrench_of(agent.vehicle),
+      .tracks = keeping_ ? std::span<const Track>{kept_[index].tracks} : std::span<const Track>{},
+      .echoes = agent.lookout.echoes(),
+      .strokes = drawings_[index].strokes()};
+}
+
+void Simulation::show(std::span<FrameSink* const> sinks) {
   if (sinks.empty()) return;
-  for (std::size_t i = 0; i < agents_.size(); ++i) {
-    const Agent& agent = agents_[i];
-    const Leg* leg = agent.mission.leg();
-    const ActuatorValues& actuators = agent.vehicle.actuator_state();
-    frame_[i] = {.id = agent.ship().id,
-                 .state = agent.vehicle.state(),
-                 .command = agent.pilot.command(),
-                 .phase = agent.mission.phase(),
-                 .goal = leg != nullptr ? leg->position : agent.own.position,
-                 .goal_speed = leg != nullptr ? leg->speed_mps : 0.0,
-                 .actuators = {actuators.data(), static_cast<std::size_t>(actuators.size())},
-                 .power = agent.vehicle.power(),
-                 .wrench = wrench_of(agent.vehicle),
-                 .tracks = agent.tracks,
-                 .echoes = agent.lookout.echoes(),
-                 .strokes = drawings_[i].strokes()};
-  }
+  in_parts(Work{&Simulation::record, Stage::record});
   flights_.clear();
   if (showing_) exchange_.add_under_way(flights_);
   const Frame frame{tick_, time(), period_, frame_, flights_};
   for (FrameSink* sink : sinks) sink->write(frame);
 }
 
-void Simulation::move() {
-  for (Agent& agent : agents_) {
-    const VehicleState& x = agent.vehicle.state();
-    agent.vehicle.step(agent.demand, sea_.water_halfway(x.p_n, x.v_n(), time(), period_), period_);
-  }
-  sea_.advance(period_);
+void Simulation::move(std::size_t index) {
+  Agent& agent = agents_[index];
+  const VehicleState& x = agent.vehicle.state();
+  agent.vehicle.step(agent.demand, sea_.water_halfway(x.p_n, x.v_n(), time(), period_), period_);
+  notice(index, why_impossible(x), next(tick_));
 }
 
 }  // namespace fairway

@@ -8,12 +8,15 @@
 #include <vector>
 
 #include "fairway/comms/exchange.hpp"
+#include "fairway/core/cell_index.hpp"
+#include "fairway/perception/nearest_first.hpp"
 #include "fairway/perception/scene.hpp"
 #include "fairway/record/frame.hpp"
 #include "fairway/scenario/scenario.hpp"
 #include "fairway/sim/agent.hpp"
 #include "fairway/sim/decision_observer.hpp"
 #include "fairway/sim/divergence.hpp"
+#include "fairway/sim/stage_times.hpp"
 #include "fairway/world/obstacle_field.hpp"
 #include "fairway/world/sea/sea.hpp"
 
@@ -35,10 +38,12 @@ class Simulation {
 
   /// One tick: everyone is told, sees, decides and steers on the same frozen instant, which `sinks`
   /// then receive, and only then does anything move. Does not allocate after the first tick. Once the run
-  /// has diverged, nothing more happens, and no sink receives anything.
+  /// has diverged, nothing more happens, and no sink receives anything. Where no sink wants tracks, nobody
+  /// keeps them, and frames have none. O(vehicles and who is in reach of each).
   void step(std::span<FrameSink* const> sinks);
 
-  /// The first half of a step: everyone is told and sees. Then situations and orders may be asked and given.
+  /// The first half of a step: everyone is told and sees, and what is seen is kept. Then situations and
+  /// orders may be asked and given.
   void look();
 
   /// The second half: everyone decides and steers, `sinks` receive it, everything moves.
@@ -46,6 +51,14 @@ class Simulation {
 
   /// Whether vehicle `index` is to decide. Valid between look() and act().
   bool is_deciding(std::size_t index) const { return is_deciding(agents_[index]); }
+
+  /// What a vehicle knows of the others and of what stands still.
+  struct Sight {
+    std::vector<Track> tracks;
+    std::vector<Obstacle> obstacles;
+  };
+  /// What vehicle `index` saw when it last was to decide. Valid after look(), for as long as it is called.
+  const Sight& sight(std::size_t index) const { return kept_[index]; }
 
   /// What its avoider is shown then. Only of a vehicle that is to decide; valid between look() and act().
   Situation situation(std::size_t index) const;
@@ -71,6 +84,10 @@ class Simulation {
   void time_decisions() { timing_ = true; }
   const DecisionTimes& decision_times() const { return times_; }
 
+  /// Measures the stages of each step from now on; a clock reading each.
+  void time_stages() { stages_.turn_on(); }
+  const StageTimes& stage_times() const { return stages_; }
+
   /// From now on, or no longer: frames hold what each method draws of its thinking and the messages under
   /// way. It costs time and memory, and changes nothing else.
   void show_thoughts(bool shown) { showing_ = shown; }
@@ -83,19 +100,32 @@ class Simulation {
   std::span<const Agent> agents() const { return agents_; }
 
  private:
-  void locate();
-  void deliver();
-  void perceive();
-  void decide();
-  void control();
-  void record(std::span<FrameSink* const> sinks);
-  void move();
-  void notice(std::size_t index, std::string_view impossible);
+  /// What a stage does for one vehicle.
+  struct Work {
+    void (Simulation::*work)(std::size_t index);
+    Stage stage;
+  };
 
-  bool everyone_ready(std::size_t index) const;
+  template <class... Stages>
+  void in_parts(const Stages&... stages);
+  void look(bool keeping);
+  void make_room(bool keeping);
+  void locate(std::size_t index);
+  void tell(std::size_t index);
+  void deliver();
+  void sort_places();
+  void perceive(std::size_t index);
+  void look_round(std::size_t index);
+  void decide(std::size_t index);
+  void control(std::size_t index);
+  void record(std::size_t index);
+  void show(std::span<FrameSink* const> sinks);
+  void move(std::size_t index);
+  void notice(std::size_t index, std::string_view impossible, Tick when);
+
   bool is_deciding(const Agent& agent) const;
   Scene scene_of(std::size_t index) const;
-  Command decide(std::size_t index);
+  Command decided(std::size_t index);
   Command ask(std::size_t index);
   ActuatorValues demanded(std::size_t index);
 
@@ -112,7 +142,13 @@ class Simulation {
   Exchange exchange_;
   std::vector<Mover> movers_;  // all vehicles, then what drifts
   std::vector<Vec3> places_;   // of the vehicles
-  std::vector<int> rendezvous_;
+  CellIndex found_at_;         // the vehicles, where perception finds them
+  double range_;               // of perception [m]
+  int rendezvous_reached_{};   // by all
+  std::vector<Sight> kept_;    // by vehicle, of its last decision; empty where nobody wants them
+  Sight passing_;              // of whoever decides, where they are not kept
+  bool keeping_{false};
+  std::vector<Near> near_;
   std::vector<VehicleFrame> frame_;
   std::vector<Drawing> drawings_;       // by vehicle, of its last decision
   std::vector<MessageFlight> flights_;  // likewise empty unless showing
@@ -120,6 +156,7 @@ class Simulation {
   bool showing_{false};
   bool timing_{false};
   DecisionTimes times_;
+  StageTimes stages_;
 };
 
 }  // namespace fairway

@@ -135,6 +135,60 @@ TEST(Simulation, AStepOfMethodsThatCommandForcesDoesNotAllocate) {
   }
 }
 
+/// Kinematic vehicles under orca3d on a lattice of 11 m, each on its way through the others.
+Scenario fleet_of(std::size_t count) {
+  Scenario scenario{.name = "fleet", .duration_s = 1e4, .stop_when_done = false};
+  scenario.perception.range_m = 15.0;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const double angle = 2.4 * i;
+    const Vec3 from{11.0 * (i % 5), 11.0 * (i / 5 % 5), 11.0 * (i / 25)};
+    const Vec3 to = from + 500.0 * Vec3{std::cos(angle), std::sin(angle), 0.0};
+    scenario.vehicles.push_back(vehicle(i, from, to, "kinematic", "orca3d"));
+    scenario.vehicles.back().avoider.params = {{"crit_dist_m", 15.0}, {"max_neighbours_count", 10.0}};
+  }
+  return scenario;
+}
+
+TEST(Simulation, AStepOfAFleetDoesNotAllocateWhateverItsSize) {
+  for (const std::size_t count : {30U, 200U, 500U}) {
+    const Scenario scenario = fleet_of(count);
+    Simulation simulation{scenario, builtin_catalogs()};
+    RunMetrics metrics{{6, 3}};
+    const std::array<FrameSink*, 1> sinks{&metrics};
+    simulation.step(sinks);
+    const long before = allocation_count();
+    for (int i = 0; i < 100; ++i) simulation.step(sinks);
+    EXPECT_EQ(allocation_count(), before) << count;
+  }
+}
+
+TEST(Simulation, WhetherTracksAreKeptChangesNothing) {
+  struct Keeper final : FrameSink {
+    void write(const Frame& frame) override {
+      for (const VehicleFrame& vehicle : frame.vehicles) {
+        place += vehicle.state.p_n;
+        most = std::max(most, vehicle.tracks.size());
+      }
+    }
+    bool wants_tracks() const override { return wants; }
+    bool wants{true};
+    Vec3 place = Vec3::Zero();
+    std::size_t most{};
+  };
+  const auto run = [](bool wants) {
+    Keeper keeper;
+    keeper.wants = wants;
+    const std::array<FrameSink*, 1> sinks{&keeper};
+    Simulation simulation{fleet_of(100), builtin_catalogs()};
+    for (int i = 0; i < 400; ++i) simulation.step(sinks);
+    return keeper;
+  };
+  const Keeper with = run(true), without = run(false);
+  EXPECT_EQ(with.place, without.place);
+  EXPECT_EQ(with.most, 10U) << "no more than orca3d looks at";
+  EXPECT_EQ(without.most, 0U);
+}
+
 TEST(Simulation, EveryoneDecidesOnTheSameInstant) {
   // two alike vehicles in a mirrored encounter stay mirrored: neither saw the other's move first
   Scenario scenario{.name = "mirror", .duration_s = 60};

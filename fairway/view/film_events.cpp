@@ -6,10 +6,7 @@
 namespace fairway {
 
 FilmEvents::FilmEvents(EncounterRules rules, std::size_t vehicles)
-    : metric_{rules},
-      alerts_(vehicles),
-      contacts_(vehicles, std::vector<Contact>(vehicles)),
-      phases_(vehicles, Phase::deploying) {}
+    : metric_{rules}, alerts_(vehicles), contacts_(vehicles), phases_(vehicles, Phase::deploying) {}
 
 void FilmEvents::see(const Frame& frame) {
   metric_.see(frame);
@@ -20,23 +17,30 @@ void FilmEvents::see(const Frame& frame) {
 }
 
 void FilmEvents::see_contacts(const Frame& frame, std::size_t index) {
-  const std::span<const Contact> open = metric_.contacts(index);
+  const auto open = metric_.contacts(index);
+  const auto add = [&](std::uint32_t other, const char* kind) {
+    events_.push_back({frame.time, static_cast<std::uint32_t>(index), other, kind});
+  };
   // the metric leaves what is open uncounted when a vehicle is stuck
   const bool counted = frame.vehicles[index].phase != Phase::stuck;
+  const auto end = [&](const EncounterMetric::OpenEncounter& left) {
+    if (counted) add(left.other, left.worst == Contact::collided ? "collided" : "avoided");
+  };
+
+  // both lists ascend
+  auto before = contacts_[index].begin();
+  const auto last = contacts_[index].end();
   Contact worst = Contact::none;
-  for (std::size_t j = 0; j < contacts_[index].size(); ++j) {
-    Contact& before = contacts_[index][j];
-    const Contact now = open.empty() ? Contact::none : open[j];
-    worst = std::max(worst, now);
-    if (now == before) continue;
-    if (now != Contact::none || counted) {
-      const char* begun = now == Contact::collided ? "collision" : "detected";
-      const char* ended = before == Contact::collided ? "collided" : "avoided";
-      events_.push_back({frame.time, static_cast<std::uint32_t>(index), static_cast<std::uint32_t>(j),
-                         now == Contact::none ? ended : begun});
-    }
-    before = now;
+  for (const EncounterMetric::OpenEncounter& now : open) {
+    for (; before != last && before->other < now.other; ++before) end(*before);
+    const bool known = before != last && before->other == now.other;
+    if (!known || before->worst != now.worst)
+      add(now.other, now.worst == Contact::collided ? "collision" : "detected");
+    if (known) ++before;
+    worst = std::max(worst, now.worst);
   }
+  std::for_each(before, last, end);
+  contacts_[index].assign(open.begin(), open.end());
   alerts_[index] = static_cast<std::uint8_t>(worst);
 }
 

@@ -41,9 +41,9 @@ class FilmEvents {
 
   EncounterMetric metric_;
   std::vector<std::uint8_t> alerts_;
-  std::vector<std::vector<Contact>> contacts_;  // as of the last frame, by vehicle and other
-  std::vector<Phase> phases_;                   // likewise
-  std::vector<Event> events_;                   // times ascend
+  std::vector<std::vector<EncounterMetric::OpenEncounter>> contacts_;  // as of the last frame, by vehicle
+  std::vector<Phase> phases_;                                          // likewise
+  std::vector<Event> events_;                                          // times ascend
 };
 
 }  // namespace fairway

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+#include <limits>
+
 #include "fairway/avoidance/avoider.hpp"
 #include "fairway/avoidance/orca_params.hpp"
 #include "fairway/avoidance/velocity_program/velocity_program.hpp"
@@ -34,6 +37,13 @@ struct Orca3d {
   /// Mode::cruise if nobody is in range; Mode::avoid if somebody is; Mode::infeasible if no velocity
   /// keeps clear of all, with the velocity of least violation. In range, stern first is allowed.
   Command decide(const Situation& s, Memory& memory, Context& context) const noexcept;
+
+  /// Those in range come first. What is symmetric is asked of all of them.
+  std::size_t most_tracks() const noexcept {
+    const bool asks_all = params.symmetry != Symmetry::none;
+    return asks_all ? std::numeric_limits<std::size_t>::max()
+                    : static_cast<std::size_t>(params.max_neighbours_count);
+  }
 };
 
 static_assert(AvoidanceAlgorithm<Orca3d>);

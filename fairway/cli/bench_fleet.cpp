@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/cli/bench_fleet.hpp"
+
+#include <fmt/format.h>
+#include <malloc.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "fairway/core/angles.hpp"
+#include "fairway/core/rng.hpp"
+#include "fairway/experiment/measure_run.hpp"
+#include "fairway/sim/simulation.hpp"
+
+namespace fairway::cli {
+namespace {
+
+/// What a step of one fleet has cost.
+struct FleetCost {
+  std::size_t vehicles{};
+  double ns{};     ///< a vehicle and step
+  double bytes{};  ///< a vehicle
+  std::array<double, 7> stage_ns{};
+};
+
+/// Kinematic vehicles under orca3d on a lattice of 11 m, each disturbed by up to 2 m and on its way to a
+/// place of its own, 1 km off: so that about ten are within 15 m of each, and those are others every few
+/// seconds.
+Scenario lattice(std::size_t count) {
+  Scenario scenario{.name = "fleet", .step_s = 0.05, .duration_s = 1e6, .stop_when_done = false};
+  scenario.perception.range_m = 15.0;
+  const auto side = static_cast<std::size_t>(std::ceil(std::cbrt(static_cast<double>(count)) - 1e-9));
+  Rng rng{1};
+  const auto jitter = [&] { return rng.uniform(-2.0, 2.0); };
+  scenario.vehicles.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec3 cell{static_cast<double>(i % side), static_cast<double>(i / side % side),
+                    static_cast<double>(i / (side * side))};
+    const Vec3 start = 11.0 * cell + Vec3{jitter(), jitter(), jitter()};
+    const double angle = rng.uniform(-pi, pi);
+    VehicleSpec vehicle{
+        .id = static_cast<std::uint32_t>(i),
+        .name = "v" + std::to_string(i),
+        .model = {.name = "kinematic"},
+        .avoider = {.name = "orca3d", .params = {{"crit_dist_m", 15.0}, {"max_neighbours_count", 10.0}}},
+        .position = start,
+        .yaw = angle,
+        .radius_m = 1.0,
+        .priority = static_cast<std::int32_t>(i)};
+    vehicle.limits.max_speed = 0.5;
+    vehicle.mission.push_back({.kind = LegKind::transit,
+                               .position = start + 1000.0 * Vec3{std::cos(angle), std::sin(angle), 0.0},
+                               .speed_mps = 0.5});
+    scenario.vehicles.push_back(std::move(vehicle));
+  }
+  return scenario;
+}
+
+/// Bytes of the heap in use.
+double heap_in_use() {
+  const struct mallinfo2 info = mallinfo2();
+  return static_cast<double>(info.uordblks + info.hblkhd);
+}
+
+/// Steps for `budget_s` at least, and ten times.
+FleetCost cost_of(std::size_t count, const Catalogs& catalogs, double budget_s) {
+  const double before = heap_in_use();
+  const Scenario scenario = lattice(count);
+  Simulation simulation{scenario, catalogs};
+  RunMetrics metrics = metrics_for(scenario, catalogs.vehicles);
+  const std::array<FrameSink*, 1> sinks{&metrics};
+  for (int i = 0; i < 3; ++i) simulation.step(sinks);
+
+  simulation.time_stages();
+  std::int64_t steps = 0;
+  const auto total = [&] {
+    double sum = 0.0;
+    for (const double seconds : simulation.stage_times().seconds()) sum += seconds;
+    return sum;
+  };
+  for (; steps < 10 || total() < budget_s; ++steps) simulation.step(sinks);
+
+  const double n = static_cast<double>(count);
+  const double ns_of_second = 1e9 / (n * static_cast<double>(steps));
+  FleetCost cost{count, ns_of_second * total(), (heap_in_use() - before) / n,
+                 simulation.stage_times().seconds()};
+  for (double& stage : cost.stage_ns) stage *= ns_of_second;
+  return cost;
+}
+
+nlohmann::json json_of(const FleetCost& cost) {
+  nlohmann::json stages;
+  for (std::size_t k = 0; k < cost.stage_ns.size(); ++k)
+    stages[EnumNames<Stage>::names[k]] = cost.stage_ns[k];
+  return {{"vehicles", cost.vehicles},
+          {"ns_per_vehicle_step", cost.ns},
+          {"bytes_per_vehicle", cost.bytes},
+          {"stages_ns", stages}};
+}
+
+void print(const FleetCost& cost, double growth) {
+  std::cout << fmt::format("{:>8} {:>9.0f} {:>7.2f} {:>9.0f} ", cost.vehicles, cost.ns, growth, cost.bytes);
+  for (const double ns : cost.stage_ns) std::cout << fmt::format(" {:>8.0f}", ns);
+  std::cout << std::endl;
+}
+
+}  // namespace
+
+int bench_fleets(const std::vector<std::size_t>& counts, double budget_s, bool as_json,
+                 const Catalogs& catalogs) {
+  if (!as_json) {
+    std::cout << "ns per vehicle and step, kinematic under orca3d, at most 10 neighbours within 15 m\n";
+    std::cout << fmt::format("{:>8} {:>9} {:>7} {:>9} ", "vehicles", "ns", "growth", "bytes");
+    for (const std::string_view stage : EnumNames<Stage>::names) std::cout << fmt::format(" {:>8}", stage);
+    std::cout << "\n";
+  }
+  nlohmann::json document{{"fleet", nlohmann::json::array()}};
+  std::optional<double> first;
+  for (const std::size_t count : counts) {
+    const FleetCost cost = cost_of(count, catalogs, budget_s);
+    if (!first) first = cost.ns;
+    document["fleet"].push_back(json_of(cost));
+    if (!as_json) print(cost, cost.ns / *first);
+  }
+  if (as_json) std::cout << document.dump(2) << "\n";
+  return ok;
+}
+
+}  // namespace fairway::cli

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "fairway/cli/program.hpp"
+
+namespace fairway::cli {
+
+/// Prints what a step of fleets of so many vehicles costs: nanoseconds a vehicle and step, as a whole and by
+/// stage (deciding includes looking round; recording is the metrics), the growth over the first, and bytes of
+/// the heap a vehicle, the scenario included. Each is stepped for `budget_s` at least.
+int bench_fleets(const std::vector<std::size_t>& counts, double budget_s, bool as_json,
+                 const Catalogs& catalogs);
+
+}  // namespace fairway::cli
