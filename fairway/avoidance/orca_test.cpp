@@ -2,7 +2,6 @@
 // What ORCA in space and in the plane have in common, with each other and with velocity obstacles.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <array>
 
 #include "fairway/avoidance/hrvo/hrvo.hpp"
@@ -90,9 +89,6 @@ TYPED_TEST(ByVelocity, LooksAtTheNearestWhenThereAreTooMany) {
 TEST(Orca3dTracks, BeyondThoseThatItLooksAtNobodyMatters) {
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
     OwnedSituation e = encounters::crowd(40, Rng{seed});
-    std::ranges::sort(e.tracks, {}, [&](const Track& track) {
-      return (track.position - e.situation.own.position).squaredNorm();
-    });
     Avoider avoider{Orca3d{{.max_neighbours_count = 5}}};
     ASSERT_EQ(avoider.most_tracks(), 5U);
     const Command among_all = avoider.decide(e);

@@ -5,10 +5,11 @@
 #include <malloc.h>
 
 #include <algorithm>
-#include <chrono>
+#include <array>
 #include <cmath>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <numeric>
 
 #include "fairway/core/angles.hpp"
 #include "fairway/core/rng.hpp"
@@ -65,29 +66,34 @@ double heap_in_use() {
   return static_cast<double>(info.uordblks + info.hblkhd);
 }
 
-/// Steps for `budget_s` at least, and ten times.
+/// Steps for `budget_s` at least, and ten times; the first ten seconds of the run, again and again, for then
+/// those of a small fleet have left each other.
 FleetCost cost_of(std::size_t count, const Catalogs& catalogs, double budget_s) {
+  constexpr int warm_up = 3, most_steps = 200;
+  const double n = static_cast<double>(count);
   const double before = heap_in_use();
   const Scenario scenario = lattice(count);
-  Simulation simulation{scenario, catalogs};
-  RunMetrics metrics = metrics_for(scenario, catalogs.vehicles);
-  const std::array<FrameSink*, 1> sinks{&metrics};
-  for (int i = 0; i < 3; ++i) simulation.step(sinks);
-
-  simulation.time_stages();
+  FleetCost cost{.vehicles = count};
   std::int64_t steps = 0;
-  const auto total = [&] {
-    double sum = 0.0;
-    for (const double seconds : simulation.stage_times().seconds()) sum += seconds;
-    return sum;
-  };
-  for (; steps < 10 || total() < budget_s; ++steps) simulation.step(sinks);
+  double total = 0.0;
+  while (steps < 10 || total < budget_s) {
+    Simulation simulation{scenario, catalogs};
+    RunMetrics metrics = metrics_for(scenario, catalogs.vehicles);
+    const std::array<FrameSink*, 1> sinks{&metrics};
+    for (int i = 0; i < warm_up; ++i) simulation.step(sinks);
+    cost.bytes = (heap_in_use() - before) / n;
 
-  const double n = static_cast<double>(count);
+    simulation.time_stages();
+    const auto& seconds = simulation.stage_times().seconds();
+    const auto sum = [&] { return std::accumulate(seconds.begin(), seconds.end(), 0.0); };
+    for (int i = 0; i < most_steps && (steps < 10 || total + sum() < budget_s); ++i, ++steps)
+      simulation.step(sinks);
+    total += sum();
+    for (std::size_t k = 0; k < seconds.size(); ++k) cost.stage_ns[k] += seconds[k];
+  }
   const double ns_of_second = 1e9 / (n * static_cast<double>(steps));
-  FleetCost cost{count, ns_of_second * total(), (heap_in_use() - before) / n,
-                 simulation.stage_times().seconds()};
   for (double& stage : cost.stage_ns) stage *= ns_of_second;
+  cost.ns = ns_of_second * total;
   return cost;
 }
 

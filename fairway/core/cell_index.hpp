@@ -62,12 +62,13 @@ class CellIndex {
       return points_.size();
     }
     const Vec3 far = Vec3::Constant(reach) + 1e-9 * (place.cwiseAbs() + Vec3::Constant(reach));  // rounding
-    const Vec3 low = place - far, high = place + far;
-    const Span x{cell_of(low.x()), cell_of(high.x())};
+    const auto cells_along = [&](Eigen::Index axis) {
+      return Span{cell_of(place[axis] - far[axis]), cell_of(place[axis] + far[axis])};
+    };
+    const Span x = cells_along(0), y = cells_along(1), z = cells_along(2);
     std::size_t looked_at = 0;
-    for (std::int32_t z = cell_of(low.z()); z <= cell_of(high.z()); ++z) {
-      for (std::int32_t y = cell_of(low.y()); y <= cell_of(high.y()); ++y)
-        looked_at += look_through({y, z}, x, compare);
+    for (Row row{y.first, z.first}; row.z <= z.last; ++row.z) {
+      for (row.y = y.first; row.y <= y.last; ++row.y) looked_at += look_through(row, x, compare);
     }
     return looked_at;
   }
@@ -119,9 +120,12 @@ class CellIndex {
 
   static std::size_t bucket_count(std::size_t count) { return 2 * std::bit_ceil(count + 1); }
 
+  /// Rounded down; a library's floor would be called for each.
   std::int32_t cell_of(double x) const {
     constexpr double most = outermost;
-    return static_cast<std::int32_t>(std::clamp(std::floor(x / edge_), -most, most));
+    const double cells = std::clamp(x / edge_, -most, most);
+    const auto whole = static_cast<std::int32_t>(cells);
+    return whole - (cells < whole ? 1 : 0);
   }
 
   /// Of the cell x of a row; the next one has the next bucket, round the end.

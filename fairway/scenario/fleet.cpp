@@ -193,7 +193,7 @@ std::vector<Vec3> places_of(const Value& value, const FleetSpec& fleet) {
       all = box(count, fleet.places.size);
       break;
     case Places::Kind::draw:
-      all = drawn(value, count, fleet.places, value.reading().rng.stream("fleet_places"));
+      all = drawn(value, count, fleet.places, value.reading().rng->stream("fleet_places"));
   }
   return all;
 }
@@ -230,7 +230,7 @@ void write_out_fleet(Tree& document, std::optional<std::uint64_t> seed) {
   const Value value{*written, "fleet", reading};
   const FleetSpec fleet = fleet_of(value);
   const std::vector<Vec3> starts = places_of(value, fleet);
-  const std::vector<Vec3> goals = goals_of(starts, fleet.shuffled, reading.rng.stream("fleet_goals"));
+  const std::vector<Vec3> goals = goals_of(starts, fleet.shuffled, reading.rng->stream("fleet_goals"));
 
   const Where where = written->where;
   const Tree* defaults = document.find("defaults");

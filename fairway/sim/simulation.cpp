@@ -11,6 +11,9 @@
 namespace fairway {
 namespace {
 
+/// Of one vehicle, where they are kept: whoever has more takes memory for them.
+constexpr std::size_t usual_tracks = 32;
+
 /// Apart from the ids of vehicles, which count from 0.
 TrackId id_of(const Drifter& drifter) { return TrackId{first_drifter_id + drifter.number}; }
 
@@ -114,7 +117,8 @@ void Simulation::make_room(bool keeping) {
   }
   if (!keeping || !kept_.empty()) return;
   kept_.resize(agents_.size());
-  for (std::size_t i = 0; i < agents_.size(); ++i) make(kept_[i], agents_[i].avoider.most_tracks());
+  for (std::size_t i = 0; i < agents_.size(); ++i)
+    make(kept_[i], std::min(usual_tracks, agents_[i].avoider.most_tracks()));
 }
 
 /// The stages that a vehicle goes through by itself, for a part of the fleet at a time, so that what one

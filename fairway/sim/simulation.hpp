@@ -37,9 +37,10 @@ class Simulation {
   Simulation(const Scenario& scenario, const Catalogs& catalogs);
 
   /// One tick: everyone is told, sees, decides and steers on the same frozen instant, which `sinks`
-  /// then receive, and only then does anything move. Does not allocate after the first tick. Once the run
-  /// has diverged, nothing more happens, and no sink receives anything. Where no sink wants tracks, nobody
-  /// keeps them, and frames have none. O(vehicles and who is in reach of each).
+  /// then receive, and only then does anything move. Once the run has diverged, nothing more happens, and no
+  /// sink receives anything. Where no sink wants tracks, nobody keeps them, and frames have none. Does not
+  /// allocate after the first tick, but for the tracks of a crowd where they are kept. O(vehicles and who is
+  /// in reach of each).
   void step(std::span<FrameSink* const> sinks);
 
   /// The first half of a step: everyone is told and sees, and what is seen is kept. Then situations and
