@@ -24,6 +24,9 @@ class Lookout {
   Lookout(std::string_view kind, const ParamValues& params, const Reach& reach, std::size_t track_count,
           Rng rng);
 
+  /// Whether there is anything to let work.
+  bool has_sensor() const { return static_cast<bool>(sonar_); }
+
   /// Lets the sensors work. Called once a tick, whether anyone decides or not. Does not allocate in steady
   /// state.
   void sense(const Scene& scene, const Viewpoint& own);

@@ -123,16 +123,16 @@ void Simulation::make_room(bool keeping) {
 
 /// The stages that a vehicle goes through by itself, for a part of the fleet at a time, so that what one
 /// stage leaves in the cache the next one finds there. Each reads of the others only what stood still before.
-template <class... Stages>
-void Simulation::in_parts(const Stages&... stages) {
+template <Stage... stages, void (Simulation::*... works)(std::size_t index)>
+void Simulation::in_parts(Work<stages, works>... /*in this order*/) {
   constexpr std::size_t part = 32;
   for (std::size_t first = 0; first < agents_.size(); first += part) {
     const std::size_t end = std::min(first + part, agents_.size());
-    const auto go_through = [&](const auto& stage) {
-      for (std::size_t i = first; i < end; ++i) (this->*stage.work)(i);
-      stages_.finish(stage.stage);
+    const auto go_through = [&]<Stage stage, void (Simulation::*work)(std::size_t)>(Work<stage, work>) {
+      for (std::size_t i = first; i < end; ++i) (this->*work)(i);
+      stages_.finish(stage);
     };
-    (go_through(stages), ...);
+    (go_through(Work<stages, works>{}), ...);
   }
 }
 
@@ -140,25 +140,25 @@ void Simulation::look(bool keeping) {
   if (divergence_) return;
   make_room(keeping);
   stages_.begin();
-  in_parts(Work{&Simulation::locate, Stage::locate}, Work{&Simulation::tell, Stage::deliver});
+  in_parts(Work<Stage::locate, &Simulation::locate>{}, Work<Stage::deliver, &Simulation::tell>{});
   deliver();
   stages_.finish(Stage::deliver);
-  if (keeping) in_parts(Work{&Simulation::perceive, Stage::perceive});
+  if (keeping) in_parts(Work<Stage::perceive, &Simulation::perceive>{});
 }
 
 void Simulation::act(std::span<FrameSink* const> sinks) {
   if (divergence_) return;
   stages_.begin();
   if (!keeping_) {
-    in_parts(Work{&Simulation::perceive, Stage::perceive}, Work{&Simulation::decide, Stage::decide},
-             Work{&Simulation::control, Stage::control});
+    in_parts(Work<Stage::perceive, &Simulation::perceive>{}, Work<Stage::decide, &Simulation::decide>{},
+             Work<Stage::control, &Simulation::control>{});
   } else {
-    in_parts(Work{&Simulation::decide, Stage::decide}, Work{&Simulation::control, Stage::control});
+    in_parts(Work<Stage::decide, &Simulation::decide>{}, Work<Stage::control, &Simulation::control>{});
   }
   if (divergence_) return;
   show(sinks);
   stages_.finish(Stage::record);
-  in_parts(Work{&Simulation::move, Stage::move});
+  in_parts(Work<Stage::move, &Simulation::move>{});
   sea_.advance(period_);
   tick_ = next(tick_);
 }
@@ -246,7 +246,7 @@ void Simulation::perceive(std::size_t index) {
   Agent& agent = agents_[index];
   const bool everyone_ready = rendezvous_reached_ >= agent.mission.rendezvous_reached();
   if (time() >= agent.start_delay) agent.mission.advance(agent.own, time(), everyone_ready);
-  agent.lookout.sense(scene_of(index), viewpoint_of(agent));
+  if (agent.lookout.has_sensor()) agent.lookout.sense(scene_of(index), viewpoint_of(agent));
   if (keeping_ && is_deciding(agent)) look_round(index);
 }
 
@@ -364,7 +364,7 @@ void Simulation::record(std::size_t index) {
 
 void Simulation::show(std::span<FrameSink* const> sinks) {
   if (sinks.empty()) return;
-  in_parts(Work{&Simulation::record, Stage::record});
+  in_parts(Work<Stage::record, &Simulation::record>{});
   flights_.clear();
   if (showing_) exchange_.add_under_way(flights_);
   const Frame frame{tick_, time(), period_, frame_, flights_};

@@ -102,13 +102,11 @@ class Simulation {
 
  private:
   /// What a stage does for one vehicle.
-  struct Work {
-    void (Simulation::*work)(std::size_t index);
-    Stage stage;
-  };
+  template <Stage stage, void (Simulation::*work)(std::size_t index)>
+  struct Work {};
 
-  template <class... Stages>
-  void in_parts(const Stages&... stages);
+  template <Stage... stages, void (Simulation::*... works)(std::size_t index)>
+  void in_parts(Work<stages, works>... /*in this order*/);
   void look(bool keeping);
   void make_room(bool keeping);
   void locate(std::size_t index);
