@@ -20,36 +20,36 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 TEST(AvoiderMadeInCpp, RefusesAParameterOutsideItsRangeByName) {
-  EXPECT_EQ(refusal_of([] { Avoider{Orca3d{{.time_horizon_s = -3}}}; }),
+  EXPECT_EQ(refusal_by([] { Avoider{Orca3d{{.time_horizon_s = -3}}}; }),
             "time_horizon_s: is -3; expected a number in [0.01, 10000]");
-  EXPECT_EQ(refusal_of([] { Avoider{Orca3d{{.time_horizon_s = nan}}}; }),
+  EXPECT_EQ(refusal_by([] { Avoider{Orca3d{{.time_horizon_s = nan}}}; }),
             "time_horizon_s: is nan; expected a number in [0.01, 10000]");
-  EXPECT_EQ(refusal_of([] { Avoider{Orca3d{{.time_horizon_s = 10}}}; }), "accepted");
+  EXPECT_EQ(refusal_by([] { Avoider{Orca3d{{.time_horizon_s = 10}}}; }), "accepted");
 }
 
 TEST(AvoiderMadeInCpp, RefusesThoseOfAWrapperAndOfWhatItWraps) {
-  EXPECT_THAT(refusal_of([] {
+  EXPECT_THAT(refusal_by([] {
                 Avoider{StopAndWait{{.crit_dist_m = -1}}, Avoider{Direct{}}};
               }),
               testing::StartsWith("crit_dist_m: is -1; expected a number in ["));
-  EXPECT_THAT(refusal_of([] {
+  EXPECT_THAT(refusal_by([] {
                 Avoider{StopAndWait{}, Avoider{Orca3d{{.time_horizon_s = 0}}}};
               }),
               testing::StartsWith("time_horizon_s: is 0; expected"));
-  EXPECT_EQ(refusal_of([] { Avoider{StopAndWait{}, Avoider{Direct{}}}; }), "accepted");
+  EXPECT_EQ(refusal_by([] { Avoider{StopAndWait{}, Avoider{Direct{}}}; }), "accepted");
 }
 
 TEST(AvoiderMadeInCpp, EveryMethodOfTheCatalogAcceptsItsOwnDefaults) {
   const Catalog catalog = builtin_avoiders();
   for (const Catalog::Entry& entry : catalog.entries())
-    EXPECT_EQ(refusal_of([&] { (void)catalog.make(entry.info.name); }), "accepted") << entry.info.name;
+    EXPECT_EQ(refusal_by([&] { (void)catalog.make(entry.info.name); }), "accepted") << entry.info.name;
 }
 
 TEST(ACatalog, RefusesANameThatIsTaken) {
   Catalog catalog = builtin_avoiders();
-  EXPECT_EQ(refusal_of([&] { catalog.add<Orca3d>(); }),
+  EXPECT_EQ(refusal_by([&] { catalog.add<Orca3d>(); }),
             "the algorithm \"orca3d\" is there already: choose another name");
-  EXPECT_EQ(refusal_of([&] {
+  EXPECT_EQ(refusal_by([&] {
               AlgorithmInfo info = Direct::info;
               info.name = "saw";
               catalog.add({.info = info, .params = {}, .make = {}, .make_around = {}});

@@ -15,19 +15,19 @@ namespace {
 
 TEST(Catalog, RefusesAnUnknownAlgorithmAndNamesTheNearest) {
   const Catalog catalog = builtin_avoiders();
-  EXPECT_THAT(refusal_of([&] { (void)catalog.make("orca_3d"); }), testing::HasSubstr("did you mean orca3d?"));
-  EXPECT_THAT(refusal_of([&] { (void)catalog.make("apf+stop_and_wit"); }),
+  EXPECT_THAT(refusal_by([&] { (void)catalog.make("orca_3d"); }), testing::HasSubstr("did you mean orca3d?"));
+  EXPECT_THAT(refusal_by([&] { (void)catalog.make("apf+stop_and_wit"); }),
               testing::HasSubstr("stop_and_wait"));
-  EXPECT_THAT(refusal_of([&] { (void)catalog.make("apf+orca3d"); }), testing::HasSubstr("wraps nothing"));
+  EXPECT_THAT(refusal_by([&] { (void)catalog.make("apf+orca3d"); }), testing::HasSubstr("wraps nothing"));
 }
 
 TEST(Catalog, RefusesAnUnknownParameterAndNamesTheNearest) {
   const Catalog catalog = builtin_avoiders();
-  EXPECT_THAT(refusal_of([&] {
+  EXPECT_THAT(refusal_by([&] {
                 (void)catalog.make("orca3d", {{"time_horizon", 5.0}});
               }),
               testing::HasSubstr("time_horizon: unknown parameter of orca3d; did you mean time_horizon_s?"));
-  EXPECT_THAT(refusal_of([&] {
+  EXPECT_THAT(refusal_by([&] {
                 (void)catalog.make("apf", {{"w2_rato", 5.0}});
               }),
               testing::HasSubstr("did you mean w2_ratio?"));
@@ -35,15 +35,15 @@ TEST(Catalog, RefusesAnUnknownParameterAndNamesTheNearest) {
 
 TEST(Catalog, RefusesAValueOutOfRangeAndSaysWhatIsAccepted) {
   const Catalog catalog = builtin_avoiders();
-  EXPECT_THAT(refusal_of([&] {
+  EXPECT_THAT(refusal_by([&] {
                 (void)catalog.make("orca3d", {{"responsibility_ratio", 1.5}});
               }),
               testing::AllOf(testing::HasSubstr("1.5"), testing::HasSubstr("[0, 1]")));
-  EXPECT_THAT(refusal_of([&] {
+  EXPECT_THAT(refusal_by([&] {
                 (void)catalog.make("orca3d", {{"max_neighbours_count", 2.5}});
               }),
               testing::HasSubstr("a whole number"));
-  EXPECT_THAT(refusal_of([&] {
+  EXPECT_THAT(refusal_by([&] {
                 (void)catalog.make("apf", {{"speed_law", std::string("fast")}});
               }),
               testing::HasSubstr("one of clamped, bang_bang"));

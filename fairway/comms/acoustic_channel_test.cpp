@@ -321,7 +321,7 @@ TEST(AcousticChannel, AfterTheFirstTickNothingIsAllocated) {
 
 /// What such a choice is refused with.
 std::string refusal(const ParamValues& params, std::size_t vehicle_count = 2) {
-  return refusal_of([&] { (void)Exchange{"acoustic", params, vehicle_count, tick_s, Rng{1}}; });
+  return refusal_by([&] { (void)Exchange{"acoustic", params, vehicle_count, tick_s, Rng{1}}; });
 }
 
 TEST(AcousticChannel, WhatDoesNotGoTogetherIsRefused) {

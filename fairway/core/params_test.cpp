@@ -31,7 +31,7 @@ struct Hull {
 
 std::string refusal(std::string_view name, const ParamValue& value) {
   Hull hull;
-  return refusal_of([&] { set_param(hull, name, value); });
+  return refusal_by([&] { set_param(hull, name, value); });
 }
 
 TEST(Params, AreSetByName) {
@@ -99,7 +99,7 @@ struct Skeleton {
 
 std::string skeleton_refusal(std::string_view name, const ParamValue& value) {
   Skeleton skeleton;
-  return refusal_of([&] { set_param(skeleton, name, value); });
+  return refusal_by([&] { set_param(skeleton, name, value); });
 }
 
 TEST(ListParams, AnItemOfTheDefaultCanBeChanged) {
@@ -140,7 +140,7 @@ TEST(ListParams, AreDescribedWithTheirItems) {
 
 template <Reflected P>
 std::string check_of(const P& params) {
-  return refusal_of([&] { EXPECT_EQ(&checked_params(params), &params); });
+  return refusal_by([&] { EXPECT_EQ(&checked_params(params), &params); });
 }
 
 TEST(ParamsMadeInCpp, AreHeldToTheirRanges) {

@@ -32,7 +32,7 @@ TEST(VehiclesMadeInCpp, AreAllOfTheCatalog) {
 TEST(MinervaTransportMadeInCpp, NamesTheStationThatIsOutOfRange) {
   MinervaTransport::Params params;
   params.layout.at(2).thrust_ratio = -1.0;
-  const std::string refusal = refusal_of([&] { MinervaTransport{params}; });
+  const std::string refusal = refusal_by([&] { MinervaTransport{params}; });
   EXPECT_TRUE(refusal.starts_with("layout[2].thrust_ratio: is -1; expected")) << refusal;
 }
 

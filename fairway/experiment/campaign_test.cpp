@@ -45,7 +45,7 @@ class CampaignTest : public testing::Test {
   }
 
   std::string refusal(const std::string& yaml) const {
-    return refusal_of([&] { parse_campaign(yaml, folder_.file("test.yaml")); });
+    return refusal_by([&] { parse_campaign(yaml, folder_.file("test.yaml")); });
   }
 
   /// Refusal of a line 4 and on, without the folder.
@@ -192,7 +192,7 @@ TEST_F(CampaignTest, EachCellIsCheckedBeforeAnythingIsRun) {
   parse("algorithms: [apf, orca3d]\nseeds: {count: 3}\n", check);
   EXPECT_THAT(seen, ElementsAre("apf", "orca3d"));
   EXPECT_THAT(
-      refusal_of([&] { parse("algorithms: [apf, orca, orca3d]\nseeds: {first: 4, count: 3}\n", check); }),
+      refusal_by([&] { parse("algorithms: [apf, orca, orca3d]\nseeds: {first: 4, count: 3}\n", check); }),
       HasSubstr("test.yaml: in case=pair method=orca seed=4: unknown algorithm orca"));
 }
 

@@ -306,7 +306,7 @@ TEST(CompareTest, QuantitiesThatAreNoTimesToAnArrivalAreNotCensored) {
 }
 
 std::string refusal(const std::vector<RunRecord>& records, const CompareOptions& options) {
-  return refusal_of([&] { compare(records, options); });
+  return refusal_by([&] { compare(records, options); });
 }
 
 TEST(CompareTest, RefusesWhatNoRunHas) {

@@ -18,8 +18,8 @@ using testing::Not;
 
 /// What either way of opening says; both must refuse.
 std::string refusal_of(const std::string& file) {
-  const std::string writing = refusal_of([&] { Store::open(file); });
-  const std::string reading = refusal_of([&] { Store::open_existing(file); });
+  const std::string writing = refusal_by([&] { Store::open(file); });
+  const std::string reading = refusal_by([&] { Store::open_existing(file); });
   EXPECT_THAT(writing, AllOf(HasSubstr(file), Not(HasSubstr("\n"))));
   EXPECT_THAT(reading, AllOf(HasSubstr(file), Not(HasSubstr("\n"))));
   return writing == reading ? writing : writing + " | " + reading;
@@ -82,7 +82,7 @@ TEST_F(DamagedStoreTest, OverwrittenBytesAreRefusedOrReadButNeverAnAccident) {
     const auto count = std::min(bytes.size() - from, static_cast<std::size_t>(1 + rng.index(64)));
     for (std::size_t i = 0; i < count; ++i) bytes[from + i] = static_cast<char>(rng.index(256));
     sample::write_bytes(file_, bytes);
-    const std::string message = refusal_of([&] {
+    const std::string message = refusal_by([&] {
       Store store = Store::open(file_);
       sample::csv_of(store);
       if (round % 5 == 0) store.put(sample::records(420));
@@ -96,23 +96,23 @@ TEST_F(DamagedStoreTest, OverwrittenBytesAreRefusedOrReadButNeverAnAccident) {
 
 TEST_F(DamagedStoreTest, AnEmptyFileIsNoStoreYet) {
   sample::write_bytes(file_, "");
-  EXPECT_THAT(refusal_of([&] { Store::open_existing(file_); }), HasSubstr("the file is empty"));
+  EXPECT_THAT(refusal_by([&] { Store::open_existing(file_); }), HasSubstr("the file is empty"));
   Store store = Store::open(file_);
   EXPECT_EQ(store.size(), 0U);
 }
 
 TEST_F(DamagedStoreTest, PathsThatCannotBeAStoreAreRefused) {
-  EXPECT_THAT(refusal_of([&] { Store::open_existing(folder_.file("none.db")); }),
+  EXPECT_THAT(refusal_by([&] { Store::open_existing(folder_.file("none.db")); }),
               HasSubstr("no such results store"));
   EXPECT_FALSE(std::filesystem::exists(folder_.file("none.db")));
-  EXPECT_THAT(refusal_of([&] { Store::open(folder_.file("none/results.db")); }),
+  EXPECT_THAT(refusal_by([&] { Store::open(folder_.file("none/results.db")); }),
               HasSubstr("cannot be written: No such file"));
-  EXPECT_THAT(refusal_of([&] { Store::open(file_ + "/results.db"); }),
+  EXPECT_THAT(refusal_by([&] { Store::open(file_ + "/results.db"); }),
               HasSubstr("cannot be written: Not a directory"));
-  EXPECT_THAT(refusal_of([&] { Store::open("/proc/fairway.db"); }),
+  EXPECT_THAT(refusal_by([&] { Store::open("/proc/fairway.db"); }),
               HasSubstr("/proc/fairway.db: cannot be written"));
   EXPECT_THAT(refusal_of(folder_.file(".")), HasSubstr("is a folder"));
-  EXPECT_THAT(refusal_of([&] { Store::open(""); }), HasSubstr("needs a file name"));
+  EXPECT_THAT(refusal_by([&] { Store::open(""); }), HasSubstr("needs a file name"));
 }
 
 }  // namespace

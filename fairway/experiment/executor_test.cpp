@@ -94,7 +94,7 @@ TEST(ExecutorTest, TheSameRunTwiceIsRefusedBeforeAnythingIsRun) {
   auto specs = sample::specs(4);
   specs[3].key = specs[1].key;
   Store store = Store::in_memory();
-  EXPECT_THAT(refusal_of([&] { run_missing(specs, sample::measures, store); }),
+  EXPECT_THAT(refusal_by([&] { run_missing(specs, sample::measures, store); }),
               HasSubstr("case=cube20_8 method=orca3d seed=0 and case=cube20_8 method=orca3d seed=1"));
   EXPECT_EQ(store.size(), 0U);
 }

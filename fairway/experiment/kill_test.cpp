@@ -150,7 +150,7 @@ TEST(KillTest, AWritersDeathFreesTheStore) {
   ::close(ready[0]);
   ::close(ready[1]);
 
-  EXPECT_THAT(refusal_of([&] { Store::open(file); }), HasSubstr("another process is writing to it"));
+  EXPECT_THAT(refusal_by([&] { Store::open(file); }), HasSubstr("another process is writing to it"));
   EXPECT_EQ(Store::open_existing(file).size(), 5U);
 
   EXPECT_TRUE(kill_child(pid));

@@ -23,7 +23,7 @@ std::string refusal_of(const std::string& program, const std::string& algorithm,
   writer.close();
   const Recording recording = Recording::read(folder.file("run.mcap"));
   EXPECT_EQ(recording.info().program, program);
-  return refusal_of(
+  return refusal_by(
       [&] { check_methods(recording, recorded_scenario(recording, "run.mcap"), catalogs, "run.mcap"); });
 }
 

@@ -201,7 +201,7 @@ TEST(StoreTest, HasOneWriterAndAnyNumberOfReaders) {
   const TemporaryFolder folder;
   Store writer = Store::open(folder.file("results.db"));
   writer.put(sample::records(2));
-  EXPECT_THAT(refusal_of([&] { Store::open(folder.file("./results.db")); }),
+  EXPECT_THAT(refusal_by([&] { Store::open(folder.file("./results.db")); }),
               HasSubstr("results.db: another process is writing to it"));
   const Store reader = Store::open_existing(folder.file("results.db"));
   EXPECT_EQ(reader.size(), 2U);

@@ -49,7 +49,7 @@ Report report_after(Lookout& lookout, Waters& waters, int ticks) {
 }
 
 std::string refusal(std::string_view kind, const ParamValues& params) {
-  return refusal_of([&] { Lookout{kind, params, reach, 8, Rng{1}}; });
+  return refusal_by([&] { Lookout{kind, params, reach, 8, Rng{1}}; });
 }
 
 TEST(Lookout, WhatCannotBeIsRefusedWithOneLine) {

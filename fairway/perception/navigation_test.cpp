@@ -152,7 +152,7 @@ TEST(Navigation, WithoutErrorsDriftingIsTheTruth) {
 
 TEST(Navigation, WhatCannotBeIsRefusedWithOneLine) {
   const auto refusal = [](std::string_view kind, const ParamValues& params) {
-    return refusal_of([&] { Navigation{kind, params, Rng{1}}; });
+    return refusal_by([&] { Navigation{kind, params, Rng{1}}; });
   };
   EXPECT_EQ(refusal("drifting", {{"position_sigma_m", -1.0}}),
             "position_sigma_m: is -1; expected a number in [0, 1000]");

@@ -38,7 +38,7 @@ Bytes sample() {
 constexpr auto accepted = "accepted";
 
 std::string refusal(ByteView bytes) {
-  return refusal_of([&] { Recording::parse(bytes, "run.mcap"); });
+  return refusal_by([&] { Recording::parse(bytes, "run.mcap"); });
 }
 
 TEST(DamagedRecording, IsRefusedAtEveryLength) {
@@ -304,9 +304,9 @@ TEST(ForeignFile, IsRefusedWithWhatItIs) {
 }
 
 TEST(MissingFile, IsNamed) {
-  EXPECT_EQ(refusal_of([] { Recording::read("no/such.mcap"); }),
+  EXPECT_EQ(refusal_by([] { Recording::read("no/such.mcap"); }),
             "no/such.mcap: cannot be read: No such file or directory; expected a recording (MCAP)");
-  EXPECT_THAT(refusal_of([] { Recording::read("/"); }), HasSubstr("Is a directory"));
+  EXPECT_THAT(refusal_by([] { Recording::read("/"); }), HasSubstr("Is a directory"));
 }
 
 }  // namespace

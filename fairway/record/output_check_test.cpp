@@ -36,7 +36,7 @@ class OutputCheckTest : public ::testing::Test {
 
   std::string judged(const std::vector<Output>& outputs, bool force = false) const {
     const std::vector<std::string> inputs{file("notes")};
-    return refusal_of([&] { check_outputs(outputs, inputs, force); });
+    return refusal_by([&] { check_outputs(outputs, inputs, force); });
   }
   std::string judged(const std::string& path, bool force = false) const {
     return judged({{"--out", path, notes}}, force);

@@ -34,7 +34,7 @@ std::size_t files_in(const fs::path& folder) {
 }
 
 std::string refusal(const std::string& path) {
-  return refusal_of([&] { write_file(path, "new"); });
+  return refusal_by([&] { write_file(path, "new"); });
 }
 
 class OutputFileTest : public ::testing::Test {

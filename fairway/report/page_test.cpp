@@ -90,7 +90,7 @@ TEST_F(WrittenPage, IsTheRenderedOneAndLeavesNothingBesideIt) {
 
 TEST_F(WrittenPage, IsRefusedWithTheReasonWhereItCannotBe) {
   for (const fs::path& path : {folder / "absent" / "report.html", folder}) {
-    EXPECT_THAT(refusal_of([&] { write_page("{}", path.string()); }),
+    EXPECT_THAT(refusal_by([&] { write_page("{}", path.string()); }),
                 StartsWith(path.string() + ": cannot be written: "));
   }
   EXPECT_TRUE(fs::is_empty(folder));

@@ -270,7 +270,7 @@ TEST(OverrideTest, AnAngleInAnotherUnitReplacesTheDefault) {
 
 TEST(LoadTest, AFileThatCannotBeReadIsRefused) {
   for (const std::string file : {"/nonexistent.yaml", "/"})
-    EXPECT_EQ(refusal_of([&] { load_scenario(file); }), file + ": cannot be read");
+    EXPECT_EQ(refusal_by([&] { load_scenario(file); }), file + ": cannot be read");
 }
 
 }  // namespace

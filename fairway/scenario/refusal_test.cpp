@@ -15,7 +15,7 @@ namespace {
 using testing::HasSubstr;
 
 std::string refusal(const std::string& yaml, const Overrides& overrides = {}) {
-  return refusal_of([&] { parse_scenario(yaml, "f.yaml", overrides); });
+  return refusal_by([&] { parse_scenario(yaml, "f.yaml", overrides); });
 }
 
 /// A good document of two vehicles; `document` and the lines of the first vehicle are added.

@@ -21,7 +21,7 @@ std::string document(const std::string& water) {
 WaterSpec water_of(const std::string& water) { return parse_scenario(document(water), "f.yaml").water; }
 
 std::string water_refusal(const std::string& water) {
-  return refusal_of([&] { water_of(water); });
+  return refusal_by([&] { water_of(water); });
 }
 
 TEST(WaterTest, WavesOneByOneArriveWithTheirDirectionInAnySpelling) {

@@ -109,7 +109,7 @@ TEST(StudyRunAlone, IsFoundByItsNameItsKeyAndTheirBeginnings) {
 
 TEST(StudyRunAlone, IsRefusedWhereNoneOrSeveralAreCalledSo) {
   const std::vector<StudyRun> runs = some_runs();
-  const auto refusal = [&](std::string_view called) { return refusal_of([&] { find_run(runs, called); }); };
+  const auto refusal = [&](std::string_view called) { return refusal_by([&] { find_run(runs, called); }); };
   EXPECT_THAT(refusal("cube/apf+saw/as_coded/w=0.5/2"),
               testing::AllOf(testing::HasSubstr("no run is called"),
                              testing::HasSubstr("did you mean cube/apf+saw/")));

@@ -101,7 +101,7 @@ TEST(DecideTest, APlanarAlgorithmStaysAtItsDepth) {
 std::pair<std::string, std::string> refused(const std::string& in, const DecideOptions& options) {
   std::istringstream input{in};
   std::ostringstream output;
-  const std::string said = refusal_of([&] { decide_lines(input, output, test_catalog(), options); });
+  const std::string said = refusal_by([&] { decide_lines(input, output, test_catalog(), options); });
   return {output.str(), said};
 }
 

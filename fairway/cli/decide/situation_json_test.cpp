@@ -97,7 +97,7 @@ std::string refusal(std::string_view from, std::string_view to, std::string_view
   const std::size_t at = text.find(from);
   EXPECT_NE(at, std::string::npos) << from;
   text.replace(at, from.size(), to);
-  return refusal_of([&] { parse_situation(text, 17); });
+  return refusal_by([&] { parse_situation(text, 17); });
 }
 
 TEST(SituationJsonTest, ARefusalNamesLineAndPath) {

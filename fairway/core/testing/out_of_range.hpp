@@ -17,7 +17,7 @@ namespace fairway::testing {
 /// lies beyond its range.
 template <Reflected P, class Make>
 void expect_ranges_kept(Make&& make) {
-  const auto refusal = [&](const P& params) { return refusal_of([&] { make(params); }); };
+  const auto refusal = [&](const P& params) { return refusal_by([&] { make(params); }); };
   EXPECT_EQ(refusal(P{}), "accepted");
   for_each_field<P>([&](const auto& f) {
     P params;

@@ -9,7 +9,7 @@ namespace fairway {
 
 /// What `action` is refused with; "accepted" if it is not.
 template <class Action>
-std::string refusal_of(Action&& action) {
+std::string refusal_by(Action&& action) {
   try {
     action();
   } catch (const InputError& error) {

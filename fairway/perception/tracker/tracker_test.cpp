@@ -264,7 +264,7 @@ TEST(Tracker, ACopyGoesOnAsTheOriginalDoesAndNeitherAllocates) {
 }
 
 TEST(Tracker, ContradictionsAreRefused) {
-  EXPECT_EQ(refusal_of([] { Tracker{{.birth_hits_count = 9}}; }),
+  EXPECT_EQ(refusal_by([] { Tracker{{.birth_hits_count = 9}}; }),
             "birth_hits_count: is more than birth_pings_count");
 }
 

@@ -179,7 +179,7 @@ TEST(MinimumSnap, RefusesWhatIsNoTrajectory) {
   EXPECT_THROW(minimum_snap(nowhere, second), InputError);
   EXPECT_THROW(minimum_snap(two, instant), InputError);
   EXPECT_THROW(minimum_snap(two, nan), InputError);
-  EXPECT_EQ(refusal_of([&] { (void)minimum_snap(twice, seconds); }),
+  EXPECT_EQ(refusal_by([&] { (void)minimum_snap(twice, seconds); }),
             "waypoints[2] is where the one before it is: a segment must have a length");
 }
 

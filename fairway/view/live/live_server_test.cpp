@@ -150,7 +150,7 @@ TEST(LiveServer, WhoBeginsARequestAndNeverEndsItIsDropped) {
 
 TEST(LiveServer, APortThatIsTakenIsOneClearLine) {
   const LiveServer server{0};
-  EXPECT_THAT(refusal_of([&] { const LiveServer second{server.port()}; }),
+  EXPECT_THAT(refusal_by([&] { const LiveServer second{server.port()}; }),
               HasSubstr("cannot be served: Address already in use"));
 }
 
