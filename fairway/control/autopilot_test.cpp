@@ -146,8 +146,8 @@ TEST(Autopilot, NeitherAllocatesNorForgetsThatItIsAValue) {
       v_b.x() += 0.01;
       autopilot.control({.surge_mps = 5.0, .yaw_rate_radps = 1.0}, v_b, Vec3::Zero(), h);
     }
-    Autopilot copy = autopilot;
     EXPECT_EQ(allocation_count(), before);
+    Autopilot copy = autopilot;
     EXPECT_EQ(copy.control({.surge_mps = 0.5}, v_b, Vec3::Zero(), h),
               autopilot.control({.surge_mps = 0.5}, v_b, Vec3::Zero(), h));
   }
