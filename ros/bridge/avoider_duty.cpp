@@ -13,7 +13,7 @@ constexpr std::chrono::milliseconds look_period{200};       // at the own state,
 constexpr std::chrono::milliseconds diagnose_period{1000};  // without changes
 constexpr std::chrono::milliseconds draw_period{100};
 constexpr std::chrono::seconds warn_period{5};
-constexpr double restart_s = 1.0;  // a clock that is behind by more has begun again
+constexpr double restart_s = 1.0;  // what tells the time and is behind by more has begun again
 constexpr double early_s = 0.1;    // a clock that is behind navigation by so much is still on its way
 constexpr double lead_s = 60.0;    // a fleet that waits for nobody may be ahead by so much
 constexpr double lockstep_patience_s = 1.0;  // then it answers although somebody is missing
@@ -47,21 +47,22 @@ AvoiderDuty::AvoiderDuty(const AvoiderNodeSettings& settings, AvoiderOutlet& out
 
 /// The time to go by: the graph's clock, but never behind navigation that has come: the clock of a simulation
 /// and its odometry travel apart, so either may be first. In lockstep navigation is the clock, as long as it
-/// comes.
+/// comes: the other may be long on its way, as a fleet that waits for nobody else is fast.
 double AvoiderDuty::clock_at(double clock) {
+  if (settings_.lockstep) return clock - now_ < lockstep_patience_s ? now_ : now_ = clock;
   if (clock < now_ - restart_s) now_ = clock;
-  if (settings_.lockstep && clock - now_ < lockstep_patience_s) return now_;
   return now_ = std::max(now_, clock);
 }
 
 double AvoiderDuty::clock_at(double clock, double stamp) {
   const double now = clock_at(clock);
-  const double early = settings_.lockstep ? restart_s : early_s;
+  const double early = settings_.lockstep ? lead_s : early_s;
   return now_ = stamp > now && stamp <= clock + early ? stamp : now;
 }
 
 void AvoiderDuty::hear_own(const Motion& motion, const std::string& frame_id, double clock) {
   own_frame_ = frame_id;
+  if (settings_.lockstep && motion.time < now_ - restart_s) now_ = motion.time;
   const std::string_view verdict = host_.own_motion(motion, clock_at(clock, motion.time));
   judge("own odometry", verdict.data());
   if (verdict == "accepted") own_ = motion.time;
