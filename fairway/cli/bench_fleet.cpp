@@ -38,9 +38,8 @@ Scenario lattice(std::size_t count) {
   const auto jitter = [&] { return rng.uniform(-2.0, 2.0); };
   scenario.vehicles.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
-    const Vec3 cell{static_cast<double>(i % side), static_cast<double>(i / side % side),
-                    static_cast<double>(i / (side * side))};
-    const Vec3 start = 11.0 * cell + Vec3{jitter(), jitter(), jitter()};
+    const Eigen::Vector<std::size_t, 3> cell{i % side, i / side % side, i / (side * side)};
+    const Vec3 start = 11.0 * cell.cast<double>() + Vec3{jitter(), jitter(), jitter()};
     const double angle = rng.uniform(-pi, pi);
     VehicleSpec vehicle{
         .id = static_cast<std::uint32_t>(i),

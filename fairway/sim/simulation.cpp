@@ -81,11 +81,11 @@ BodyRequest through_water(const BodyRequest& over_ground, const Vec3& current_b)
 Simulation::Simulation(const Scenario& scenario, const Catalogs& catalogs)
     : period_{scenario.step_s},
       last_tick_{static_cast<std::int64_t>(std::floor(scenario.duration_s / scenario.step_s + 1e-9))},
-      stop_when_done_{scenario.stop_when_done},
       sea_{scenario.water, Rng{scenario.seed}},
       obstacles_{scenario.obstacles},
       exchange_{make_exchange(scenario)},
-      range_{scenario.perception.range_m} {
+      range_{scenario.perception.range_m},
+      stop_when_done_{scenario.stop_when_done} {
   agents_.reserve(scenario.vehicles.size());
   for (const VehicleSpec& spec : scenario.vehicles) agents_.push_back(make_agent(spec, scenario, catalogs));
   movers_.resize(agents_.size() + obstacles_.drifters().size());

@@ -130,7 +130,6 @@ class Simulation {
 
   double period_;
   Tick last_tick_;
-  bool stop_when_done_;
   Sea sea_;
   ObstacleField obstacles_;
 
@@ -143,15 +142,16 @@ class Simulation {
   std::vector<Vec3> places_;   // of the vehicles
   CellIndex found_at_;         // the vehicles, where perception finds them
   double range_;               // of perception [m]
-  int rendezvous_reached_{};   // by all
   std::vector<Sight> kept_;    // by vehicle, of its last decision; empty where nobody wants them
   Sight passing_;              // of whoever decides, where they are not kept
-  bool keeping_{false};
   std::vector<Near> near_;
   std::vector<VehicleFrame> frame_;
   std::vector<Drawing> drawings_;       // by vehicle, of its last decision
   std::vector<MessageFlight> flights_;  // likewise empty unless showing
   DecisionObserver* observer_{nullptr};
+  int rendezvous_reached_{};  // by all
+  bool stop_when_done_;
+  bool keeping_{false};
   bool showing_{false};
   bool timing_{false};
   DecisionTimes times_;

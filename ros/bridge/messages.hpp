@@ -31,7 +31,8 @@ inline std::int64_t nanoseconds_of(double seconds) {
 
 /// [s]
 inline double seconds_of(std::int64_t nanoseconds) {
-  return static_cast<double>(nanoseconds / 1000000000) + static_cast<double>(nanoseconds % 1000000000) / 1e9;
+  const std::int64_t whole = nanoseconds / 1000000000;
+  return static_cast<double>(whole) + static_cast<double>(nanoseconds % 1000000000) / 1e9;
 }
 
 /// The numbers of a Point or a Vector3.
