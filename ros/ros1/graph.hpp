@@ -22,7 +22,7 @@ template <class Message>
 class Publisher {
  public:
   Publisher() = default;
-  explicit Publisher(ros::Publisher publisher) : publisher_{std::move(publisher)} {}
+  explicit Publisher(const ros::Publisher& publisher) : publisher_{publisher} {}
 
   void publish(const Message& message) const { publisher_.publish(message); }
   std::size_t listeners() const { return publisher_.getNumSubscribers(); }
