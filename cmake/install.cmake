@@ -20,6 +20,9 @@ if(TARGET fairway)
   install(TARGETS fairway RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT command)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/scenarios DESTINATION ${CMAKE_INSTALL_DATADIR}/fairway COMPONENT command)
 endif()
+if(TARGET fairway_mpi)  # in no package, as it would have every user of fairway install MPI
+  install(TARGETS fairway_mpi RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT mpi EXCLUDE_FROM_ALL)
+endif()
 
 configure_file(${CMAKE_CURRENT_LIST_DIR}/fairwayConfig.cmake.in ${PROJECT_BINARY_DIR}/package/fairwayConfig.cmake @ONLY)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/package/fairwayConfigVersion.cmake COMPATIBILITY SameMinorVersion)

@@ -8,7 +8,8 @@ Catalog catalog() { return builtin_avoiders(); }
 INSTANTIATE_TEST_SUITE_P(OfTheCatalog, Laws,
                          testing::ValuesIn(everybody({"apf+stop_and_wait", "orca3d+stop_and_wait",
                                                       "orca3d+safety_filter", "wall_following+safety_filter",
-                                                      "apf+inflate", "orca3d+inflate"})),
+                                                      "apf+inflate", "orca3d+inflate", "orca3d+trackable",
+                                                      "hrvo+trackable", "orca2d+way_round"})),
                          test_name);
 
 }  // namespace fairway::laws

@@ -18,7 +18,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SUITE_NEEDS = {  # of scripts/deps, and what is built beside the command
     "package": ("arm", "all"), "python": ("python", "fairway_python"), "ros1": ("ros1", "all"), "ros2": ("ros2", "all"),
-    "web": ("web", ""), "mcap": ("web", ""), "live": ("web", ""), "cli": ("", ""), "replay": ("", ""), "docs": ("", ""),
+    "web": ("web", ""), "mcap": ("web", ""), "live": ("web", ""), "cluster": ("cluster", "fairway_mpi"), "cli": ("", ""), "replay": ("", ""), "docs": ("", ""),
 }
 
 

@@ -29,7 +29,8 @@ Command KeepRight::decide(const Situation& s, Memory&, Context& context) const n
   if (is_free) return {.velocity = preferred, .mode = Mode::cruise};
 
   // in north, east, down a turn to starboard is one about the axis that points down
-  const Vec3 turned = Eigen::AngleAxisd{radians(params.turn_deg), Vec3::UnitZ()} * preferred;
-  if (context.sketch != nullptr) context.sketch->velocity(turned, "to starboard");
-  return {.velocity = turned, .mode = Mode::avoid, .note = "keeps right"};
+  Vec3 velocity = preferred;
+  velocity.head<2>() = turned(preferred.head<2>(), radians(params.turn_deg));
+  if (context.sketch != nullptr) context.sketch->velocity(velocity, "to starboard");
+  return {.velocity = velocity, .mode = Mode::avoid, .note = "keeps right"};
 }

@@ -3,31 +3,46 @@
 
 #include <cmath>
 
+#include "fairway/core/math.hpp"
+
 namespace fairway {
 namespace {
 
 /// Less is rounding [m/s].
 constexpr double slack = 1e-6;
 
-}  // namespace
+struct Needs {
+  bool way_ahead;
+  bool way_along;
+};
 
-Shortfall shortfall(const Limits& limits, const Command& command, double yaw) noexcept {
-  const Vec3& v = command.velocity;
-  const double speed = command.mode == Mode::hold ? 0.0 : horizontal_norm(v);
-  if (speed < limits.min_speed - slack) return Shortfall::too_slow;
-  if (speed <= slack) return Shortfall::none;
-
+Needs needs_of(const Limits& limits, const Command& command) noexcept {
   const bool says_heading = command.heading || command.turn_rate;
   const bool turns_first = !says_heading && !command.astern && !only_goes_ahead(limits);
-  const bool needs_way_ahead = !limits.sternway && !turns_first;
-  const bool needs_way_along = !limits.sway && says_heading;
-  if (!needs_way_ahead && !needs_way_along) return Shortfall::none;
+  return {.way_ahead = !limits.sternway && !turns_first, .way_along = !limits.sway && says_heading};
+}
 
+}  // namespace
+
+std::optional<Shortfall> shortfall_on_any_heading(const Limits& limits, const Command& command) noexcept {
+  const double speed = command.mode == Mode::hold ? 0.0 : horizontal_norm(command.velocity);
+  if (speed < limits.min_speed - slack) return Shortfall::too_slow;
+  if (speed <= slack) return Shortfall::none;
+  const Needs needs = needs_of(limits, command);
+  if (needs.way_ahead || needs.way_along) return {};
+  return Shortfall::none;
+}
+
+Shortfall shortfall(const Limits& limits, const Command& command, double yaw) noexcept {
+  if (const auto on_any = shortfall_on_any_heading(limits, command)) return *on_any;
+  const Vec3& v = command.velocity;
+  const Needs needs = needs_of(limits, command);
   const double bow = command.turn_rate ? yaw : command.heading.value_or(yaw);
-  const double ahead = std::cos(bow) * v.x() + std::sin(bow) * v.y();
-  const double across = std::cos(bow) * v.y() - std::sin(bow) * v.x();
-  if (needs_way_ahead && ahead < -slack) return Shortfall::astern;
-  if (needs_way_along && std::abs(across) > std::abs(ahead) + slack) return Shortfall::sideways;
+  const auto [sine, cosine] = math::sin_cos(bow);
+  const double ahead = cosine * v.x() + sine * v.y();
+  const double across = cosine * v.y() - sine * v.x();
+  if (needs.way_ahead && ahead < -slack) return Shortfall::astern;
+  if (needs.way_along && std::abs(across) > std::abs(ahead) + slack) return Shortfall::sideways;
   return Shortfall::none;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string_view>
 
 #include "fairway/avoidance/command.hpp"
@@ -33,6 +34,9 @@ constexpr bool only_goes_ahead(const Limits& limits) { return limits.min_speed >
 /// against that heading (with a turn rate, the present one) takes sternway, and one that is more across it
 /// than along it takes sway. Velocities are horizontal: nobody dives on the spot who cannot stop. O(1).
 Shortfall shortfall(const Limits& limits, const Command& command, double yaw) noexcept;
+
+/// The same where it does not depend on the heading; else nothing.
+std::optional<Shortfall> shortfall_on_any_heading(const Limits& limits, const Command& command) noexcept;
 
 /// In a few words for people; empty for none. Text that outlives the program's run.
 std::string_view words_of(Shortfall shortfall) noexcept;

@@ -32,6 +32,8 @@ struct AlgorithmInfo {
   // what is none of its business: it decides the same without it. A wrapper says it of its own part
   bool ignores_obstacles = false;  ///< spheres, walls and polygons
   bool ignores_movers = false;     ///< tracks: vehicles and what drifts
+
+  bool needs_envelope = false;  ///< reads Situation::envelope, which takes some milliseconds to find
 };
 
 /// "ignores obstacles and whatever moves"; empty for whoever ignores nothing.

@@ -30,14 +30,46 @@ bool tells_shortfall(std::string_view note) noexcept {
 
 }  // namespace
 
-Command Avoider::held(const Situation& s, Command command) noexcept {
+void Avoider::decide_many(std::span<Avoider* const> avoiders, std::span<const Situation> situations,
+                          std::span<Command> commands) noexcept {
+  constexpr std::size_t most = 8;  // lanes of the widest registers
+  std::array<const Situation*, most> asked;
+  std::array<Command*, most> answers;
+  for (std::size_t next = 0; next < avoiders.size();) {
+    const std::size_t first = next;
+    Interface& algorithm = *avoiders[first]->self_;
+    std::size_t count = 0;
+    for (; next < avoiders.size() && count < most; ++next) {
+      if (!algorithm.decides_with(*avoiders[next]->self_)) break;
+      const std::string_view trouble = why_unusable(situations[next]);
+      if (!trouble.empty()) {
+        commands[next] = {.mode = Mode::infeasible, .note = trouble};
+        continue;
+      }
+      asked[count] = &situations[next];
+      answers[count++] = &commands[next];
+    }
+    if (next == first) {
+      commands[first] = avoiders[first]->decide(situations[first]);
+      ++next;
+      continue;
+    }
+    algorithm.decide_many(std::span{asked}.first(count), std::span{answers}.first(count));
+    for (std::size_t i = 0; i < count; ++i) hold(*asked[i], *answers[i]);
+  }
+}
+
+void Avoider::hold(const Situation& s, Command& command) noexcept {
+  if (!is_finite(command)) {
+    command = {.mode = Mode::infeasible, .note = "the method's answer is not finite"};
+    return;
+  }
   command.velocity = within(s, command.velocity);
   command.astern = command.astern && s.limits.sternway;
 
   const Shortfall beyond = shortfall(s.limits, command, s.own.yaw);
   if (command.note.empty() || tells_shortfall(command.note)) command.note = words_of(beyond);
   if (beyond != Shortfall::none && command.mode == Mode::avoid) command.mode = Mode::infeasible;
-  return command;
 }
 
 }  // namespace fairway

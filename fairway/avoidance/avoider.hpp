@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <span>
 #include <utility>
 
 #include "fairway/avoidance/algorithm.hpp"
@@ -53,9 +54,15 @@ class Avoider {
       return {.mode = Mode::infeasible, .note = trouble};
     Context context{rng_, sketch};
     Command command = self_->decide(situation, context);
-    if (!is_finite(command)) return {.mode = Mode::infeasible, .note = "the method's answer is not finite"};
-    return held(situation, command);
+    hold(situation, command);
+    return command;
   }
+
+  /// What `avoiders[i]->decide(situations[i])` would be, in `commands[i]`, to the bit; sooner where several
+  /// that come one after another are alike and their algorithm decides for many at once. Nobody is asked
+  /// twice.
+  static void decide_many(std::span<Avoider* const> avoiders, std::span<const Situation> situations,
+                          std::span<Command> commands) noexcept;
 
   /// Decides and takes it back: memory and randomness are as before, but what deciding has allocated is kept.
   /// So no later decision on a situation with no more in it allocates, not even the first.
@@ -78,6 +85,8 @@ class Avoider {
     virtual void restore(const Interface& clone) = 0;  ///< to what the clone of this remembers
     virtual const AlgorithmInfo& info() const = 0;
     virtual std::size_t most_tracks() const { return std::numeric_limits<std::size_t>::max(); }
+    virtual bool decides_with(const Interface& /*other*/) const noexcept { return false; }
+    virtual void decide_many(std::span<const Situation* const>, std::span<Command* const>) noexcept {}
   };
 
   template <AvoidanceAlgorithm A>
@@ -93,6 +102,17 @@ class Avoider {
       if constexpr (requires { algorithm.most_tracks(); }) return algorithm.most_tracks();
       return Interface::most_tracks();
     }
+    bool decides_with(const Interface& other) const noexcept override {
+      if constexpr (requires { algorithm.decides_with(algorithm); })
+        return &other.info() == &A::info &&
+               algorithm.decides_with(static_cast<const Model&>(other).algorithm);
+      return false;
+    }
+    void decide_many(std::span<const Situation* const> situations,
+                     std::span<Command* const> commands) noexcept override {
+      if constexpr (requires { algorithm.decide_many(situations, commands); })
+        algorithm.decide_many(situations, commands);
+    }
 
     A algorithm;
     typename A::Memory memory{};
@@ -101,8 +121,8 @@ class Avoider {
   template <AvoidanceWrapper W>
   struct Wrapped;
 
-  /// `command` held to what the vehicle may do, and judged by what it can.
-  static Command held(const Situation& s, Command command) noexcept;
+  /// Holds an algorithm's answer to what the vehicle may do, and judges it by what it can.
+  static void hold(const Situation& s, Command& command) noexcept;
 
   std::unique_ptr<Interface> self_;
   Rng rng_;

@@ -12,8 +12,10 @@
 #include "fairway/avoidance/rvo/rvo.hpp"
 #include "fairway/avoidance/safety_filter/safety_filter.hpp"
 #include "fairway/avoidance/stop_and_wait/stop_and_wait.hpp"
+#include "fairway/avoidance/trackable/trackable.hpp"
 #include "fairway/avoidance/vo/vo.hpp"
 #include "fairway/avoidance/wall_following/wall_following.hpp"
+#include "fairway/avoidance/way_round/shortest_way.hpp"
 
 namespace fairway {
 
@@ -33,6 +35,8 @@ Catalog builtin_avoiders() {
       .add_wrapper<StopAndWait, Direct>()
       .add_wrapper<SafetyFilter, Direct>()
       .add_wrapper<Inflate, Direct>()
+      .add_wrapper<Trackable, Direct>()
+      .add_wrapper<ShortestWay, Direct>()
       .alias("saw", "stop_and_wait")
       .alias("cbf", "safety_filter");
 }

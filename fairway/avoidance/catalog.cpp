@@ -68,6 +68,10 @@ bool Catalog::ignores(std::string_view name, bool AlgorithmInfo::*what) const {
   return std::ranges::all_of(layers(name), [&](const Entry* layer) { return layer->info.*what; });
 }
 
+bool Catalog::needs(std::string_view name, bool AlgorithmInfo::*what) const {
+  return std::ranges::any_of(layers(name), [&](const Entry* layer) { return layer->info.*what; });
+}
+
 Avoider Catalog::make(std::string_view name, const ParamValues& values, Rng rng) const {
   const std::vector<ParamInfo> accepted = params(name);
   std::vector<std::string_view> known;

@@ -79,6 +79,9 @@ class Catalog {
   /// `&AlgorithmInfo::ignores_obstacles` or `ignores_movers`. Throws InputError as make().
   bool ignores(std::string_view name, bool AlgorithmInfo::*what) const;
 
+  /// Whether any layer of "inner+wrapper" needs it, as `&AlgorithmInfo::needs_envelope`. Likewise.
+  bool needs(std::string_view name, bool AlgorithmInfo::*what) const;
+
   /// Throws InputError with the nearest known name.
   const Entry& find(std::string_view name) const;
 

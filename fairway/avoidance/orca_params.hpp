@@ -14,6 +14,8 @@ struct OrcaParams {
   double responsibility_ratio = 0.5;
   Symmetry symmetry = Symmetry::none;
 
+  friend bool operator==(const OrcaParams&, const OrcaParams&) = default;
+
   static consteval auto fields() {
     return std::tuple{
         field<&OrcaParams::time_horizon_s>({0.01, 10000},

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fairway/core/math.hpp"
+
 namespace fairway {
 namespace {
 
@@ -66,7 +68,7 @@ void ProgressWatch::see(double time, const Vec3& position, const Goal& goal, boo
   const bool is_nearer = !begins && distance <= least_distance_ - step_;
   goal_ = goal.position;
   if (begins || is_nearer || time - nearer_at_ > window_) {
-    least_distance_ = begins ? distance : std::fmin(distance, least_distance_);
+    least_distance_ = begins ? distance : math::fmin(distance, least_distance_);
     nearer_at_ = time;
   }
   if (is_new_place || is_nearer || sets_out || !under_way_) last_progress_ = time;
@@ -88,7 +90,7 @@ ProgressReport ProgressWatch::judge(Mode mode, std::span<const Bystander> bystan
     if (rests && !other.may_clear_way) continue;
     const Bystander*& nearest = rests ? resting : moving;
     if (nearest == nullptr || other.gap < nearest->gap) nearest = &other;
-    latest = std::fmax(latest, other.rests_since);
+    latest = math::fmax(latest, other.rests_since);
   }
   const bool waits = moving != nullptr || (resting == nullptr && mode == Mode::hold);
   report.state = waits ? Headway::waiting : resting != nullptr ? Headway::deadlocked : Headway::trapped;

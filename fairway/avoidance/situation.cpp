@@ -9,13 +9,25 @@ namespace {
 
 bool is_length(double value) { return value >= 0.0 && value <= std::numeric_limits<double>::max(); }
 
-/// The numbers are finite; their sum must not overflow. One test for all, since every decision makes it for
-/// every track.
-bool has_finite_sum(const Mat3& a, const Mat3& b) { return 0.0 * (a + b).sum() == 0.0; }
-
 bool is_usable(const Track& track) {
   return is_finite(track.position) && is_finite(track.velocity) && is_length(track.radius) &&
-         has_finite_sum(track.position_covariance, track.velocity_covariance);
+         0.0 * (track.position_covariance + track.velocity_covariance).sum() == 0.0;
+}
+
+/// Whether each can be used. Every decision asks, so all are added up first: a sum is finite only if all that
+/// is in it are. What does not add up is looked at one by one, since finite numbers too may overflow.
+bool are_usable(std::span<const Track> tracks) {
+  Mat3 covariances = Mat3::Zero();
+  Vec3 vectors = Vec3::Zero();
+  double radii = 0.0, least = 0.0;
+  for (const Track& track : tracks) {
+    covariances += track.position_covariance + track.velocity_covariance;
+    vectors += track.position + track.velocity;
+    radii += track.radius;
+    least = std::min(least, track.radius);
+  }
+  if (0.0 * (covariances.sum() + vectors.sum() + radii) == 0.0 && least == 0.0) return true;
+  return std::ranges::all_of(tracks, [](const Track& track) { return is_usable(track); });
 }
 
 bool is_usable(const Obstacle& obstacle) {
@@ -47,8 +59,7 @@ std::string_view why_unusable(const Situation& s) noexcept {
   if (!(s.limits.max_climb_rate >= 0.0)) return "the limit of climbing is not a speed";
   if (!(s.limits.min_depth <= s.limits.max_depth)) return "the ceiling is not above the floor";
   if (!is_length(s.limits.min_speed)) return "the least speed is not a speed";
-  if (!std::ranges::all_of(s.tracks, [](const Track& t) { return is_usable(t); }))
-    return "a track has a number that is not finite, or no radius";
+  if (!are_usable(s.tracks)) return "a track has a number that is not finite, or no radius";
   if (!std::ranges::all_of(s.obstacles, [](const Obstacle& o) { return is_usable(o); }))
     return "an obstacle has a number that is not finite, or no extent";
   return {};

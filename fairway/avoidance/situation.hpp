@@ -8,6 +8,7 @@
 #include <string_view>
 #include <tuple>
 
+#include "fairway/core/envelope.hpp"
 #include "fairway/core/ids.hpp"
 #include "fairway/core/limits.hpp"
 #include "fairway/core/onboard_model.hpp"
@@ -99,6 +100,7 @@ struct Situation {
   Goal goal;
   Limits limits;                        ///< `Avoider` holds every command to these
   const OnboardModel* model{nullptr};   ///< null where nothing is known of forces
+  const Envelope* envelope{nullptr};    ///< null unless a method asks for it (`needs_envelope`)
   std::span<const Track> tracks;        ///< nearest first; equal ranges by id
   std::span<const Obstacle> obstacles;  ///< what does not move
 

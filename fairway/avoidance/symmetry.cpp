@@ -54,8 +54,7 @@ Vec3 preferred_velocity(const Situation& s, Symmetry symmetry, const Context& co
   Vec3 v = s.preferred_velocity();
   if (symmetry == Symmetry::none || !is_symmetric(s, symmetry, v, range)) return v;
   const double angle = angle_of(symmetry, context);
-  const Vec2 level = v.head<2>();
-  v.head<2>() = std::cos(angle) * level + std::sin(angle) * starboard_of(level);
+  v.head<2>() = turned(v.head<2>(), angle);
   return v;
 }
 

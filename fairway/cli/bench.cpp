@@ -13,6 +13,7 @@
 #include "fairway/cli/numbers.hpp"
 #include "fairway/cli/program.hpp"
 #include "fairway/core/angles.hpp"
+#include "fairway/core/math.hpp"
 #include "fairway/sim/simulation.hpp"
 
 namespace fairway::cli {
@@ -59,7 +60,7 @@ Scenario crossing(const std::string& model, const std::string& algorithm) {
   Scenario scenario{.name = "bench", .step_s = 0.05, .duration_s = 1e6, .stop_when_done = false};
   for (std::uint32_t i = 0; i < 8; ++i) {
     const double angle = 2 * pi * i / 8.0;
-    const Vec3 start{20 * std::cos(angle), 20 * std::sin(angle), 10.0 + (i % 2)};
+    const Vec3 start{20 * math::cos(angle), 20 * math::sin(angle), 10.0 + (i % 2)};
     VehicleSpec vehicle{.id = i,
                         .name = "v" + std::to_string(i),
                         .model = {.name = model},
@@ -125,17 +126,23 @@ void add_bench(CLI::App& app, Program& program) {
   auto algorithms = std::make_shared<std::vector<std::string>>(
       std::vector<std::string>{"orca3d", "apf", "orca3d+stop_and_wait"});
   auto fleets = std::make_shared<std::vector<std::size_t>>();
+  auto threads = std::make_shared<std::size_t>(1);
   auto as_json = std::make_shared<bool>(false);
   verb->add_option("--algorithm", *algorithms, "whose decisions are timed")->capture_default_str();
   verb->add_option("--seconds", *budget, "per figure; each is the median of its repetitions")
       ->capture_default_str()
       ->transform(finite_number(0.01, 60.0));
-  verb->add_option("--fleet", *fleets, "instead: what a step of fleets of so many vehicles costs, by stage")
-      ->delimiter(',')
-      ->transform(whole_number<std::size_t>(1, 1'000'000));
+  CLI::Option* fleet = verb->add_option("--fleet", *fleets,
+                                        "instead: what a step of fleets of so many vehicles costs, by stage")
+                           ->delimiter(',')
+                           ->transform(whole_number<std::size_t>(1, 1'000'000));
+  verb->add_option("--threads", *threads, "that share a step of a fleet")
+      ->capture_default_str()
+      ->transform(whole_number<std::size_t>(1, max_jobs))
+      ->needs(fleet);
   verb->add_flag("--json", *as_json, "print JSON");
   program.on(*verb, [=, &program] {
-    if (!fleets->empty()) return bench_fleets(*fleets, *budget, *as_json, program.catalogs);
+    if (!fleets->empty()) return bench_fleets(*fleets, *budget, *threads, *as_json, program.catalogs);
     return bench(*algorithms, *budget, *as_json, program.catalogs);
   });
 }

@@ -6,12 +6,13 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <numeric>
 
 #include "fairway/core/angles.hpp"
+#include "fairway/core/math.hpp"
 #include "fairway/core/rng.hpp"
 #include "fairway/experiment/measure_run.hpp"
 #include "fairway/sim/simulation.hpp"
@@ -19,12 +20,14 @@
 namespace fairway::cli {
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
 /// What a step of one fleet has cost.
 struct FleetCost {
   std::size_t vehicles{};
   double ns{};     ///< a vehicle and step
   double bytes{};  ///< a vehicle
-  std::array<double, 7> stage_ns{};
+  std::array<double, stage_count> stage_ns{};
 };
 
 /// Kinematic vehicles under orca3d on a lattice of 11 m, each disturbed by up to 2 m and on its way to a
@@ -33,7 +36,8 @@ struct FleetCost {
 Scenario lattice(std::size_t count) {
   Scenario scenario{.name = "fleet", .step_s = 0.05, .duration_s = 1e6, .stop_when_done = false};
   scenario.perception.range_m = 15.0;
-  const auto side = static_cast<std::size_t>(std::ceil(std::cbrt(static_cast<double>(count)) - 1e-9));
+  std::size_t side = 1;
+  while (side * side * side < count) ++side;
   Rng rng{1};
   const auto jitter = [&] { return rng.uniform(-2.0, 2.0); };
   scenario.vehicles.reserve(count);
@@ -52,7 +56,7 @@ Scenario lattice(std::size_t count) {
         .priority = static_cast<std::int32_t>(i)};
     vehicle.limits.max_speed = 0.5;
     vehicle.mission.push_back({.kind = LegKind::transit,
-                               .position = start + 1000.0 * Vec3{std::cos(angle), std::sin(angle), 0.0},
+                               .position = start + 1000.0 * Vec3{math::cos(angle), math::sin(angle), 0.0},
                                .speed_mps = 0.5});
     scenario.vehicles.push_back(std::move(vehicle));
   }
@@ -67,7 +71,7 @@ double heap_in_use() {
 
 /// Steps for `budget_s` at least, and ten times; the first ten seconds of the run, again and again, for then
 /// those of a small fleet have left each other.
-FleetCost cost_of(std::size_t count, const Catalogs& catalogs, double budget_s) {
+FleetCost cost_of(std::size_t count, const Catalogs& catalogs, double budget_s, std::size_t threads) {
   constexpr int warm_up = 3, most_steps = 200;
   const double n = static_cast<double>(count);
   const double before = heap_in_use();
@@ -79,15 +83,18 @@ FleetCost cost_of(std::size_t count, const Catalogs& catalogs, double budget_s) 
     Simulation simulation{scenario, catalogs};
     RunMetrics metrics = metrics_for(scenario, catalogs.vehicles);
     const std::array<FrameSink*, 1> sinks{&metrics};
+    simulation.share_out(threads);
+    metrics.share_out(threads);
     for (int i = 0; i < warm_up; ++i) simulation.step(sinks);
     cost.bytes = (heap_in_use() - before) / n;
 
     simulation.time_stages();
-    const auto& seconds = simulation.stage_times().seconds();
-    const auto sum = [&] { return std::accumulate(seconds.begin(), seconds.end(), 0.0); };
-    for (int i = 0; i < most_steps && (steps < 10 || total + sum() < budget_s); ++i, ++steps)
+    const Clock::time_point begin = Clock::now();
+    const auto gone = [&] { return std::chrono::duration<double>(Clock::now() - begin).count(); };
+    for (int i = 0; i < most_steps && (steps < 10 || total + gone() < budget_s); ++i, ++steps)
       simulation.step(sinks);
-    total += sum();
+    total += gone();
+    const auto seconds = simulation.stage_times().seconds();
     for (std::size_t k = 0; k < seconds.size(); ++k) cost.stage_ns[k] += seconds[k];
   }
   const double ns_of_second = 1e9 / (n * static_cast<double>(steps));
@@ -114,7 +121,7 @@ void print(const FleetCost& cost, double growth) {
 
 }  // namespace
 
-int bench_fleets(const std::vector<std::size_t>& counts, double budget_s, bool as_json,
+int bench_fleets(const std::vector<std::size_t>& counts, double budget_s, std::size_t threads, bool as_json,
                  const Catalogs& catalogs) {
   if (!as_json) {
     std::cout << "ns per vehicle and step, kinematic under orca3d, at most 10 neighbours within 15 m\n";
@@ -125,7 +132,7 @@ int bench_fleets(const std::vector<std::size_t>& counts, double budget_s, bool a
   nlohmann::json document{{"fleet", nlohmann::json::array()}};
   std::optional<double> first;
   for (const std::size_t count : counts) {
-    const FleetCost cost = cost_of(count, catalogs, budget_s);
+    const FleetCost cost = cost_of(count, catalogs, budget_s, threads);
     if (!first) first = cost.ns;
     document["fleet"].push_back(json_of(cost));
     if (!as_json) print(cost, cost.ns / *first);

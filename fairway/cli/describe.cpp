@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <iostream>
 #include <memory>
@@ -7,6 +8,8 @@
 
 #include "fairway/cli/program.hpp"
 #include "fairway/comms/exchange.hpp"
+#include "fairway/control/envelope.hpp"
+#include "fairway/control/vehicle_limits.hpp"
 #include "fairway/core/text.hpp"
 #include "fairway/metrics/run_metrics.hpp"
 #include "fairway/perception/lookout.hpp"
@@ -49,6 +52,25 @@ json actuators_json(std::span<const ActuatorInfo> actuators) {
                     {"time_constant_s", a.time_constant_s},
                     {"meaning", a.meaning}});
   }
+  return list;
+}
+
+/// The envelope under the autopilot that the vehicle has by default, in steps of a scenario's default. Empty
+/// where no autopilot drives it.
+json envelope_json(const Vehicle& vehicle) {
+  json list = json::array();
+  const auto envelope = [&]() -> std::optional<Envelope> {
+    try {
+      return measured_envelope(vehicle, Autopilot{vehicle}, narrowed({}, vehicle), Scenario{}.step_s);
+    } catch (const InputError&) {
+      return {};
+    }
+  }();
+  if (!envelope) return list;
+  for_each_member<Envelope>([&](const auto& m) {
+    list.push_back(
+        {{"name", m.name_with_unit()}, {"value", json((*envelope).*m.at)}, {"meaning", m.meaning}});
+  });
   return list;
 }
 
@@ -99,6 +121,7 @@ json describe(const std::string& name, const Catalogs& catalogs) {
             {"title", entry.info.title},
             {"source", entry.info.source},
             {"actuators", actuators_json(vehicle.actuators())},
+            {"envelope", envelope_json(vehicle)},
             {"parameters", params_json(entry.params)}};
   }
   for (const Study& study : builtin_studies()) {
@@ -130,6 +153,12 @@ std::string text_of(const json& value) {
   return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
+/// To three digits; a list in brackets.
+std::string rounded(const json& value) {
+  if (!value.is_array()) return fmt::format("{:.3g}", value.get<double>());
+  return fmt::format("[{:.3g}]", fmt::join(value.get<std::vector<double>>(), ", "));
+}
+
 void print_entry(const json& entry, const std::string& list = {}) {
   const std::string name = list + entry["name"].get<std::string>();
   std::string range;
@@ -156,6 +185,12 @@ void print(const json& document) {
     std::cout << fmt::format("{:<18} {}\n", key, text_of(value));
   }
   print_table(document.value("actuators", json::array()), "actuators (name, limits, meaning)");
+  const json envelope = document.value("envelope", json::array());
+  if (!envelope.empty())
+    std::cout << "envelope in still water, without limits of a mission (name, value, meaning)\n";
+  for (const json& entry : envelope)
+    std::cout << fmt::format("  {:<26} {:<28} {}\n", entry["name"].get<std::string>(),
+                             rounded(entry["value"]), entry["meaning"].get<std::string>());
   print_table(document.value("parameters", json::array()), "parameters (name, default, range, meaning)");
 }
 

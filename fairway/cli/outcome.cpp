@@ -38,7 +38,8 @@ void print_vehicles(const Scenario& scenario, const std::vector<Measure>& measur
     }
     if (!each) {
       const auto [least, greatest] = std::ranges::minmax(values);
-      values = {least, std::reduce(values.begin(), values.end()) / static_cast<double>(values.size()),
+      values = {least,
+                std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size()),
                 greatest};
     }
     out << fmt::format("  {:<24}", quantity);

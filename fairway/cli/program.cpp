@@ -20,8 +20,10 @@ namespace fairway::cli {
 namespace {
 
 std::atomic<bool> stop_requested{false};
+std::atomic<bool> terminated{false};
 
-extern "C" void on_interrupt(int) {
+extern "C" void on_interrupt(int signal) {
+  if (signal == SIGTERM) terminated = true;
   // a second Ctrl-C ends the process at once
   if (stop_requested.exchange(true)) std::_Exit(interrupted);
 }
@@ -46,6 +48,10 @@ void add_verbs(CLI::App& app, Program& program) {
   add_test(app, program);
   add_study(app, program);
   add_sweep(app, program);
+  add_merge(app, program);
+  add_submit(app, program);
+  add_status(app, program);
+  add_tune(app, program);
   add_compare(app, program);
   add_report(app, program);
   add_replay(app, program);
@@ -89,7 +95,7 @@ int run_command(int argc, const char* const* argv, const Catalogs& catalogs) {
   app.set_version_flag("--version", std::string("fairway ") + std::string(fairway_version));
   app.require_subcommand(1);
   app.footer("Example: fairway study cubes --seeds 20 --out results");
-  Program program{typed_line(argc, argv), {}, &stop_requested, app.get_name(), catalogs};
+  Program program{typed_line(argc, argv), {}, &stop_requested, app.get_name(), catalogs, &terminated};
   add_verbs(app, program);
   std::signal(SIGINT, on_interrupt);
   std::signal(SIGTERM, on_interrupt);

@@ -23,9 +23,10 @@ inline constexpr int interrupted = 130;
 struct Program {
   std::string typed;            ///< the whole command, for reports
   std::function<int()> chosen;  ///< the verb that was asked for
-  std::atomic<bool>* stop;      ///< set by Ctrl-C
+  std::atomic<bool>* stop;      ///< set by Ctrl-C and by SIGTERM
   std::string name;          ///< of this program, as it was called: "fairway", or one with methods of its own
   const Catalogs& catalogs;  ///< what it offers
+  std::atomic<bool>* terminated;  ///< whether it was SIGTERM that asked to stop
 
   /// Has `run` chosen where the verb is asked for.
   void on(CLI::App& verb, std::function<int()> run) {
@@ -41,6 +42,10 @@ void add_run(CLI::App& app, Program& program);
 void add_test(CLI::App& app, Program& program);
 void add_study(CLI::App& app, Program& program);
 void add_sweep(CLI::App& app, Program& program);
+void add_merge(CLI::App& app, Program& program);
+void add_submit(CLI::App& app, Program& program);
+void add_status(CLI::App& app, Program& program);
+void add_tune(CLI::App& app, Program& program);
 void add_compare(CLI::App& app, Program& program);
 void add_report(CLI::App& app, Program& program);
 void add_replay(CLI::App& app, Program& program);

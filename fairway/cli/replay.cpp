@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -7,6 +9,7 @@
 #include "fairway/cli/program.hpp"
 #include "fairway/experiment/measure_run.hpp"
 #include "fairway/experiment/recording_info.hpp"
+#include "fairway/experiment/version.hpp"
 #include "fairway/metrics/run_metrics.hpp"
 #include "fairway/record/csv.hpp"
 #include "fairway/record/hash_checker.hpp"
@@ -43,12 +46,19 @@ int verify(const Recording& recording, const std::string& name, bool as_json, co
   simulation.show_thoughts(recording.info().sketches);
   while (!simulation.is_done() && !checker.is_over()) simulation.step(sinks);
   const std::string& broke = recording.divergence();
+  const std::string& machine = recording.info().machine;
+  const bool elsewhere = !machine.empty() && machine != fairway_machine;
   if (as_json) {
     nlohmann::json document{{"recording", name}, {"same", checker.same()}, {"verdict", checker.describe()}};
+    if (!machine.empty()) document["recorded_on"] = machine;
+    document["verified_on"] = fairway_machine;
     add_outcome(broke, document);
     std::cout << document.dump(2) << "\n";
   } else {
-    std::cout << name << ": " << checker.describe() << (broke.empty() ? "" : "; " + broke) << "\n";
+    std::cout << name << ": " << checker.describe()
+              << (elsewhere ? "; recorded on " + machine + ", verified on " + std::string(fairway_machine)
+                            : "")
+              << (broke.empty() ? "" : "; " + broke) << "\n";
   }
   return checker.same() ? ok : expectation_failed;
 }
@@ -74,11 +84,13 @@ int summarise(const Recording& recording, const std::string& name, bool as_json,
   const std::string& broke = recording.divergence();
   RunMetrics metrics = metrics_for(scenario, vehicles);
   if (broke.empty()) recording.play(metrics);
-  nlohmann::json document{{"recording", name},          {"scenario", info.scenario_name},
-                          {"seed", info.seed},          {"version", info.version},
-                          {"frames", recording.size()}, {"vehicles", info.vehicles.size()},
-                          {"period_s", info.period},    {"perception", info.perception},
-                          {"sketches", info.sketches},  {"stopped", recording.stopped()}};
+  nlohmann::json document{
+      {"recording", name},          {"scenario", info.scenario_name},
+      {"seed", info.seed},          {"version", info.version},
+      {"frames", recording.size()}, {"vehicles", info.vehicles.size()},
+      {"period_s", info.period},    {"perception", info.perception},
+      {"sketches", info.sketches},  {"stopped", recording.stopped()},
+      {"machine", info.machine},    {"run_hash", fmt::format("{:016x}", recording.run_hash())}};
   add_outcome(broke, document);
   if (broke.empty()) {
     for (const Measure& m : metrics.measures()) {

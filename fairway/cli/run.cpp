@@ -24,6 +24,7 @@ struct RunOptions {
   std::optional<std::uint64_t> seed;
   RecordingChoice recording;
   LiveChoice live;
+  std::size_t threads{1};
   bool json{false};
 };
 
@@ -39,9 +40,10 @@ int run(const RunOptions& options, const Outputs& outputs, const Program& progra
   Scenario scenario = load_scenario(options.file, overrides_of(options.settings), options.seed);
   if (!options.algorithm.empty()) set_algorithm(scenario, options.algorithm);
   check_expectations(scenario);
-  const RunOutcome outcome = options.live.asked ? run_live(scenario, options.recording, options.live,
-                                                           options.json ? std::cerr : std::cout, program)
-                                                : run_scenario(scenario, options.recording, program);
+  const RunOutcome outcome =
+      options.live.asked
+          ? run_live(scenario, options.recording, options.live, options.json ? std::cerr : std::cout, program)
+          : run_scenario(scenario, options.recording, program, nullptr, options.threads);
   if (!outcome.complete) {
     print_interrupted(options, outcome.simulated_s);
     return interrupted;
@@ -79,7 +81,8 @@ void add_run(CLI::App& app, Program& program) {
       "recording ends before that.");
   auto options = std::make_shared<RunOptions>();
   verb->add_option("scenario", options->file, "scenario file")->required();
-  verb->add_option("--algorithm", options->algorithm, "for every vehicle, instead of the file's");
+  verb->add_option("--algorithm", options->algorithm,
+                   "for every vehicle, instead of the file's: a name, or a YAML file that tune made");
   verb->add_option("--set", options->settings, "path=value, over what the file says");
   verb->add_option("--seed", options->seed, "instead of the file's")
       ->transform(whole_number<std::uint64_t>());
@@ -93,6 +96,11 @@ void add_run(CLI::App& app, Program& program) {
                  "record what each method draws of its thinking, and the messages under way")
       ->needs(out);
   add_live(*verb, options->live);
+  verb->add_option("--threads", options->threads,
+                   "that go through the vehicles together; the results are the same on any number")
+      ->capture_default_str()
+      ->transform(whole_number<std::size_t>(1, max_jobs))
+      ->excludes("--live");
   verb->add_flag("--json", options->json, "print JSON");
   program.on(*verb, [=, &program] { return run(*options, *outputs, program); });
 }

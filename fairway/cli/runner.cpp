@@ -10,11 +10,13 @@
 #include <memory>
 #include <optional>
 
+#include "fairway/core/math.hpp"
 #include "fairway/core/names.hpp"
 #include "fairway/core/text.hpp"
 #include "fairway/experiment/measure_run.hpp"
 #include "fairway/experiment/recording_info.hpp"
 #include "fairway/record/recording_writer.hpp"
+#include "fairway/scenario/block.hpp"
 
 namespace fairway::cli {
 namespace {
@@ -37,7 +39,7 @@ bool may_go_on(double time, const Watch* watch, const std::atomic<bool>* stop) {
 /// How far `value` is outside the bounds; negative inside, by the way to the nearer one.
 double excess(const Expectation& expected, double value) {
   if (std::isnan(value)) return std::numeric_limits<double>::infinity();
-  return std::fmax(value - expected.max, expected.min - value);
+  return math::fmax(value - expected.max, expected.min - value);
 }
 
 std::string vehicle_name(const Scenario& scenario, int index) {
@@ -73,11 +75,13 @@ std::string occasion_text(const Judgement& judgement) {
 }  // namespace
 
 RunOutcome run_scenario(const Scenario& scenario, const RecordingChoice& recording, const Program& program,
-                        const Watch* watch) {
+                        const Watch* watch, std::size_t threads) {
   Simulation simulation{scenario, program.catalogs};
+  simulation.share_out(threads);
   simulation.time_decisions();
   simulation.show_thoughts(recording.sketches);
   RunMetrics metrics = metrics_for(scenario, program.catalogs.vehicles);
+  metrics.share_out(threads);
   std::vector<FrameSink*> sinks{&metrics};
   std::unique_ptr<RecordingWriter> writer;
   if (!recording.file.empty()) {
@@ -170,6 +174,13 @@ std::string text_of(const Judgement& judgement) {
 }
 
 void set_algorithm(Scenario& scenario, const std::string& name) {
+  if (name.ends_with(".yaml")) {
+    const yaml::Tree document = yaml::parse_tree(read_text(name), name);
+    yaml::Reading reading;
+    const Choice avoider = yaml::read_choice({document, "", reading}, "algorithm", yaml::Needed::yes);
+    for (VehicleSpec& vehicle : scenario.vehicles) vehicle.avoider = avoider;
+    return;
+  }
   for (VehicleSpec& vehicle : scenario.vehicles) {
     if (vehicle.avoider.name == name) continue;
     vehicle.avoider = {.name = name, .params = {}, .path = "--algorithm", .where = {}, .param_where = {}};

@@ -48,9 +48,9 @@ struct Watch {
       ready;  ///< called before the first step, when nothing of the input can be wrong any more
 };
 
-/// Runs a scenario, and records it, up to where it is stopped.
+/// Runs a scenario on so many threads, and records it, up to where it is stopped.
 RunOutcome run_scenario(const Scenario& scenario, const RecordingChoice& recording, const Program& program,
-                        const Watch* watch = nullptr);
+                        const Watch* watch = nullptr, std::size_t threads = 1);
 
 /// Whoever made no progress as of the last of at least one frame.
 std::vector<NoProgress> no_progress_at_end(const Scenario& scenario, const ProgressMetric& progress);

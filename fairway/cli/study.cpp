@@ -28,6 +28,7 @@ struct StudyFlags {
   std::vector<std::string> overrides;
   std::string only;
   std::string record;
+  std::string shard;
 };
 
 /// "path=value" for each, as `--set` takes them.
@@ -135,6 +136,7 @@ int run_study(const Study& study, const StudyFlags& flags, const Outputs& output
                        .stop = program.stop,
                        .command = program.typed,
                        .overrides = overrides};
+  if (!flags.shard.empty()) options.shard = parse_shard(flags.shard);
   if (store) {
     options.show = [&](const ShownRun& run) { keep_playback(directory, run); };
     options.playback = [&](const RunSpec& spec) {
@@ -143,6 +145,11 @@ int run_study(const Study& study, const StudyFlags& flags, const Outputs& output
     };
   }
   const StudyResult result = study.run(options);
+  if (!options.shard.is_all() && !*program.stop) {
+    std::cout << study.name << ", shard " << flags.shard << ": " << store->size() << " runs stored in "
+              << (directory / "results.sqlite").string() << "\n";
+    return ok;
+  }
   if (!result.complete) {
     std::cerr << "fairway: interrupted; "
               << (store ? "the same command goes on from here" : "nothing was kept (no --out)") << "\n";
@@ -187,11 +194,17 @@ void add_study(CLI::App& app, Program& program) {
   CLI::Option* only = verb->add_option(
       "--only", flags->only,
       "make this run alone and print its measures: a name as reports show it, or its beginning");
+  verb->add_option("--shard", flags->shard, "make only part I of N of the runs, from 0, and nothing of them")
+      ->type_name("I/N")
+      ->excludes(only);
   auto outputs = std::make_shared<Outputs>(*verb);
   outputs->add("--record", flags->record, recording_file, "record that run to this MCAP file")->needs(only);
   program.on(*verb, [=, &program] {
     std::vector<const Study*> studies;
     for (const std::string& name : flags->names) studies.push_back(&find_study(name));
+    if (!flags->shard.empty()) parse_shard(flags->shard);  // refused before a folder is made
+    if (!flags->shard.empty() && flags->out.empty())
+      throw InputError("--shard needs --out, where its runs go");
     if (!flags->only.empty() && studies.size() > 1) throw InputError("--only is of one study");
     if (!flags->only.empty()) return show_only(*studies.front(), *flags, *outputs, program);
     for (const Study* study : studies) {

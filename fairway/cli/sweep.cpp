@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <chrono>
 #include <iostream>
 #include <memory>
+#include <optional>
 
 #include "fairway/cli/numbers.hpp"
 #include "fairway/cli/outputs.hpp"
@@ -10,6 +12,7 @@
 #include "fairway/cli/program.hpp"
 #include "fairway/experiment/campaign.hpp"
 #include "fairway/experiment/compare.hpp"
+#include "fairway/experiment/local_store.hpp"
 #include "fairway/experiment/measure_run.hpp"
 #include "fairway/experiment/stored_results.hpp"
 #include "fairway/sim/simulation.hpp"
@@ -20,41 +23,133 @@ namespace {
 struct SweepFlags {
   std::string campaign;
   std::string out;
+  std::string shard;
+  std::string missing;
   unsigned jobs{0};
   bool retry{false};
+  bool no_host{false};
   bool json{false};
+
+  /// Of a part of the campaign, the rest of which is elsewhere, nothing is compared.
+  bool is_of_part() const { return !shard.empty() || (!missing.empty() && missing != out); }
 };
 
-/// The store that --out names, or one in memory.
-Store store_for(const SweepFlags& flags, const Outputs& outputs, const Campaign& campaign) {
-  if (flags.out.empty()) return Store::in_memory();
+/// Where the runs are stored: a file, on local disk first for a shard, or memory.
+class SweepStore {
+ public:
+  SweepStore(const SweepFlags& flags, Store::Foreign foreign) {
+    if (flags.out.empty()) {
+      store_.emplace(Store::in_memory());
+    } else if (flags.shard.empty()) {
+      store_.emplace(Store::open(flags.out, foreign));
+    } else {
+      local_.emplace(flags.out, foreign);
+    }
+  }
+
+  Store& get() { return local_ ? local_->store() : *store_; }
+
+  /// Has what is stored stand under its name, where it does not by itself.
+  void publish() {
+    if (local_) local_->publish();
+    published_ = Clock::now();
+  }
+
+  /// The same, but not often: whoever looks how far it is, or is killed, is at most a minute behind.
+  void publish_now_and_then() {
+    if (Clock::now() - published_ > std::chrono::minutes{1}) publish();
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  std::optional<Store> store_;
+  std::optional<LocalStore> local_;
+  Clock::time_point published_{Clock::now()};
+};
+
+void judge_outputs(const SweepFlags& flags, const Outputs& outputs, const Campaign& campaign) {
   std::vector<std::string> inputs{flags.campaign};
   for (const CampaignScenario& scenario : campaign.scenarios) inputs.push_back(scenario.file);
+  if (flags.missing != flags.out) inputs.push_back(flags.missing);
   outputs.judge(inputs);
-  return Store::open(flags.out, outputs.force() ? Store::Foreign::replace : Store::Foreign::refuse);
+}
+
+/// A shard goes on in a store of its own campaign alone: it is to be merged.
+void refuse_other_campaign(const SweepFlags& flags, const Campaign& campaign, const Store& store) {
+  const Origin origin = store.origin();
+  if (flags.shard.empty() || origin.digest.empty() || origin.digest == campaign.digest) return;
+  throw InputError(flags.out + ": holds a shard of " +
+                   (origin.campaign == campaign.name ? "another version of campaign "
+                                                     : "campaign " + origin.campaign + ", not of ") +
+                   campaign.name + "; write to another file");
+}
+
+/// Leaves out the runs that the store of --missing has.
+void leave_out_stored(const SweepFlags& flags, Campaign& campaign) {
+  if (flags.missing.empty() || flags.missing == flags.out) return;
+  const Store store = Store::open_existing(flags.missing);
+  keep_runs(campaign, [&](const RunSpec& spec) {
+    const Store::Status status = store.status(spec.key);
+    return status == Store::Status::missing || (status == Store::Status::failed && flags.retry);
+  });
+}
+
+void print_part(const SweepFlags& flags, const Campaign& campaign, const ExecutorReport& report) {
+  if (flags.json) {
+    const nlohmann::json document{{"campaign", campaign.name},          {"shard", text_of(campaign.shard)},
+                                  {"runs", campaign.specs.size()},      {"made", report.made},
+                                  {"present", report.present},          {"failed", report.failed},
+                                  {"of_campaign", campaign.run_count()}};
+    std::cout << document.dump(2) << "\n";
+    return;
+  }
+  const std::string part = flags.shard.empty() ? "missing from " + flags.missing : "shard " + flags.shard;
+  std::cout << fmt::format("{}, {}: {} of {} runs; {} made, {} of them failed, {} were there\n",
+                           campaign.name, part, campaign.specs.size(), campaign.run_count(), report.made,
+                           report.failed, report.present);
+}
+
+/// What is stored is kept, so SIGTERM, by which a scheduler ends a job, is no failure.
+int stopped(const SweepFlags& flags, const ExecutorReport& report, const Program& program) {
+  const bool is_kept = !flags.out.empty();
+  std::cerr << fmt::format("fairway: {} after {} runs; {}\n",
+                           *program.terminated ? "terminated" : "interrupted", report.made,
+                           is_kept ? "the same command goes on from here" : "nothing was kept (no --out)");
+  return *program.terminated && is_kept ? ok : interrupted;
 }
 
 int sweep(const SweepFlags& flags, const Outputs& outputs, const Program& program) {
+  if (!flags.shard.empty() && flags.out.empty()) throw InputError("--shard needs --out, where its runs go");
   const Catalogs& catalogs = program.catalogs;
   const std::atomic<bool>* stop = program.stop;
   const auto check = [&](const Scenario& scenario) { Simulation{scenario, catalogs}; };
-  const Campaign campaign = load_campaign(flags.campaign, check, flags.jobs, own_methods(program));
-  Store store = store_for(flags, outputs, campaign);
+  Campaign campaign = load_campaign(flags.campaign, check, flags.jobs, own_methods(program),
+                                    flags.shard.empty() ? Shard{} : parse_shard(flags.shard));
+  if (!flags.out.empty()) judge_outputs(flags, outputs, campaign);
+  leave_out_stored(flags, campaign);
+  SweepStore store{flags, outputs.force() ? Store::Foreign::replace : Store::Foreign::refuse};
+  refuse_other_campaign(flags, campaign, store.get());
+  store.get().note(this_maker(!flags.shard.empty() && !flags.no_host));
   Progress progress{campaign.name};
   const ExecutorReport report = run_campaign(
-      campaign, [&](const Scenario& scenario) { return measure_run(scenario, catalogs, stop); }, store,
-      {.jobs = flags.jobs, .progress = &progress, .stop = stop, .retry_failures = flags.retry});
-  if (report.stopped) {
-    std::cerr << fmt::format("fairway: interrupted after {} runs; the same command goes on from here\n",
-                             report.made);
-    return interrupted;
-  }
-  const Comparison comparison = compare(records_of(campaign, store), options_for(origin_of(campaign), {}));
-  if (flags.json) {
-    std::cout << to_json(comparison).dump(2) << "\n";
+      campaign, [&](const Scenario& scenario) { return measure_run(scenario, catalogs, stop); }, store.get(),
+      {.jobs = flags.jobs, .progress = &progress, .stop = stop, .retry_failures = flags.retry, .stored = [&] {
+         store.publish_now_and_then();
+       }});
+  store.publish();
+  if (report.stopped) return stopped(flags, report, program);
+  if (flags.is_of_part()) {
+    print_part(flags, campaign, report);
   } else {
-    std::cout << fmt::format("{}: {} runs made, {} were there\n", campaign.name, report.made, report.present)
-              << table_text(comparison);
+    const Comparison comparison =
+        compare(records_of(campaign, store.get()), options_for(origin_of(campaign), {}));
+    if (flags.json) {
+      std::cout << to_json(comparison).dump(2) << "\n";
+    } else {
+      std::cout << fmt::format("{}: {} runs made, {} were there\n", campaign.name, report.made,
+                               report.present)
+                << table_text(comparison);
+    }
   }
   return report.failed == 0 ? ok : expectation_failed;
 }
@@ -64,15 +159,23 @@ int sweep(const SweepFlags& flags, const Outputs& outputs, const Program& progra
 void add_sweep(CLI::App& app, Program& program) {
   CLI::App* verb = app.add_subcommand(
       "sweep", "Run a campaign: scenarios x algorithms x settings x seeds; only what is missing");
-  verb->footer("Example: fairway sweep campaigns/methods.yaml --out methods.sqlite");
+  verb->footer(
+      "Example: fairway sweep campaigns/methods.yaml --out methods.sqlite\n"
+      "On several machines: fairway sweep campaigns/methods.yaml --shard 3/64 --out part3.sqlite, and then "
+      "fairway merge");
   auto flags = std::make_shared<SweepFlags>();
   verb->add_option("campaign", flags->campaign, "campaign file")->required();
   auto outputs = std::make_shared<Outputs>(*verb);
   outputs->add("--out", flags->out, store_file, "results store to write; continued if it is there");
+  verb->add_option("--shard", flags->shard, "only part I of N, from 0; --out then appears when it is whole")
+      ->type_name("I/N");
+  verb->add_option("--missing", flags->missing, "only what this results store does not have")
+      ->type_name("STORE");
   verb->add_option("--jobs", flags->jobs, "threads; 0 = as many as the machine has")
       ->transform(whole_number(0U, max_jobs))
       ->capture_default_str();
   verb->add_flag("--retry-failures", flags->retry, "make failed runs again");
+  verb->add_flag("--no-host", flags->no_host, "keep the machine's name out of a shard's store");
   verb->add_flag("--json", flags->json, "print the comparison as JSON");
   program.on(*verb, [=, &program] { return sweep(*flags, *outputs, program); });
 }

@@ -33,7 +33,7 @@ Autopilot::Autopilot(const Vehicle& vehicle, const VelocityController::Params& p
                        std::string(vehicle.info().name) +
                        ": it is not a velocity setpoint and the vehicle does not tell how it pushes");
     }
-    setpoints_[static_cast<std::size_t>(setpoint_count_++)] = setpoint;
+    setpoints_.push_back(setpoint);
   }
 }
 
@@ -42,9 +42,9 @@ ActuatorValues Autopilot::control(const BodyRequest& request, const Vec3& v_b, c
   if (controller_) return controller_->control(request, v_b, omega_b, h);
   if (fins_) return fins_->control(request, euler_of(q_nb).pitch, v_b, omega_b, h);
 
-  ActuatorValues command(setpoint_count_);
-  for (Eigen::Index i = 0; i < setpoint_count_; ++i)
-    command[i] = request.*setpoints_[static_cast<std::size_t>(i)];
+  ActuatorValues command(static_cast<Eigen::Index>(setpoints_.size()));
+  for (std::size_t i = 0; i < setpoints_.size(); ++i)
+    command[static_cast<Eigen::Index>(i)] = request.*setpoints_[i];
   return command;
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <optional>
+#include <vector>
 
 #include "fairway/control/body_request.hpp"
 #include "fairway/control/fin_autopilot.hpp"
@@ -37,8 +37,7 @@ class Autopilot {
   Boxed<VelocityController> controller_;
   Boxed<ThrustAllocator> allocator_;
   Boxed<FinAutopilot> fins_;
-  std::array<double BodyRequest::*, max_actuators> setpoints_{};  // of each actuator, without a controller
-  Eigen::Index setpoint_count_{};
+  std::vector<double BodyRequest::*> setpoints_;  // of each actuator, without a controller
 };
 
 }  // namespace fairway

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fairway/core/math.hpp"
 #include "fairway/core/params.hpp"
 
 namespace fairway {
@@ -20,7 +21,7 @@ double finite(double value) { return std::isfinite(value) ? value : 0.0; }
 Vec3 finite(const Vec3& v) { return {finite(v.x()), finite(v.y()), finite(v.z())}; }
 
 /// How far it goes either way.
-double largest(const ActuatorInfo& fin) { return std::fmin(-fin.range.lo, fin.range.hi); }
+double largest(const ActuatorInfo& fin) { return math::fmin(-fin.range.lo, fin.range.hi); }
 
 double limited_to(double value, double limit) { return std::clamp(value, -limit, limit); }
 
@@ -39,7 +40,7 @@ FinAutopilot::FinAutopilot(const FinDrive& drive, std::span<const ActuatorInfo> 
       std::max(actuators[drive.rudder].time_constant_s, actuators[drive.stern].time_constant_s);
   bandwidth_ = fin_share / std::max(lag, least_lag_s);
   steerage_way_ =
-      std::sqrt(drive.pitch_restoring * std::sin(steerage_pitch) / (-drive.stern_moment * largest_stern_));
+      std::sqrt(drive.pitch_restoring * math::sin(steerage_pitch) / (-drive.stern_moment * largest_stern_));
   steerage_way_ = std::max(steerage_way_, least_fin_speed);
 }
 
@@ -61,7 +62,7 @@ void FinAutopilot::observe(double pitch, const Vec3& v_b, const Vec3& omega_b, d
   });
   pitch_.observe(omega_b.y(), h, kept_, [&](double nu) {
     return (drive_.stern_moment * U2 * setting(drive_.stern) - drive_.pitch_damping * nu -
-            drive_.pitch_restoring * std::sin(pitch)) /
+            drive_.pitch_restoring * math::sin(pitch)) /
            drive_.pitch_inertia;
   });
 }
@@ -81,17 +82,17 @@ double FinAutopilot::stern_for(double sinking, double pitch, const Vec3& v_b, do
                                double U2) const noexcept {
   // the pitch that sinks that fast, as steep as the planes can hold
   const double U = std::sqrt(U2);
-  const double attack = v_b.x() > 0.0 ? std::atan2(v_b.z(), v_b.x()) : 0.0;
+  const double attack = v_b.x() > 0.0 ? math::atan2(v_b.z(), v_b.x()) : 0.0;
   const double held = -drive_.stern_moment * U2 * largest_stern_;  // the greatest moment [N m]
   const double steepest = drive_.pitch_restoring > held
-                              ? std::min(steepest_pitch, std::asin(held / drive_.pitch_restoring))
+                              ? std::min(steepest_pitch, math::asin(held / drive_.pitch_restoring))
                               : steepest_pitch;
-  const double wanted = limited_to(attack - std::asin(limited_to(sinking / U, 1.0)), steepest);
+  const double wanted = limited_to(attack - math::asin(limited_to(sinking / U, 1.0)), steepest);
 
   const double I = drive_.pitch_inertia;
   const double k_theta = std::max(0.0, I * bandwidth_ * bandwidth_ - drive_.pitch_restoring);
   const double k_q = std::max(0.0, 2.0 * bandwidth_ * I - drive_.pitch_damping);
-  const double moment = drive_.pitch_restoring * std::sin(wanted) + k_theta * (wanted - pitch) - k_q * q -
+  const double moment = drive_.pitch_restoring * math::sin(wanted) + k_theta * (wanted - pitch) - k_q * q -
                         I * pitch_.unexplained;
   return moment / (drive_.stern_moment * U2);
 }
@@ -109,7 +110,7 @@ ActuatorValues FinAutopilot::control(const BodyRequest& request, double pitch, c
   u[static_cast<Eigen::Index>(drive_.stern)] = stern_for(finite(request.heave_mps), theta, v, omega.y(), U2);
   u = actuators_.limited(u);
 
-  if (h != actuators_.step()) kept_ = std::exp(-bandwidth_ * h);
+  if (h != actuators_.step()) kept_ = math::exp(-bandwidth_ * h);
   mean_ = actuators_.follow(u, h);
   return u;
 }

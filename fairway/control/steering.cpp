@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fairway/core/angles.hpp"
+#include "fairway/core/math.hpp"
 
 namespace fairway {
 namespace {
@@ -18,7 +19,7 @@ struct Aim {
 Aim aim_of(const Command& command, double speed, double yaw) {
   if (command.heading) return {wrap_angle(*command.heading - yaw), 1.0};
   if (speed <= 0.0) return {0.0, 1.0};
-  const double alpha = wrap_angle(std::atan2(command.velocity.y(), command.velocity.x()) - yaw);
+  const double alpha = wrap_angle(math::atan2(command.velocity.y(), command.velocity.x()) - yaw);
   if (!command.astern || std::abs(alpha) < pi / 2) return {alpha, 1.0};
   return {alpha > 0.0 ? alpha - pi : alpha + pi, -1.0};
 }
@@ -29,10 +30,10 @@ double turn_rate(const SteeringParams& params, double error) {
 
 BodyRequest go_as_you_are(const SteeringParams& params, const Command& command, double yaw) {
   const double error = wrap_angle(command.heading.value_or(params.heading_rad) - yaw);
-  const Vec3& v = command.velocity;
-  return {.surge_mps = std::cos(yaw) * v.x() + std::sin(yaw) * v.y(),
-          .sway_mps = std::cos(yaw) * v.y() - std::sin(yaw) * v.x(),
-          .heave_mps = v.z(),
+  const Vec2 level_b = turned(command.velocity.head<2>(), -yaw);
+  return {.surge_mps = level_b.x(),
+          .sway_mps = level_b.y(),
+          .heave_mps = command.velocity.z(),
           .yaw_rate_radps = turn_rate(params, error)};
 }
 
@@ -41,7 +42,7 @@ BodyRequest go_as_you_are(const SteeringParams& params, const Command& command, 
 BodyRequest steer(const SteeringParams& params, const Command& command, double yaw) noexcept {
   if (params.kind == SteeringKind::holonomic) return go_as_you_are(params, command, yaw);
   if (command.turn_rate) {
-    return {.surge_mps = std::cos(yaw) * command.velocity.x() + std::sin(yaw) * command.velocity.y(),
+    return {.surge_mps = unit_at(yaw).dot(command.velocity.head<2>()),
             .heave_mps = command.velocity.z(),
             .yaw_rate_radps = *command.turn_rate};
   }
@@ -51,7 +52,7 @@ BodyRequest steer(const SteeringParams& params, const Command& command, double y
 
   if (params.kind != SteeringKind::turn_then_go) {
     const bool waits = params.kind == SteeringKind::proportional;
-    request.surge_mps = aim.direction * speed * (waits ? std::fmax(0.0, std::cos(aim.alpha)) : 1.0);
+    request.surge_mps = aim.direction * speed * (waits ? math::fmax(0.0, math::cos(aim.alpha)) : 1.0);
     request.yaw_rate_radps = turn_rate(params, aim.alpha);
     return request;
   }
@@ -67,9 +68,9 @@ BodyRequest steer_through_water(const SteeringParams& params, const Command& com
                                 const Vec3& current_n) noexcept {
   const Vec3 wanted = command.velocity - current_n;
   const double speed = horizontal_norm(wanted);
-  const double course = speed > 0.0 ? std::atan2(wanted.y(), wanted.x()) : yaw;
+  const double course = speed > 0.0 ? math::atan2(wanted.y(), wanted.x()) : yaw;
   const double error = wrap_angle(command.heading.value_or(course) - yaw);
-  return {.surge_mps = std::fmax(wanted.norm(), params.min_speed_mps),
+  return {.surge_mps = math::fmax(wanted.norm(), params.min_speed_mps),
           .heave_mps = wanted.z(),
           .yaw_rate_radps = command.turn_rate.value_or(turn_rate(params, error)),
           .through_water = true};

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "fairway/core/math.hpp"
 #include "fairway/core/params.hpp"
 
 namespace fairway {
@@ -95,14 +96,15 @@ ActuatorValues VelocityController::share_in_turn(std::array<double, 4>& missing)
   for (int round = 0; round < 2; ++round) {
     for (std::size_t i = 0; i < axis_count_; ++i) {
       if (missing[i] == 0.0) continue;
-      const ActuatorValues change = missing[i] * axes_[i].push;
+      const ActuatorValues& push = axes_[i].push;
       double scale = 1.0;
       for (Eigen::Index k = 0; k < u.size(); ++k) {
-        if (change[k] == 0.0) continue;
-        const double left = (change[k] > 0.0 ? thrusters_.highest()[k] : thrusters_.lowest()[k]) - u[k];
-        scale = std::min(scale, std::max(0.0, left / change[k]));
+        const double change = missing[i] * push[k];
+        if (change == 0.0) continue;
+        const double left = (change > 0.0 ? thrusters_.highest(k) : thrusters_.lowest(k)) - u[k];
+        scale = std::min(scale, std::max(0.0, left / change));
       }
-      u += scale * change;
+      for (Eigen::Index k = 0; k < u.size(); ++k) u[k] += scale * (missing[i] * push[k]);
       missing[i] *= 1.0 - scale;
     }
   }
@@ -128,7 +130,7 @@ ActuatorValues VelocityController::control(const BodyRequest& request, const Vec
   }
 
   ActuatorValues u = allocate(missing);
-  if (h != thrusters_.step()) kept_surprise_ = std::exp(-observer_bandwidth_ * h);
+  if (h != thrusters_.step()) kept_surprise_ = math::exp(-observer_bandwidth_ * h);
   mean_ = thrusters_.follow(u, h);
   return u;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <utility>
 
 namespace fairway {
@@ -12,6 +13,7 @@ template <class T>
 class Boxed {
  public:
   Boxed() = default;
+  Boxed(const std::optional<T>& value) : value_{value ? std::make_unique<T>(*value) : nullptr} {}
   Boxed(const Boxed& other) : value_{other.value_ ? std::make_unique<T>(*other.value_) : nullptr} {}
   Boxed(Boxed&&) noexcept = default;
   Boxed& operator=(Boxed other) noexcept {
@@ -28,6 +30,8 @@ class Boxed {
   explicit operator bool() const { return value_ != nullptr; }
   T* operator->() { return value_.get(); }
   const T* operator->() const { return value_.get(); }
+  T& operator*() { return *value_; }
+  const T& operator*() const { return *value_; }
 
  private:
   std::unique_ptr<T> value_;

@@ -90,6 +90,8 @@ class CellIndex {
   std::size_t size() const { return points_.size(); }
   /// Of a cell [m].
   double edge() const { return edge_; }
+  /// How many are in a cell that anyone is in, on average.
+  double crowd() const { return crowd_; }
 
  private:
   static constexpr std::size_t handful = 24;          // so few are looked through faster than cells are found

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <string_view>
 
+#include "fairway/core/math.hpp"
+
 namespace fairway {
 
 /// The only source of randomness. Copying it copies the future: two equal generators give equal
@@ -37,7 +39,7 @@ class Rng {
   /// Gaussian with mean 0 and standard deviation 1 (Box and Muller, one of the pair).
   double normal() {
     const double u = 1.0 - uniform(0.0, 1.0);
-    return std::sqrt(-2.0 * std::log(u)) * std::cos(2.0 * std::numbers::pi * uniform(0.0, 1.0));
+    return std::sqrt(-2.0 * math::log(u)) * math::cos(2.0 * std::numbers::pi * uniform(0.0, 1.0));
   }
 
   friend constexpr bool operator==(const Rng&, const Rng&) = default;

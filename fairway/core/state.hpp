@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 
 #include "fairway/core/angles.hpp"
+#include "fairway/core/math.hpp"
 #include "fairway/core/vec.hpp"
 
 namespace fairway {
@@ -27,21 +28,21 @@ struct Euler {
 };
 
 inline double yaw_of(const Eigen::Quaterniond& q) {
-  return std::atan2(2.0 * (q.w() * q.z() + q.x() * q.y()), 1.0 - 2.0 * (q.y() * q.y() + q.z() * q.z()));
+  return math::atan2(2.0 * (q.w() * q.z() + q.x() * q.y()), 1.0 - 2.0 * (q.y() * q.y() + q.z() * q.z()));
 }
 
 inline Euler euler_of(const Eigen::Quaterniond& q) {
   const double sin_pitch = 2.0 * (q.w() * q.y() - q.z() * q.x());
   return {
-      .roll = std::atan2(2.0 * (q.w() * q.x() + q.y() * q.z()), 1.0 - 2.0 * (q.x() * q.x() + q.y() * q.y())),
-      .pitch = std::asin(std::fmax(-1.0, std::fmin(1.0, sin_pitch))),
+      .roll = math::atan2(2.0 * (q.w() * q.x() + q.y() * q.z()), 1.0 - 2.0 * (q.x() * q.x() + q.y() * q.y())),
+      .pitch = math::asin(math::fmax(-1.0, math::fmin(1.0, sin_pitch))),
       .yaw = yaw_of(q)};
 }
 
 inline Eigen::Quaterniond quaternion_of(const Euler& e) {
-  const double cr = std::cos(e.roll / 2), sr = std::sin(e.roll / 2);
-  const double cp = std::cos(e.pitch / 2), sp = std::sin(e.pitch / 2);
-  const double cy = std::cos(e.yaw / 2), sy = std::sin(e.yaw / 2);
+  const auto [sr, cr] = math::sin_cos(e.roll / 2);
+  const auto [sp, cp] = math::sin_cos(e.pitch / 2);
+  const auto [sy, cy] = math::sin_cos(e.yaw / 2);
   return {cy * cp * cr + sy * sp * sr, cy * cp * sr - sy * sp * cr, cy * sp * cr + sy * cp * sr,
           sy * cp * cr - cy * sp * sr};
 }

@@ -4,6 +4,8 @@
 #include <Eigen/Core>
 #include <cmath>
 
+#include "fairway/core/math.hpp"
+
 namespace fairway {
 
 /// A vector in metres or metres per second. The frame is local NED (x north, y east, z down)
@@ -25,6 +27,18 @@ inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y()
 
 /// `a` turned by a quarter to starboard.
 inline Vec2 starboard_of(const Vec2& a) { return {-a.y(), a.x()}; }
+
+/// The unit vector of a course [rad, clockwise from north].
+inline Vec2 unit_at(double course) {
+  const auto [sine, cosine] = math::sin_cos(course);
+  return {cosine, sine};
+}
+
+/// `a` turned to starboard by `angle` [rad].
+inline Vec2 turned(const Vec2& a, double angle) {
+  const auto [sine, cosine] = math::sin_cos(angle);
+  return cosine * a + sine * starboard_of(a);
+}
 
 /// `a` scaled to unit length, or zero if it has none.
 inline Vec3 unit(const Vec3& a) {

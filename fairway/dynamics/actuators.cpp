@@ -4,26 +4,20 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fairway/core/math.hpp"
+
 namespace fairway {
 
 Actuators::Actuators(std::span<const ActuatorInfo> actuators) {
-  const auto size = static_cast<Eigen::Index>(std::min<std::size_t>(actuators.size(), max_actuators));
-  lowest_.resize(size);
-  highest_.resize(size);
-  time_constants_.resize(size);
-  for (Eigen::Index i = 0; i < size; ++i) {
-    const ActuatorInfo& actuator = actuators[static_cast<std::size_t>(i)];
-    lowest_[i] = actuator.range.lo;
-    highest_[i] = actuator.range.hi;
-    time_constants_[i] = actuator.time_constant_s;
-  }
+  for (const ActuatorInfo& actuator : actuators.first(std::min<std::size_t>(actuators.size(), max_actuators)))
+    channels_.push_back({actuator.range.lo, actuator.range.hi, actuator.time_constant_s});
+  now_.setZero(static_cast<Eigen::Index>(channels_.size()));
   now_ = rest();
-  remaining_ = mean_remaining_ = ActuatorValues::Zero(size);
 }
 
 double Actuators::admissible(const ActuatorValues& u, Eigen::Index i) const noexcept {
   if (i >= u.size() || std::isnan(u[i])) return now_[i];
-  return std::clamp(u[i], lowest_[i], highest_[i]);
+  return std::clamp(u[i], lowest(i), highest(i));
 }
 
 void Actuators::set(const ActuatorValues& u) noexcept {
@@ -32,21 +26,22 @@ void Actuators::set(const ActuatorValues& u) noexcept {
 
 ActuatorValues Actuators::follow(const ActuatorValues& command, double h) noexcept {
   if (h != step_) {  // an exponential each
-    for (Eigen::Index i = 0; i < now_.size(); ++i) {
-      const double ratio = h / time_constants_[i];
+    for (Channel& channel : channels_) {
+      const double ratio = h / channel.time_constant;
       const bool immediate = !(ratio < 1e3);
-      remaining_[i] = immediate ? 0.0 : std::exp(-ratio);
-      mean_remaining_[i] = immediate ? 0.0 : ratio > 0.0 ? -std::expm1(-ratio) / ratio : 1.0;
+      channel.remaining = immediate ? 0.0 : math::exp(-ratio);
+      channel.mean_remaining = immediate ? 0.0 : ratio > 0.0 ? -math::expm1(-ratio) / ratio : 1.0;
     }
     step_ = h;
   }
 
-  ActuatorValues mean = now_;
+  ActuatorValues mean(now_.size());
   for (Eigen::Index i = 0; i < now_.size(); ++i) {
+    const Channel& channel = channels_[static_cast<std::size_t>(i)];
     const double target = admissible(command, i);
     const double error = now_[i] - target;
-    mean[i] = target + error * mean_remaining_[i];
-    now_[i] = target + error * remaining_[i];
+    mean[i] = target + error * channel.mean_remaining;
+    now_[i] = target + error * channel.remaining;
   }
   return mean;
 }

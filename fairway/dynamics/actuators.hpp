@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <span>
+#include <vector>
 
 #include "fairway/dynamics/vehicle_model.hpp"
 
@@ -15,14 +17,18 @@ class Actuators {
   /// At rest().
   explicit Actuators(std::span<const ActuatorInfo> actuators);
 
-  const ActuatorValues& lowest() const { return lowest_; }
-  const ActuatorValues& highest() const { return highest_; }
+  double lowest(Eigen::Index i) const { return channels_[static_cast<std::size_t>(i)].lowest; }
+  double highest(Eigen::Index i) const { return channels_[static_cast<std::size_t>(i)].highest; }
 
   /// Zero, or as near to it as the limits allow.
-  ActuatorValues rest() const { return limited(ActuatorValues::Zero(lowest_.size())); }
-  ActuatorValues limited(const ActuatorValues& u) const { return u.cwiseMax(lowest_).cwiseMin(highest_); }
+  ActuatorValues rest() const { return limited(ActuatorValues::Zero(now_.size())); }
+  ActuatorValues limited(const ActuatorValues& u) const {
+    ActuatorValues within(u.size());
+    for (Eigen::Index i = 0; i < u.size(); ++i) within[i] = std::min(std::max(u[i], lowest(i)), highest(i));
+    return within;
+  }
 
-  const ActuatorValues& now() const { return now_; }
+  const Eigen::VectorXd& now() const { return now_; }
   /// Puts them there at once, within their limits. NaN, and what is not said, leaves one where it is.
   void set(const ActuatorValues& u) noexcept;
 
@@ -33,15 +39,20 @@ class Actuators {
   double step() const { return step_; }
 
  private:
+  struct Channel {
+    double lowest;
+    double highest;
+    double time_constant;
+    double remaining{};       // x(h) = c + (x(0) - c) remaining, for the last step
+    double mean_remaining{};  // and the mean over it likewise
+  };
+
   double admissible(const ActuatorValues& u, Eigen::Index i) const noexcept;
 
-  ActuatorValues lowest_;
-  ActuatorValues highest_;
-  ActuatorValues time_constants_;
-  ActuatorValues now_;
+  // a vehicle has a few of the many that it may have
+  std::vector<Channel> channels_;
+  Eigen::VectorXd now_;
   double step_{-1.0};
-  ActuatorValues remaining_;       // x(h) = c + (x(0) - c) remaining, for that step
-  ActuatorValues mean_remaining_;  // and the mean over it likewise
 };
 
 }  // namespace fairway

@@ -17,11 +17,11 @@ inline VehicleState moved(const VehicleState& x, const StateRate& rate, double h
 }
 
 /// One step of length `h` [s] by the classical Runge-Kutta method of order 4, actuators and water
-/// held. The quaternion is normalised after the step. Models mark
-/// derivative() always_inline: four calls through memory cost Sparus2 and Kinematic a fifth of the step.
+/// held. The quaternion is normalised after the step. All that it calls is compiled into it: calls through
+/// memory cost Sparus2 and Kinematic half of the step.
 template <VehicleModel M>
-VehicleState rk4(const M& model, const VehicleState& x, const ActuatorValues& u, const Water& water,
-                 double h) noexcept {
+[[gnu::flatten]] VehicleState rk4(const M& model, const VehicleState& x, const ActuatorValues& u,
+                                  const Water& water, double h) noexcept {
   const StateRate k1 = model.derivative(x, u, water);
   const StateRate k2 = model.derivative(moved(x, k1, h / 2), u, water);
   const StateRate k3 = model.derivative(moved(x, k2, h / 2), u, water);

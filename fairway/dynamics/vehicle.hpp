@@ -12,20 +12,13 @@
 
 namespace fairway {
 
-/// Any vehicle model together with its state and the state of its actuators. A value: a copy is a
-/// snapshot. step() neither allocates nor throws.
+/// Any vehicle model together with its state and the state of its actuators. A value: a copy is a snapshot,
+/// which shares the model, since that is constant. step() neither allocates nor throws.
 class Vehicle {
  public:
   template <VehicleModel M>
   explicit Vehicle(M model)
-      : self_{std::make_unique<Model<M>>(std::move(model))}, actuators_{self_->actuators()} {}
-
-  Vehicle(const Vehicle& other)
-      : self_{other.self_->clone()}, state_{other.state_}, actuators_{other.actuators_} {}
-  Vehicle& operator=(const Vehicle& other) { return *this = Vehicle{other}; }
-  Vehicle(Vehicle&&) noexcept = default;
-  Vehicle& operator=(Vehicle&&) noexcept = default;
-  ~Vehicle() = default;
+      : self_{std::make_shared<const Model<M>>(std::move(model))}, actuators_{self_->actuators()} {}
 
   const VehicleInfo& info() const { return self_->info(); }
   std::span<const ActuatorInfo> actuators() const { return self_->actuators(); }
@@ -40,7 +33,7 @@ class Vehicle {
   const VehicleState& state() const { return state_; }
   void set_state(const VehicleState& state) { state_ = state; }
 
-  const ActuatorValues& actuator_state() const { return actuators_.now(); }
+  const Eigen::VectorXd& actuator_state() const { return actuators_.now(); }
   /// Puts the actuators there at once, within their limits, without lag. NaN leaves an actuator where it is.
   void set_actuator_state(const ActuatorValues& values) noexcept { actuators_.set(values); }
 
@@ -63,9 +56,6 @@ class Vehicle {
 
  private:
   struct Interface {
-    Interface() = default;
-    Interface(const Interface&) = default;
-    Interface& operator=(const Interface&) = delete;
     virtual ~Interface() = default;
     virtual const VehicleInfo& info() const = 0;
     virtual std::span<const ActuatorInfo> actuators() const = 0;
@@ -74,7 +64,6 @@ class Vehicle {
     virtual void advance(VehicleState&, const ActuatorValues&, const Water&, double h) const noexcept = 0;
     virtual StateRate rate(const VehicleState&, const ActuatorValues&, const Water&) const noexcept = 0;
     virtual double power(const ActuatorValues&) const noexcept = 0;
-    virtual std::unique_ptr<Interface> clone() const = 0;
   };
 
   template <VehicleModel M>
@@ -99,12 +88,11 @@ class Vehicle {
       return model.derivative(x, u, water);
     }
     double power(const ActuatorValues& u) const noexcept override { return model.power(u); }
-    std::unique_ptr<Interface> clone() const override { return std::make_unique<Model>(*this); }
 
     M model;
   };
 
-  std::unique_ptr<Interface> self_;
+  std::shared_ptr<const Interface> self_;
   VehicleState state_;
   Actuators actuators_;
 };

@@ -6,6 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "fairway/core/math.hpp"
 #include "fairway/experiment/measure_run.hpp"
 
 namespace fairway::environment {
@@ -215,7 +216,7 @@ double FleetEnvironment::separation_of(std::size_t index) const {
   double nearest2 = infinity;
   for (std::size_t i = 0; i < agents.size(); ++i) {
     if (i == index || !takes_part(agents[i])) continue;
-    nearest2 = std::fmin(nearest2, (agents[i].vehicle.state().p_n - own).squaredNorm());
+    nearest2 = math::fmin(nearest2, (agents[i].vehicle.state().p_n - own).squaredNorm());
   }
   return std::sqrt(nearest2);
 }
@@ -225,7 +226,7 @@ double FleetEnvironment::clearance_of(std::size_t index) const {
   double nearest = infinity;
   for (const DriftingObstacle& obstacle : obstacles_) {
     const Obstacle now = obstacle.at(simulation_->time());
-    nearest = std::fmin(nearest, nearest_point(now, agent.vehicle.state().p_n).distance);
+    nearest = math::fmin(nearest, nearest_point(now, agent.vehicle.state().p_n).distance);
   }
   return nearest - agent.ship().radius;
 }
@@ -257,8 +258,8 @@ void FleetEnvironment::judge(std::size_t row) {
     learner.collided = learner.collided || has_collided;
   }
   place.touching = is_touching;
-  learner.separation = std::fmin(learner.separation, separation);
-  learner.clearance = std::fmin(learner.clearance, clearance);
+  learner.separation = math::fmin(learner.separation, separation);
+  learner.clearance = math::fmin(learner.clearance, clearance);
   learner.phase = agent(row).mission.phase();
   turn_to_leg(row);
 }

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "fairway/core/math.hpp"
+
 namespace fairway::environment {
 namespace {
 
@@ -13,8 +15,8 @@ class Row {
  public:
   Row(std::span<float> numbers, Axes axes, double yaw)
       : numbers_{numbers},
-        cos_{axes == Axes::heading ? std::cos(yaw) : 1.0},
-        sin_{axes == Axes::heading ? std::sin(yaw) : 0.0} {}
+        cos_{axes == Axes::heading ? math::cos(yaw) : 1.0},
+        sin_{axes == Axes::heading ? math::sin(yaw) : 0.0} {}
 
   void put(double value) { numbers_[used_++] = static_cast<float>(value); }
   void put(const Vec3& v_n) {
@@ -36,8 +38,8 @@ class Row {
 void put_own(Row& row, const Sight& sight) {
   const Ownship& own = sight.own;
   row.put(own.velocity);
-  row.put(std::sin(own.yaw));
-  row.put(std::cos(own.yaw));
+  row.put(math::sin(own.yaw));
+  row.put(math::cos(own.yaw));
   row.put(own.yaw_rate);
   row.put(Vec3{sight.goal.position - own.position});
   row.put(sight.goal.cruise_speed);
@@ -121,8 +123,9 @@ void observe(const ObservationShape& shape, const Sight& sight, std::span<float>
 
 Vec3 to_axes(Axes axes, double yaw, const Vec3& v) noexcept {
   if (axes == Axes::ned) return v;
-  return {std::cos(yaw) * v.x() + std::sin(yaw) * v.y(), std::cos(yaw) * v.y() - std::sin(yaw) * v.x(),
-          v.z()};
+  Vec3 in_axes = v;
+  in_axes.head<2>() = turned(v.head<2>(), -yaw);
+  return in_axes;
 }
 
 Vec3 from_axes(Axes axes, double yaw, const Vec3& v) noexcept { return to_axes(axes, -yaw, v); }

@@ -6,13 +6,14 @@
 #include <exception>
 #include <filesystem>
 #include <fstream>
+#include <functional>
+#include <mutex>
 #include <optional>
 #include <thread>
 #include <unordered_set>
 #include <utility>
 
 #include "fairway/core/text.hpp"
-#include "fairway/experiment/campaign_file.hpp"
 #include "fairway/experiment/digest.hpp"
 #include "fairway/experiment/labels.hpp"
 #include "fairway/experiment/version.hpp"
@@ -108,13 +109,18 @@ std::vector<CampaignCell> expanded_cells(const CampaignFile& written, const Camp
   return cells;
 }
 
-/// A digest of all that decides the outcome; what is only there for people or for tests is left out.
-std::string key_of(const CampaignCell& cell, Scenario scenario, const std::string& own_version) {
+/// A scenario without what is only there for people or for tests.
+std::string canonical_text(Scenario scenario) {
   scenario.name.clear();
   scenario.summary.clear();
   scenario.expect.clear();
+  return to_yaml(scenario);
+}
+
+/// A digest of all that decides the outcome.
+std::string key_of(const CampaignCell& cell, Scenario scenario, const std::string& own_version) {
   Digest digest;
-  digest.add(std::to_string(results_epoch)).add(cell.algorithm).add(to_yaml(scenario));
+  digest.add(std::to_string(results_epoch)).add(cell.algorithm).add(canonical_text(std::move(scenario)));
   for (const auto& [name, value] : cell.labels) digest.add(name).add(value);
   if (!own_version.empty()) digest.add(own_version);
   return digest.hex();
@@ -128,94 +134,192 @@ std::string command_for(const Campaign& campaign, const CampaignCell& cell, cons
   return command + " --seed ";
 }
 
-/// Resolves the scenarios of one cell and writes down their keys and commands.
-void resolve_cell(Campaign& campaign, std::size_t cell, const CheckScenario& check, const OwnMethods& own) {
-  for (std::size_t i = cell * campaign.seed_count; i < (cell + 1) * campaign.seed_count; ++i) {
-    RunSpec& spec = campaign.specs[i];
-    try {
-      Scenario scenario = campaign.scenario_of(i);
-      if (check && i == cell * campaign.seed_count) check(scenario);
-      const std::string own_version = own.version ? own.version(scenario) : "";
-      spec.command =
-          command_for(campaign, campaign.cells[cell], own_version.empty() ? "fairway" : own.program);
-      spec.key = key_of(campaign.cells[cell], std::move(scenario), own_version);
-    } catch (const InputError& error) {
-      throw InputError(campaign.file + ": in " + labels_text(spec.labels) +
-                       " seed=" + std::to_string(spec.seed) + ": " + error.what());
-    }
+/// What `make` makes of a run; an error says which run it is of.
+template <class Make>
+auto of_run(const Campaign& campaign, const Labels& labels, std::uint64_t seed, const Make& make) {
+  try {
+    return make();
+  } catch (const InputError& error) {
+    throw InputError(campaign.file + ": in " + labels_text(labels) + " seed=" + std::to_string(seed) + ": " +
+                     error.what());
   }
 }
 
-/// All cells, on several threads. Of several errors, that of the first cell is thrown.
-void resolve(Campaign& campaign, const CheckScenario& check, unsigned jobs, const OwnMethods& own) {
+/// work(0) ... work(count - 1), on several threads. Of several exceptions, that of the least index is thrown.
+void for_each_index(std::size_t count, unsigned jobs, const std::function<void(std::size_t)>& work) {
   const std::size_t wanted = jobs > 0 ? jobs : std::max(1U, std::thread::hardware_concurrency());
-  const std::size_t threads = std::min(wanted, campaign.cells.size());
-  std::vector<std::exception_ptr> errors(campaign.cells.size());
   std::atomic<std::size_t> next{0};
-  std::atomic<std::size_t> end{campaign.cells.size()};
-  const auto work = [&] {
-    // after an error only the cells before it still matter
-    for (std::size_t cell = next.fetch_add(1); cell < end; cell = next.fetch_add(1)) {
+  std::atomic<std::size_t> end{count};
+  std::exception_ptr first;
+  std::mutex mutex;
+  const auto take = [&] {
+    // after an error only what comes before it still matters
+    for (std::size_t i = next.fetch_add(1); i < end; i = next.fetch_add(1)) {
       try {
-        resolve_cell(campaign, cell, check, own);
+        work(i);
       } catch (...) {
-        errors[cell] = std::current_exception();
-        std::size_t known = end;
-        while (cell < known && !end.compare_exchange_weak(known, cell)) {
-        }
+        const std::lock_guard guard{mutex};
+        if (i >= end) continue;
+        end = i;
+        first = std::current_exception();
       }
     }
   };
   {
     std::vector<std::jthread> pool;
-    for (std::size_t t = 1; t < threads; ++t) pool.emplace_back(work);
-    work();
+    for (std::size_t t = 1; t < std::min(wanted, count); ++t) pool.emplace_back(take);
+    take();
   }
-  for (const std::exception_ptr& error : errors) {
-    if (error) std::rethrow_exception(error);
+  if (first) std::rethrow_exception(first);
+}
+
+/// Which of `count` shards each run of the whole campaign is of, by what the first run of each cell may cost.
+std::vector<std::uint32_t> dealt_runs(const Campaign& campaign, std::uint32_t count, unsigned jobs,
+                                      std::vector<double>& costs) {
+  costs.assign(campaign.cells.size(), 0.0);
+  for_each_index(campaign.cells.size(), jobs, [&](std::size_t i) {
+    const CampaignCell& cell = campaign.cells[i];
+    costs[i] = of_run(campaign, cell.labels, campaign.first_seed,
+                      [&] { return expected_cost(scenario_of(campaign, i, campaign.first_seed)); });
+  });
+  return dealt(costs, campaign.seed_count, count);
+}
+
+/// The runs of the campaign's shard.
+void list_runs(Campaign& campaign, unsigned jobs) {
+  std::vector<double> costs;
+  const std::vector<std::uint32_t> shards = campaign.shard.is_all()
+                                                ? std::vector<std::uint32_t>{}
+                                                : dealt_runs(campaign, campaign.shard.count, jobs, costs);
+  for (std::size_t run = 0; run < campaign.run_count(); ++run) {
+    if (!shards.empty() && shards[run] != campaign.shard.index) continue;
+    const std::size_t cell = run / campaign.seed_count;
+    campaign.specs.push_back({.key = {},
+                              .labels = campaign.cells[cell].labels,
+                              .seed = campaign.first_seed + run % campaign.seed_count,
+                              .command = {}});
+    campaign.cells_of.push_back(cell);
   }
+}
+
+/// Resolves the scenario of a run and writes down its key and command; checks that of the first run of a
+/// cell.
+void resolve(Campaign& campaign, std::size_t run, const CheckScenario& check, const OwnMethods& own) {
+  RunSpec& spec = campaign.specs[run];
+  const CampaignCell& cell = campaign.cell_of(run);
+  of_run(campaign, spec.labels, spec.seed, [&] {
+    Scenario scenario = campaign.scenario_of(run);
+    if (check && (run == 0 || campaign.cells_of[run - 1] != campaign.cells_of[run])) check(scenario);
+    const std::string own_version = own.version ? own.version(scenario) : "";
+    spec.command = command_for(campaign, cell, own_version.empty() ? "fairway" : own.program);
+    spec.key = key_of(cell, std::move(scenario), own_version);
+  });
+}
+
+/// A scenario without what is there for people or for tests, as text. One that stands only under the
+/// overrides of its cells counts as it is written.
+std::string canonical_text(const CampaignScenario& scenario, std::uint64_t seed) {
+  try {
+    return canonical_text(parse_scenario(scenario.text, scenario.file, {}, seed));
+  } catch (const InputError&) {
+    return scenario.text;
+  }
+}
+
+std::string digest_of(const Campaign& campaign) {
+  Digest digest;
+  digest.add(campaign.name);
+  for (const CampaignScenario& scenario : campaign.scenarios)
+    digest.add(canonical_text(scenario, campaign.first_seed));
+  for (const CampaignCell& cell : campaign.cells) {
+    digest.add(std::to_string(cell.scenario)).add(cell.algorithm);
+    for (const auto& [name, value] : cell.labels) digest.add(name).add(value);
+  }
+  digest.add(std::to_string(campaign.first_seed)).add(std::to_string(campaign.seed_count));
+  return digest.hex();
 }
 
 }  // namespace
 
+Scenario scenario_of(const Campaign& campaign, std::size_t cell, std::uint64_t seed) {
+  const CampaignScenario& scenario = campaign.scenarios[campaign.cells[cell].scenario];
+  return parse_scenario(scenario.text, scenario.file, campaign.cells[cell].overrides, seed);
+}
+
 Scenario Campaign::scenario_of(std::size_t run) const {
-  const CampaignCell& cell = cell_of(run);
-  const CampaignScenario& scenario = scenarios[cell.scenario];
-  return parse_scenario(scenario.text, scenario.file, cell.overrides, specs[run].seed);
+  return fairway::scenario_of(*this, cells_of[run], specs[run].seed);
 }
 
 Campaign parse_campaign(std::string_view yaml, const std::string& file, const CheckScenario& check,
-                        unsigned jobs, const OwnMethods& own) {
-  const CampaignFile written = parse_campaign_file(yaml, file);
+                        unsigned jobs, const OwnMethods& own, const Shard& shard) {
+  return expanded(parse_campaign_file(yaml, file), file, check, jobs, own, shard);
+}
+
+Campaign expanded(const CampaignFile& written, const std::string& file, const CheckScenario& check,
+                  unsigned jobs, const OwnMethods& own, const Shard& shard) {
   refuse_too_many(written, file);
   Campaign campaign{.name = written.name,
                     .summary = written.summary,
                     .file = file,
                     .scenarios = load_scenarios(written, file),
                     .cells = {},
+                    .first_seed = written.first_seed,
                     .seed_count = written.seed_count,
+                    .shard = shard,
                     .specs = {},
-                    .quantities = written.quantities};
+                    .cells_of = {},
+                    .quantities = written.quantities,
+                    .digest = {}};
   campaign.cells = expanded_cells(written, campaign);
-  for (const CampaignCell& cell : campaign.cells) {
-    for (std::size_t s = 0; s < campaign.seed_count; ++s) {
-      campaign.specs.push_back(
-          {.key = {}, .labels = cell.labels, .seed = written.first_seed + s, .command = {}});
-    }
-  }
-  resolve(campaign, check, jobs, own);
+  campaign.digest = digest_of(campaign);
+  list_runs(campaign, jobs);
+  for_each_index(campaign.specs.size(), jobs, [&](std::size_t run) { resolve(campaign, run, check, own); });
   return campaign;
 }
 
 Campaign load_campaign(const std::string& file, const CheckScenario& check, unsigned jobs,
-                       const OwnMethods& own) {
+                       const OwnMethods& own, const Shard& shard) {
   const std::optional<std::string> text = read_file(file);
   if (!text) throw InputError({file, 0, 0}, "", "cannot be read");
-  return parse_campaign(*text, file, check, jobs, own);
+  return parse_campaign(*text, file, check, jobs, own, shard);
+}
+
+void keep_runs(Campaign& campaign, const std::function<bool(const RunSpec&)>& is_wanted) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < campaign.specs.size(); ++i) {
+    if (!is_wanted(campaign.specs[i])) continue;
+    if (kept != i) campaign.specs[kept] = std::move(campaign.specs[i]);
+    campaign.cells_of[kept++] = campaign.cells_of[i];
+  }
+  campaign.specs.resize(kept);
+  campaign.cells_of.resize(kept);
+}
+
+Campaign load_cells(const std::string& file, const CheckScenario& check, unsigned jobs,
+                    const OwnMethods& own) {
+  const std::optional<std::string> text = read_file(file);
+  if (!text) throw InputError({file, 0, 0}, "", "cannot be read");
+  // each of as many shards as there are seeds has one run of every cell, and this one the first
+  return parse_campaign(*text, file, check, jobs, own, {0, parse_campaign_file(*text, file).seed_count});
+}
+
+ShardPlan plan_of(const Campaign& campaign, std::uint32_t count, unsigned jobs) {
+  ShardPlan plan{std::vector<std::size_t>(count), std::vector<double>(count)};
+  std::vector<double> costs;
+  const std::vector<std::uint32_t> shards = dealt_runs(campaign, count, jobs, costs);
+  for (std::size_t run = 0; run < shards.size(); ++run) {
+    ++plan.runs[shards[run]];
+    plan.costs[shards[run]] += costs[run / campaign.seed_count];
+  }
+  return plan;
 }
 
 Origin origin_of(const Campaign& campaign) {
-  Origin origin{.campaign = campaign.name, .summary = campaign.summary, .quantities = campaign.quantities};
+  Origin origin{.campaign = campaign.name,
+                .digest = campaign.digest,
+                .run_count = campaign.run_count(),
+                .summary = campaign.summary,
+                .quantities = campaign.quantities};
   for (const CampaignCell& cell : campaign.cells) add_values(origin.order, cell.labels);
   return origin;
 }

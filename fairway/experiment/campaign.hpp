@@ -6,8 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "fairway/experiment/campaign_file.hpp"
 #include "fairway/experiment/executor.hpp"
 #include "fairway/experiment/run.hpp"
+#include "fairway/experiment/shard.hpp"
 #include "fairway/experiment/store.hpp"
 #include "fairway/metrics/measure.hpp"
 #include "fairway/scenario/load.hpp"
@@ -27,18 +29,23 @@ struct CampaignCell {
   Overrides overrides;     ///< all of them, the algorithm's first
 };
 
-/// Everything that is to be run. specs[i] is of cells[i / seed_count].
+/// Everything that is to be run, or a shard of it.
 struct Campaign {
   std::string name;
   std::string summary;
   std::string file;
   std::vector<CampaignScenario> scenarios;
   std::vector<CampaignCell> cells;
+  std::uint64_t first_seed{1};
   std::size_t seed_count{};
-  std::vector<RunSpec> specs;
+  Shard shard;                          ///< which the specs are of
+  std::vector<RunSpec> specs;           ///< cell by cell, by seed
+  std::vector<std::size_t> cells_of;    ///< of each of the specs, its cell
   std::vector<std::string> quantities;  ///< to print; empty = all
+  std::string digest;                   ///< of what is to be run, shards apart: equal for equal campaigns
 
-  const CampaignCell& cell_of(std::size_t run) const { return cells[run / seed_count]; }
+  std::size_t run_count() const { return cells.size() * seed_count; }  ///< of all shards
+  const CampaignCell& cell_of(std::size_t run) const { return cells[cells_of[run]]; }
 
   /// The concrete case of specs[run]. Safe to call from several threads.
   Scenario scenario_of(std::size_t run) const;
@@ -65,13 +72,37 @@ inline constexpr std::size_t max_campaign_runs = 10'000'000;
 /// and `check` is asked once per cell, so that a mistake is reported before anything is run. A run's
 /// key is a digest of its resolved scenario, labels, algorithm and results_epoch: a comment or a default
 /// written out changes nothing, a changed number makes another run, and so does another version of a method
-/// that is the program's own. Throws InputError with file, line, column and path.
+/// that is the program's own. Of a shard only its own runs are resolved, and the first of every cell, whose
+/// expected_cost() they are dealt by: file and shard alone decide which runs it has. Throws InputError with
+/// file, line, column and path.
 Campaign load_campaign(const std::string& file, const CheckScenario& check = {}, unsigned jobs = 1,
-                       const OwnMethods& own = {});
+                       const OwnMethods& own = {}, const Shard& shard = {});
+
+/// Of the whole campaign the first run of every cell alone.
+Campaign load_cells(const std::string& file, const CheckScenario& check = {}, unsigned jobs = 1,
+                    const OwnMethods& own = {});
+
+/// The scenario of a run that need not be among the campaign's specs. Safe to call from several threads.
+Scenario scenario_of(const Campaign& campaign, std::size_t cell, std::uint64_t seed);
 
 /// The same from text; scenarios are looked for relative to `file`.
 Campaign parse_campaign(std::string_view yaml, const std::string& file, const CheckScenario& check = {},
-                        unsigned jobs = 1, const OwnMethods& own = {});
+                        unsigned jobs = 1, const OwnMethods& own = {}, const Shard& shard = {});
+
+/// Leaves only the runs of which `is_wanted` holds.
+void keep_runs(Campaign& campaign, const std::function<bool(const RunSpec&)>& is_wanted);
+
+/// How many runs each of `count` shards of a whole campaign has, and what they cost together
+/// (expected_cost()).
+struct ShardPlan {
+  std::vector<std::size_t> runs;
+  std::vector<double> costs;
+};
+ShardPlan plan_of(const Campaign& campaign, std::uint32_t count, unsigned jobs = 1);
+
+/// The same from what such a text says.
+Campaign expanded(const CampaignFile& written, const std::string& file, const CheckScenario& check = {},
+                  unsigned jobs = 1, const OwnMethods& own = {}, const Shard& shard = {});
 
 /// Its name, summary and the order of its labels' values. values_of(origin.order, "method") is what compare()
 /// takes as CompareOptions::order.

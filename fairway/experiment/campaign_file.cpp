@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "fairway/experiment/campaign_forms.hpp"
 #include "fairway/experiment/labels.hpp"
-#include "fairway/scenario/block.hpp"
 
 namespace fairway {
 namespace {
@@ -12,32 +12,11 @@ namespace {
 using yaml::Block;
 using yaml::Form;
 using yaml::Needed;
+using yaml::one_line;
+using yaml::read_only;
+using yaml::schema_text;
 using yaml::Tree;
 using yaml::Value;
-
-template <class T>
-Form<T> read_only(std::function<T(const Value&)> read, const Tree& schema) {
-  return {.read = std::move(read), .write = [](const T&) { return std::optional<Tree>{}; }, .schema = schema};
-}
-
-Tree schema_text(std::string_view json) { return yaml::parse_tree(json, "schema"); }
-
-/// A value as YAML on one line, fit for `--set` and for a table.
-std::string one_line(const Tree& tree, bool nested = false) {
-  if (tree.is_scalar() || tree.is_null()) {
-    // a comma or bracket ends a bare word inside brackets
-    const bool breaks = nested && tree.is_scalar() && tree.text.find_first_of(",[]{}") != std::string::npos;
-    std::string text = yaml::yaml_text(breaks ? Tree::quote(tree.text) : tree);
-    return text.substr(0, text.find_last_not_of('\n') + 1);
-  }
-  std::string text;
-  for (std::size_t i = 0; i < tree.items.size(); ++i) {
-    if (i > 0) text += ", ";
-    if (tree.is_map()) text += one_line(Tree::quote(tree.keys[i])) + ": ";
-    text += one_line(tree.items[i], true);
-  }
-  return tree.is_map() ? "{" + text + "}" : "[" + text + "]";
-}
 
 std::int32_t read_version(const Value& value) {
   const auto version = value.whole<std::int32_t>();
@@ -46,43 +25,12 @@ std::int32_t read_version(const Value& value) {
   return version;
 }
 
-std::vector<CampaignScenarioFile> read_scenarios(const Value& value) {
-  const auto one = [](const Value& v) {
-    if (!v.tree().is_scalar() || v.tree().text.empty())
-      v.expected("the path of a scenario, or a list of such");
-    return CampaignScenarioFile{v.tree().text, v.tree().where.location()};
-  };
-  if (!value.tree().is_list()) return {one(value)};
-  std::vector<CampaignScenarioFile> files;
-  for (std::size_t i = 0; i < value.tree().items.size(); ++i) files.push_back(one(value.entry(i)));
-  if (files.empty()) value.refuse("the list is empty");
-  return files;
-}
-
-/// `apf`, or a mapping of `algorithm`, parameters and, unless it is the name, `label`.
-CampaignAlgorithm read_algorithm(const Value& value) {
-  const Choice choice = yaml::read_choice(value, "algorithm", Needed::yes, {"label"});
-  CampaignAlgorithm algorithm{.label = choice.name, .avoider = one_line(value.tree())};
-  if (!value.tree().is_map()) return algorithm;
-
-  Tree avoider = Tree::map();
-  for (std::size_t i = 0; i < value.tree().keys.size(); ++i) {
-    if (value.tree().keys[i] == "label") {
-      algorithm.label = yaml::name().read(value.entry(i));
-    } else {
-      avoider.set(value.tree().keys[i], value.tree().items[i]);
-    }
-  }
-  algorithm.avoider = one_line(avoider);
-  return algorithm;
-}
-
 std::vector<CampaignAlgorithm> read_algorithms(const Value& value) {
   value.expect_list("algorithms");
   std::vector<CampaignAlgorithm> algorithms;
   for (std::size_t i = 0; i < value.tree().items.size(); ++i) {
     const Value entry = value.entry(i);
-    CampaignAlgorithm algorithm = read_algorithm(entry);
+    CampaignAlgorithm algorithm = yaml::read_algorithm(entry);
     const auto same = [&](const CampaignAlgorithm& a) { return a.label == algorithm.label; };
     if (std::any_of(algorithms.begin(), algorithms.end(), same)) {
       entry.refuse("a second " + algorithm.label + "; give it a label of its own");
@@ -145,18 +93,11 @@ std::vector<Overrides> read_zip(const Value& value) {
   return rows;
 }
 
-Form<std::uint32_t> seed_count() {
-  return read_only<std::uint32_t>([](const Value& v) { return v.whole<std::uint32_t>(1, 1'000'000); },
-                                  schema_text(R"({"type": "integer", "minimum": 1, "maximum": 1000000})"));
-}
-
-constexpr std::string_view scenario_schema_text =
-    R"({"anyOf": [{"type": "string", "minLength": 1},
-                 {"type": "array", "items": {"type": "string", "minLength": 1}, "minItems": 1}]})";
 constexpr std::string_view algorithms_schema_text =
     R"({"type": "array", "minItems": 1, "items": {"anyOf": [{"type": "string", "minLength": 1},
-        {"type": "object", "required": ["algorithm"],
+        {"type": "object", "anyOf": [{"required": ["algorithm"]}, {"required": ["file"]}],
          "properties": {"algorithm": {"type": "string", "minLength": 1},
+                        "file": {"type": "string", "minLength": 1},
                         "label": {"type": "string", "minLength": 1}}}]}})";
 constexpr std::string_view grid_schema_text =
     R"({"type": "object", "additionalProperties": {"type": "array", "minItems": 1}})";
@@ -166,15 +107,14 @@ constexpr std::string_view zip_schema_text =
 const Block<CampaignFile>& campaign_block() {
   static const Block<CampaignFile> seeds{
       key("first", &CampaignFile::first_seed, yaml::seed(), "Default 1."),
-      key("count", &CampaignFile::seed_count, seed_count(), "How many in a row.", Needed::yes)};
+      key("count", &CampaignFile::seed_count, yaml::seed_count(), "How many in a row.", Needed::yes)};
   static const Block<CampaignFile> block{
       key("fairway_campaign", &CampaignFile::version,
           read_only<std::int32_t>(read_version, schema_text(R"({"const": 1})")), "The format's version, 1.",
           Needed::yes),
       key("name", &CampaignFile::name, yaml::name(), "Of the campaign.", Needed::yes),
       key("summary", &CampaignFile::summary, yaml::text(), "What it is meant to find out."),
-      key("scenario", &CampaignFile::scenarios,
-          read_only<std::vector<CampaignScenarioFile>>(read_scenarios, schema_text(scenario_schema_text)),
+      key("scenario", &CampaignFile::scenarios, yaml::scenario_files(),
           "One scenario or several, relative to this file. The label case is the file's name.", Needed::yes),
       key("algorithms", &CampaignFile::algorithms,
           read_only<std::vector<CampaignAlgorithm>>(read_algorithms, schema_text(algorithms_schema_text)),

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -306,6 +307,69 @@ TEST_F(CampaignTest, ARunWithAMethodOfTheProgramsOwnHasItsVersionInTheKey) {
   EXPECT_THAT(first[0].command, StartsWith("fairway run "));
   EXPECT_THAT(first[1].command, StartsWith("own_method run "));
   EXPECT_EQ(second[1].command, "");
+}
+
+TEST_F(CampaignTest, ShardsAreTheWholeOnceWithTheSameKeys) {
+  const std::string yaml = std::string(minimal) + R"(algorithms: [orca3d, avoa]
+grid: {exam.crit_dist_m: [6, 7, 10]}
+seeds: {first: 5, count: 7}
+)";
+  const auto keys_of = [&](const Shard& shard) {
+    const Campaign part = parse_campaign(yaml, folder_.file("test.yaml"), {}, 2, {}, shard);
+    EXPECT_EQ(part.run_count(), 42U);
+    std::set<std::string> keys;
+    for (std::size_t i = 0; i < part.specs.size(); ++i) {
+      EXPECT_EQ(part.scenario_of(i).seed, part.specs[i].seed);
+      EXPECT_TRUE(keys.insert(part.specs[i].key).second);
+    }
+    return keys;
+  };
+  const std::set<std::string> whole = keys_of({});
+  EXPECT_EQ(whole.size(), 42U);
+  for (const std::uint32_t count : {2U, 5U, 64U}) {
+    std::set<std::string> all;
+    std::size_t runs = 0;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      std::set<std::string> part = keys_of({i, count});
+      runs += part.size();
+      all.merge(part);
+    }
+    EXPECT_EQ(runs, 42U);
+    EXPECT_EQ(all, whole);
+  }
+}
+
+TEST_F(CampaignTest, AShardHasWhatThePlanSays) {
+  const std::string yaml = std::string(minimal) + "algorithms: [orca3d, avoa]\nseeds: {count: 9}\n";
+  const ShardPlan plan = plan_of(parse_campaign(yaml, folder_.file("test.yaml")), 4);
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    const Campaign part = parse_campaign(yaml, folder_.file("test.yaml"), {}, 1, {}, {i, 4});
+    EXPECT_EQ(part.specs.size(), plan.runs[i]);
+  }
+  const auto [least, most] = std::ranges::minmax(plan.costs);
+  EXPECT_LT(most, 1.6 * least);  // two avoa runs, or three
+}
+
+TEST_F(CampaignTest, TheDigestIsOfWhatIsRunAndOfNothingElse) {
+  const auto digest_of = [&](const std::string& more) { return parse(more).digest; };
+  const std::string digest = digest_of("seeds: {count: 2}\n");
+  EXPECT_EQ(digest_of("seeds: {count: 2}\n# a comment\nquantities: [makespan_s]\nsummary: words\n"), digest);
+  EXPECT_NE(digest_of("seeds: {count: 3}\n"), digest);
+  EXPECT_NE(digest_of("seeds: {count: 2, first: 2}\n"), digest);
+  EXPECT_NE(digest_of("seeds: {count: 2}\nalgorithms: [apf]\n"), digest);
+  EXPECT_NE(digest_of("seeds: {count: 2}\ngrid: {step_s: [0.1]}\n"), digest);
+  sample::write_bytes(folder_.file("pair.yaml"), std::string(pair_yaml) + "# a comment\n");
+  EXPECT_EQ(digest_of("seeds: {count: 2}\n"), digest);
+  sample::write_bytes(folder_.file("pair.yaml"), std::string(pair_yaml) + "step_s: 0.1\n");
+  EXPECT_NE(digest_of("seeds: {count: 2}\n"), digest);
+}
+
+TEST_F(CampaignTest, RunsThatAreKeptKeepTheirCells) {
+  Campaign c = parse("algorithms: [apf, orca3d]\nseeds: {count: 4}\n");
+  keep_runs(c, [](const RunSpec& spec) { return spec.seed == 3; });
+  ASSERT_EQ(c.specs.size(), 2U);
+  EXPECT_EQ(*find_label(c.specs[1].labels, "method"), "orca3d");
+  EXPECT_EQ(c.scenario_of(1).vehicles[0].avoider.name, "orca3d");
 }
 
 }  // namespace

@@ -163,6 +163,7 @@ ExecutorReport run_missing(std::span<const RunSpec> specs, const Run& run, Store
       count.failed += static_cast<std::size_t>(
           std::count_if(batch.begin(), batch.end(), [](const RunRecord& r) { return !r.failure.empty(); }));
       batch.clear();
+      if (options.stored) options.stored();
     }
     if (options.progress != nullptr) options.progress->update(count);
   }

@@ -27,6 +27,7 @@ struct ExecutorOptions {
   bool retry_failures{false};                   ///< make those again that are stored as failed
   std::size_t batch_runs{256};                  ///< stored together, at the latest …
   std::chrono::milliseconds batch_period{500};  ///< … so long after the first of them
+  std::function<void()> stored;                 ///< called after each batch, by the thread that stored it
 };
 
 struct ExecutorReport {

@@ -12,7 +12,8 @@ RecordingInfo recording_info(const Scenario& scenario) {
                      .scenario_yaml = to_yaml(scenario),
                      .seed = scenario.seed,
                      .period = scenario.step_s,
-                     .vehicles = {}};
+                     .vehicles = {},
+                     .machine = std::string(fairway_machine)};
   for (const VehicleSpec& vehicle : scenario.vehicles)
     info.vehicles.push_back({VehicleId{vehicle.id}, vehicle.name, vehicle.model.name});
   return info;

@@ -334,10 +334,20 @@ void Store::note(const Origin& campaign) {
   note_campaign(contents_->database, campaign);
 }
 
+void Store::note(const Maker& maker) {
+  if (!contents_->writable) throw std::logic_error("note() into a store opened for reading");
+  note_maker(contents_->database, maker);
+}
+
 Origin Store::origin() const { return read_origin(contents_->database); }
 
 std::size_t Store::size() const {
   return static_cast<std::size_t>(contents_->database.integer("SELECT count(*) FROM runs"));
+}
+
+std::size_t Store::failed_count() const {
+  return static_cast<std::size_t>(
+      contents_->database.integer("SELECT count(*) FROM runs WHERE failure <> ''"));
 }
 
 std::vector<RunRecord> Store::all() const {

@@ -58,9 +58,12 @@ class Store {
 
   /// What campaign the runs that follow are of; see note_campaign(). Throws as put() does.
   void note(const Origin& campaign);
+  /// Who makes the runs that follow. Throws as put() does.
+  void note(const Maker& maker);
   Origin origin() const;
 
   std::size_t size() const;
+  std::size_t failed_count() const;  ///< of these, with a failure
 
   /// Every run, by labels, seed and key, whatever order they were made in; measures in the order they
   /// were given. Numbers come back to the bit, but for NaNs, which all come back as the same one.

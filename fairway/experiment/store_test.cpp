@@ -228,7 +228,7 @@ TEST(StoreTest, RemembersTheCampaignAndItsOrder) {
   EXPECT_EQ(origin.order, (LabelValues{{"case", {"bay"}}, {"method", {"vo", "apf", "orca3d"}}}));
   EXPECT_EQ(values_of(origin.order, "method").front(), "vo");
   EXPECT_TRUE(values_of(origin.order, "speed").empty());
-  EXPECT_THROW(Store::open_existing(folder.file("results.db")).note({}), std::logic_error);
+  EXPECT_THROW(Store::open_existing(folder.file("results.db")).note(Origin{}), std::logic_error);
 }
 
 TEST(StoreTest, SeveralAreReadAsOne) {

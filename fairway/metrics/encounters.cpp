@@ -36,6 +36,7 @@ bool EncounterMetric::update_contacts(const Frame& frame, std::size_t index, con
     const bool collided = distance2 <= rules_.safety_distance_m * rules_.safety_distance_m;
     detected_.push_back({static_cast<std::uint32_t>(j), collided ? Contact::collided : Contact::near});
   });
+  if (detected_.empty() && count.open.empty()) return false;
   std::ranges::sort(detected_, {}, &OpenEncounter::other);
   const auto hit = std::ranges::find(detected_, Contact::collided, &OpenEncounter::worst);
   if (hit != detected_.end() && count.first_collision.other == Occasion::none)

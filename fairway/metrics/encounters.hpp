@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fairway/metrics/metric.hpp"
+#include "fairway/metrics/neighbours.hpp"
 
 namespace fairway {
 

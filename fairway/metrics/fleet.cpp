@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "fairway/avoidance/ability.hpp"
+#include "fairway/core/math.hpp"
 
 namespace fairway {
 namespace {
@@ -59,8 +60,10 @@ void FleetMetric::see(const Frame& frame, const Neighbours& near) {
 
 bool FleetMetric::is_beyond(const VehicleFrame& vehicle, std::size_t index) const {
   if (index >= surroundings_.limits.size()) return false;
-  const double yaw = yaw_of(vehicle.state.q_nb);
-  return shortfall(surroundings_.limits[index], vehicle.command, yaw) != Shortfall::none;
+  const Limits& limits = surroundings_.limits[index];
+  if (const auto on_any = shortfall_on_any_heading(limits, vehicle.command))
+    return *on_any != Shortfall::none;
+  return shortfall(limits, vehicle.command, yaw_of(vehicle.state.q_nb)) != Shortfall::none;
 }
 
 void FleetMetric::see_vehicle(const Frame& frame, std::size_t index) {
@@ -102,14 +105,15 @@ void FleetMetric::see_others(const Frame& frame, const Neighbours& near, std::si
       std::isinf(own.nearest2) ? near.reach_of_one(index, counts) : little * std::sqrt(own.nearest2);
   double nearest2 = own.nearest2;
   std::size_t who = frame.vehicles.size();
-  near.visit(index, std::fmax(nearest, safety_distance_), [&](std::size_t j, double distance2) {
-    if (!counts(j)) return;
-    if (distance2 < nearest2 || (distance2 == nearest2 && j < who && nearest2 < own.nearest2)) {
+  near.visit(index, math::fmax(nearest, safety_distance_), [&](std::size_t j, double distance2) {
+    const bool nearer = distance2 < nearest2 || (distance2 == nearest2 && j < who && nearest2 < own.nearest2);
+    const bool touches = j > index && distance2 <= safety_distance_ * safety_distance_;
+    if (!(nearer || touches) || !counts(j)) return;
+    if (nearer) {
       nearest2 = distance2;
       who = j;
     }
-    if (j > index && distance2 <= safety_distance_ * safety_distance_)
-      touch_.push_back({static_cast<std::uint32_t>(index), static_cast<std::uint32_t>(j)});
+    if (touches) touch_.push_back({static_cast<std::uint32_t>(index), static_cast<std::uint32_t>(j)});
   });
   if (!(nearest2 < own.nearest2)) return;
   own.nearest2 = nearest2;

@@ -9,6 +9,7 @@
 #include "fairway/core/limits.hpp"
 #include "fairway/core/shapes.hpp"
 #include "fairway/metrics/metric.hpp"
+#include "fairway/metrics/neighbours.hpp"
 
 namespace fairway {
 

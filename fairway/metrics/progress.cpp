@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fairway/core/math.hpp"
 #include "fairway/core/text.hpp"
 
 namespace fairway {
@@ -26,14 +27,14 @@ const std::vector<QuantityInfo>& ProgressMetric::quantities() {
 
 ProgressMetric::ProgressMetric(double window, Surroundings surroundings)
     : window_{window}, surroundings_{std::move(surroundings)}, neighbours_{usual_reach} {
-  for (const double radius : surroundings_.radii) largest_radius_ = std::fmax(largest_radius_, radius);
+  for (const double radius : surroundings_.radii) largest_radius_ = math::fmax(largest_radius_, radius);
 }
 
 Goal ProgressMetric::goal_of(const Frame& frame, std::size_t index) const {
   const VehicleFrame& vehicle = frame.vehicles[index];
   const bool known = index < surroundings_.limits.size();
   const double fastest = known ? surroundings_.limits[index].max_speed : Limits::none;
-  return {.position = vehicle.goal, .cruise_speed = std::fmin(vehicle.goal_speed, fastest), .velocity = {}};
+  return {.position = vehicle.goal, .cruise_speed = math::fmin(vehicle.goal_speed, fastest), .velocity = {}};
 }
 
 double ProgressMetric::radius_of(std::size_t index) const {
@@ -90,7 +91,7 @@ void ProgressMetric::count(const Frame& frame, std::size_t index) {
   own.last_without = occasion(index);
   if (report.state != Headway::deadlocked) return;
   const double until = frame.time + frame.period;
-  own.deadlock_time += until - std::fmax(report.since, own.counted_until);
+  own.deadlock_time += until - math::fmax(report.since, own.counted_until);
   own.counted_until = until;
   own.last_deadlock = occasion(index);
   own.last_deadlock.time = report.since;

@@ -7,6 +7,7 @@
 
 #include "fairway/avoidance/progress.hpp"
 #include "fairway/metrics/fleet.hpp"
+#include "fairway/metrics/neighbours.hpp"
 
 namespace fairway {
 

@@ -4,9 +4,13 @@
 #include <cmath>
 #include <vector>
 
+#include "fairway/core/boxed.hpp"
+#include "fairway/core/crew.hpp"
+#include "fairway/core/math.hpp"
 #include "fairway/metrics/effort.hpp"
 #include "fairway/metrics/encounters.hpp"
 #include "fairway/metrics/fleet.hpp"
+#include "fairway/metrics/neighbours.hpp"
 #include "fairway/metrics/progress.hpp"
 #include "fairway/metrics/smoothness.hpp"
 
@@ -17,19 +21,18 @@ class RunMetrics final : public FrameSink {
  public:
   /// `progress_window` [s], as `ProgressMetric`.
   explicit RunMetrics(EncounterRules rules, Surroundings surroundings = {}, double progress_window = 30.0)
-      : neighbours_{std::fmax(rules.crit_dist_m, rules.safety_distance_m)},
+      : neighbours_{math::fmax(rules.crit_dist_m, rules.safety_distance_m)},
         encounters_{rules},
         progress_{progress_window, surroundings},
         fleet_{rules.safety_distance_m, std::move(surroundings)} {}
 
-  void write(const Frame& frame) override {
-    const Neighbours& near = neighbours_.of(frame);
-    encounters_.see(frame, near);
-    progress_.see(frame, near);
-    fleet_.see(frame, near);
-    effort_.see(frame);
-    smoothness_.see(frame);
+  /// From now on so many threads see a frame together, one metric each. The numbers are the same.
+  void share_out(std::size_t threads) {
+    crew_ = {};
+    if (threads > 1) crew_.emplace(threads);
   }
+
+  void write(const Frame& frame) override;
 
   bool wants_tracks() const override { return false; }
 
@@ -46,6 +49,7 @@ class RunMetrics final : public FrameSink {
   FleetMetric fleet_;
   EffortMetric effort_;
   SmoothnessMetric smoothness_;
+  Boxed<Crew> crew_;  // nothing: one thread alone
 };
 
 /// Every quantity that RunMetrics reports.

@@ -49,8 +49,11 @@ FixVerdict FixWatch::judge(const Fix& fix, double now, const OnboardPolicy& poli
   if (fix.time <= last_->time) return FixVerdict::backwards;
 
   const bool stands = fix.state.p_n == last_->state.p_n;
-  if (stands && fix.time - moved_ >= policy.frozen_s && fix.state.v_b.norm() > policy.frozen_speed_mps)
+  const bool claims_to_move = fix.state.v_b.norm() > policy.frozen_speed_mps;
+  if (stands && (frozen_ || (claims_to_move && fix.time - moved_ >= policy.frozen_s))) {
+    frozen_ = true;
     return FixVerdict::frozen;
+  }
   return agrees(*last_, fix, policy) ? FixVerdict::accepted : judge_jump(fix, policy);
 }
 
@@ -66,6 +69,7 @@ void FixWatch::accept(const Fix& fix, const OnboardPolicy& policy) noexcept {
   if (!follows || good_since_ == infinity) good_since_ = fix.time;
   if (!last_ || fix.state.p_n != last_->state.p_n) moved_ = fix.time;
   last_ = fix;
+  frozen_ = false;
   candidate_.reset();
   confirmations_ = 0;
 }

@@ -145,6 +145,21 @@ TEST(FixWatch, TheSamePositionToTheBitForTooLongIsFrozenIfItSaysThatItMoves) {
   EXPECT_EQ(watch.see(north(5.1, stuck + Vec3{0.01, 0, 0}), 5.1, policy), accepted) << "it moves again";
 }
 
+TEST(FixWatch, AFrozenPositionIsNotBelievedAgainBecauseTheVehicleStopsForIt) {
+  const Vec3 stuck{1, 0, 5};
+  FixWatch watch;
+  double time = 1.0;
+  while (watch.see(north(time, stuck), time, policy) == accepted) time += 0.1;
+  ASSERT_EQ(watch.verdict(), frozen);
+  for (int i = 0; i < 100; ++i) {
+    time += 0.1;
+    EXPECT_EQ(watch.see(north(time, stuck, 0.0), time, policy), frozen);
+  }
+  time += 0.1;
+  EXPECT_EQ(watch.see(north(time, stuck + Vec3{0.01, 0, 0}, 0.0), time, policy), accepted)
+      << "it moves again";
+}
+
 TEST(FixWatch, AVehicleAtRestMayStandForEver) {
   FixWatch watch;
   for (int i = 0; i < 1000; ++i)

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fairway/core/angles.hpp"
+#include "fairway/core/math.hpp"
 
 namespace fairway {
 namespace {
@@ -15,7 +16,7 @@ constexpr double farthest = 1e7;      // [m] from the origin: no goal is there
 
 /// `depth`, or the nearest within the limits.
 double within(const Limits& limits, double depth) {
-  return std::fmax(limits.min_depth, std::fmin(limits.max_depth, depth));
+  return math::fmax(limits.min_depth, math::fmin(limits.max_depth, depth));
 }
 
 bool is_place(const Vec3& position) {
@@ -45,7 +46,7 @@ void Helm::see_clock(double now) noexcept {
     begin_again();
     now_ = now;
   }
-  now_ = std::fmax(now_, now);
+  now_ = math::fmax(now_, now);
 }
 
 void Helm::begin_again() noexcept {
@@ -200,8 +201,8 @@ bool Helm::is_lost(const Neighbour& neighbour) const noexcept {
 
 double Helm::growth_of(double age) const noexcept {
   const OnboardPolicy& policy = setup_.policy;
-  const double late = std::fmax(0.0, age - policy.neighbour_stale_s);
-  return std::fmin(policy.max_growth_m, policy.growth_mps * late);
+  const double late = math::fmax(0.0, age - policy.neighbour_stale_s);
+  return math::fmin(policy.max_growth_m, policy.growth_mps * late);
 }
 
 Track Helm::track_of(std::size_t index) const noexcept {
@@ -209,7 +210,7 @@ Track Helm::track_of(std::size_t index) const noexcept {
   const Neighbour& neighbour = neighbours_[index];
   const Fix& fix = *neighbour.watch.last();
   const double age = now_ - fix.time;
-  const double since = std::fmax(0.0, age);
+  const double since = math::fmax(0.0, age);
   const double drift = setup_.policy.unforeseen_acceleration_mps2 * since;
   Track track{.id = TrackId{number(mate.id)},
               .position = fix.state.p_n,
@@ -224,7 +225,7 @@ Track Helm::track_of(std::size_t index) const noexcept {
               .velocity_covariance = drift * drift * Mat3::Identity()};
 
   // whoever is lost may lie anywhere by now: it stays where the prediction has come to, and is not counted on
-  track.position += std::fmin(age, setup_.policy.neighbour_lost_s) * track.velocity;
+  track.position += math::fmin(age, setup_.policy.neighbour_lost_s) * track.velocity;
   if (is_lost(neighbour)) {
     track.velocity = Vec3::Zero();
     track.reacts = false;
@@ -267,7 +268,7 @@ void Helm::decide(Sketch* sketch) noexcept {
 void Helm::see_progress(const Situation& situation) noexcept {
   const double window = setup_.policy.progress_window_s;
   Goal goal = situation.goal;
-  goal.cruise_speed = std::fmin(goal.cruise_speed, limits().max_speed);
+  goal.cruise_speed = math::fmin(goal.cruise_speed, limits().max_speed);
   progress_watch_.see(now_, own_.position, goal, true);
   bystanders_.clear();
   for (std::size_t k = 0; k < near_.size(); ++k) {
@@ -289,11 +290,11 @@ void Helm::stop_watching_progress() noexcept {
 
 void Helm::lead_back(Command& command) const noexcept {
   const double error = within(limits(), own_.position.z()) - own_.position.z();
-  const double fastest = std::fmin(return_speed, limits().max_climb_rate);
+  const double fastest = math::fmin(return_speed, limits().max_climb_rate);
   const double back = std::clamp(return_gain * error, -fastest, fastest);
   double& down = command.velocity.z();
-  if (error > 0.0) down = std::fmax(down, back);
-  if (error < 0.0) down = std::fmin(down, back);
+  if (error > 0.0) down = math::fmax(down, back);
+  if (error < 0.0) down = math::fmin(down, back);
 }
 
 HoldPoint Helm::here() const noexcept {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fairway/core/math.hpp"
 #include "fairway/onboard/helm.hpp"
 
 namespace fairway {
@@ -31,7 +32,7 @@ void Helm::see_current(const Fix& fix) noexcept {
   if (!fix.through_water_b) return;
   const Vec3 told = fix.state.q_nb * (fix.state.v_b - *fix.through_water_b);
   const double since = current_time_ ? fix.time - *current_time_ : std::numeric_limits<double>::infinity();
-  current_ += (1.0 - std::exp(-since / setup_.policy.current_time_constant_s)) * (told - current_);
+  current_ += (1.0 - math::exp(-since / setup_.policy.current_time_constant_s)) * (told - current_);
   current_time_ = fix.time;
 }
 
@@ -103,7 +104,7 @@ double Helm::common_time() const noexcept {
   constexpr double never = -std::numeric_limits<double>::infinity();
   const auto time_of = [](const FixWatch& watch) { return watch.last() ? watch.last()->time : never; };
   double oldest = time_of(own_watch_);
-  for (const Neighbour& neighbour : neighbours_) oldest = std::fmin(oldest, time_of(neighbour.watch));
+  for (const Neighbour& neighbour : neighbours_) oldest = math::fmin(oldest, time_of(neighbour.watch));
   return oldest;
 }
 
@@ -153,7 +154,7 @@ HelmReport Helm::report(double now) const {
       line.lost = is_lost(neighbour);
       line.shown = neighbour.shown;
     }
-    report.refused_at = std::fmax(report.refused_at, neighbour.watch.refused_at());
+    report.refused_at = math::fmax(report.refused_at, neighbour.watch.refused_at());
     report.neighbours.push_back(line);
   }
   return report;

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "fairway/core/math.hpp"
 #include "fairway/core/state.hpp"
 
 namespace fairway {
@@ -20,8 +21,9 @@ struct Fan {
   bool covers(const Vec3& p) const {
     const Vec3 r_b = q_nb.conjugate() * (p - origin);
     const double range = r_b.norm();
-    return range >= min_range && range <= max_range && std::abs(std::atan2(r_b.y(), r_b.x())) <= half_field &&
-           std::abs(std::atan2(r_b.z(), horizontal_norm(r_b))) <= half_aperture;
+    return range >= min_range && range <= max_range &&
+           std::abs(math::atan2(r_b.y(), r_b.x())) <= half_field &&
+           std::abs(math::atan2(r_b.z(), horizontal_norm(r_b))) <= half_aperture;
   }
 };
 

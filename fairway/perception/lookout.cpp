@@ -5,6 +5,7 @@
 #include <iterator>
 
 namespace fairway {
+
 Lookout::Lookout(std::string_view kind, const ParamValues& params, const Reach& reach,
                  std::size_t track_count, Rng rng)
     : reach_{reach} {

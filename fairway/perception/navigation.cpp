@@ -4,43 +4,45 @@
 #include <cmath>
 
 #include "fairway/core/angles.hpp"
+#include "fairway/core/math.hpp"
 
 namespace fairway {
 namespace {
 
 /// One step of a Gauss-Markov process, exact for any period.
 double drifted(double error, double sigma, double correlation_time, double period, Rng& rng) {
-  const double kept = std::exp(-period / correlation_time);
+  const double kept = math::exp(-period / correlation_time);
   return kept * error + sigma * std::sqrt(1.0 - kept * kept) * rng.normal();
 }
 
 }  // namespace
 
-Navigation::Navigation(std::string_view kind, const ParamValues& params, Rng rng) : rng_{rng} {
+Navigation::Navigation(std::string_view kind, const ParamValues& params, Rng rng) {
   require_known(kind, "navigation", navigation_kinds());
-  is_perfect_ = kind == "perfect";
-  if (is_perfect_) {
+  if (kind == "perfect") {
     if (!params.empty()) throw InputError({}, params.front().first, "perfect navigation takes no parameters");
     return;
   }
-  params_ = params_of<NavigationParams>(params);
-  position_error_ = params_.position_sigma_m * Vec2{rng_.normal(), rng_.normal()};
-  heading_error_ = radians(params_.heading_sigma_deg) * rng_.normal();
+  drift_.emplace(Drift{.params = params_of<NavigationParams>(params), .rng = rng});
+  Drift& drift = *drift_;
+  drift.position_error = drift.params.position_sigma_m * Vec2{drift.rng.normal(), drift.rng.normal()};
+  drift.heading_error = radians(drift.params.heading_sigma_deg) * drift.rng.normal();
   Rng of_current = rng.stream("current");
-  current_bias_ = params_.current_sigma_mps * Vec3{of_current.normal(), of_current.normal(), 0.0};
+  current_bias_ = drift.params.current_sigma_mps * Vec3{of_current.normal(), of_current.normal(), 0.0};
 }
 
 VehicleState Navigation::estimate(const VehicleState& truth, double period) {
-  if (is_perfect_) return truth;
-  for (double& error : position_error_)
-    error = drifted(error, params_.position_sigma_m, params_.position_correlation_s, period, rng_);
-  heading_error_ = drifted(heading_error_, radians(params_.heading_sigma_deg), params_.heading_correlation_s,
-                           period, rng_);
+  if (!drift_) return truth;
+  auto& [params, rng, position_error, heading_error] = *drift_;
+  for (double& error : position_error)
+    error = drifted(error, params.position_sigma_m, params.position_correlation_s, period, rng);
+  heading_error =
+      drifted(heading_error, radians(params.heading_sigma_deg), params.heading_correlation_s, period, rng);
 
   VehicleState believed = truth;
-  believed.p_n += Vec3{position_error_.x(), position_error_.y(), params_.depth_sigma_m * rng_.normal()};
-  believed.q_nb = Eigen::Quaterniond{Eigen::AngleAxisd{heading_error_, Vec3::UnitZ()}} * truth.q_nb;
-  believed.v_b += params_.velocity_sigma_mps * Vec3{rng_.normal(), rng_.normal(), rng_.normal()};
+  believed.p_n += Vec3{position_error.x(), position_error.y(), params.depth_sigma_m * rng.normal()};
+  believed.q_nb = quaternion_of({.yaw = heading_error}) * truth.q_nb;
+  believed.v_b += params.velocity_sigma_mps * Vec3{rng.normal(), rng.normal(), rng.normal()};
   return believed;
 }
 

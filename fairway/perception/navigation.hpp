@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "fairway/core/boxed.hpp"
 #include "fairway/core/kind_info.hpp"
 #include "fairway/core/params.hpp"
 #include "fairway/core/rng.hpp"
@@ -54,12 +55,15 @@ class Navigation {
   Vec3 current(const Vec3& truth_n) const { return truth_n + current_bias_; }
 
  private:
-  bool is_perfect_{true};
-  NavigationParams params_;
-  Rng rng_;
-  Vec2 position_error_ = Vec2::Zero();  // [m]
-  double heading_error_{};              // [rad]
-  Vec3 current_bias_ = Vec3::Zero();    // [m/s, NED]
+  struct Drift {
+    NavigationParams params;
+    Rng rng;
+    Vec2 position_error = Vec2::Zero();  // [m]
+    double heading_error{};              // [rad]
+  };
+
+  Boxed<Drift> drift_;                // nothing: navigation is perfect
+  Vec3 current_bias_ = Vec3::Zero();  // [m/s, NED]
 };
 
 /// The kinds of navigation that there are.

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "fairway/core/math.hpp"
+
 namespace fairway {
 namespace {
 
@@ -16,14 +18,33 @@ Vec3 place_of(const Message& message, const Scene& scene) {
   return message.position + age_of(message, scene) * message.velocity;
 }
 
-Track track_of(const Mover& mover) {
-  return {.id = mover.id,
-          .position = mover.position,
-          .velocity = mover.velocity,
-          .yaw = yaw_of(mover.q_nb),
-          .radius = mover.radius,
-          .priority = mover.priority,
-          .reacts = mover.reacts};
+/// Makes `track` that of what is seen.
+void write(const Mover& mover, Track& track) {
+  track = {.id = mover.id,
+           .position = mover.position,
+           .velocity = mover.velocity,
+           .yaw = yaw_of(mover.q_nb),
+           .radius = mover.radius,
+           .priority = mover.priority,
+           .reacts = mover.reacts};
+}
+
+/// Makes `track` that of who was heard of.
+void write(const Message& message, const Scene& scene, Track& track) {
+  // an unforeseen acceleration a, kept up since, has changed the velocity by a t and moved it by a t^2 / 2
+  const double age = age_of(message, scene);
+  const double drift = scene.unforeseen_acceleration * age;
+  track.id = TrackId{number(message.from)};
+  track.position = place_of(message, scene);
+  track.velocity = message.velocity;
+  track.yaw = message.yaw;
+  track.radius = message.radius;
+  track.age = age;
+  track.priority = message.priority;
+  track.destination = message.destination;
+  track.reacts = true;
+  track.position_covariance = 0.25 * age * age * drift * drift * Mat3::Identity();
+  track.velocity_covariance = drift * drift * Mat3::Identity();
 }
 
 /// Whoever was heard of within reach, but the own vehicle; `index` is that of the message.
@@ -40,17 +61,14 @@ void add_heard(const Scene& scene, const Viewpoint& own, const Reach& reach, std
 
 /// The vehicles within reach that were sorted by place; of one that is seen, `index` follows the messages.
 void add_places(const Scene& scene, const Viewpoint& own, const Reach& reach, std::vector<Near>& near) {
-  const CellIndex& places = *scene.places;
+  const Vicinity& places = *scene.places;
   const Vec3& here = own.estimate.p_n;
   double farthest = reach.vehicles;
-  if (own.most_tracks < places.size() && farthest > places.edge()) {
-    const auto is_other = [&](std::size_t i) { return i != scene.own_index; };
-    farthest = std::fmin(farthest, places.reach_of(own.most_tracks, here, is_other));
-  }
-  places.visit(here, farthest, [&](std::size_t i, double distance2) {
+  if (own.most_tracks < places.size() && farthest > places.sure_reach(scene.own_index, here))
+    farthest = math::fmin(farthest, places.reach_of(own.most_tracks, scene.own_index, here));
+  places.visit_others(scene.own_index, here, farthest, [&](std::size_t i, double distance2) {
     const Mover& mover = scene.movers[i];
-    if (i != scene.own_index)
-      near.push_back({distance2, mover.id, mover.silent ? scene.heard.size() + i : i});
+    near.push_back({distance2, mover.id, mover.silent ? scene.heard.size() + i : i});
   });
 }
 
@@ -70,34 +88,28 @@ void add_seen(const Scene& scene, const Viewpoint& own, const Reach& reach, std:
 }  // namespace
 
 Track track_of(const Message& message, const Scene& scene) {
-  // an unforeseen acceleration a, kept up since, has changed the velocity by a t and moved it by a t^2 / 2
-  const double age = age_of(message, scene);
-  const double drift = scene.unforeseen_acceleration * age;
-  return {.id = TrackId{number(message.from)},
-          .position = place_of(message, scene),
-          .velocity = message.velocity,
-          .yaw = message.yaw,
-          .radius = message.radius,
-          .age = age,
-          .priority = message.priority,
-          .destination = message.destination,
-          .position_covariance = 0.25 * age * age * drift * drift * Mat3::Identity(),
-          .velocity_covariance = drift * drift * Mat3::Identity()};
+  Track track;
+  write(message, scene, track);
+  return track;
 }
 
-void perceive_movers(const Scene& scene, const Viewpoint& own, const Reach& reach, std::vector<Near>& near,
-                     std::vector<Track>& tracks) {
+// called for everyone who decides: all of it is compiled into one
+[[gnu::flatten]] void perceive_movers(const Scene& scene, const Viewpoint& own, const Reach& reach,
+                                      std::vector<Near>& near, std::vector<Track>& tracks) {
   near.clear();
   if (!scene.heard_at_once) add_heard(scene, own, reach, near);
   if (scene.places != nullptr) add_places(scene, own, reach, near);
   add_seen(scene, own, reach, near);
   sort_nearest_first(near, own.most_tracks);
 
-  tracks.clear();
-  for (const Near& one : near) {
-    const bool heard = one.index < scene.heard.size();
-    tracks.push_back(heard ? track_of(scene.heard[one.index], scene)
-                           : track_of(scene.movers[one.index - scene.heard.size()]));
+  tracks.resize(near.size());
+  for (std::size_t k = 0; k < near.size(); ++k) {
+    const std::size_t index = near[k].index;
+    if (index < scene.heard.size()) {
+      write(scene.heard[index], scene, tracks[k]);
+    } else {
+      write(scene.movers[index - scene.heard.size()], tracks[k]);
+    }
   }
 }
 

@@ -99,7 +99,7 @@ TEST(PerfectPerception, WhatIsChartedIsKnownAndTheRestOnceNear) {
 struct Crowd {
   std::vector<Mover> movers;
   Mailbox heard;
-  CellIndex places;
+  Vicinity places;
 
   Crowd(std::size_t count, Rng rng) {
     for (std::size_t i = 0; i < count; ++i) {
@@ -112,8 +112,8 @@ struct Crowd {
     movers.push_back(drifter({3, 3, 3}));
     movers.push_back(drifter({-3, 3, 3}));
     movers.back().id = TrackId{0x8000'0004U};
-    places.rebuild(count, 5.0,
-                   [&](std::size_t i) { return movers[i].silent ? movers[i].position : heard[i].position; });
+    places.update(count,
+                  [&](std::size_t i) { return movers[i].silent ? movers[i].position : heard[i].position; });
   }
 
   Scene seen_by(std::size_t index) const { return {.own_index = index, .movers = movers, .heard = heard}; }

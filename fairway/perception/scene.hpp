@@ -7,10 +7,10 @@
 #include <span>
 
 #include "fairway/comms/message.hpp"
-#include "fairway/core/cell_index.hpp"
 #include "fairway/core/ids.hpp"
 #include "fairway/core/shapes.hpp"
 #include "fairway/core/state.hpp"
+#include "fairway/core/vicinity.hpp"
 
 namespace fairway {
 
@@ -40,7 +40,7 @@ struct Scene {
   /// The vehicles, each where perfect perception finds it: a silent one where it is, and, if everyone hears
   /// at once (`heard_at_once`), one that tells where it says to be; the others nowhere. Null: nobody has
   /// sorted them, and all are looked through.
-  const CellIndex* places{nullptr};
+  const Vicinity* places{nullptr};
   bool heard_at_once{false};         ///< `heard` is by index of the vehicles, sent now, the same for everyone
   double unforeseen_acceleration{};  ///< of those who sent them [m/s2]
 };

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "fairway/core/error.hpp"
+#include "fairway/core/math.hpp"
 
 namespace fairway {
 namespace {
@@ -67,7 +68,7 @@ SurfacePoint PlanarMap::FlatObstacle::nearest(const Vec2& p) const noexcept {
 double PlanarMap::FlatObstacle::distance(const Vec2& a, const Vec2& b) const noexcept {
   switch (kind) {
     case Obstacle::Kind::sphere:
-      return std::fmax(0.0, distance_to_line(position.head<2>(), a, b) - radius);
+      return math::fmax(0.0, distance_to_line(position.head<2>(), a, b) - radius);
     case Obstacle::Kind::segment:
       return distance_between_lines(a, b, from.head<2>(), to.head<2>());
     case Obstacle::Kind::polygon:
@@ -76,7 +77,7 @@ double PlanarMap::FlatObstacle::distance(const Vec2& a, const Vec2& b) const noe
   if (nearest(a).distance <= 0.0) return 0.0;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0, j = vertices.size() - 1; i < vertices.size(); j = i++) {
-    least = std::fmin(least, distance_between_lines(a, b, vertices[j].head<2>(), vertices[i].head<2>()));
+    least = math::fmin(least, distance_between_lines(a, b, vertices[j].head<2>(), vertices[i].head<2>()));
   }
   return least;
 }
@@ -116,13 +117,13 @@ PlanarMap::PlanarMap(std::span<const Obstacle> obstacles, double inflation_m) : 
 
 double PlanarMap::clearance(const Vec2& p) const noexcept {
   double least = std::numeric_limits<double>::infinity();
-  for (const FlatObstacle& solid : solids_) least = std::fmin(least, solid.nearest(p).distance);
+  for (const FlatObstacle& solid : solids_) least = math::fmin(least, solid.nearest(p).distance);
   return least - inflation_;
 }
 
 double PlanarMap::clearance(const Vec2& a, const Vec2& b) const noexcept {
   double least = std::numeric_limits<double>::infinity();
-  for (const FlatObstacle& solid : solids_) least = std::fmin(least, solid.distance(a, b));
+  for (const FlatObstacle& solid : solids_) least = math::fmin(least, solid.distance(a, b));
   return least - inflation_;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fairway/core/error.hpp"
+#include "fairway/core/math.hpp"
 #include "fairway/core/text.hpp"
 #include "fairway/record/cdr.hpp"
 #include "fairway/record/message_parts.hpp"
@@ -116,8 +117,8 @@ void encode_echoes(Bytes& out, Stamp stamp, std::string_view body_frame, std::sp
 
   cdr.number(point_step * count);
   for (const auto& [range, bearing] : echoes) {
-    put(out, static_cast<float>(range * std::cos(bearing)));
-    put(out, static_cast<float>(range * std::sin(bearing)));
+    put(out, static_cast<float>(range * math::cos(bearing)));
+    put(out, static_cast<float>(range * math::sin(bearing)));
     put(out, 0.0F);
     put(out, std::uint32_t{0});
     put(out, range);

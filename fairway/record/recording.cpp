@@ -73,6 +73,7 @@ Recording Recording::parse(ByteView bytes, const std::string& file) {
     info.period = number_entry<double>(run, "period_s");
     recording.stride_ = number_entry<std::int64_t>(run, "stride");
     if (const auto program = run.find("program"); program != run.end()) info.program = program->second;
+    if (const auto machine = run.find("machine"); machine != run.end()) info.machine = machine->second;
     info.perception = says_true(run, "perception");
     info.sketches = says_true(run, "sketches");
     const auto scenario = mcap.attachments().find(std::string(layout::scenario_attachment));

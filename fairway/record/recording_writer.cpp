@@ -115,6 +115,7 @@ void RecordingWriter::describe_run(std::span<const std::string> topics) {
                       {"vehicle_count", std::to_string(info_.vehicles.size())},
                       {"vehicles", vehicles_json(info_.vehicles, topics)}};
   if (info_.program != RecordingInfo{}.program) run.emplace_back("program", info_.program);
+  if (!info_.machine.empty()) run.emplace_back("machine", info_.machine);
   if (info_.perception) run.emplace_back("perception", "true");
   if (info_.sketches) run.emplace_back("sketches", "true");
   mcap_->add_metadata(layout::run_metadata, run);

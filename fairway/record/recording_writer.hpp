@@ -43,6 +43,7 @@ struct RecordingInfo {
   double period{};                 ///< between the frames of the run [s]
   std::vector<Vehicle> vehicles;   ///< by index, as in the frames
   std::string program{"fairway"};  ///< that made the run: one with methods of its own, or "Python"
+  std::string machine;             ///< that it ran on: processor and compiler; empty if it is not said
   bool perception{false};          ///< tracks and echoes are in the frames too
   bool sketches{false};            ///< what methods drew and the messages under way are in the frames too
 };

@@ -66,10 +66,6 @@ Tree reference(std::string_view definition) {
   return Tree::map({{"$ref", Tree::quote("#/$defs/" + std::string(definition))}});
 }
 
-std::optional<Tree> write_vector(const Vec3& v) {
-  return Tree::list({Tree::number(v.x()), Tree::number(v.y()), Tree::number(v.z())});
-}
-
 template <std::integral T>
 Form<T> whole(T lo = std::numeric_limits<T>::min(), T hi = std::numeric_limits<T>::max()) {
   return {.read = [lo, hi](const Value& value) { return value.whole<T>(lo, hi); },
@@ -80,6 +76,10 @@ Form<T> whole(T lo = std::numeric_limits<T>::min(), T hi = std::numeric_limits<T
 }
 
 }  // namespace
+
+Tree vector_tree(const Vec3& v) {
+  return Tree::list({Tree::number(v.x()), Tree::number(v.y()), Tree::number(v.z())});
+}
 
 Tree number_schema(Bounds bounds) {
   Tree plain = type("number");
@@ -96,7 +96,7 @@ Form<double> number(Bounds bounds) {
 
 Form<Vec3> vector(Bounds each) {
   return {.read = [each](const Value& value) { return value.vector(each); },
-          .write = write_vector,
+          .write = vector_tree,
           .schema = Tree::map({{"type", Tree::quote("array")},
                                {"items", number_schema(each)},
                                {"minItems", Tree::word("3")},

@@ -196,6 +196,9 @@ Tree write_choice(const Choice& choice, std::string_view name_key);
 /// The parameters in a mapping, a list of mappings as flat values.
 ParamValues read_params(const Value& value);
 
+/// [n, e, d] as it is written.
+Tree vector_tree(const Vec3& v);
+
 /// The JSON schema of a number, referring to `#/$defs/distribution`.
 Tree number_schema(Bounds bounds);
 

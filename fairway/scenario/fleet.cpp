@@ -10,6 +10,7 @@
 #include <numeric>
 
 #include "fairway/core/cell_index.hpp"
+#include "fairway/core/math.hpp"
 #include "fairway/core/text.hpp"
 #include "fairway/scenario/tagged.hpp"
 
@@ -81,8 +82,7 @@ const Block<FleetSpec>& fleet_block() {
       key("places", &FleetSpec::places, places(), "Where they start.", Needed::yes),
       key("goals", &FleetSpec::shuffled, goals(),
           "Where they go: opposite, each to the place opposite the middle, or shuffled, each to the start of "
-          "one "
-          "that is drawn. Default opposite."),
+          "one that is drawn. Default opposite."),
       key("speed_mps", &FleetSpec::speed, number(above_to(0.0, 100.0)), "On the way. Default 0.5."),
       key("arrival_m", &FleetSpec::arrival, number(from_to(0.0, 1e6)),
           "They have arrived this near to it. Default 1."),
@@ -129,7 +129,7 @@ std::vector<Vec3> sphere(std::size_t count, double radius) {
     const double down = 1.0 - (2.0 * static_cast<double>(i) + 1.0) / static_cast<double>(count);
     const double angle = golden_angle * static_cast<double>(i);
     const double across = std::sqrt(1.0 - down * down);
-    all.push_back(radius * Vec3{across * std::cos(angle), across * std::sin(angle), down});
+    all.push_back(radius * Vec3{across * math::cos(angle), across * math::sin(angle), down});
   }
   return all;
 }
@@ -209,19 +209,31 @@ std::vector<Vec3> goals_of(const std::vector<Vec3>& starts, bool shuffled, Rng r
   return all;
 }
 
-Tree vector_tree(const Vec3& v) {
-  return Tree::list({Tree::number(v.x()), Tree::number(v.y()), Tree::number(v.z())});
+/// Throws where the sphere of one of the fleet overlaps another's.
+void refuse_overlaps(const Value& value, const Scenario& scenario) {
+  const std::vector<VehicleSpec>& all = scenario.vehicles;
+  double largest = 0.0;
+  for (const VehicleSpec& vehicle : all) largest = std::max(largest, vehicle.radius_m);
+  CellIndex index;
+  index.rebuild(all.size(), 2.0 * largest, [&](std::size_t i) { return all[i].position; });
+  for (std::size_t i = all.size() - static_cast<std::size_t>(fleet_of(value).count); i < all.size(); ++i) {
+    std::size_t with = all.size();
+    index.visit(all[i].position, 2.0 * largest, [&](std::size_t j, double distance2) {
+      const double apart = all[i].radius_m + all[j].radius_m;
+      if (j != i && distance2 < apart * apart) with = std::min(with, j);
+    });
+    if (with == all.size()) continue;
+    const VehicleSpec& one = all[std::min(i, with)];
+    const VehicleSpec& other = all[std::max(i, with)];
+    value.refuse(
+        fmt::format("{} and {} start {} m apart, and their spheres of radius_m {} and {} overlap; "
+                    "give them room, or write coincident_start: true",
+                    one.name, other.name, number_text((one.position - other.position).norm()),
+                    number_text(one.radius_m), number_text(other.radius_m)));
+  }
 }
 
 }  // namespace
-
-std::uint64_t seed_of(const Tree& document, std::optional<std::uint64_t> given) {
-  if (given) return *given;
-  const Tree* written = document.is_map() ? document.find("seed") : nullptr;
-  if (written == nullptr) return Scenario{}.seed;
-  Reading reading{0};
-  return Value{*written, "seed", reading}.whole<std::uint64_t>();
-}
 
 void write_out_fleet(Tree& document, std::optional<std::uint64_t> seed) {
   const Tree* written = document.find("fleet");
@@ -246,7 +258,7 @@ void write_out_fleet(Tree& document, std::optional<std::uint64_t> seed) {
   for (std::size_t i = 0; i < starts.size(); ++i) {
     const Vec3 way = goals[i] - starts[i];
     Tree start = Tree::map({{"position_m", vector_tree(fleet.places.centre + starts[i])}});
-    if (!has_heading) start.set("yaw_rad", Tree::number(std::atan2(way.y(), way.x())));
+    if (!has_heading) start.set("yaw_rad", Tree::number(math::atan2(way.y(), way.x())));
     Tree vehicle = Tree::map({{"start", std::move(start)}});
     if (!has_mission) {
       const Tree transit = Tree::map({{"position_m", vector_tree(fleet.places.centre + goals[i])},
@@ -260,33 +272,11 @@ void write_out_fleet(Tree& document, std::optional<std::uint64_t> seed) {
 }
 
 Key<Scenario> fleet() {
-  const auto check = [](const Value& value, const Scenario& scenario) {
-    const std::vector<VehicleSpec>& all = scenario.vehicles;
-    double largest = 0.0;
-    for (const VehicleSpec& vehicle : all) largest = std::max(largest, vehicle.radius_m);
-    CellIndex index;
-    index.rebuild(all.size(), 2.0 * largest, [&](std::size_t i) { return all[i].position; });
-    for (std::size_t i = all.size() - static_cast<std::size_t>(fleet_of(value).count); i < all.size(); ++i) {
-      std::size_t with = all.size();
-      index.visit(all[i].position, 2.0 * largest, [&](std::size_t j, double distance2) {
-        const double apart = all[i].radius_m + all[j].radius_m;
-        if (j != i && distance2 < apart * apart) with = std::min(with, j);
-      });
-      if (with == all.size()) continue;
-      const VehicleSpec& one = all[std::min(i, with)];
-      const VehicleSpec& other = all[std::max(i, with)];
-      value.refuse(
-          fmt::format("{} and {} start {} m apart, and their spheres of radius_m {} and {} overlap; "
-                      "give them room, or write coincident_start: true",
-                      one.name, other.name, number_text((one.position - other.position).norm()),
-                      number_text(one.radius_m), number_text(other.radius_m)));
-    }
-  };
   return {.name = "fleet",
           .meaning = "Vehicles that are alike but for their places, after those listed.",
           .read =
-              [check](const Value& value, Scenario& scenario) {
-                if (!scenario.coincident_start) check(value, scenario);
+              [](const Value& value, Scenario& scenario) {
+                if (!scenario.coincident_start) refuse_overlaps(value, scenario);
               },
           .write = [](const Scenario&) -> std::optional<Tree> { return {}; },
           .schema = schema_of(fleet_block())};

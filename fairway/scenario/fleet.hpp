@@ -16,8 +16,4 @@ void write_out_fleet(Tree& document, std::optional<std::uint64_t> seed);
 /// The key itself: read once the vehicles are, it throws where spheres of the fleet overlap.
 Key<Scenario> fleet();
 
-/// What a run draws from: `given`, or as the document says. Throws InputError for one that it does not
-/// accept.
-std::uint64_t seed_of(const Tree& document, std::optional<std::uint64_t> given);
-
 }  // namespace fairway::yaml

@@ -3,7 +3,6 @@
 
 #include <fstream>
 
-#include "fairway/scenario/fleet.hpp"
 #include "fairway/scenario/overrides.hpp"
 #include "fairway/scenario/parts.hpp"
 

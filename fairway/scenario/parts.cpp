@@ -187,6 +187,14 @@ Form<std::vector<Expectation>> expectations() {
                {"additionalProperties", Tree::map({{"anyOf", Tree::list({number, std::move(bounds)})}})}})};
 }
 
+std::uint64_t seed_of(const Tree& document, std::optional<std::uint64_t> given) {
+  if (given) return *given;
+  const Tree* written = document.is_map() ? document.find("seed") : nullptr;
+  if (written == nullptr) return Scenario{}.seed;
+  Reading reading{0};
+  return Value{*written, "seed", reading}.whole<std::uint64_t>();
+}
+
 const Block<Scenario>& scenario_block() {
   static const Block<Scenario> block{
       format_version(),

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
+#include <optional>
+
 #include "fairway/scenario/block.hpp"
 
 /// The tables of the scenario format. Each is built once and never changes.
@@ -12,6 +15,10 @@ inline constexpr Bounds anywhere = from_to(-1e7, 1e7);
 /// The most that one file may ask for.
 inline constexpr std::size_t max_vehicles = 10'000;
 inline constexpr std::size_t max_vertices = 10'000;
+
+/// What a run draws from: `given`, or as the document says. Throws InputError for one that it does not
+/// accept.
+std::uint64_t seed_of(const Tree& document, std::optional<std::uint64_t> given);
 
 /// The document. `vehicles` and `missions` read what they need from the Reading.
 const Block<Scenario>& scenario_block();

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "fairway/core/math.hpp"
 #include "fairway/core/text.hpp"
 #include "fairway/scenario/angle.hpp"
 #include "fairway/scenario/parts.hpp"
@@ -76,7 +77,7 @@ Block<Owner> direction(double Owner::*member, const std::string& of) {
                             value.expected("two numbers [n, e]");
                           const double north = value.entry(0).number(any), east = value.entry(1).number(any);
                           if (north == 0.0 && east == 0.0) value.refuse("[0, 0] points nowhere");
-                          owner.*member = std::atan2(east, north);
+                          owner.*member = math::atan2(east, north);
                         },
                     .write = [](const Owner&) -> std::optional<Tree> { return {}; },
                     .schema = schema};

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/sim/agent.hpp"
 
+#include <deque>
+#include <mutex>
+
+#include "fairway/control/envelope.hpp"
 #include "fairway/control/onboard_model.hpp"
 #include "fairway/control/vehicle_limits.hpp"
 
@@ -93,6 +97,35 @@ SteeringParams steering_of(const VehicleSpec& spec, const Vehicle& vehicle) {
   return chosen(spec.steering, "kind", params);
 }
 
+/// What the envelope of a vehicle depends on.
+struct EnvelopeKey {
+  Choice model, autopilot, allocation;
+  Limits limits;
+  double step;
+
+  bool operator==(const EnvelopeKey& other) const {
+    const auto same = [](const Choice& a, const Choice& b) {
+      return a.name == b.name && a.params == b.params;
+    };
+    return same(model, other.model) && same(autopilot, other.autopilot) &&
+           same(allocation, other.allocation) && limits == other.limits && step == other.step;
+  }
+};
+
+/// The envelope, measured once for all vehicles that are alike, in every run of a campaign.
+std::optional<Envelope> known_envelope(const VehicleSpec& spec, const Vehicle& vehicle,
+                                       const Autopilot& autopilot, const Limits& limits, double step) {
+  static std::mutex one_at_a_time;
+  static std::deque<std::pair<EnvelopeKey, std::optional<Envelope>>> known;
+  constexpr std::size_t most_known = 64;
+  const std::lock_guard lock{one_at_a_time};
+  const EnvelopeKey key{spec.model, spec.autopilot, spec.allocation, limits, step};
+  const auto found = std::ranges::find(known, key, [](const auto& entry) { return entry.first; });
+  if (found != known.end()) return found->second;
+  if (known.size() == most_known) known.pop_front();
+  return known.emplace_back(key, measured_envelope(vehicle, autopilot, limits, step)).second;
+}
+
 VehicleState start_of(const VehicleSpec& spec) {
   VehicleState state;
   state.p_n = spec.position;
@@ -153,13 +186,17 @@ Agent make_agent(const VehicleSpec& spec, const Scenario& scenario, const Catalo
   const AutopilotParams controller = autopilot_of(spec, vehicle);
   const AllocationMethod allocation = chosen(spec.allocation, "method", AllocationParams{}).method;
   Autopilot autopilot = made(spec.model, [&] { return Autopilot{vehicle, controller, allocation}; });
-  ActuatorValues demand = vehicle.actuator_state();
+  Particulars ship = particulars_of(spec, vehicle);
+  if (made(spec.avoider,
+           [&] { return catalogs.avoiders.needs(spec.avoider.name, &AlgorithmInfo::needs_envelope); }))
+    ship.envelope = known_envelope(spec, vehicle, autopilot, ship.limits, scenario.step_s);
+  Eigen::VectorXd demand = vehicle.actuator_state();
 
   return {
       .start_delay = spec.start_delay_s,
       .cooperative = spec.cooperative,
       .vehicle = vehicle,
-      .pilot = Pilot{particulars_of(spec, vehicle), scenario.steps_per_decision * scenario.step_s},
+      .pilot = Pilot{std::move(ship), scenario.steps_per_decision * scenario.step_s},
       .autopilot = std::move(autopilot),
       .mission = Mission{spec.mission, scenario.exam.time_coefficient_ratio},
       .avoider = make_avoider(spec, scenario.seed, catalogs.avoiders),

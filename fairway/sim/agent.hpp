@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,10 +36,8 @@ struct Agent {
   Vec3 current = Vec3::Zero();            ///< of the water round it [m/s, NED]
   Vec3 estimated_current = Vec3::Zero();  ///< what it believes that to be
   Ownship own;
-  std::optional<Command> order;        ///< from outside, instead of asking the avoider
-  std::optional<BodyRequest> request;  ///< that carries out the order, instead of the pilot's
-  std::string_view note;               ///< of the last command that had one
-  ActuatorValues demand;
+  std::string_view note;   ///< of the last command that had one
+  Eigen::VectorXd demand;  ///< of the actuators
 
   const Particulars& ship() const { return pilot.ship(); }
 };

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "fairway/core/math.hpp"
 #include "fairway/core/text.hpp"
 #include "fairway/sim/stability.hpp"
 
@@ -51,7 +52,9 @@ void check_depths(const VehicleSpec& spec, std::size_t index, const VehicleInfo&
 
 /// The largest number of two digits that is not above it.
 double rounded_down(double value) {
-  const double scale = std::pow(10.0, 1.0 - std::floor(std::log10(value)));
+  double scale = 1.0;
+  while (value > 0.0 && value * scale < 10.0) scale *= 10.0;
+  while (value * scale >= 100.0 && scale > 0.0) scale /= 10.0;
   return std::floor(value * scale * (1.0 + 1e-12)) / scale;
 }
 
@@ -98,12 +101,12 @@ double fastest_current(const WaterSpec& water) {
   if (const auto& sheared = water.current.sheared) {
     double fastest = 0.0;
     for (const ProfilePoint& point : sheared->profile)
-      fastest = std::fmax(fastest, std::abs(point.speed_mps));
+      fastest = math::fmax(fastest, std::abs(point.speed_mps));
     speed += fastest;
   }
   if (const auto& wandering = water.current.gauss_markov) {
     const double reached = std::abs(wandering->mean_speed_mps) + 3.0 * wandering->deviation_mps;
-    speed += std::fmin(reached, std::fmax(std::abs(wandering->min_speed_mps), wandering->max_speed_mps));
+    speed += math::fmin(reached, math::fmax(std::abs(wandering->min_speed_mps), wandering->max_speed_mps));
   }
   return speed;
 }
@@ -122,7 +125,7 @@ double look_at_own_motion(const Scenario& scenario, const Agent& agent, Shortest
 
   // what is damped by the square of its motion is not damped at rest
   VehicleState swayed = rest;
-  swayed.v_b = {0.0, std::fmax(swaying_mps, fastest_current(scenario.water)), swaying_mps};
+  swayed.v_b = {0.0, math::fmax(swaying_mps, fastest_current(scenario.water)), swaying_mps};
   swayed.omega_b = Vec3::Constant(swaying_radps);
   shortest.hold_against(swayed, agent.vehicle.actuator_state(), still, "as it sways and turns");
 
@@ -130,7 +133,7 @@ double look_at_own_motion(const Scenario& scenario, const Agent& agent, Shortest
   Autopilot autopilot = agent.autopilot;
   vehicle.set_actuator_state(
       autopilot.control({.surge_mps = 1e3}, Vec3::Zero(), Vec3::Zero(), scenario.step_s));
-  const ActuatorValues& ahead = vehicle.actuator_state();
+  const ActuatorValues ahead = vehicle.actuator_state();
   const std::optional<VehicleState> steady = steady_state(vehicle, rest, ahead, still);
   if (!steady) return std::numeric_limits<double>::infinity();
   shortest.hold_against(*steady, ahead, still, "at full speed");
@@ -145,7 +148,7 @@ void check_speed(const Scenario& scenario, std::size_t index, const Agent& agent
   if (agent.vehicle.propulsion() == nullptr && agent.vehicle.fin_drive() == nullptr) return;
   const VehicleSpec& spec = scenario.vehicles[index];
   const double current = fastest_current(scenario.water);
-  const double reach = std::fmax(model_reach_mps, model_reach_ratio * fastest);
+  const double reach = math::fmax(model_reach_mps, model_reach_ratio * fastest);
   if (std::abs(spec.speed) + current <= reach) return;
   refuse(spec.start_where, vehicle_path(index) + ".start",
          spec.model.name + " starts at " + number_text(spec.speed) + " m/s in currents of up to " +
@@ -180,7 +183,7 @@ void check_steps(const Scenario& scenario, std::span<const Agent> agents, const 
     }
     check_speed(scenario, i, agent, seen->fastest);
     if (speed > seen->speed) shortest.hold_against(x, agent.vehicle.actuator_state(), water, "at its start");
-    seen->speed = std::fmax(seen->speed, speed);
+    seen->speed = math::fmax(seen->speed, speed);
     shortest.refuse_if_too_long();
   }
 }

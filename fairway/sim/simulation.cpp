@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "fairway/core/math.hpp"
 #include "fairway/sim/feasibility.hpp"
 
 namespace fairway {
@@ -17,16 +18,20 @@ constexpr std::size_t usual_tracks = 32;
 /// Apart from the ids of vehicles, which count from 0.
 TrackId id_of(const Drifter& drifter) { return TrackId{first_drifter_id + drifter.number}; }
 
+/// What does not change of it; where it is stays to be said by `move_to`.
 Mover mover_of(const Agent& agent, bool is_silent) {
-  const VehicleState& x = agent.vehicle.state();
   return {.id = TrackId{number(agent.ship().id)},
-          .position = x.p_n,
-          .velocity = x.v_n(),
-          .q_nb = x.q_nb,
           .radius = agent.ship().radius,
-          .priority = agent.cooperative ? agent.own.priority : first_priority,
           .reacts = agent.cooperative,
           .silent = is_silent};
+}
+
+void move_to(const Agent& agent, Mover& mover) {
+  const VehicleState& x = agent.vehicle.state();
+  mover.position = x.p_n;
+  mover.velocity = x.v_n();
+  mover.q_nb = x.q_nb;
+  mover.priority = agent.cooperative ? agent.own.priority : first_priority;
 }
 
 Mover mover_of(const Drifter& drifter) {
@@ -76,6 +81,11 @@ BodyRequest through_water(const BodyRequest& over_ground, const Vec3& current_b)
           .through_water = true};
 }
 
+/// Whoever looks round usually looks at no more than a few, within perception's range.
+Vicinity::Lists lists_of(const Scenario& scenario) {
+  return {.most = scenario.perception.range_m, .usual_count = 14.0};
+}
+
 }  // namespace
 
 Simulation::Simulation(const Scenario& scenario, const Catalogs& catalogs)
@@ -84,14 +94,18 @@ Simulation::Simulation(const Scenario& scenario, const Catalogs& catalogs)
       sea_{scenario.water, Rng{scenario.seed}},
       obstacles_{scenario.obstacles},
       exchange_{make_exchange(scenario)},
-      range_{scenario.perception.range_m},
+      found_at_{lists_of(scenario)},
       stop_when_done_{scenario.stop_when_done} {
   agents_.reserve(scenario.vehicles.size());
   for (const VehicleSpec& spec : scenario.vehicles) agents_.push_back(make_agent(spec, scenario, catalogs));
+  for (const Agent& agent : agents_) {
+    movers_.push_back(mover_of(agent, !agent.cooperative || !exchange_.carries_anything()));
+    looked_at_ = looked_at_ || agent.lookout.has_sensor();
+  }
   movers_.resize(agents_.size() + obstacles_.drifters().size());
   places_.resize(agents_.size());
   mailbox_.resize(agents_.size());
-  near_.reserve(movers_.size());
+  hands_.resize(1);
   frame_.resize(agents_.size());
   drawings_.resize(agents_.size());
   check_feasible(scenario, agents_, sea_);
@@ -104,16 +118,39 @@ void Simulation::step(std::span<FrameSink* const> sinks) {
 
 void Simulation::look() { look(true); }
 
+void Simulation::share_out(std::size_t threads) {
+  crew_ = {};
+  if (threads > 1) crew_.emplace(threads);
+  hands_.resize(std::max<std::size_t>(threads, 1));
+}
+
+DecisionTimes Simulation::decision_times() const {
+  DecisionTimes all;
+  for (const Hand& hand : hands_) {
+    all = {all.count + hand.times.count, all.total_s + hand.times.total_s,
+           math::fmax(all.worst_s, hand.times.worst_s)};
+  }
+  return all;
+}
+
+StageTimes Simulation::stage_times() const {
+  StageTimes all;
+  for (const Hand& hand : hands_) all.add(hand.stages);
+  return all;
+}
+
 void Simulation::make_room(bool keeping) {
   keeping_ = keeping;
   const auto make = [&](Sight& sight, std::size_t most_tracks) {
     sight.tracks.reserve(std::min(most_tracks, movers_.size()));
     sight.obstacles.reserve(obstacles_.fixed().size());
   };
-  if (!keeping && passing_.tracks.capacity() == 0) {
+  for (Hand& hand : hands_) {
+    if (hand.near.capacity() > 0) continue;
     std::size_t most = 1;
     for (const Agent& agent : agents_) most = std::max(most, agent.avoider.most_tracks());
-    make(passing_, most);
+    make(hand.passing, most);
+    hand.near.reserve(movers_.size());
   }
   if (!keeping || !kept_.empty()) return;
   kept_.resize(agents_.size());
@@ -122,33 +159,50 @@ void Simulation::make_room(bool keeping) {
 }
 
 /// The stages that a vehicle goes through by itself, for a part of the fleet at a time, so that what one
-/// stage leaves in the cache the next one finds there. Each reads of the others only what stood still before.
-template <Stage... stages, void (Simulation::*... works)(std::size_t index)>
+/// stage leaves in the cache the next one finds there. Each reads of the others only what stood still before,
+/// so that parts may be gone through in any order, and at the same time.
+template <Stage... stages, void (Simulation::*... works)(std::size_t index, Simulation::Hand& hand)>
 void Simulation::in_parts(Work<stages, works>... /*in this order*/) {
-  constexpr std::size_t part = 32;
-  for (std::size_t first = 0; first < agents_.size(); first += part) {
-    const std::size_t end = std::min(first + part, agents_.size());
-    const auto go_through = [&]<Stage stage, void (Simulation::*work)(std::size_t)>(Work<stage, work>) {
-      for (std::size_t i = first; i < end; ++i) (this->*work)(i);
-      stages_.finish(stage);
+  constexpr std::size_t size = 32;
+  const auto go_through = [&](std::size_t part, std::size_t number) {
+    Hand& hand = hands_[number];
+    const std::size_t first = part * size, end = std::min(first + size, agents_.size());
+    if (timing_stages_) hand.stages.begin();
+    const auto go = [&]<Stage stage, void (Simulation::*work)(std::size_t, Hand&)>(Work<stage, work>) {
+      for (std::size_t i = first; i < end; ++i) (this->*work)(i, hand);
+      if (timing_stages_) hand.stages.finish(stage);
     };
-    (go_through(Work<stages, works>{}), ...);
+    (go(Work<stages, works>{}), ...);
+  };
+  const std::size_t parts = (agents_.size() + size - 1) / size;
+  const bool one_at_a_time = !crew_ || observer_ != nullptr;
+  if (one_at_a_time) {
+    for (std::size_t part = 0; part < parts; ++part) go_through(part, 0);
+  } else {
+    crew_->go_through(parts, go_through);
+  }
+
+  // each hand goes from part to part upwards, so that the first of all is the first of one of them
+  for (Hand& hand : hands_) {
+    if (hand.divergence && (!divergence_ || hand.divergence->vehicle / size < divergence_->vehicle / size))
+      divergence_ = hand.divergence;
+    hand.divergence.reset();
   }
 }
 
 void Simulation::look(bool keeping) {
   if (divergence_) return;
   make_room(keeping);
-  stages_.begin();
+  for (Hand& hand : hands_) hand.rendezvous_reached = std::numeric_limits<int>::max();
   in_parts(Work<Stage::locate, &Simulation::locate>{}, Work<Stage::deliver, &Simulation::tell>{});
+  if (timing_stages_) hands_[0].stages.begin();
   deliver();
-  stages_.finish(Stage::deliver);
+  if (timing_stages_) hands_[0].stages.finish(Stage::deliver);
   if (keeping) in_parts(Work<Stage::perceive, &Simulation::perceive>{});
 }
 
 void Simulation::act(std::span<FrameSink* const> sinks) {
   if (divergence_) return;
-  stages_.begin();
   if (!keeping_) {
     in_parts(Work<Stage::perceive, &Simulation::perceive>{}, Work<Stage::decide, &Simulation::decide>{},
              Work<Stage::control, &Simulation::control>{});
@@ -157,15 +211,14 @@ void Simulation::act(std::span<FrameSink* const> sinks) {
   }
   if (divergence_) return;
   show(sinks);
-  stages_.finish(Stage::record);
   in_parts(Work<Stage::move, &Simulation::move>{});
   sea_.advance(period_);
   tick_ = next(tick_);
 }
 
-void Simulation::notice(std::size_t index, std::string_view impossible, Tick when) {
-  if (impossible.empty() || divergence_) return;
-  divergence_ = {.vehicle = index, .tick = when, .time = seconds(when, period_), .why = impossible};
+void Simulation::notice(std::size_t index, std::string_view impossible, Tick when, Hand& hand) {
+  if (impossible.empty() || hand.divergence) return;
+  hand.divergence = {.vehicle = index, .tick = when, .time = seconds(when, period_), .why = impossible};
 }
 
 void Simulation::refuse_divergence() const {
@@ -173,13 +226,17 @@ void Simulation::refuse_divergence() const {
 }
 
 void Simulation::order(std::size_t index, const Command& command, const std::optional<BodyRequest>& request) {
-  agents_[index].order = command;
-  agents_[index].request = request;
+  orders_.resize(agents_.size());
+  orders_[index] = {command, request};
 }
 
 void Simulation::release(std::size_t index) {
-  agents_[index].order.reset();
-  agents_[index].request.reset();
+  if (!orders_.empty()) orders_[index] = {};
+}
+
+/// In force; null where the vehicle goes by itself.
+const Simulation::Order* Simulation::order_of(std::size_t index) const {
+  return !orders_.empty() && orders_[index].command ? &orders_[index] : nullptr;
 }
 
 void Simulation::run(std::span<FrameSink* const> sinks) {
@@ -195,7 +252,7 @@ bool Simulation::is_done() const {
   return stop_when_done_ && std::ranges::all_of(agents_, is_finished);
 }
 
-void Simulation::locate(std::size_t index) {
+void Simulation::locate(std::size_t index, Hand& /*hand*/) {
   Agent& agent = agents_[index];
   const VehicleState& truth = agent.vehicle.state();
   agent.current = sea_.water_at(truth.p_n, time()).current_n;
@@ -204,16 +261,18 @@ void Simulation::locate(std::size_t index) {
   agent.own = agent.pilot.own_ship(agent.estimate, agent.mission.phase() == Phase::arrived);
 }
 
-void Simulation::tell(std::size_t index) {
+void Simulation::tell(std::size_t index, Hand& hand) {
   const Agent& agent = agents_[index];
   mailbox_[index] = message_of(agent, tick_);
   places_[index] = agent.vehicle.state().p_n;
-  movers_[index] = mover_of(agent, !agent.cooperative || !exchange_.carries_anything());
-  const int reached = agent.mission.rendezvous_reached();
-  rendezvous_reached_ = index == 0 ? reached : std::min(rendezvous_reached_, reached);
+  if (looked_at_ || movers_[index].silent) move_to(agent, movers_[index]);
+  hand.rendezvous_reached = std::min(hand.rendezvous_reached, agent.mission.rendezvous_reached());
 }
 
 void Simulation::deliver() {
+  rendezvous_reached_ = std::numeric_limits<int>::max();
+  for (const Hand& hand : hands_)
+    rendezvous_reached_ = std::min(rendezvous_reached_, hand.rendezvous_reached);
   exchange_.pass_on(tick_, mailbox_, places_);
   sort_places();
   obstacles_.move_to(time());
@@ -224,7 +283,7 @@ void Simulation::deliver() {
 void Simulation::sort_places() {
   const Vec3 nowhere = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
   const bool told_at_once = exchange_.carries_at_once();
-  found_at_.rebuild(agents_.size(), range_, [&](std::size_t i) -> Vec3 {
+  found_at_.update(agents_.size(), [&](std::size_t i) -> Vec3 {
     if (movers_[i].silent) return places_[i];
     return told_at_once ? mailbox_[i].position : nowhere;
   });
@@ -242,25 +301,25 @@ Scene Simulation::scene_of(std::size_t index) const {
           .unforeseen_acceleration = exchange_.unforeseen_acceleration()};
 }
 
-void Simulation::perceive(std::size_t index) {
+void Simulation::perceive(std::size_t index, Hand& hand) {
   Agent& agent = agents_[index];
   const bool everyone_ready = rendezvous_reached_ >= agent.mission.rendezvous_reached();
   if (time() >= agent.start_delay) agent.mission.advance(agent.own, time(), everyone_ready);
   if (agent.lookout.has_sensor()) agent.lookout.sense(scene_of(index), viewpoint_of(agent));
-  if (keeping_ && is_deciding(agent)) look_round(index);
+  if (keeping_ && is_deciding(agent)) look_round(index, hand);
 }
 
-void Simulation::look_round(std::size_t index) {
+void Simulation::look_round(std::size_t index, Hand& hand) {
   Agent& agent = agents_[index];
-  Sight& sight = keeping_ ? kept_[index] : passing_;
-  agent.lookout.report(scene_of(index), viewpoint_of(agent), near_, sight.tracks, sight.obstacles);
+  Sight& sight = keeping_ ? kept_[index] : hand.passing;
+  agent.lookout.report(scene_of(index), viewpoint_of(agent), hand.near, sight.tracks, sight.obstacles);
 }
 
 bool Simulation::is_deciding(const Agent& agent) const {
   return is_avoiding(agent.mission.phase()) && agent.pilot.is_due(time(), period_);
 }
 
-Command Simulation::decided(std::size_t index) {
+Command Simulation::decided(std::size_t index, Hand& hand) {
   Agent& agent = agents_[index];
   const Leg* leg = agent.mission.leg();
   if (leg == nullptr || time() < agent.start_delay) return {.mode = Mode::hold};
@@ -275,56 +334,61 @@ Command Simulation::decided(std::size_t index) {
     case LegKind::transit:
       break;
   }
-  return ask(index);
+  return ask(index, hand);
 }
 
-Situation Simulation::situation(std::size_t index) const {
+Situation Simulation::situation(std::size_t index) const { return situation(index, kept_[index]); }
+
+Situation Simulation::situation(std::size_t index, const Sight& sight) const {
   const Agent& agent = agents_[index];
-  const Sight& sight = keeping_ ? kept_[index] : passing_;
   return agent.pilot.situation(time(), agent.own, *agent.mission.leg(), sight.tracks, sight.obstacles);
 }
 
-Command Simulation::ask(std::size_t index) {
+Command Simulation::ask(std::size_t index, Hand& hand) {
   Agent& agent = agents_[index];
-  const Situation shown = situation(index);
-  Command command =
-      agent.order ? *agent.order : agent.avoider.decide(shown, showing_ ? &drawings_[index] : nullptr);
+  const Situation shown = situation(index, keeping_ ? kept_[index] : hand.passing);
+  const Order* order = order_of(index);
+  Command command = order != nullptr ? *order->command
+                                     : agent.avoider.decide(shown, showing_ ? &drawings_[index] : nullptr);
   if (observer_ != nullptr) observer_->see(index, shown, command);
   return command;
 }
 
-void Simulation::decide(std::size_t index) {
+void Simulation::decide(std::size_t index, Hand& hand) {
   Agent& agent = agents_[index];
   const bool deciding = is_deciding(agent);
   if (is_avoiding(agent.mission.phase()) && !deciding) return;
   drawings_[index].clear();
-  if (deciding && !keeping_) look_round(index);
+  if (deciding && !keeping_) look_round(index, hand);
   using Clock = std::chrono::steady_clock;
   const bool timed = timing_ && deciding;
   const Clock::time_point begin = timed ? Clock::now() : Clock::time_point{};
-  const Command command = decided(index);
+  const Command command = decided(index, hand);
   if (timed) {
     const double took = std::chrono::duration<double>(Clock::now() - begin).count();
-    times_ = {times_.count + 1, times_.total_s + took, std::fmax(times_.worst_s, took)};
+    DecisionTimes& times = hand.times;
+    times = {times.count + 1, times.total_s + took, math::fmax(times.worst_s, took)};
   }
   agent.pilot.obey(command, {agent.own.position, agent.own.yaw});
   if (deciding) agent.pilot.note_decision(time());
   if (!deciding) agent.pilot.ask_at_once();
 }
 
-void Simulation::control(std::size_t index) {
+void Simulation::control(std::size_t index, Hand& hand) {
   Agent& agent = agents_[index];
   const Command& command = agent.pilot.command();
-  notice(index, why_impossible(command), tick_);
+  notice(index, why_impossible(command), tick_, hand);
   if (!command.note.empty()) agent.note = command.note;
-  agent.demand = demanded(index);
-  notice(index, why_impossible(agent.demand), tick_);
+  const ActuatorValues demand = demanded(index, hand);
+  notice(index, why_impossible(demand), tick_, hand);
+  agent.demand = demand;
 }
 
-ActuatorValues Simulation::demanded(std::size_t index) {
+ActuatorValues Simulation::demanded(std::size_t index, Hand& hand) {
   Agent& agent = agents_[index];
   const bool avoids = is_avoiding(agent.mission.phase());
-  const bool steered_from_outside = avoids && agent.request;
+  const Order* order = order_of(index);
+  const bool steered_from_outside = avoids && order != nullptr && order->request;
   const Command& command = agent.pilot.command();
   if (command.wrench && !steered_from_outside) {
     if (const std::optional<ActuatorValues> pushed = agent.autopilot.push(*command.wrench)) {
@@ -332,9 +396,10 @@ ActuatorValues Simulation::demanded(std::size_t index) {
       return *pushed;
     }
   }
-  const BodyRequest request =
-      steered_from_outside ? *agent.request : agent.pilot.request(agent.own, agent.estimated_current, avoids);
-  notice(index, why_impossible(request), tick_);
+  const BodyRequest request = steered_from_outside
+                                  ? *order->request
+                                  : agent.pilot.request(agent.own, agent.estimated_current, avoids);
+  notice(index, why_impossible(request), tick_, hand);
 
   // the vehicle's own controller works on velocities through the water
   const VehicleState& x = agent.vehicle.state();
@@ -343,10 +408,10 @@ ActuatorValues Simulation::demanded(std::size_t index) {
                                  x.v_b - current_b, x.omega_b, period_, x.q_nb);
 }
 
-void Simulation::record(std::size_t index) {
+void Simulation::record(std::size_t index, Hand& /*hand*/) {
   const Agent& agent = agents_[index];
   const Leg* leg = agent.mission.leg();
-  const ActuatorValues& actuators = agent.vehicle.actuator_state();
+  const Eigen::VectorXd& actuators = agent.vehicle.actuator_state();
   frame_[index] = {
       .id = agent.ship().id,
       .state = agent.vehicle.state(),
@@ -368,14 +433,16 @@ void Simulation::show(std::span<FrameSink* const> sinks) {
   flights_.clear();
   if (showing_) exchange_.add_under_way(flights_);
   const Frame frame{tick_, time(), period_, frame_, flights_};
+  if (timing_stages_) hands_[0].stages.begin();
   for (FrameSink* sink : sinks) sink->write(frame);
+  if (timing_stages_) hands_[0].stages.finish(Stage::record);
 }
 
-void Simulation::move(std::size_t index) {
+void Simulation::move(std::size_t index, Hand& hand) {
   Agent& agent = agents_[index];
   const VehicleState& x = agent.vehicle.state();
   agent.vehicle.step(agent.demand, sea_.water_halfway(x.p_n, x.v_n(), time(), period_), period_);
-  notice(index, why_impossible(x), next(tick_));
+  notice(index, why_impossible(x), next(tick_), hand);
 }
 
 }  // namespace fairway

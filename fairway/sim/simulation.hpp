@@ -2,13 +2,14 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "fairway/comms/exchange.hpp"
-#include "fairway/core/cell_index.hpp"
+#include "fairway/core/boxed.hpp"
+#include "fairway/core/crew.hpp"
+#include "fairway/core/vicinity.hpp"
 #include "fairway/perception/nearest_first.hpp"
 #include "fairway/perception/scene.hpp"
 #include "fairway/record/frame.hpp"
@@ -81,19 +82,23 @@ class Simulation {
   /// Steps until done. Throws RunDiverged.
   void run(std::span<FrameSink* const> sinks);
 
+  /// From now on so many threads go through the vehicles together. The bits are the same on any number.
+  void share_out(std::size_t threads);
+
   /// Measures decisions from now on; two clock readings a decision.
   void time_decisions() { timing_ = true; }
-  const DecisionTimes& decision_times() const { return times_; }
+  DecisionTimes decision_times() const;
 
-  /// Measures the stages of each step from now on; a clock reading each.
-  void time_stages() { stages_.turn_on(); }
-  const StageTimes& stage_times() const { return stages_; }
+  /// Measures the stages of each step from now on; two clock readings a part of the fleet. Threads add up.
+  void time_stages() { timing_stages_ = true; }
+  StageTimes stage_times() const;
 
   /// From now on, or no longer: frames hold what each method draws of its thinking and the messages under
   /// way. It costs time and memory, and changes nothing else.
   void show_thoughts(bool shown) { showing_ = shown; }
 
-  /// Shows `observer` every decision of an avoider from now on; null: nobody.
+  /// Shows `observer` every decision of an avoider from now on, one at a time in the order of the vehicles;
+  /// null: nobody.
   void observe(DecisionObserver* observer) { observer_ = observer; }
 
   Tick tick() const { return tick_; }
@@ -101,32 +106,50 @@ class Simulation {
   std::span<const Agent> agents() const { return agents_; }
 
  private:
+  /// Whoever goes through parts of the fleet: what it finds, and memory to work in.
+  struct Hand {
+    Sight passing;  // of whoever decides, where none is kept
+    std::vector<Near> near;
+    int rendezvous_reached{};  // by all of its parts
+    std::optional<Divergence> divergence;
+    DecisionTimes times;
+    StageTimes stages;
+  };
+
   /// What a stage does for one vehicle.
-  template <Stage stage, void (Simulation::*work)(std::size_t index)>
+  template <Stage stage, void (Simulation::*work)(std::size_t index, Hand& hand)>
   struct Work {};
 
-  template <Stage... stages, void (Simulation::*... works)(std::size_t index)>
+  template <Stage... stages, void (Simulation::*... works)(std::size_t index, Hand& hand)>
   void in_parts(Work<stages, works>... /*in this order*/);
   void look(bool keeping);
   void make_room(bool keeping);
-  void locate(std::size_t index);
-  void tell(std::size_t index);
+  void locate(std::size_t index, Hand& hand);
+  void tell(std::size_t index, Hand& hand);
   void deliver();
   void sort_places();
-  void perceive(std::size_t index);
-  void look_round(std::size_t index);
-  void decide(std::size_t index);
-  void control(std::size_t index);
-  void record(std::size_t index);
+  void perceive(std::size_t index, Hand& hand);
+  void look_round(std::size_t index, Hand& hand);
+  void decide(std::size_t index, Hand& hand);
+  void control(std::size_t index, Hand& hand);
+  void record(std::size_t index, Hand& hand);
   void show(std::span<FrameSink* const> sinks);
-  void move(std::size_t index);
-  void notice(std::size_t index, std::string_view impossible, Tick when);
+  void move(std::size_t index, Hand& hand);
+  void notice(std::size_t index, std::string_view impossible, Tick when, Hand& hand);
+
+  /// From outside, instead of what the avoider commands and, if there is a request, the pilot asks for.
+  struct Order {
+    std::optional<Command> command;
+    std::optional<BodyRequest> request;
+  };
 
   bool is_deciding(const Agent& agent) const;
+  const Order* order_of(std::size_t index) const;
   Scene scene_of(std::size_t index) const;
-  Command decided(std::size_t index);
-  Command ask(std::size_t index);
-  ActuatorValues demanded(std::size_t index);
+  Situation situation(std::size_t index, const Sight& sight) const;
+  Command decided(std::size_t index, Hand& hand);
+  Command ask(std::size_t index, Hand& hand);
+  ActuatorValues demanded(std::size_t index, Hand& hand);
 
   double period_;
   Tick last_tick_;
@@ -136,26 +159,26 @@ class Simulation {
   Tick tick_{0};
   std::optional<Divergence> divergence_;
   std::vector<Agent> agents_;
+  std::vector<Order> orders_;  // by vehicle; empty before the first
   Mailbox mailbox_;
   Exchange exchange_;
   std::vector<Mover> movers_;  // all vehicles, then what drifts
   std::vector<Vec3> places_;   // of the vehicles
-  CellIndex found_at_;         // the vehicles, where perception finds them
-  double range_;               // of perception [m]
+  Vicinity found_at_;          // the vehicles, where perception finds them
   std::vector<Sight> kept_;    // by vehicle, of its last decision; empty where nobody wants them
-  Sight passing_;              // of whoever decides, where they are not kept
-  std::vector<Near> near_;
+  std::vector<Hand> hands_;
+  Boxed<Crew> crew_;  // nothing: one hand alone
   std::vector<VehicleFrame> frame_;
   std::vector<Drawing> drawings_;       // by vehicle, of its last decision
   std::vector<MessageFlight> flights_;  // likewise empty unless showing
   DecisionObserver* observer_{nullptr};
   int rendezvous_reached_{};  // by all
   bool stop_when_done_;
+  bool looked_at_{false};  // by sensors, so that it matters where those are who tell
   bool keeping_{false};
   bool showing_{false};
   bool timing_{false};
-  DecisionTimes times_;
-  StageTimes stages_;
+  bool timing_stages_{false};
 };
 
 }  // namespace fairway

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "fairway/core/math.hpp"
 #include "fairway/sim/divergence.hpp"
 
 namespace fairway {
@@ -23,7 +24,9 @@ VehicleState deviated(const VehicleState& x, const Deviation& by) {
   const Vec3 turn = by.segment<3>(3);
   VehicleState y = x;
   y.p_n += by.head<3>();
-  if (turn.norm() > 0.0) y.q_nb = (x.q_nb * Eigen::AngleAxisd{turn.norm(), turn.normalized()}).normalized();
+  const auto [sine, cosine] = math::sin_cos(0.5 * turn.norm());
+  const Vec3 axis = sine * unit(turn);
+  y.q_nb = (x.q_nb * Eigen::Quaterniond{cosine, axis.x(), axis.y(), axis.z()}).normalized();
   y.v_b += by.segment<3>(6);
   y.omega_b += by.tail<3>();
   return y;
@@ -66,7 +69,7 @@ class Linearisation {
 bool is_carried(std::complex<double> rate, double h) {
   const std::complex<double> z = h * rate;
   const std::complex<double> R = 1.0 + z * (1.0 + z / 2.0 * (1.0 + z / 3.0 * (1.0 + z / 4.0)));
-  const double itself = std::fmax(1.0, std::exp(z.real()));
+  const double itself = math::fmax(1.0, math::exp(z.real()));
   return std::abs(R) <= (1.0 + growth_tolerance) * itself;
 }
 
@@ -130,7 +133,7 @@ std::optional<VehicleState> steady_state(const Vehicle& vehicle, VehicleState x,
     // where accelerations are limited, A says nothing of what lies ahead, and long steps lead beyond it
     const double before = rate.tail<6>().norm();
     rate = motion.rate(x, Deviation::Zero());
-    h = rate.tail<6>().norm() < 0.99 * before ? std::fmin(1.6 * h, longest_step) : first_step;
+    h = rate.tail<6>().norm() < 0.99 * before ? math::fmin(1.6 * h, longest_step) : first_step;
   }
   return x;
 }

@@ -18,33 +18,32 @@ struct EnumNames<Stage> {
   static constexpr std::array names{"locate", "deliver", "perceive", "decide", "control", "record", "move"};
 };
 
-/// How long each stage has taken on this machine: never among the results of a run. Does nothing unless on.
+inline constexpr std::size_t stage_count = EnumNames<Stage>::names.size();
+
+/// How long each stage has taken on this machine: never among the results of a run.
 class StageTimes {
  public:
-  void turn_on() { on_ = true; }
-  bool is_on() const { return on_; }
-
   /// Begins to count; what follows belongs to the first stage that is finished.
-  void begin() {
-    if (on_) last_ = Clock::now();
-  }
+  void begin() { last_ = Clock::now(); }
   /// All since the last call was spent in `stage`.
   void finish(Stage stage) {
-    if (!on_) return;
     const Clock::time_point now = Clock::now();
     seconds_[static_cast<std::size_t>(stage)] += std::chrono::duration<double>(now - last_).count();
     last_ = now;
   }
+  /// What another has measured besides.
+  void add(const StageTimes& other) {
+    for (std::size_t i = 0; i < stage_count; ++i) seconds_[i] += other.seconds_[i];
+  }
 
   /// By stage [s].
-  const std::array<double, 7>& seconds() const { return seconds_; }
+  const std::array<double, stage_count>& seconds() const { return seconds_; }
 
  private:
   using Clock = std::chrono::steady_clock;
 
-  bool on_{false};
   Clock::time_point last_;
-  std::array<double, 7> seconds_{};
+  std::array<double, stage_count> seconds_{};
 };
 
 }  // namespace fairway

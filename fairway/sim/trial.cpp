@@ -8,6 +8,7 @@
 #include <ostream>
 
 #include "fairway/core/angles.hpp"
+#include "fairway/core/math.hpp"
 #include "fairway/core/text.hpp"
 #include "fairway/world/sea/sea.hpp"
 
@@ -283,7 +284,7 @@ Sea sea_of(const Settings& settings) {
 void hold(Vehicle& vehicle, const ActuatorValues& input, const Sea& sea, double time, double duration,
           const Execution& execution) {
   const auto steps =
-      static_cast<std::int64_t>(std::fmax(1.0, std::ceil(duration / execution.step_s * (1.0 - 1e-12))));
+      static_cast<std::int64_t>(math::fmax(1.0, std::ceil(duration / execution.step_s * (1.0 - 1e-12))));
   const double h = duration / static_cast<double>(steps);
   if (!execution.actuator_dynamics) vehicle.set_actuator_state(input);
   for (std::int64_t i = 0; i < steps; ++i) {

@@ -8,6 +8,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "fairway/core/math.hpp"
 #include "fairway/core/text.hpp"
 #include "fairway/experiment/digest.hpp"
 #include "fairway/experiment/statistics.hpp"
@@ -108,7 +109,7 @@ std::vector<double> of_arrived(const Cell& cell, std::string_view quantity) {
 
 double least(const Cell& cell, std::string_view quantity) {
   double value = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < cell.results.size(); ++i) value = std::fmin(value, cell.value(i, quantity));
+  for (std::size_t i = 0; i < cell.results.size(); ++i) value = math::fmin(value, cell.value(i, quantity));
   return value;
 }
 

@@ -13,6 +13,7 @@
 
 #include "fairway/core/params.hpp"
 #include "fairway/experiment/progress.hpp"
+#include "fairway/experiment/shard.hpp"
 #include "fairway/experiment/store.hpp"
 #include "fairway/record/frame.hpp"
 #include "fairway/scenario/load.hpp"
@@ -78,7 +79,8 @@ struct StudyOptions {
   std::string command;  ///< as typed, for the report
   Overrides overrides;  ///< put into every scenario, figures included, as by `run --set`
   std::string
-      only;  ///< a run's name, its key, or how one of these begins: this run alone is shown, none is made
+      only;     ///< a run's name, its key, or how one of these begins: this run alone is shown, none is made
+  Shard shard;  ///< the runs that are made; unless it is all of them, nothing is made of them
   std::function<void(const ShownRun&)> show;  ///< is given the runs that figures show, or `only` that one
   std::function<std::string(const RunSpec&)> playback;  ///< where the report finds a run's playback, or ""
 };
@@ -87,7 +89,7 @@ struct StudyOptions {
 struct StudyResult {
   std::vector<StudyRow> rows;
   nlohmann::json page;  ///< report document, as viewer/README.md describes it
-  bool complete{true};  ///< false if stopped before all runs were made, or if one was to be shown alone
+  bool complete{true};  ///< false if stopped before all runs were made, or if one or a shard was wanted alone
 };
 
 /// A published experiment and what goes beyond it.

@@ -107,16 +107,19 @@ std::optional<std::vector<std::vector<Measure>>> make_runs(std::span<const Study
   }
   Store temporary = Store::in_memory();
   Store& store = options.store != nullptr ? *options.store : temporary;
+  // the runs of a cell follow each other, so that every shard has as many of them as any other
   std::vector<RunSpec> specs;
-  for (const StudyRun& run : runs) specs.push_back(spec_under(options, run.spec));
+  for (std::size_t i = options.shard.index; i < runs.size(); i += options.shard.count)
+    specs.push_back(spec_under(options, runs[i].spec));
   if (!runs.empty()) under(options.overrides, runs.front().scenario());
 
   const auto make = [&](std::size_t i) {
-    return runs[i].measure(under(options.overrides, runs[i].scenario()), options.stop, {});
+    const StudyRun& run = runs[options.shard.index + i * options.shard.count];
+    return run.measure(under(options.overrides, run.scenario()), options.stop, {});
   };
   const ExecutorReport done = run_missing(
       specs, make, store, {.jobs = options.jobs, .progress = options.progress, .stop = options.stop});
-  if (done.stopped) return {};
+  if (done.stopped || !options.shard.is_all()) return {};
 
   std::unordered_map<std::string, std::size_t> places;
   for (std::size_t i = 0; i < specs.size(); ++i) places.emplace(specs[i].key, i);

@@ -58,8 +58,8 @@ void show_run(const StudyRun& run, const StudyOptions& options);
 
 /// Makes the runs, under the options' overrides, that the store lacks (of the options; else of memory) and
 /// gives the measures of all, in the order of `runs`. Runs under other overrides have other keys. Nothing if
-/// stopped before all were made, or if one of them was to be shown alone. Throws InputError for a run that
-/// failed, if an override does not fit, or as find_run().
+/// stopped before all were made, or if one of them, or a shard, was wanted alone. Throws InputError for a run
+/// that failed, if an override does not fit, or as find_run().
 std::optional<std::vector<std::vector<Measure>>> make_runs(std::span<const StudyRun> runs,
                                                            const StudyOptions& options);
 

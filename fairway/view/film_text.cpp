@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <ranges>
 
+#include "fairway/core/math.hpp"
 #include "fairway/view/film_bytes.hpp"
 
 namespace fairway {
@@ -69,7 +70,7 @@ std::string stroke_text(const Stroke& stroke) {
 double largest_deviation(const Mat3& covariance) {
   if (covariance.isZero(0.0)) return 0.0;
   const Eigen::SelfAdjointEigenSolver<Mat3> solver{covariance, Eigen::EigenvaluesOnly};
-  return std::sqrt(std::fmax(solver.eigenvalues().maxCoeff(), 0.0));
+  return std::sqrt(math::fmax(solver.eigenvalues().maxCoeff(), 0.0));
 }
 
 std::string track_text(const Track& track) {

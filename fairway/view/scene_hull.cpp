@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "fairway/core/angles.hpp"
+#include "fairway/core/math.hpp"
 #include "fairway/dynamics/minerva_transport/minerva_transport.hpp"
 #include "fairway/dynamics/zarco/zarco.hpp"
 
@@ -44,10 +45,10 @@ Hull hull_of_transport(const ParamValues& params) {
   Hull hull{.shape = "transport", .length = p.payload_edge_m, .beam = p.payload_edge_m, .parts = {}};
   for (const MinervaTransport::Station& station : p.layout) {
     const double yaw = radians(station.yaw_deg);
-    const double c = std::fabs(std::cos(yaw)), s = std::fabs(std::sin(yaw));
+    const double c = std::fabs(math::cos(yaw)), s = std::fabs(math::sin(yaw));
     hull.length =
-        std::fmax(hull.length, 2.0 * std::fabs(station.x_m) + c * minerva.length + s * minerva.beam);
-    hull.beam = std::fmax(hull.beam, 2.0 * std::fabs(station.y_m) + s * minerva.length + c * minerva.beam);
+        math::fmax(hull.length, 2.0 * std::fabs(station.x_m) + c * minerva.length + s * minerva.beam);
+    hull.beam = math::fmax(hull.beam, 2.0 * std::fabs(station.y_m) + s * minerva.length + c * minerva.beam);
     hull.parts.push_back({station.x_m, station.y_m, station.z_m, yaw});
   }
   return hull;

@@ -151,18 +151,23 @@ void AvoiderDuty::settle(double clock) {
   if (settings_.lockstep) {
     if (!own_ || answered_ == own_ || !host_.is_complete(*own_)) return;
     if (next_task_ && next_task_->stamp <= *own_) take_up(*next_task_);
+    hear_told();
     answered_ = own_;
     answer(clock_at(clock), *own_);
-    const auto later =
-        std::stable_partition(told_.begin(), told_.end(), [this](const Told& t) { return t.stamp > *own_; });
-    for (auto told = later; told != told_.end(); ++told) host_.neighbour_goal(told->mate, told->place);
-    told_.erase(later, told_.end());
   } else if (is_news_) {
     const double now = clock_at(clock);
     const bool is_fresh = own_ && *own_ > host_.order().time;
     answer(now, is_fresh ? *own_ : now);
   }
   is_news_ = false;
+}
+
+/// The goals that mates told before this instant.
+void AvoiderDuty::hear_told() {
+  const auto earlier =
+      std::stable_partition(told_.begin(), told_.end(), [this](const Told& t) { return t.stamp >= *own_; });
+  for (auto told = earlier; told != told_.end(); ++told) host_.neighbour_goal(told->mate, told->place);
+  told_.erase(earlier, told_.end());
 }
 
 void AvoiderDuty::come_round(double clock) {

@@ -76,6 +76,7 @@ class AvoiderDuty {
   std::string accept(const Task& task, const std::string& frame_id);
   std::string take_up(Task task);
   std::string refused(const Task& task, const std::string& why) const;
+  void hear_told();
   void answer(double now, double stamp);
   void tell_team(double now);
   void report(bool at_once);

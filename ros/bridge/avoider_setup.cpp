@@ -10,6 +10,7 @@
 #include <string_view>
 #include <type_traits>
 
+#include "fairway/core/math.hpp"
 #include "fairway/core/names.hpp"
 #include "fairway/core/record.hpp"
 #include "fairway/core/text.hpp"
@@ -112,7 +113,7 @@ std::vector<Setting> made_settings() {
     if constexpr (std::is_same_v<decltype(m.at), bool Limits::*>) {
       all.push_back(flag(m.name_with_unit(), target));
     } else {
-      all.push_back(number(m.name_with_unit(), std::fmax(m.least, -1e5), 1e5, target));
+      all.push_back(number(m.name_with_unit(), math::fmax(m.least, -1e5), 1e5, target));
     }
   });
   return all;

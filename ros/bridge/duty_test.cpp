@@ -92,7 +92,7 @@ class Sea final : public FleetOutlet {
   void deliver_goals() override {}
   void show_navigation() override {
     compare();
-    const double clock = through_stamp(duty.fleet().time());
+    const double clock = through_stamp(std::max(duty.fleet().time() - clock_lag, 0.0));
     for (std::size_t i = 0; i < pilots.size(); ++i) {
       for (std::size_t k = 0; k < pilots.size(); ++k) {
         Motion motion = duty.fleet().vehicle(k).estimate;
@@ -127,6 +127,7 @@ class Sea final : public FleetOutlet {
     if (!plain.is_done()) plain.step({});
   }
 
+  double clock_lag{};  // by which the clock comes later than navigation [s]
   Simulation plain;
   FleetDuty duty;
   std::vector<std::unique_ptr<Pilot>> pilots;
@@ -143,6 +144,13 @@ TEST_P(Lockstep, AFleetAndItsAvoidersDoWhatThePlainRunDoesToTheBit) {
   EXPECT_EQ(sea.warnings, "");
   EXPECT_THAT(sea.state, HasSubstr("\"missed_count\":0"));
   for (const auto& pilot : sea.pilots) EXPECT_EQ(pilot->warnings, "");
+}
+
+TEST_P(Lockstep, AClockThatIsLongOnItsWayChangesNothing) {
+  Sea sea{std::string{FAIRWAY_SOURCE_DIR} + "/scenarios/" + GetParam(), true};
+  sea.clock_lag = 3.0;
+  EXPECT_EQ(sea.duty.run(sea), 0);
+  EXPECT_FALSE(sea.is_apart) << "at " << sea.duty.fleet().time();
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenarios, Lockstep,

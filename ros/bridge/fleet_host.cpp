@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "fairway/cli/outcome.hpp"
+#include "fairway/core/math.hpp"
 #include "fairway/experiment/measure_run.hpp"
 #include "fairway/experiment/recording_info.hpp"
 #include "fairway/record/recording_writer.hpp"
@@ -34,8 +35,8 @@ Motion motion_of(const VehicleState& x, double time) {
 double depth_of(const Scenario& scenario) {
   double depth = 0.0;
   for (const VehicleSpec& vehicle : scenario.vehicles) {
-    depth = std::fmax(depth, vehicle.position.z());
-    for (const Leg& leg : vehicle.mission) depth = std::fmax(depth, leg.position.z());
+    depth = math::fmax(depth, vehicle.position.z());
+    for (const Leg& leg : vehicle.mission) depth = math::fmax(depth, leg.position.z());
   }
   return depth + 2.0;
 }
@@ -214,9 +215,9 @@ bool FleetHost::command(std::size_t index, const BodyVelocity& over_ground) {
                             .sway_mps = over_ground.sway_mps,
                             .heave_mps = over_ground.heave_mps,
                             .yaw_rate_radps = over_ground.yaw_rate_radps};
-  const Eigen::AngleAxisd heading{self.simulation.agents()[index].own.yaw, Vec3::UnitZ()};
-  const Vec3 velocity_b{request.surge_mps, request.sway_mps, request.heave_mps};
-  self.simulation.order(index, {.velocity = heading * velocity_b}, request);
+  Vec3 velocity{request.surge_mps, request.sway_mps, request.heave_mps};
+  velocity.head<2>() = turned(velocity.head<2>(), self.simulation.agents()[index].own.yaw);
+  self.simulation.order(index, {.velocity = velocity}, request);
   self.told[index] = time();
   vehicle.holding = false;
   return true;

@@ -51,7 +51,9 @@ export function compareSketches(messages, frames, vehicles, rows, constants) {
         if (stroke.meaning !== "chosen") continue;
         const [{ x, y, z }] = stroke.points;
         const command = [row.command_n_mps, row.command_e_mps, row.command_d_mps].map(number);
-        assert.deepStrictEqual([x, y, z], command, `${what}: chosen and commanded`);
+        // what is chosen at the limit of speed may be beyond it by its last place, and is then scaled
+        const error = Math.hypot(x - command[0], y - command[1], z - command[2]);
+        assert.ok(error <= 1e-15, `${what}: chosen and commanded are ${error} m/s apart`);
         ++seen.choices;
       }
     }

@@ -5,6 +5,7 @@ import _thread
 import json
 import math
 import os
+import signal
 import subprocess
 import threading
 import time
@@ -178,16 +179,17 @@ def test_progress_is_told_and_may_end_the_batch(scenarios):
 
 
 def test_ctrl_c_ends_a_batch_and_a_run(scenarios):
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # whoever starts tests in the background ignores it
     for work in (
         lambda: fw.run_batch(scenarios / "cube60_8.yaml", seeds=range(1000000)),
         lambda: fw.run(fw.Scenario.load(scenarios / "cube60_8.yaml", overrides={"duration_s": 1e6, "stop_when_done": False})),
-        lambda: fw.study("cubes", seeds=5000),
+        lambda: fw.study("cubes", seeds=500),
     ):
         threading.Timer(0.5, _thread.interrupt_main).start()
         begin = time.perf_counter()
         with pytest.raises(KeyboardInterrupt):
             work()
-        assert time.perf_counter() - begin < 20
+        assert time.perf_counter() - begin < 60, "each of them would take hours"
 
 
 def test_other_threads_of_python_go_on_meanwhile(scenarios):

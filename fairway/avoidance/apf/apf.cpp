@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "fairway/avoidance/parting.hpp"
+#include "fairway/core/math.hpp"
 
 namespace fairway {
 namespace {
@@ -18,7 +19,7 @@ Vec3 velocity_of(ApfSpeedLaw law, const Vec3& v_f, double cruise_speed) {
   const double horizontal = horizontal_norm(v_f);
   const bool full_speed = law == ApfSpeedLaw::bang_bang;
 
-  const double speed = full_speed ? cruise_speed : std::fmin(horizontal, cruise_speed);
+  const double speed = full_speed ? cruise_speed : math::fmin(horizontal, cruise_speed);
   const double scale = horizontal > 0.0 ? speed / horizontal : 0.0;
 
   const double limit = v_f.z() == 0.0 ? 0.0 : cruise_speed;
@@ -53,7 +54,7 @@ Command Apf::decide(const Situation& s, Memory&, Context& context) const noexcep
     const double length = out.norm();
     const Vec3 away =
         length > 0.0 ? Vec3{out / length} : parting_direction(s.own.id, TrackId{number(s.own.id)});
-    v_obs += repulsion(crit_dist, std::fmax(surface.distance, 0.0), away);
+    v_obs += repulsion(crit_dist, math::fmax(surface.distance, 0.0), away);
   }
 
   const Vec3 preferred = s.preferred_velocity();

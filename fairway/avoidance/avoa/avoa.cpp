@@ -8,6 +8,7 @@
 #include "fairway/avoidance/ability.hpp"
 #include "fairway/avoidance/avoa/circular_regions.hpp"
 #include "fairway/avoidance/avoa/picture.hpp"
+#include "fairway/core/math.hpp"
 
 namespace fairway {
 namespace {
@@ -21,14 +22,14 @@ constexpr double largest_reach = 1e3;
 
 /// Over ground, from speed and heading off the bow [NED].
 Vec3 over_ground(const PolarVelocity& v, double yaw) {
-  const double course = yaw + v.heading;
-  return {v.speed * std::cos(course), v.speed * std::sin(course), 0.0};
+  const auto [sine, cosine] = math::sin_cos(yaw + v.heading);
+  return {v.speed * cosine, v.speed * sine, 0.0};
 }
 
 /// The preferred velocity as speed and heading off the bow; no speed, no heading.
 PolarVelocity off_the_bow(const Vec3& v, double yaw) {
   const double speed = horizontal_norm(v);
-  return {speed, speed > 0.0 ? wrap_angle(std::atan2(v.y(), v.x()) - yaw) : 0.0};
+  return {speed, speed > 0.0 ? wrap_angle(math::atan2(v.y(), v.x()) - yaw) : 0.0};
 }
 
 avoa::KinematicZone kinematic_zone(const Avoa::Params& p, const Limits& limits, double max_speed) {

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "fairway/avoidance/parting.hpp"
+#include "fairway/core/math.hpp"
 
 namespace fairway::avoa {
 namespace {
@@ -20,8 +21,8 @@ class RegionWriter {
       : own_{situation.own},
         regions_{regions},
         zones_{zones},
-        cosine_{std::cos(own_.yaw)},
-        sine_{std::sin(own_.yaw)},
+        cosine_{math::cos(own_.yaw)},
+        sine_{math::sin(own_.yaw)},
         band_{own_.radius + regions.margin},
         range_{regions.window * std::numbers::sqrt2 * zones.grid().reach() + band_} {}
 
@@ -89,7 +90,7 @@ class RegionWriter {
     }
 
     const double step = (to - from) / pieces;
-    const double radius = std::hypot(band_, 0.5 * step * length);
+    const double radius = math::hypot(band_, 0.5 * step * length);
     for (int i = 0; i <= static_cast<int>(pieces); ++i) {
       put({.position = a + (from + i * step) * edge, .radius = radius});
     }

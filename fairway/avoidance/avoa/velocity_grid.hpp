@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fairway/core/angles.hpp"
+#include "fairway/core/math.hpp"
 #include "fairway/core/vec.hpp"
 
 namespace fairway::avoa {
@@ -13,8 +14,8 @@ struct PolarVelocity {
   double speed{};    ///< [m/s], >= 0
   double heading{};  ///< from the bow, positive to starboard, in [-pi, pi]; 0 where there is no speed [rad]
 
-  static PolarVelocity of(const Vec2& v) { return {v.norm(), std::atan2(v.y(), v.x())}; }
-  Vec2 cartesian() const { return {speed * std::cos(heading), speed * std::sin(heading)}; }
+  static PolarVelocity of(const Vec2& v) { return {v.norm(), math::atan2(v.y(), v.x())}; }
+  Vec2 cartesian() const { return speed * unit_at(heading); }
 };
 
 /// wrap_angle() without its cost for what is in [-pi, pi] already.

@@ -10,6 +10,7 @@
 #include "fairway/avoidance/avoa/velocity_metric.hpp"
 #include "fairway/avoidance/avoa_improved/outlook.hpp"
 #include "fairway/avoidance/avoa_improved/wish.hpp"
+#include "fairway/core/math.hpp"
 
 namespace fairway::avoa_improved {
 namespace {
@@ -22,8 +23,6 @@ struct Candidate {
   Manoeuvre manoeuvre;
   std::size_t index;  ///< of equal costs the smaller is taken; 0 is the wish itself
 };
-
-Vec2 direction_to(double heading) { return {std::cos(heading), std::sin(heading)}; }
 
 /// What `effort` of the limits allows.
 VesselResponse helm_of(const Params& p, const Limits& limits, double effort) {
@@ -38,7 +37,7 @@ VesselResponse helm_of(const Params& p, const Limits& limits, double effort) {
 
 /// Own ship now, its drift as learnt so far.
 OwnMotion motion_of(const Params& params, const Situation& s, Drift& drift) {
-  const Vec2 ahead = direction_to(s.own.yaw);
+  const Vec2 ahead = unit_at(s.own.yaw);
   const Vec2 velocity = s.own.velocity.head<2>();
   OwnMotion motion{.position = s.own.position.head<2>(), .yaw = s.own.yaw, .yaw_rate = s.own.yaw_rate};
   if (params.turn_aware) {
@@ -51,7 +50,7 @@ OwnMotion motion_of(const Params& params, const Situation& s, Drift& drift) {
 
 double greatest_speed(const Situation& s) {
   return limit_or(s.limits.max_speed,
-                  std::fmax(s.goal.cruise_speed, horizontal_norm(s.preferred_velocity())));
+                  math::fmax(s.goal.cruise_speed, horizontal_norm(s.preferred_velocity())));
 }
 
 /// The commands that there are to choose from, the one nearest to the wish first.
@@ -108,7 +107,7 @@ class Choices {
     list(0.0, 0.0);
     list(0.0, wish.speed_after);
     if (params.astern_mps <= 0.0 || !limits.sternway) return;
-    const double astern = -std::fmin(params.astern_mps, fastest);
+    const double astern = -math::fmin(params.astern_mps, fastest);
     list(astern, astern);
     list(astern, wish.speed_after);
   }
@@ -166,7 +165,7 @@ Command command_for(const Params& params, const Situation& s, const Wish& wish, 
     if (is_free) command.mode = Mode::cruise;
     return command;
   }
-  const Vec2 velocity = m.speed * direction_to(m.speed > 0.0 ? m.heading : s.own.yaw);
+  const Vec2 velocity = m.speed * unit_at(m.speed > 0.0 ? m.heading : s.own.yaw);
   command.velocity = {velocity.x(), velocity.y(), 0.0};
   if (m.speed <= 0.0)
     command.turn_rate = helm_of(params, s.limits, 1.0).turn_rate(wrap_angle(m.heading - s.own.yaw));

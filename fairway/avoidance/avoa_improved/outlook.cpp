@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fairway/core/angles.hpp"
+#include "fairway/core/math.hpp"
 
 namespace fairway::avoa_improved {
 namespace {
@@ -24,7 +25,7 @@ std::size_t steps_in(double window) {
 }
 
 /// What comes later weighs less: the command will have changed by then.
-double weight_at(double t, double window) { return std::fmax(0.0, 1.0 - t / (window + Outlook::step)); }
+double weight_at(double t, double window) { return math::fmax(0.0, 1.0 - t / (window + Outlook::step)); }
 
 }  // namespace
 
@@ -38,9 +39,10 @@ Outlook::Outlook(const VesselResponse& helm, const Foresight& foresight, const O
       steps_{steps_in(foresight.window)},
       hold_steps_{foresight.turn_aware ? std::min(steps_, steps_in(foresight.hold)) : steps_},
       gone_{helm.share(step)} {
-  const double fastest = std::fmax(greatest_speed, std::abs(own.speed)) + own.drift.norm();
+  const double fastest = math::fmax(greatest_speed, std::abs(own.speed)) + own.drift.norm();
   const double stopping = helm.response + fastest / helm.max_acceleration;
-  const double fixed_for = std::fmin(foresight.window, std::fmax(foresight.near, foresight.hold + stopping));
+  const double fixed_for =
+      math::fmin(foresight.window, math::fmax(foresight.near, foresight.hold + stopping));
   for (const Capsule& solid : fixed) add_if_near(solid, fastest * fixed_for, fixed_, fixed_count_);
   for (const Capsule& solid : moving)
     add_if_near(solid, (fastest + solid.velocity.norm()) * foresight.window, moving_, moving_count_);
@@ -61,7 +63,7 @@ const Outlook::TurnAhead& Outlook::turn_to(double heading, std::size_t index) no
   turn.is_known = true;
   turn.reached = 0;
   if (!foresight_.turn_aware) {
-    turn.direction.fill({std::cos(heading), std::sin(heading)});
+    turn.direction.fill(unit_at(heading));
     return turn;
   }
   double yaw = own_.yaw;
@@ -71,7 +73,7 @@ const Outlook::TurnAhead& Outlook::turn_to(double heading, std::size_t index) no
     if (std::abs(wrap_angle(heading - yaw)) > nearly) turn.reached = k + 1;
     rate = helm_.turn_rate_after(rate, helm_.turn_rate(wrap_angle(heading - yaw)), step, gone_);
     const double turned = 0.5 * (before + rate) * step;
-    turn.direction[k] = {std::cos(yaw + 0.5 * turned), std::sin(yaw + 0.5 * turned)};
+    turn.direction[k] = unit_at(yaw + 0.5 * turned);
     yaw += turned;
   }
   return turn;
@@ -90,7 +92,7 @@ Outlook::Room Outlook::room(std::span<const Hazard> hazards, const Vec2& own, do
     const Vec2 relative = own - t * solid.velocity;
     const double distance =
         solid.is_disc() ? (relative - solid.from).norm() : distance_to_axis(solid, relative);
-    found.beyond = std::fmin(found.beyond, distance - hazard.contact - hazard.keep);
+    found.beyond = math::fmin(found.beyond, distance - hazard.contact - hazard.keep);
     found.is_none = found.is_none || (hazard.keep > 0.0 && distance < hazard.contact);
   }
   return found;
@@ -100,10 +102,10 @@ void Outlook::weigh(const Room& room, double t, double window, Prospect& prospec
   // hulls that have touched stay where they are
   const double weight = weight_at(t, window);
   prospect.touches = prospect.touches || room.is_none;
-  prospect.severity += weight * (prospect.touches ? own_radius_ : std::fmax(0.0, -room.beyond));
+  prospect.severity += weight * (prospect.touches ? own_radius_ : math::fmax(0.0, -room.beyond));
   if (room.beyond >= foresight_.danger) return;
-  const double closeness = std::fmin(1.0, 1.0 - room.beyond / foresight_.danger);
-  prospect.danger = std::fmax(prospect.danger, weight * closeness);
+  const double closeness = math::fmin(1.0, 1.0 - room.beyond / foresight_.danger);
+  prospect.danger = math::fmax(prospect.danger, weight * closeness);
 }
 
 bool Outlook::can_stop(Advance at, const TurnAhead& turn, std::size_t from) const noexcept {

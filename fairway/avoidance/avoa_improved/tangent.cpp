@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fairway/core/angles.hpp"
+#include "fairway/core/math.hpp"
 
 namespace fairway::avoa_improved {
 namespace {
@@ -13,7 +14,7 @@ constexpr double no_sweep = 1e-9;
 
 }  // namespace
 
-Vec2 Turn::at(double angle) const { return centre + radius * Vec2{std::cos(angle), std::sin(angle)}; }
+Vec2 Turn::at(double angle) const { return centre + radius * unit_at(angle); }
 
 double Turn::sweep(double arrival, double departure) const {
   const double wrapped = wrap_angle(sign_of(side) * (departure - arrival));
@@ -29,7 +30,7 @@ std::optional<Tangent> tangent(const Turn& from, const Turn& to) {
   const double square = between.squaredNorm() - offset * offset;
   if (square < 0.0 || between.isZero(0.0)) return {};
   const double length = std::sqrt(square);
-  const double heading = std::atan2(between.y(), between.x()) - std::atan2(offset, length);
+  const double heading = math::atan2(between.y(), between.x()) - math::atan2(offset, length);
   return Tangent{.heading = heading,
                  .length = length,
                  .departure = heading - 0.5 * pi * sign_of(from.side),

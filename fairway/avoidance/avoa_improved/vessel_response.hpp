@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "fairway/core/math.hpp"
 #include "fairway/core/vec.hpp"
 
 namespace fairway::avoa_improved {
@@ -23,7 +24,7 @@ struct VesselResponse {
   double turn_rate(double error) const noexcept { return limited(turn_gain * error, max_turn_rate); }
 
   /// Share of the way to a set point that is gone in `h` seconds.
-  double share(double h) const noexcept { return 1.0 - std::exp(-h / response); }
+  double share(double h) const noexcept { return 1.0 - math::exp(-h / response); }
 
   /// The speed `h` seconds later, `share(h)` given.
   double speed_after(double speed, double commanded, double h, double gone) const noexcept {
@@ -36,7 +37,7 @@ struct VesselResponse {
   }
 
   static double limited(double change, double most) noexcept {
-    return std::fmin(std::fmax(change, -most), most);
+    return math::fmin(math::fmax(change, -most), most);
   }
 };
 

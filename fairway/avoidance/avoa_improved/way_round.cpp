@@ -7,6 +7,7 @@
 
 #include "fairway/avoidance/avoa_improved/tangent.hpp"
 #include "fairway/core/angles.hpp"
+#include "fairway/core/math.hpp"
 
 namespace fairway::avoa_improved {
 namespace {
@@ -130,9 +131,9 @@ class Search {
   /// What a first line costs beyond its length.
   double reluctance(double heading, Side side) const {
     double extra = side == Side::to_starboard ? starboard_bonus : 0.0;
-    const Vec2 direction{std::cos(heading), std::sin(heading)};
+    const Vec2 direction = unit_at(heading);
     if (preference_.heading)
-      extra += preference_.bend * std::acos(std::clamp(preference_.heading->dot(direction), -1.0, 1.0));
+      extra += preference_.bend * math::acos(std::clamp(preference_.heading->dot(direction), -1.0, 1.0));
     if (preference_.committed) {
       const double agreement = preference_.committed->dot(direction);
       extra += preference_.commitment * 0.5 * (1.0 - agreement);
@@ -235,7 +236,7 @@ class Search {
     // on a turn already, its direction is that of the turn: the line to it has no length
     const Leg& begin = legs_[static_cast<std::size_t>(first)];
     const double heading = begin.arrival + 0.5 * pi * sign_of(begin.side);
-    way.direction = {std::cos(heading), std::sin(heading)};
+    way.direction = unit_at(heading);
     return way;
   }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fairway/core/angles.hpp"
+#include "fairway/core/math.hpp"
 
 namespace fairway::avoa_improved {
 namespace {
@@ -46,7 +47,7 @@ std::optional<WayRound> look(const AvoaImproved::Params& params, const Situation
   for (const Capsule& solid : met) in_the_way.add(solid, s.own.radius + kept);
   const Preference preference{.committed = committed,
                               .commitment = params.commitment_m,
-                              .heading = Vec2{std::cos(s.own.yaw), std::sin(s.own.yaw)},
+                              .heading = unit_at(s.own.yaw),
                               .bend = params.bend_m};
   const Vec2 soon = s.own.position.head<2>() + params.anticipation_s * s.own.velocity.head<2>();
   return way_round(in_the_way.view(), soon, target_of(s), preference);
@@ -73,7 +74,7 @@ void go_round(const AvoaImproved::Params& params, const Situation& s, std::span<
   memory.committed.reset();
   if (!way || way->is_straight) return;
   memory.committed = way->direction;
-  wish.heading = std::atan2(way->direction.y(), way->direction.x());
+  wish.heading = math::atan2(way->direction.y(), way->direction.x());
   if (params.turn_aware) wish.heading += crab_angle(way->direction, memory.drift.velocity(), wish.speed);
   wish.is_preferred = false;
   if (sketch != nullptr) draw_way(*way, s.own.position.z(), *sketch);
@@ -84,8 +85,8 @@ void go_round(const AvoaImproved::Params& params, const Situation& s, std::span<
 void turn_first(double turn_first, const Situation& s, Wish& wish) {
   const double off = std::abs(wrap_angle(wish.heading - s.own.yaw)) / turn_first;
   if (off <= 0.25) return;
-  const double slower = wish.speed * (std::fmax(0.0, 1.0 - off) / 0.75);
-  wish.speed = std::fmax(slower, std::fmin(s.limits.min_speed, wish.speed));
+  const double slower = wish.speed * (math::fmax(0.0, 1.0 - off) / 0.75);
+  wish.speed = math::fmax(slower, math::fmin(s.limits.min_speed, wish.speed));
   wish.is_preferred = false;
 }
 
@@ -110,7 +111,7 @@ Wish wish_of(const AvoaImproved::Params& params, const Situation& s, std::span<c
   const double speed = preferred.norm();
   Wish wish{.speed = speed, .speed_after = speed, .heading = s.own.yaw, .margin = params.margin_m};
   if (wish.speed <= 0.0) return wish;
-  wish.heading = std::atan2(preferred.y(), preferred.x());
+  wish.heading = math::atan2(preferred.y(), preferred.x());
 
   if (params.memory) go_round(params, s, moving, memory, wish, sketch);
   if (params.turn_aware) turn_first(params.turn_first_rad, s, wish);

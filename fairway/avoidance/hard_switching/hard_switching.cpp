@@ -13,7 +13,7 @@ Wrench HardSwitching::go_to_goal(const Situation& s, Memory& memory, double elap
   const Vec3 tau_n = params.goal_kp_npm * error + params.goal_ki_npmps * memory.goal_integral -
                      params.goal_kd_kgps * s.own.velocity;
   Wrench tau = Wrench::Zero();
-  tau.head<2>() = Eigen::Rotation2Dd(-s.own.yaw) * tau_n.head<2>();
+  tau.head<2>() = turned(tau_n.head<2>(), -s.own.yaw);
   return tau;
 }
 

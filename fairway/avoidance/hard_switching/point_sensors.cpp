@@ -5,13 +5,15 @@
 #include <cmath>
 
 #include "fairway/core/angles.hpp"
+#include "fairway/core/math.hpp"
 
 namespace fairway {
 namespace {
 
 Vec3 sensor_at(const Ownship& own, const PointSensors& sensors, int index) {
   const double bearing = own.yaw + 2.0 * pi * index / sensors.count;
-  return own.position + sensors.arm * Vec3{std::cos(bearing), std::sin(bearing), 0.0};
+  const auto [sine, cosine] = math::sin_cos(bearing);
+  return own.position + sensors.arm * Vec3{cosine, sine, 0.0};
 }
 
 }  // namespace
@@ -24,7 +26,7 @@ std::optional<Detection> nearest_detected(const Situation& s, const PointSensors
   const auto from_all = [&](auto distance_from) {
     double least = distance_from(sensor_at(s.own, sensors, 0));
     for (int i = 1; i < sensors.count; ++i)
-      least = std::fmin(least, distance_from(sensor_at(s.own, sensors, i)));
+      least = math::fmin(least, distance_from(sensor_at(s.own, sensors, i)));
     return least;
   };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/avoidance/inflate/inflate.hpp"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Jacobi>
 #include <algorithm>
 #include <cmath>
 
@@ -10,11 +10,23 @@
 namespace fairway {
 namespace {
 
-/// Rounding may leave it a little below zero.
+constexpr int sweeps = 8;  // of Jacobi's rotations: each squares what is left of the rest
+
+/// Rounding may leave it a little below zero. Eigen's solvers are for matrices of any size: they would bring
+/// locks into the library.
 template <int N>
-double greatest_eigenvalue(const Eigen::Matrix<double, N, N>& covariance) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, N, N>> solver{covariance, Eigen::EigenvaluesOnly};
-  return std::max(0.0, solver.eigenvalues()[N - 1]);
+double greatest_eigenvalue(Eigen::Matrix<double, N, N> covariance) {
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    for (int p = 0; p + 1 < N; ++p) {
+      for (int q = p + 1; q < N; ++q) {
+        Eigen::JacobiRotation<double> rotation;
+        if (!rotation.makeJacobi(covariance, p, q)) continue;
+        covariance.applyOnTheLeft(p, q, rotation.adjoint());
+        covariance.applyOnTheRight(p, q, rotation);
+      }
+    }
+  }
+  return std::max(0.0, covariance.diagonal().maxCoeff());
 }
 
 }  // namespace

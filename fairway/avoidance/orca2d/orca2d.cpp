@@ -8,6 +8,7 @@
 #include "fairway/avoidance/orca2d/cone.hpp"
 #include "fairway/avoidance/orca2d/shore.hpp"
 #include "fairway/avoidance/parting.hpp"
+#include "fairway/core/math.hpp"
 
 namespace fairway {
 namespace {
@@ -55,7 +56,7 @@ void add_shore(const Situation& s, const Orca2d::Params& params, AllowedVelociti
   // a wall that cannot be reached within the horizon asks for nothing
   const double reach = tau * s.limits.max_speed + s.own.radius;
   const orca2d::Shore shore{s.obstacles,
-                            {position, params.crit_dist_m, std::fmin(params.crit_dist_m, reach)}};
+                            {position, params.crit_dist_m, math::fmin(params.crit_dist_m, reach)}};
 
   for (const orca2d::Landmark& landmark : shore.landmarks()) {
     const Obstacle& obstacle = s.obstacles[landmark.obstacle];

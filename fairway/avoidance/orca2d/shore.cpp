@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "fairway/avoidance/orca2d/cone.hpp"
+#include "fairway/core/math.hpp"
 
 namespace fairway::orca2d {
 namespace {
@@ -85,7 +86,7 @@ Shore::Shore(std::span<const Obstacle> obstacles, const Sight& sight) noexcept {
     if (obstacle.kind == Obstacle::Kind::sphere) {
       const double centre = (obstacle.position.head<2>() - sight.position).norm();
       const double distance = centre - obstacle.radius;
-      if (distance <= sight.disc_range) add({std::fmax(0.0, distance), i, 0, Landmark::Kind::disc, false});
+      if (distance <= sight.disc_range) add({math::fmax(0.0, distance), i, 0, Landmark::Kind::disc, false});
     } else if (obstacle.kind == Obstacle::Kind::segment) {
       const Vec2 from = obstacle.from.head<2>() - sight.position;
       const double distance = std::sqrt(bearing_of(from, obstacle.to.head<2>() - sight.position).distance2);

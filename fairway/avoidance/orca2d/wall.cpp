@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "fairway/avoidance/orca2d/cone.hpp"
+#include "fairway/core/math.hpp"
 
 namespace fairway::orca2d {
 namespace {
@@ -70,7 +71,7 @@ Side cut_off(const Wall& wall, const Vec2& front, double horizon) {
 /// `hand` is 1 for the leg to starboard and -1 for the one to port.
 Side tangent_leg(const WallEnd& end, double hand, const Mariner& mariner) {
   const double d2 = end.p.squaredNorm();
-  const double reach = std::sqrt(std::fmax(0.0, d2 - mariner.radius * mariner.radius));
+  const double reach = std::sqrt(math::fmax(0.0, d2 - mariner.radius * mariner.radius));
   const Vec2 along = (reach * end.p + hand * mariner.radius * starboard_of(end.p)) / d2;
   return {.start = end.p / mariner.horizon, .along = along, .outward = hand * starboard_of(along)};
 }
@@ -155,7 +156,7 @@ HalfPlane way_out(const Wall& wall, const Mariner& mariner) noexcept {
 
 bool covers(const HalfPlane& half_plane, const Wall& wall, const Mariner& mariner) noexcept {
   // what is forbidden at the horizon is forbidden sooner, where no velocity at all is allowed
-  const double bound = mariner.horizon * std::fmin(half_plane.offset, 0.0);
+  const double bound = mariner.horizon * math::fmin(half_plane.offset, 0.0);
   const auto is_beyond = [&](const Vec2& p) {
     return half_plane.normal.dot(p) + mariner.radius <=
            bound + position_rounding * (p.norm() + mariner.radius);

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <span>
 
 #include "fairway/avoidance/avoider.hpp"
 #include "fairway/avoidance/orca_params.hpp"
@@ -37,6 +38,14 @@ struct Orca3d {
   /// Mode::cruise if nobody is in range; Mode::avoid if somebody is; Mode::infeasible if no velocity
   /// keeps clear of all, with the velocity of least violation. In range, stern first is allowed.
   Command decide(const Situation& s, Memory& memory, Context& context) const noexcept;
+
+  /// Whether both, side by side, decide as each alone: the same parameters, and nothing that is drawn.
+  bool decides_with(const Orca3d& other) const noexcept;
+
+  /// As `decide` of each, to the bit, in the lanes of the processor's registers where nobody meets an
+  /// obstacle and all have the same period (lanes/kernel.hpp).
+  void decide_many(std::span<const Situation* const> situations,
+                   std::span<Command* const> commands) const noexcept;
 
   /// Those in range come first. What is symmetric is asked of all of them.
   std::size_t most_tracks() const noexcept {

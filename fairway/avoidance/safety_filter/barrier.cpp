@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/avoidance/safety_filter/barrier.hpp"
 
+#include "fairway/core/math.hpp"
+
 namespace fairway {
 namespace {
 
@@ -25,20 +27,20 @@ Barrier barrier(const Hazard& hazard, const Ownship& own, const BarrierGains& ga
   // 2 Delta . a >= demand, along the level part of Delta
   const double distance = delta.norm();
   const double speed2 =
-      hazard.is_flat ? squared(h_rate / (2.0 * std::fmax(distance, least_level))) : w.squaredNorm();
+      hazard.is_flat ? squared(h_rate / (2.0 * math::fmax(distance, least_level))) : w.squaredNorm();
   const double demand = -(2.0 * speed2 + (gains.k1 + gains.k2) * h_rate + gains.k1 * gains.k2 * h);
   const double level = horizontal_norm(delta);
   const Vec2 normal = level > least_level ? Vec2{delta.head<2>() / level} : Vec2{hazard.parting.head<2>()};
-  const double per_level = 1.0 / std::fmax(level, least_level);
+  const double per_level = 1.0 / math::fmax(level, least_level);
   const double share = hazard.reacts ? 0.25 : 0.5;
   const double psi1 = h_rate + gains.k1 * h;
   double offset = share * demand * per_level;
-  if (gains.response > 0.0) offset = std::fmax(offset, -share * psi1 * per_level / gains.response);
+  if (gains.response > 0.0) offset = math::fmax(offset, -share * psi1 * per_level / gains.response);
 
   const bool is_late = psi1 < -late * std::abs(h_rate);
   if (is_late && distance > radius) {
     const double closing = -h_rate / (2.0 * distance);
-    offset = std::fmax(offset, closing * closing / (2.0 * (distance - radius)) * distance * per_level);
+    offset = math::fmax(offset, closing * closing / (2.0 * (distance - radius)) * distance * per_level);
   }
   return {{normal, offset}, is_late};
 }

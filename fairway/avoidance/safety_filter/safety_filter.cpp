@@ -8,6 +8,7 @@
 #include "fairway/avoidance/ability.hpp"
 #include "fairway/avoidance/safety_filter/barrier.hpp"
 #include "fairway/core/angles.hpp"
+#include "fairway/core/math.hpp"
 
 namespace fairway {
 namespace {
@@ -44,8 +45,8 @@ bool has_masses(const OnboardModel* model) {
 
 /// Body axis `axis`, ahead or to starboard.
 Vec2 axis_of(const Ownship& own, int axis) {
-  const double c = std::cos(own.yaw), s = std::sin(own.yaw);
-  return axis == 0 ? Vec2{c, s} : Vec2{-s, c};
+  const Vec2 ahead = unit_at(own.yaw);
+  return axis == 0 ? ahead : starboard_of(ahead);
 }
 
 /// a = (F - d(nu)) / m of one body axis.
@@ -76,7 +77,7 @@ Request request_of_forces(const Params& params, const Ownship& own, const Onboar
 void bound_by_way(Request& request, const Params& params, const Situation& s) {
   const Vec2 bow = axis_of(s.own, 0);
   const double ahead = bow.dot(s.own.velocity.head<2>());
-  const double within_reach = ahead + params.response_s * std::cos(pi / 8) * s.limits.max_acceleration;
+  const double within_reach = ahead + params.response_s * math::cos(pi / 8) * s.limits.max_acceleration;
   const double kept = std::min({s.limits.min_speed, s.limits.max_speed, within_reach});
   request.bound(bow, (kept - ahead) / params.response_s);
 }
@@ -87,10 +88,10 @@ Request request_of_velocities(const Params& params, const Situation& s, const Ve
   const Vec2 v = s.own.velocity.head<2>();
   Request request{.nominal = wanted.head<2>() / params.response_s,
                   .origin = v / params.response_s,
-                  .max_length = std::fmax(s.limits.max_speed, v.norm()) / params.response_s};
+                  .max_length = math::fmax(s.limits.max_speed, v.norm()) / params.response_s};
   for (int side = 0; s.limits.max_acceleration < Limits::none && side < 8; ++side) {
     const double bearing = s.own.yaw + side * pi / 4;
-    request.bound({std::cos(bearing), std::sin(bearing)}, -std::cos(pi / 8) * s.limits.max_acceleration);
+    request.bound(unit_at(bearing), -math::cos(pi / 8) * s.limits.max_acceleration);
   }
   for (int axis = 0; has_masses(s.model) && axis < 2; ++axis)
     if (s.model->least[axis] < s.model->greatest[axis])
@@ -162,7 +163,7 @@ class Barriers {
     const double aside = wanted.dot(starboard);
     if (towards <= 0.0) return Vec2::Zero();
     const double side = aside < -collinear * towards ? -1.0 : 1.0;
-    return params.sidestep_ratio * std::fmax(0.0, 1.0 - std::abs(aside) / towards) * side * starboard;
+    return params.sidestep_ratio * math::fmax(0.0, 1.0 - std::abs(aside) / towards) * side * starboard;
   }
 
   const Ownship& own_;

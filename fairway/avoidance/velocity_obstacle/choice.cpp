@@ -115,7 +115,7 @@ class Search {
                                   limit_or(reachable_.max_speed(), scale_) + reachable_.middle().norm());
     for (int spoke = 0; spoke < spokes; ++spoke) {
       const double angle = 2.0 * pi * spoke / spokes;
-      const Vec2 out = reach * turned(reachable_.bow(), std::cos(angle), std::sin(angle));
+      const Vec2 out = reach * fairway::turned(reachable_.bow(), angle);
       for (int ring = 1; ring <= rings; ++ring) consider_any(reachable_.middle() + ring * out / rings);
     }
   }

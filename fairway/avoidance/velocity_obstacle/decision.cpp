@@ -5,6 +5,7 @@
 
 #include "fairway/avoidance/velocity_obstacle/choice.hpp"
 #include "fairway/avoidance/velocity_obstacle/neighbourhood.hpp"
+#include "fairway/core/math.hpp"
 
 namespace fairway::velocity_obstacle {
 namespace {
@@ -22,7 +23,7 @@ constexpr double standing = 1e-6;
 
 /// Half as far again as the fastest velocity that matters, so that the outlines cross the picture.
 double sketch_reach(const Situation& s) {
-  return 1.5 * std::fmax(s.own.velocity.norm(), s.goal.cruise_speed);
+  return 1.5 * math::fmax(s.own.velocity.norm(), s.goal.cruise_speed);
 }
 
 }  // namespace
@@ -55,7 +56,7 @@ Command decide(const Situation& s, const Params& params, Responsibility responsi
     Limits turning_at_once = s.limits;
     turning_at_once.max_turn_rate = Limits::none;
     const Vec2 v = choice_within(turning_at_once).velocity;
-    if (v.norm() >= standing) command.heading = std::atan2(v.y(), v.x());
+    if (v.norm() >= standing) command.heading = math::atan2(v.y(), v.x());
   }
   return command;
 }

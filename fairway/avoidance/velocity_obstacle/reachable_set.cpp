@@ -6,11 +6,12 @@
 
 #include "fairway/avoidance/ability.hpp"
 #include "fairway/core/angles.hpp"
+#include "fairway/core/math.hpp"
 
 namespace fairway::velocity_obstacle {
 
 ReachableSet::ReachableSet(const Ownship& own, const Limits& limits, double interval) noexcept
-    : bow_{std::cos(own.yaw), std::sin(own.yaw)},
+    : bow_{unit_at(own.yaw)},
       max_speed_{limits.max_speed},
       min_speed_{std::min(limits.min_speed, limits.max_speed)},
       max_change_{limits.max_acceleration * interval},
@@ -18,8 +19,8 @@ ReachableSet::ReachableSet(const Ownship& own, const Limits& limits, double inte
       only_ahead_{only_goes_ahead(limits)},
       middle_{own.velocity.head<2>()} {
   if (!turns_freely_) {
-    turn_cosine_ = std::cos(limits.max_turn_rate * interval);
-    turn_sine_ = std::sin(limits.max_turn_rate * interval);
+    turn_cosine_ = math::cos(limits.max_turn_rate * interval);
+    turn_sine_ = math::sin(limits.max_turn_rate * interval);
   }
 
   // off the courses that it may take: the nearer of the outermost two, or no way at all

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "fairway/core/angles.hpp"
+#include "fairway/core/math.hpp"
 
 namespace fairway::velocity_obstacle {
 namespace {
@@ -165,12 +166,12 @@ Outline VelocityObstacle::outline(double reach) const noexcept {
 
   // the points of the cut by its normals, turned from the one leg's by way of the apex to the other's
   const Vec2 first = -starboard_of(port_);
-  const double between = std::atan2(cross(port_, starboard_), port_.dot(starboard_));
+  const double between = math::atan2(cross(port_, starboard_), port_.dot(starboard_));
   const double radius = radius_ * inverse_horizon_;
   for (std::size_t i = 0; i < Outline::cut_points; ++i) {
     const double share = static_cast<double>(i) / static_cast<double>(Outline::cut_points - 1);
     const double angle = -share * (pi - between);
-    const Vec2 normal = turned(first, std::cos(angle), std::sin(angle));
+    const Vec2 normal = fairway::turned(first, angle);
     const Vec2 end = near_end().dot(normal) > far_end().dot(normal) ? near_end() : far_end();
     outline.add(apex_ + end + radius * normal);
   }

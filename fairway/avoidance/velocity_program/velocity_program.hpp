@@ -4,21 +4,13 @@
 #include <cstddef>
 #include <span>
 
+#include "fairway/avoidance/velocity_program/incremental.hpp"
 #include "fairway/core/vec.hpp"
 
 namespace fairway {
 
-/// The velocities v with normal . v >= offset.
-struct HalfSpace {
-  Vec3 normal;    ///< unit, into the allowed side
-  double offset;  ///< of the bounding plane along `normal` [m/s]
-
-  /// The half-space with `point` on its boundary.
-  static HalfSpace through(const Vec3& point, const Vec3& normal) { return {normal, normal.dot(point)}; }
-
-  /// How far `v` lies on the forbidden side [m/s]; negative on the allowed one.
-  double violation(const Vec3& v) const { return offset - normal.dot(v); }
-};
+/// The velocities v with normal . v >= offset, `normal` a unit vector and `offset` in m/s.
+using HalfSpace = lanes::HalfSpaceOf<double>;
 
 /// The answer of a velocity program.
 struct VelocityChoice {

@@ -78,7 +78,7 @@ TEST(VelocityProgram, AgreesWhenHalfSpacesNearlyCoincide) {
     for (std::size_t k = 1; k < p.half_spaces.size(); k += 2) {
       const double apart = std::pow(10.0, rng.uniform(-16.0, -1.0));
       const HalfSpace& twin = p.half_spaces[k - 1];
-      p.half_spaces[k] = {unit(Vec3{twin.normal + apart * direction(rng)}),
+      p.half_spaces[k] = {unit(twin.normal + apart * direction(rng)),
                           twin.offset + apart * p.max_speed * rng.uniform(-1.0, 1.0)};
     }
     return p;
@@ -95,7 +95,7 @@ TEST(VelocityProgram, AgreesWhenHalfSpacesNearlyOppose) {
     for (std::size_t k = 1; k < p.half_spaces.size(); k += 3) {
       const double apart = std::pow(10.0, rng.uniform(-3.0, -1.0));
       const HalfSpace& other = p.half_spaces[k - 1];
-      p.half_spaces[k] = {-unit(Vec3{other.normal + apart * direction(rng)}),
+      p.half_spaces[k] = {-unit(other.normal + apart * direction(rng)),
                           -other.offset + apart * p.max_speed * rng.uniform(-1.0, 1.0)};
     }
     return p;

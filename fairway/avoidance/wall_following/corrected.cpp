@@ -8,6 +8,7 @@
 #include "fairway/avoidance/safety_filter/hazards.hpp"
 #include "fairway/avoidance/wall_following/printed.hpp"
 #include "fairway/core/angles.hpp"
+#include "fairway/core/math.hpp"
 
 namespace fairway::wall {
 namespace {
@@ -124,14 +125,14 @@ class Bearings {
     for (const HalfPlane& h : allowed_) {
       if (h.offset <= -speed_) continue;
       const double turned = positive(turn_ * (bearing - begin(h)));
-      least = std::fmin(least, turned < 2.0 * pi - 2.0 * edge ? turned : 0.0);
+      least = math::fmin(least, turned < 2.0 * pi - 2.0 * edge ? turned : 0.0);
     }
     return least;
   }
 
  private:
-  static double middle(const HalfPlane& h) { return std::atan2(h.normal.y(), h.normal.x()); }
-  double half(const HalfPlane& h) const { return std::acos(h.offset / speed_); }
+  static double middle(const HalfPlane& h) { return math::atan2(h.normal.y(), h.normal.x()); }
+  double half(const HalfPlane& h) const { return math::acos(h.offset / speed_); }
 
   /// Where the arc begins for who turns away from the wall.
   double begin(const HalfPlane& h) const { return middle(h) - turn_ * half(h); }
@@ -145,8 +146,6 @@ class Bearings {
   double turn_;
   double speed_;
 };
-
-Vec2 direction_at(double bearing) { return {std::cos(bearing), std::sin(bearing)}; }
 
 /// The velocity along the wall, or `preferred` where the wall has gone. Faster than the mission wants where
 /// that is too slow to get out of the way.
@@ -173,13 +172,13 @@ Vec2 way_round(Round& round, std::span<const HalfPlane> half_planes, const Situa
 std::optional<Way> way_along(std::span<const HalfPlane> allowed, const Vec2& along, double turn,
                              double speed) noexcept {
   const Bearings bearings{allowed, turn, speed};
-  const double before = std::atan2(along.y(), along.x());
+  const double before = math::atan2(along.y(), along.x());
   if (!bearings.any_allowed()) return {};
   const std::optional<double> out = bearings.away_from_wall(before);
   if (!out) return {};
-  if (*out > 0.0) return Way{direction_at(before + turn * *out), true};
+  if (*out > 0.0) return Way{unit_at(before + turn * *out), true};
   const double back = bearings.towards_wall(before);
-  return back > pi / 2 ? Way{along, false} : Way{direction_at(before - turn * back), true};
+  return back > pi / 2 ? Way{along, false} : Way{unit_at(before - turn * back), true};
 }
 
 Command decide_corrected(const WallFollowing::Params& params, const Situation& s, Round& round,

@@ -53,10 +53,9 @@ Wish along(const Params& p, const Situation& s, const Detection& obstacle, const
 
 /// The tracking phase: PID on each body axis.
 Wrench tracked(const Params& p, const Situation& s, const Wish& wish, WallFollowing::Loop& loop) {
-  const Eigen::Rotation2Dd in_body{-s.own.yaw};
-  const Vec2 nu = in_body * s.own.velocity.head<2>();
-  const Vec2 nu_d = in_body * wish.velocity;
-  const Vec2 nu_d_rate = in_body * wish.rate + s.own.yaw_rate * Vec2{nu_d.y(), -nu_d.x()};
+  const Vec2 nu = turned(s.own.velocity.head<2>(), -s.own.yaw);
+  const Vec2 nu_d = turned(wish.velocity, -s.own.yaw);
+  const Vec2 nu_d_rate = turned(wish.rate, -s.own.yaw) + s.own.yaw_rate * Vec2{nu_d.y(), -nu_d.x()};
   const double elapsed = s.time - loop.last_time.value_or(s.time);
   const Vec2 nu_rate = elapsed > 0.0 ? Vec2{(nu - loop.last_nu) / elapsed} : Vec2{Vec2::Zero()};
   loop.last_time = s.time;

@@ -49,7 +49,7 @@ class Prototypes {
 };
 
 /// The avoiders that live on, one for each own id.
-class Crew {
+class Deciders {
  public:
   Avoider& of(const DecideRequest& request, const Avoider& prototype) {
     const auto [place, fresh] =
@@ -113,7 +113,7 @@ void decide_lines(std::istream& in, std::ostream& out, const Catalog& catalog, c
   Prototypes prototypes{catalog, options};
   // a wrapper answers in the dimensions of what it wraps
   const bool planar = catalog.find(options.algorithm.substr(0, options.algorithm.find('+'))).info.planar;
-  Crew crew;
+  Deciders deciders;
 
   std::string text;
   std::string answers;
@@ -132,7 +132,7 @@ void decide_lines(std::istream& in, std::ostream& out, const Catalog& catalog, c
       const Avoider& prototype = prototypes.of(request.params, line);
       Command command;
       if (options.keep_memory) {
-        command = crew.of(request, prototype).decide(request.situation());
+        command = deciders.of(request, prototype).decide(request.situation());
       } else {
         command = Avoider{prototype}.decide(request.situation());
       }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fairway/core/math.hpp"
 #include "fairway/core/params.hpp"
 
 namespace fairway {
@@ -51,7 +52,9 @@ struct Loaded {
 };
 
 /// A_11 = 2.7 rho nabla^(5/3) / L^2 (Soeding 1982).
-double added_mass_in_surge() { return 2.7 * rho * std::pow(hull_mass / rho, 5.0 / 3.0) / (length * length); }
+double added_mass_in_surge() {
+  return 2.7 * rho * math::exp(5.0 / 3.0 * math::log(hull_mass / rho)) / (length * length);
+}
 
 fossen::Matrix6 mass_of(const Loaded& boat) {
   fossen::Vector6 added;
@@ -64,10 +67,10 @@ fossen::Matrix6 mass_of(const Loaded& boat) {
 Vec3 stiffness_of(const Loaded& boat) {
   const double waterplane = waterplane_coefficient * length * pontoon_beam;
   const double cw = waterplane_coefficient;
-  const double transverse = 2.0 / 12.0 * length * std::pow(pontoon_beam, 3) *
+  const double transverse = 2.0 / 12.0 * length * math::power(pontoon_beam, 3) *
                                 (6.0 * cw * cw * cw / ((1.0 + cw) * (1.0 + 2.0 * cw))) +
                             2.0 * waterplane * pontoon_y * pontoon_y;
-  const double longitudinal = 0.8 * 2.0 / 12.0 * pontoon_beam * std::pow(length, 3);
+  const double longitudinal = 0.8 * 2.0 / 12.0 * pontoon_beam * math::power(length, 3);
 
   const double buoyancy_above_keel = (2.5 * boat.draft - 0.5 * boat.volume / (length * pontoon_beam)) / 3.0;
   const double gravity_above_keel = boat.draft - boat.centre.z();
@@ -104,12 +107,14 @@ fossen::Vector6 damping_of(const OtterParams& p, const fossen::Matrix6& M, const
   return D;
 }
 
-double roll_of(const Vec3& down_b) { return std::atan2(down_b.y(), down_b.z()); }
-double pitch_of(const Vec3& down_b) { return -std::asin(std::clamp(down_b.x(), -1.0, 1.0)); }
+double roll_of(const Vec3& down_b) { return math::atan2(down_b.y(), down_b.z()); }
+double pitch_of(const Vec3& down_b) { return -math::asin(std::clamp(down_b.x(), -1.0, 1.0)); }
 
 /// The third row of R at `roll` and `pitch`.
 Vec3 down_at(double roll, double pitch) {
-  return {-std::sin(pitch), std::cos(pitch) * std::sin(roll), std::cos(pitch) * std::cos(roll)};
+  const auto [sp, cp] = math::sin_cos(pitch);
+  const auto [sr, cr] = math::sin_cos(roll);
+  return {-sp, cp * sr, cp * cr};
 }
 
 }  // namespace
@@ -174,16 +179,17 @@ StateRate OtterHull::derivative(const VehicleState& x, double port_n, double sta
   const fossen::Vector6 nu_dot = M_inverse_ * force;
 
   // eta' = J(eta - eta_0) nu
-  const double cr = std::cos(roll - eta_0[1]), sr = std::sin(roll - eta_0[1]);
-  const double cp = std::cos(pitch - eta_0[2]), sp = std::sin(pitch - eta_0[2]);
+  const auto [sr, cr] = math::sin_cos(roll - eta_0[1]);
+  const auto [sp, cp] = math::sin_cos(pitch - eta_0[2]);
   const double lateral = cr * x.v_b.y() - sr * x.v_b.z(), vertical = sr * x.v_b.y() + cr * x.v_b.z();
   const double yaw_rate = (sr * omega.y() + cr * omega.z()) / cp;
   const double pitch_rate = cr * omega.y() - sr * omega.z();
   const double roll_rate = omega.x() + sp * yaw_rate;
 
+  const math::SinCos upright = math::sin_cos(roll);
   // the angular velocity in body axes that turns roll, pitch and yaw of the state so
   const Vec3 turning =
-      roll_rate * Vec3::UnitX() + pitch_rate * Vec3{0.0, std::cos(roll), -std::sin(roll)} + yaw_rate * down_b;
+      roll_rate * Vec3::UnitX() + pitch_rate * Vec3{0.0, upright.cos, -upright.sin} + yaw_rate * down_b;
 
   StateRate rate;
   rate.p_n << turned(cp * x.v_b.x() + sp * vertical, lateral), cp * vertical - sp * x.v_b.x();

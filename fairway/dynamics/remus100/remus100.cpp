@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fairway/core/angles.hpp"
+#include "fairway/core/math.hpp"
 #include "fairway/core/params.hpp"
 
 namespace fairway {
@@ -52,7 +53,7 @@ fossen::Vector6 added_mass() {
   const Vec3 water = spheroid(sea_density);
   const double e2 = 1.0 - semi_axis_b * semi_axis_b / (semi_axis_a * semi_axis_a);
   const double e = std::sqrt(e2), e3 = e * e2;
-  const double logarithm = std::log((1.0 + e) / (1.0 - e));
+  const double logarithm = math::log((1.0 + e) / (1.0 - e));
   const double alpha_0 = 2.0 * (1.0 - e2) / e3 * (0.5 * logarithm - e);
   const double beta_0 = 1.0 / e2 - (1.0 - e2) / (2.0 * e3) * logarithm;
   const double k_1 = alpha_0 / (2.0 - alpha_0);
@@ -157,14 +158,14 @@ fossen::Vector6 Remus100::actuator_wrench(const ActuatorValues& u, const Vec3& v
 fossen::Vector6 Remus100::hull_wrench(const Vec3& v, const Vec3& omega) const noexcept {
   // lift and drag of the hull as a wing in the vertical plane, turned from flow to body axes
   const double lift_slope = pi * aspect_ratio / (1.0 + std::sqrt(1.0 + aspect_ratio * aspect_ratio / 4.0));
-  const double alpha = std::atan2(v.z(), v.x());
+  const double alpha = math::atan2(v.z(), v.x());
   const double C_L = lift_slope * alpha;
   const double C_D = parasitic_drag_ + C_L * C_L / (pi * oswald_efficiency * aspect_ratio);
   const double pressure = 0.5 * sea_density * planform * v.squaredNorm();
-  const double along = std::hypot(v.x(), v.z());
+  const double along = math::hypot(v.x(), v.z());
   const double cosine = along > 0.0 ? v.x() / along : 1.0, sine = along > 0.0 ? v.z() / along : 0.0;
 
-  const double across = std::hypot(v.y(), v.z());
+  const double across = math::hypot(v.y(), v.z());
   const auto [drag, twist] = strips_.drag(v, omega, cylinder_.at(across * hull_length / viscosity));
 
   fossen::Vector6 wrench;
@@ -197,7 +198,7 @@ StateRate Remus100::derivative(const VehicleState& x, const ActuatorValues& u,
   fossen::Vector6 damping;
   damping << v, omega;
   damping.array() *= D_.array();
-  damping[0] *= std::exp(-3.0 * std::sqrt(std::abs(v.x()) + v.y() * v.y()));
+  damping[0] *= math::exp(-3.0 * std::sqrt(std::abs(v.x()) + v.y() * v.y()));
 
   const Vec3 down_b = R.row(2).transpose();
   const fossen::Vector6 force = actuator_wrench(u, v) + hull_wrench(v, omega) - coriolis(v, omega) - damping -
@@ -214,7 +215,7 @@ StateRate Remus100::derivative(const VehicleState& x, const ActuatorValues& u,
 
 double Remus100::power(const ActuatorValues& u) const noexcept {
   const double n = u[2] / 60.0;
-  return 2.0 * pi * n * sea_density * std::pow(propeller_diameter, 5) * K_Q_design * n * n;
+  return 2.0 * pi * n * sea_density * math::power(propeller_diameter, 5) * K_Q_design * n * n;
 }
 
 }  // namespace fairway

@@ -31,7 +31,7 @@ Circle fitted(const Circle& prior, std::span<const Echo> echoes, const EchoNoise
     information = prior_information;
     Vec3 pull = prior_information * (start - x);
     for (const Echo& echo : echoes) {
-      const Vec2 sight{std::cos(echo.bearing), std::sin(echo.bearing)};
+      const Vec2 sight = unit_at(echo.bearing);
       const Vec2 out = echo.range * sight - x.head<2>();
       const double distance = out.norm();
       if (distance < least_radius) continue;

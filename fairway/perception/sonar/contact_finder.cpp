@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fairway/core/angles.hpp"
+#include "fairway/core/math.hpp"
 #include "fairway/perception/sonar/circle_fit.hpp"
 
 namespace fairway {
@@ -15,7 +16,7 @@ constexpr double widest_sine = 0.95;     // of half the angle that a thing fills
 
 double square(double x) { return x * x; }
 
-Vec2 place_of(const Echo& echo) { return echo.range * Vec2{std::cos(echo.bearing), std::sin(echo.bearing)}; }
+Vec2 place_of(const Echo& echo) { return echo.range * unit_at(echo.bearing); }
 
 }  // namespace
 
@@ -137,8 +138,8 @@ ContactFinder::Sighting ContactFinder::disc(std::span<const Echo> thing) const {
   const double noise = bearing_variance_ * (count - 1.0) / count;
   const double evenly = std::max(0.0, spread - noise);
   const double half_angle =
-      std::min(0.5 * std::sqrt(12.0 * evenly + square(chart_.spacing())), std::asin(widest_sine));
-  const double sine = std::sin(half_angle);
+      std::min(0.5 * std::sqrt(12.0 * evenly + square(chart_.spacing())), math::asin(widest_sine));
+  const auto [sine, cosine] = math::sin_cos(half_angle);
 
   // at the angle b off its middle a disc is d (cos b - sqrt(sin^2 a - sin^2 b)) away
   double distance = 0.0;
@@ -148,7 +149,8 @@ ContactFinder::Sighting ContactFinder::disc(std::span<const Echo> thing) const {
     least_range = std::min(least_range, echo.range);
     const double off = echo.bearing - bearing;
     if (std::abs(off) > 0.5 * half_angle) continue;
-    distance += echo.range / (std::cos(off) - std::sqrt(square(sine) - square(std::sin(off))));
+    const auto [sine_off, cosine_off] = math::sin_cos(off);
+    distance += echo.range / (cosine_off - std::sqrt(square(sine) - square(sine_off)));
     central += 1.0;
   }
   distance = central > 0.0 ? distance / central : least_range / (1.0 - sine);
@@ -160,11 +162,11 @@ ContactFinder::Sighting ContactFinder::disc(std::span<const Echo> thing) const {
                                   0.8 * square(mean_square) * params_.missed_ratio) /
                                  count;
   const double angle_variance = square(1.5 / half_angle) * spread_variance + ragged;
-  const double radius_per_angle = distance * std::cos(half_angle) / (1.0 - sine);
+  const double radius_per_angle = distance * cosine / (1.0 - sine);
   const double range_variance = square(params_.echo_range_sigma_m / (1.0 - sine)) / std::max(central, 1.0);
   const double aside_variance = (bearing_variance_ + mean_square * params_.missed_ratio) / count + ragged;
-  const Eigen::Matrix2d sight{{std::cos(bearing), -std::sin(bearing)},
-                              {std::sin(bearing), std::cos(bearing)}};
+  Eigen::Matrix2d sight;
+  sight << unit_at(bearing), starboard_of(unit_at(bearing));
   const Vec2 variances{range_variance + square(radius_per_angle) * angle_variance,
                        square(distance) * aside_variance};
   return {.place = distance * sight.col(0),
@@ -214,7 +216,7 @@ Contact ContactFinder::placed(const Sighting& s, const VehicleState& estimate) c
 
   // a ball touches the beam with its centre up to a radius outside; everywhere there it is as likely
   const double half_aperture = 0.5 * radians(params_.vertical_aperture_deg);
-  const double height = s.place.norm() * std::sin(half_aperture) + s.radius;
+  const double height = s.place.norm() * math::sin(half_aperture) + s.radius;
   const double heading_variance = square(radians(params_.heading_sigma_deg));
 
   Contact contact{.position = estimate.p_n + hull * s.place,

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fairway/core/angles.hpp"
+#include "fairway/core/math.hpp"
 
 namespace fairway {
 namespace {
@@ -17,7 +18,7 @@ SonarParams checked(const SonarParams& params) {
 
 /// Knuth's product of uniforms. O(mean).
 int poisson(double mean, Rng& rng) {
-  const double limit = std::exp(-mean);
+  const double limit = math::exp(-mean);
   int count = 0;
   double product = rng.uniform(0.0, 1.0);
   while (product > limit) {

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "fairway/core/angles.hpp"
+#include "fairway/core/math.hpp"
 
 namespace fairway {
 namespace {
@@ -23,10 +24,11 @@ double range_of_disc(double ahead, double below, double radius2, double half_ape
   if (std::abs(below) <= ahead * tan_aperture) return distance - std::sqrt(radius2);
 
   // its centre is outside: along the edge of the beam that is nearer to it
-  const double off = std::abs(std::atan2(below, ahead)) - half_aperture;
-  const double chord2 = radius2 - distance2 * std::sin(off) * std::sin(off);
+  const double off = std::abs(math::atan2(below, ahead)) - half_aperture;
+  const auto [sine, cosine] = math::sin_cos(off);
+  const double chord2 = radius2 - distance2 * sine * sine;
   if (off >= 0.5 * pi || chord2 < 0.0) return unheard;
-  return distance * std::cos(off) - std::sqrt(chord2);
+  return distance * cosine - std::sqrt(chord2);
 }
 
 /// Numbers t from `low` to `high`.
@@ -48,13 +50,12 @@ struct Interval {
 Sweep::Sweep(const SonarParams& params)
     : half_field_{0.5 * radians(params.field_of_view_deg)},
       half_aperture_{0.5 * radians(params.vertical_aperture_deg)},
-      tan_aperture_{std::tan(half_aperture_)},
+      tan_aperture_{math::sin(half_aperture_) / math::cos(half_aperture_)},
       max_range_{params.max_range_m},
       spacing_{radians(params.field_of_view_deg) / params.beams_count},
       bearings_n_(static_cast<std::size_t>(params.beams_count), Vec2::Zero()),
       ranges_(static_cast<std::size_t>(params.beams_count), unheard) {
-  for (std::size_t beam = 0; beam < ranges_.size(); ++beam)
-    bearings_b_.emplace_back(std::cos(bearing(beam)), std::sin(bearing(beam)));
+  for (std::size_t beam = 0; beam < ranges_.size(); ++beam) bearings_b_.push_back(unit_at(bearing(beam)));
 }
 
 void Sweep::look_from(const Vec3& p_n, const Eigen::Quaterniond& q_nb) {
@@ -84,8 +85,8 @@ void Sweep::add_sphere(const Vec3& centre, double radius) {
   if (c_b.squaredNorm() > (max_range_ + radius) * (max_range_ + radius)) return;
   const Vec2 c = c_b.head<2>();
   const double distance = c.norm();
-  const double middle = std::atan2(c.y(), c.x());
-  const double half_width = distance > radius ? std::asin(radius / distance) : 2.0 * pi;
+  const double middle = math::atan2(c.y(), c.x());
+  const double half_width = distance > radius ? math::asin(radius / distance) : 2.0 * pi;
 
   const Beams seen = beams_between(middle - half_width, middle + half_width);
   for (std::size_t beam = seen.first; beam < seen.end; ++beam) {
@@ -117,8 +118,8 @@ void Sweep::add(const Obstacle& obstacle) {
 void Sweep::add_segment(const Vec3& from, const Vec3& to) {
   const Vec3 a = q_bn_ * (from - origin_);
   const Vec3 b = q_bn_ * (to - origin_);
-  const double of_a = std::atan2(a.y(), a.x());
-  const double of_b = std::atan2(b.y(), b.x());
+  const double of_a = math::atan2(a.y(), a.x());
+  const double of_b = math::atan2(b.y(), b.x());
 
   // one that passes astern may be seen at both ends
   Beams seen = beams_between(std::min(of_a, of_b), std::max(of_a, of_b));

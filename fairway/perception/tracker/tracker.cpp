@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fairway/core/math.hpp"
 #include "fairway/perception/tracker/gate.hpp"
 
 namespace fairway {
@@ -22,7 +23,7 @@ TrackerParams consistent(const TrackerParams& params) {
 double horizontal_sigma(const Mat3& covariance) {
   const double middle = 0.5 * (covariance(0, 0) + covariance(1, 1));
   const double half_difference = 0.5 * (covariance(0, 0) - covariance(1, 1));
-  return std::sqrt(middle + std::hypot(half_difference, covariance(0, 1)));
+  return std::sqrt(middle + math::hypot(half_difference, covariance(0, 1)));
 }
 
 }  // namespace
@@ -157,7 +158,7 @@ void Tracker::report(double time, std::vector<Track>& tracks) const {
     tracks.push_back({.id = target.id,
                       .position = now.position,
                       .velocity = now.velocity,
-                      .yaw = std::atan2(now.velocity.y(), now.velocity.x()),
+                      .yaw = math::atan2(now.velocity.y(), now.velocity.x()),
                       .radius = target.radius,
                       .age = time - target.seen,
                       .priority = params_.contacts_react ? 0 : first_priority,

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "fairway/core/angles.hpp"
+#include "fairway/core/math.hpp"
 #include "fairway/planning/blend/space_time.hpp"
 
 namespace fairway {
@@ -35,7 +36,7 @@ std::shared_ptr<const Plan> planned(const Params& params, const Situation& s, co
 
   // where the filter would not let it pass it need not plan to, unless it must
   PlanParams roomy = params;
-  if (params.filter) roomy.clearance_m = std::fmax(params.clearance_m, params.margin_m);
+  if (params.filter) roomy.clearance_m = math::fmax(params.clearance_m, params.margin_m);
   Plan plan = make_plan(roomy, plan_task(roomy, known), seed);
   if (plan.status != PlanStatus::ready) plan = make_plan(params, plan_task(params, known), seed);
   return std::make_shared<const Plan>(std::move(plan));
@@ -49,7 +50,7 @@ bool meets_track(const Params& params, const Situation& s, const Memory& memory,
   const double duration = memory.plan->trajectory.duration();
   for (int i = 0; i * sample_s <= params.lookahead_s; ++i) {
     const double ahead = i * sample_s;
-    const Vec2 own = place_at(memory, std::fmin(duration, from + ahead));
+    const Vec2 own = place_at(memory, math::fmin(duration, from + ahead));
     for (const Track& track : s.tracks) {
       const Vec3 there = track.position + ahead * track.velocity;
       const double room = s.own.radius + track.radius + params.margin_m;
@@ -62,7 +63,7 @@ bool meets_track(const Params& params, const Situation& s, const Memory& memory,
 /// Whether what was met lies on the trajectory within `horizon` [s] of `from`.
 bool meets_find(const Memory& memory, double from, double horizon) {
   if (!memory.met) return false;
-  const double end = std::fmin(memory.plan->trajectory.duration(), from + horizon);
+  const double end = math::fmin(memory.plan->trajectory.duration(), from + horizon);
   for (int i = 0; from + i * sample_s <= end; ++i) {
     if (!memory.met->is_free(place_at(memory, from + i * sample_s))) return true;
   }
@@ -104,7 +105,7 @@ std::optional<double> free_again(const Params& params, const Memory& memory) {
 Vec2 behind_block(const Params& params, const Memory& memory) {
   const std::optional<double> free = free_again(params, memory);
   if (!free) return memory.plan->task.goal;
-  return place_at(memory, std::fmin(memory.plan->trajectory.duration(), *free + params.lookahead_s));
+  return place_at(memory, math::fmin(memory.plan->trajectory.duration(), *free + params.lookahead_s));
 }
 
 /// How long it takes from here by the plan that there is: round the block on half a circle, and on.
@@ -162,12 +163,12 @@ Command follow(const Params& params, const Situation& s, double elapsed, Memory&
   const Trajectory& trajectory = memory.plan->trajectory;
   const double error = (place_at(memory, memory.progress_s) - seen_from_above(s.own.position)).norm();
   const double rate = std::clamp(2.0 - error / params.leash_m, 0.0, 1.0);
-  memory.progress_s = std::fmin(trajectory.duration(), memory.progress_s + rate * elapsed);
+  memory.progress_s = math::fmin(trajectory.duration(), memory.progress_s + rate * elapsed);
 
   const TrajectorySample now = trajectory.sample(memory.progress_s);
   const Vec2 back = params.position_bandwidth_radps * (now.position - seen_from_above(s.own.position));
   const Vec2 velocity = rate * now.velocity + back;
-  const double speed = std::fmin(s.limits.max_speed, std::fmax(s.goal.cruise_speed, now.velocity.norm()));
+  const double speed = math::fmin(s.limits.max_speed, math::fmax(s.goal.cruise_speed, now.velocity.norm()));
   return {.velocity = clamp_norm({velocity.x(), velocity.y(), 0.0}, speed)};
 }
 
@@ -204,7 +205,7 @@ std::optional<Vec3> dodge(const Params& params, const Situation& s, Memory& memo
   const Vec2 towards = behind_block(params, memory);
   std::vector<const PlanarMap*> maps{&memory.plan->task.map};
   if (memory.met) maps.push_back(memory.met.get());
-  const double speed = std::fmin(s.goal.cruise_speed, s.limits.max_speed);
+  const double speed = math::fmin(s.goal.cruise_speed, s.limits.max_speed);
   const Vec2 own = seen_from_above(s.own.position);
   for (const double share : {1.0, 0.5, 0.1}) {
     const auto leg = way_through({.from = own,

@@ -7,6 +7,8 @@
 #include <limits>
 #include <numbers>
 
+#include "fairway/core/math.hpp"
+
 namespace fairway {
 namespace {
 
@@ -37,7 +39,7 @@ Vec2 centre(const SpaceTimeTask& task, int place) {
 /// What it costs to be somewhere with so much room to the nearest thing; infinite without the margin.
 float price(double room, double margin) {
   if (room < margin) return blocked;
-  return 2.0F * static_cast<float>(std::fmax(0.0, 1.0 - (room - margin) / near));
+  return 2.0F * static_cast<float>(math::fmax(0.0, 1.0 - (room - margin) / near));
 }
 
 using Layer = std::vector<float>;
@@ -47,7 +49,7 @@ Layer standing_prices(const SpaceTimeTask& task) {
   for (int place = 0; place < rows * rows; ++place) {
     double room = std::numeric_limits<double>::infinity();
     for (const PlanarMap* map : task.maps)
-      room = std::fmin(room, map->clearance(centre(task, place)) + map->inflation() - task.radius);
+      room = math::fmin(room, map->clearance(centre(task, place)) + map->inflation() - task.radius);
     prices[static_cast<std::size_t>(place)] = price(room, task.margin);
   }
   return prices;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fairway/core/math.hpp"
 #include "fairway/planning/minimum_snap/fit_trajectory.hpp"
 
 namespace fairway {
@@ -40,13 +41,13 @@ double time_to(double distance, double speed, double acceleration) {
 /// The time that each piece takes when the path is sped up on, cruised and slowed down on.
 std::vector<double> profile(double length, int pieces, const TrajectoryLimits& limits) {
   const double acceleration =
-      std::fmin(profile_share * limits.max_acceleration_mps2, 1e3 * limits.max_speed_mps);
+      math::fmin(profile_share * limits.max_acceleration_mps2, 1e3 * limits.max_speed_mps);
   const auto time_at = [&](double s) {
     const double half = 0.5 * length;
-    const double up = time_to(std::fmin(s, half), limits.max_speed_mps, acceleration);
+    const double up = time_to(math::fmin(s, half), limits.max_speed_mps, acceleration);
     if (s <= half) return up;
     return 2.0 * time_to(half, limits.max_speed_mps, acceleration) -
-           time_to(std::fmax(0.0, length - s), limits.max_speed_mps, acceleration);
+           time_to(math::fmax(0.0, length - s), limits.max_speed_mps, acceleration);
   };
   std::vector<double> durations;
   for (int i = 0; i < pieces; ++i)

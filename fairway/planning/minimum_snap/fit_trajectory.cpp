@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "fairway/core/error.hpp"
+#include "fairway/core/math.hpp"
 #include "fairway/planning/minimum_snap/even_pace.hpp"
 
 namespace fairway {
@@ -124,7 +125,7 @@ void repair(Course& course, const Trajectory& trajectory, std::span<const Flaw> 
     for (std::size_t i = std::max<std::size_t>(1, flaw->segment);
          i <= flaw->segment + 1 && i + 1 < course.waypoints.size(); ++i) {
       Vec2& waypoint = course.waypoints[i];
-      const double has = std::fmax(0.0, map.clearance(waypoint));
+      const double has = math::fmax(0.0, map.clearance(waypoint));
       waypoint = pushed_out(waypoint, map, has + flaw->missing_m + margin);
     }
   }
@@ -162,7 +163,7 @@ double least_clearance(const Trajectory& trajectory, const PlanarMap& map) noexc
   if (trajectory.segments().empty()) return map.clearance(trajectory.sample(0.0).position);
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < trajectory.segments().size(); ++i) {
-    least = std::fmin(least, closest_pass(trajectory, i, map, least).clearance_m);
+    least = math::fmin(least, closest_pass(trajectory, i, map, least).clearance_m);
   }
   return least;
 }

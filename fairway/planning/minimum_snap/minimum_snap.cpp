@@ -8,6 +8,7 @@
 #include <string>
 
 #include "fairway/core/error.hpp"
+#include "fairway/core/math.hpp"
 
 namespace fairway {
 namespace {
@@ -67,7 +68,7 @@ struct System {
 std::vector<double> units_of(std::span<const double> durations) {
   std::vector<double> units{durations.front()};
   for (std::size_t i = 1; i < durations.size(); ++i) {
-    units.push_back(std::fmin(durations[i - 1], durations[i]));
+    units.push_back(math::fmin(durations[i - 1], durations[i]));
   }
   units.push_back(durations.back());
   return units;
@@ -82,7 +83,7 @@ System system_of(std::span<const Vec2> steps, std::span<const double> durations)
                 .units_s = units_of(durations)};
   for (std::size_t i = 0; i < durations.size(); ++i) {
     // inner waypoint i - 1 is where the segment begins, i where it ends
-    const double weight = std::pow(durations[i], -7);
+    const double weight = math::power(durations[i], -7);
     const Eigen::Vector3d first = to_normalised(durations[i], system.units_s[i]);
     const Eigen::Vector3d last = to_normalised(durations[i], system.units_s[i + 1]);
     if (i > 0) {
@@ -202,7 +203,7 @@ Trajectory paced(const Trajectory& trajectory, const TrajectoryLimits& limits) {
   if (trajectory.segments().empty()) return trajectory;
   const double by_speed = trajectory.peak_speed() / limits.max_speed_mps;
   const double by_acceleration = std::sqrt(trajectory.peak_acceleration() / limits.max_acceleration_mps2);
-  return trajectory.slowed(std::fmax(by_speed, by_acceleration));
+  return trajectory.slowed(math::fmax(by_speed, by_acceleration));
 }
 
 }  // namespace fairway

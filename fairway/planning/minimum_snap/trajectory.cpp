@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "fairway/core/error.hpp"
+#include "fairway/core/math.hpp"
 
 namespace fairway {
 namespace {
@@ -27,7 +28,7 @@ Vec2 derivative_by_s(const Trajectory::Coefficients& c, int order, double s) {
 /// Raises `greatest` to the greatest norm on `curve`, but for a millionth: a piece that cannot beat it by
 /// that is left alone.
 void raise(double& greatest, const Bezier& curve, int depth) {
-  greatest = std::fmax(greatest, std::fmax(curve.first().norm(), curve.last().norm()));
+  greatest = math::fmax(greatest, math::fmax(curve.first().norm(), curve.last().norm()));
   if (depth == 0 || curve.norm_bound() <= (1.0 + 0.9e-6) * greatest) return;
   const auto [left, right] = curve.halves();
   raise(greatest, left, depth - 1);
@@ -49,7 +50,7 @@ Trajectory::Trajectory(std::vector<Segment> segments) : segments_{std::move(segm
 
 Vec2 Trajectory::derivative(std::size_t segment, int order, double s) const noexcept {
   const Segment& piece = segments_[segment];
-  return derivative_by_s(piece.coefficients, order, s) / std::pow(piece.duration, order);
+  return derivative_by_s(piece.coefficients, order, s) / math::power(piece.duration, order);
 }
 
 TrajectorySample Trajectory::sample(double time) const noexcept {
@@ -72,7 +73,8 @@ Bezier Trajectory::curve(std::size_t segment, int order) const noexcept {
   const Segment& piece = segments_[segment];
   Bezier::Points powers(2, 8 - order);
   for (int k = order; k < 8; ++k) {
-    powers.col(k - order) = falling(k, order) / std::pow(piece.duration, order) * piece.coefficients.col(k);
+    powers.col(k - order) =
+        falling(k, order) / math::power(piece.duration, order) * piece.coefficients.col(k);
   }
   return Bezier::from_powers(powers);
 }
@@ -91,7 +93,7 @@ double Trajectory::snap_integral() const noexcept {
     for (int i = 4; i < 8; ++i) {
       for (int k = 4; k < 8; ++k) {
         sum += falling(i, 4) * falling(k, 4) * piece.coefficients.col(i).dot(piece.coefficients.col(k)) /
-               ((i + k - 7) * std::pow(piece.duration, 7));
+               ((i + k - 7) * math::power(piece.duration, 7));
       }
     }
   }

@@ -7,6 +7,8 @@
 #include <limits>
 #include <utility>
 
+#include "fairway/core/math.hpp"
+
 namespace fairway {
 namespace {
 
@@ -24,10 +26,10 @@ double speed_against(const OnboardModel& model, int axis, double force) {
 TrajectoryLimits limits_of(const OnboardModel& model) {
   TrajectoryLimits limits{unlimited, unlimited};
   for (const int axis : {0, 1}) {
-    const double half = 0.5 * std::fmin(-model.least[axis], model.greatest[axis]);
+    const double half = 0.5 * math::fmin(-model.least[axis], model.greatest[axis]);
     if (!(half > 0.0)) continue;
-    limits.max_speed_mps = std::fmin(limits.max_speed_mps, speed_against(model, axis, half));
-    limits.max_acceleration_mps2 = std::fmin(limits.max_acceleration_mps2, half / model.mass[axis]);
+    limits.max_speed_mps = math::fmin(limits.max_speed_mps, speed_against(model, axis, half));
+    limits.max_acceleration_mps2 = math::fmin(limits.max_acceleration_mps2, half / model.mass[axis]);
   }
   return limits;
 }
@@ -36,11 +38,11 @@ TrajectoryLimits limits_for(const PlanParams& params, const Situation& s) {
   const TrajectoryLimits thrust =
       s.model != nullptr ? limits_of(*s.model) : TrajectoryLimits{unlimited, unlimited};
   const double speed = params.max_speed_mps > 0.0 ? params.max_speed_mps
-                                                  : std::fmin(s.goal.cruise_speed, thrust.max_speed_mps);
+                                                  : math::fmin(s.goal.cruise_speed, thrust.max_speed_mps);
   const double acceleration = params.max_acceleration_mps2 > 0.0
                                   ? params.max_acceleration_mps2
-                                  : std::fmin(s.limits.max_acceleration, thrust.max_acceleration_mps2);
-  return {std::fmin(speed, s.limits.max_speed), acceleration};
+                                  : math::fmin(s.limits.max_acceleration, thrust.max_acceleration_mps2);
+  return {math::fmin(speed, s.limits.max_speed), acceleration};
 }
 
 /// From the start through the given waypoints; one where the vehicle is already is no segment.

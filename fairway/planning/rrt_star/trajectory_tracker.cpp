@@ -11,10 +11,7 @@ namespace {
 constexpr int surge = 0, sway = 1, yaw = 5;
 
 /// An Earth-fixed vector of the plane in the axes of a body at heading `psi`.
-Vec2 in_body_axes(const Vec2& v, double psi) {
-  const double c = std::cos(psi), s = std::sin(psi);
-  return {c * v.x() + s * v.y(), c * v.y() - s * v.x()};
-}
+Vec2 in_body_axes(const Vec2& v, double psi) { return turned(v, -psi); }
 
 /// How far the vehicle is from where it should be, and how fast that changes: north, east, heading.
 struct TrackingError {

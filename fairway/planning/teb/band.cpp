@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fairway/core/angles.hpp"
+#include "fairway/core/math.hpp"
 
 namespace fairway::teb {
 namespace {
@@ -20,9 +21,9 @@ Knot halfway(const Knot& a, const Knot& b) {
 
 /// The time that the speed limits leave from one knot to the next.
 double quickest(const TebParams& params, const Knot& a, const Knot& b) {
-  const double way = std::hypot(b[0] - a[0], b[1] - a[1]);
+  const double way = math::hypot(b[0] - a[0], b[1] - a[1]);
   const double turn = std::abs(wrap_angle(b[heading_of] - a[heading_of]));
-  return std::fmax(way / params.max_vel_x_mps, turn / params.max_vel_theta_radps);
+  return math::fmax(way / params.max_vel_x_mps, turn / params.max_vel_theta_radps);
 }
 
 /// One walk along the band; false if nothing had to be done.
@@ -76,7 +77,7 @@ Band band_along(const TebParams& params, std::span<const Vec2> path, const Pose&
   Band band;
   for (std::size_t leg = 0; leg + 1 < path.size(); ++leg) {
     const Vec2 way = path[leg + 1] - path[leg];
-    const double heading = std::atan2(way.y(), way.x());
+    const double heading = math::atan2(way.y(), way.x());
     const int steps = static_cast<int>(std::clamp(std::ceil(way.norm() / step), 1.0, most_steps));
     for (int k = 0; k < steps; ++k)
       band.knots.push_back(knot_at({path[leg] + way * k / steps, heading}, 0.0));
@@ -87,7 +88,7 @@ Band band_along(const TebParams& params, std::span<const Vec2> path, const Pose&
     band.knots.insert(band.knots.begin() + 1, halfway(band.knots[0], band.knots[1]));
   }
   for (std::size_t i = 0; i + 1 < band.size(); ++i) {
-    band.time(i) = std::fmax(1e-3, quickest(params, band.knots[i], band.knots[i + 1]));
+    band.time(i) = math::fmax(1e-3, quickest(params, band.knots[i], band.knots[i + 1]));
   }
   return band;
 }

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "fairway/core/angles.hpp"
+#include "fairway/core/math.hpp"
 #include "fairway/planning/teb/optimise.hpp"
 
 namespace fairway::teb {
@@ -49,7 +50,7 @@ class NormalEquations {
 
   double largest_diagonal() const {
     double largest = 0.0;
-    for (std::size_t i = first_; i < last_; ++i) largest = std::fmax(largest, columns_[i][0]);
+    for (std::size_t i = first_; i < last_; ++i) largest = math::fmax(largest, columns_[i][0]);
     return largest;
   }
 
@@ -105,7 +106,7 @@ void move(const Problem& problem, const NormalEquations& equations, const std::v
     double& number = band.knots[i / 4][i % 4];
     number += step[i];
     if (i % 4 == heading_of) number = wrap_angle(number);
-    if (i % 4 == time_of && problem.params.robust) number = std::fmax(number, shortest_time);
+    if (i % 4 == time_of && problem.params.robust) number = math::fmax(number, shortest_time);
   }
 }
 

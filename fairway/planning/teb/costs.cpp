@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fairway/core/angles.hpp"
+#include "fairway/core/math.hpp"
 
 namespace fairway::teb {
 namespace {
@@ -33,7 +34,8 @@ Twist motion_between(const double* x) {
   constexpr double steepness = 100.0;
   constexpr double tiny = 1e-12;
   const Vec2 way{x[4] - x[0], x[5] - x[1]};
-  const double c = std::cos(x[2]), s = std::sin(x[2]), time = x[3];
+  const auto [s, c] = math::sin_cos(x[2]);
+  const double time = x[3];
   const double length = way.norm();
   const double ahead = c * way.x() + s * way.y();
   const double abeam = c * way.y() - s * way.x();  // derivative of `ahead` by the heading
@@ -118,7 +120,8 @@ void EndAccelerationCost::operator()(const double* x, Output& out) const {
 
 void KinematicsCost::operator()(const double* x, Output& out) const {
   const Vec2 way{x[4] - x[0], x[5] - x[1]};
-  const double c1 = std::cos(x[2]), s1 = std::sin(x[2]), c2 = std::cos(x[6]), s2 = std::sin(x[6]);
+  const auto [s1, c1] = math::sin_cos(x[2]);
+  const auto [s2, c2] = math::sin_cos(x[6]);
 
   const double root = std::sqrt(params.weight_kinematics_nh_ratio);
   out.value[0] = root * ((c1 + c2) * way.y() - (s1 + s2) * way.x());

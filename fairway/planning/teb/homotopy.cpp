@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fairway/core/angles.hpp"
+#include "fairway/core/math.hpp"
 #include "fairway/planning/planar_map.hpp"
 
 namespace fairway::teb {
@@ -16,7 +17,7 @@ void add_turns(std::span<const BandObstacle> barriers, const Vec2& from, const V
   for (std::size_t i = 0; i < barriers.size(); ++i) {
     const Vec2 a = from - barriers[i].centre(begin);
     const Vec2 b = to - barriers[i].centre(end);
-    turns[i] += std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)) / (2.0 * pi);
+    turns[i] += math::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)) / (2.0 * pi);
   }
 }
 
@@ -141,7 +142,7 @@ Signature signature_of(std::span<const BandObstacle> barriers, const Band& band)
 bool are_alike(const TebParams& params, const Signature& a, const Signature& b) {
   if (!params.include_dynamic_obstacles) return !differ_by_a_turn(a, b);
   for (std::size_t i = 0; i < a.size(); ++i) {
-    const bool both_count = std::fmin(std::abs(a[i]), std::abs(b[i])) >= params.h_signature_threshold_ratio;
+    const bool both_count = math::fmin(std::abs(a[i]), std::abs(b[i])) >= params.h_signature_threshold_ratio;
     if (both_count && (a[i] > 0.0) != (b[i] > 0.0)) return false;
   }
   return true;

@@ -15,7 +15,7 @@ void associate_still(std::span<const BandObstacle> barriers, const Pose& pose, s
   const double included =
       params.obstacle_association_force_inclusion_factor_ratio * params.min_obstacle_dist_m;
   const double cut_off = params.obstacle_association_cutoff_factor_ratio * params.min_obstacle_dist_m;
-  const Vec2 ahead{std::cos(pose.heading), std::sin(pose.heading)};
+  const Vec2 ahead = unit_at(pose.heading);
 
   struct Nearest {
     const BandObstacle* barrier{};

@@ -80,7 +80,7 @@ Task task_of(const TebParams& params, const Situation& s, std::span<const Vec2> 
           .start = {own, wrap_angle(s.own.yaw)},
           .end = ahead.end,
           .way = std::move(ahead.points),
-          .speed = std::cos(s.own.yaw) * s.own.velocity.x() + std::sin(s.own.yaw) * s.own.velocity.y(),
+          .speed = unit_at(s.own.yaw).dot(s.own.velocity.head<2>()),
           .yaw_rate = s.own.yaw_rate};
 }
 
@@ -181,7 +181,7 @@ Command first_command(const Task& task, const Band& band) {
   const TebParams& params = task.params;
   const double heading = task.start.heading;
   const Vec2 way = band.position(1) - band.position(0);
-  const Vec2 ahead{std::cos(heading), std::sin(heading)};
+  const Vec2 ahead = unit_at(heading);
   const double speed = std::clamp(std::copysign(way.norm(), way.dot(ahead)) / band.time(0),
                                   -params.max_vel_x_backwards_mps, params.max_vel_x_mps);
   const double turn = wrap_angle(band.pose(1).heading - heading) / band.time(0);

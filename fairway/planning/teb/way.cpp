@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "fairway/core/math.hpp"
 #include "fairway/planning/path_planner.hpp"
 
 namespace fairway::teb {
@@ -56,9 +57,9 @@ WayAhead ahead_on(std::span<const Vec2> way, const Vec2& own, double lookahead) 
   }
   const double length = leg().norm();
   ahead.end.position = way[place.leg + 1];
-  if (length > 0.0) ahead.end.position = way[place.leg] + std::fmin(reach, length) * leg() / length;
+  if (length > 0.0) ahead.end.position = way[place.leg] + math::fmin(reach, length) * leg() / length;
   const Vec2 course = length > 0.0 ? leg() : Vec2{ahead.end.position - own};
-  ahead.end.heading = std::atan2(course.y(), course.x());
+  ahead.end.heading = math::atan2(course.y(), course.x());
   ahead.points.push_back(ahead.end.position);
   return ahead;
 }

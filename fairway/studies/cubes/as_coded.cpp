@@ -6,6 +6,7 @@
 
 #include "fairway/avoidance/orca3d/half_space.hpp"
 #include "fairway/avoidance/parting.hpp"
+#include "fairway/core/math.hpp"
 
 namespace fairway::cubes {
 namespace {
@@ -14,7 +15,7 @@ std::size_t slot(std::uint32_t id) { return id % (2 * max_team); }
 
 /// A velocity over ground in the axes of a level vehicle.
 Vec3 in_body_axes(const Vec3& v_n, double yaw) {
-  const double c = std::cos(yaw), s = std::sin(yaw);
+  const auto [s, c] = math::sin_cos(yaw);
   return {c * v_n.x() + s * v_n.y(), c * v_n.y() - s * v_n.x(), v_n.z()};
 }
 
@@ -53,7 +54,7 @@ Command ApfAsCoded::decide(const Situation& s, Memory& memory, Context&) const n
   const Vec3 v_f = params.w1_ratio * unit(s.goal.position - s.own.position) + params.w2_ratio * memory.v_obs;
   const double speed = s.goal.cruise_speed;
   const double horizontal = horizontal_norm(v_f);
-  const double surge = params.bang_bang ? speed : std::fmin(horizontal, speed);
+  const double surge = params.bang_bang ? speed : math::fmin(horizontal, speed);
   Vec3 velocity = horizontal > 0.0 ? Vec3{surge / horizontal * v_f} : Vec3{Vec3::Zero()};
   velocity.z() = params.bang_bang ? std::copysign(speed, v_f.z()) : std::clamp(v_f.z(), -speed, speed);
   return {.velocity = velocity, .mode = anyone_near ? Mode::avoid : Mode::cruise, .astern = anyone_near};

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "fairway/core/math.hpp"
 #include "fairway/experiment/measure_run.hpp"
 #include "fairway/studies/cubes/cubes.hpp"
 #include "fairway/studies/page_blocks.hpp"
@@ -70,7 +71,7 @@ class Curves final : public FrameSink {
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t j = 0; j < frame.vehicles.size(); ++j) {
       if (j == index) continue;
-      nearest = std::fmin(nearest, (frame.vehicles[j].state.p_n - frame.vehicles[index].state.p_n).norm());
+      nearest = math::fmin(nearest, (frame.vehicles[j].state.p_n - frame.vehicles[index].state.p_n).norm());
     }
     return nearest;
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fairway/core/angles.hpp"
+#include "fairway/core/math.hpp"
 #include "fairway/core/rng.hpp"
 #include "fairway/studies/cubes/published.hpp"
 
@@ -76,7 +77,7 @@ void put_at_recorded_start(VehicleSpec& vehicle, const CubeCase& cube, Rng& chan
   const double distance = start.mean + start.deviation * chance.normal();
   const double out = std::sqrt((distance * distance - rise * rise) / 2) - h;
   vehicle.position = {out * vertex.north, out * vertex.east, depth};
-  vehicle.yaw = std::atan2(vertex.east, vertex.north);
+  vehicle.yaw = math::atan2(vertex.east, vertex.north);
   vehicle.start_delay_s = chance.uniform(0.0, 0.1);
   vehicle.mission.erase(vehicle.mission.begin(), vehicle.mission.end() - 1);
 }

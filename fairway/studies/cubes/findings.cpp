@@ -9,6 +9,7 @@
 #include <functional>
 #include <map>
 
+#include "fairway/core/math.hpp"
 #include "fairway/core/text.hpp"
 #include "fairway/experiment/statistics.hpp"
 #include "fairway/studies/cubes/published.hpp"
@@ -304,7 +305,7 @@ std::string clearance(Rows rows, std::string_view mode, std::string_view method,
   const auto least = rows_with(rows, mode, "min_separation_m", fits);
   if (least.empty() || runs == 0.0 || runs != same_runs) return "";
   double nearest = least.front()->measured;
-  for (const StudyRow* row : least) nearest = std::fmin(nearest, row->measured);
+  for (const StudyRow* row : least) nearest = math::fmin(nearest, row->measured);
   return fmt::format(
       "{} {}{}: of {:.0f} runs {:.0f} kept 3 m between centres and {:.0f} kept 6 m; least {:.2f} m.", mode,
       method, told ? fmt::format(", told {:g} m", *told) : "", runs, clear_of_3, clear_of_6, nearest);

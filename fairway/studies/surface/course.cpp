@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "fairway/core/math.hpp"
 #include "fairway/core/rng.hpp"
 #include "fairway/studies/disc.hpp"
 
@@ -117,8 +118,7 @@ Layout varied(Course course, std::uint64_t seed) {
   if (layout.vessel) {
     layout.vessel = anywhere_near(*layout.vessel, 1.0, rng);
     const double speed_ratio = rng.uniform(0.8, 1.2);
-    layout.vessel_velocity =
-        speed_ratio * (Eigen::Rotation2Dd{rng.uniform(-0.2, 0.2)} * layout.vessel_velocity);
+    layout.vessel_velocity = speed_ratio * turned(layout.vessel_velocity, rng.uniform(-0.2, 0.2));
   }
 
   const double height = rng.uniform(0.01, 0.3);
@@ -131,7 +131,7 @@ Layout varied(Course course, std::uint64_t seed) {
                                                  .components_count = 20}};
   const double current_speed = rng.uniform(0.0, 0.2);
   const double current_to = rng.uniform(-pi, pi);
-  layout.water.current_n = current_speed * Vec3{std::cos(current_to), std::sin(current_to), 0.0};
+  layout.water.current_n = current_speed * Vec3{math::cos(current_to), math::sin(current_to), 0.0};
   return layout;
 }
 

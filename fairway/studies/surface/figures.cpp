@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "fairway/core/math.hpp"
 #include "fairway/sim/simulation.hpp"
 #include "fairway/studies/page_blocks.hpp"
 #include "fairway/studies/study_runs.hpp"
@@ -84,10 +85,10 @@ json ways(const std::string& title, Course course, const std::vector<Passage>& p
   double last = 0.0;
   for (const Passage& passage : passages) {
     tracks.push_back(passage.track);
-    last = std::fmax(last, passage.track["t"].back().get<double>());
+    last = math::fmax(last, passage.track["t"].back().get<double>());
   }
   const Layout layout = layout_of(course);
-  if (layout.vessel) tracks.push_back(way_of_the_other(layout, std::fmin(last, 40.0)));
+  if (layout.vessel) tracks.push_back(way_of_the_other(layout, math::fmin(last, 40.0)));
   return page::scene(title, std::move(tracks), layout.obstacles(), layout.goal);
 }
 

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "fairway/core/math.hpp"
 #include "fairway/studies/transport/findings.hpp"
 
 namespace fairway::transport {
@@ -56,7 +57,7 @@ std::optional<int> departs_at(const Cell& cell, Case which) {
                sway_told = published(which, cell.method, sway);
     if (!surge_told || !sway_told) continue;
     const Vec2 told{*surge_told, *sway_told}, measured{cell.value(0, surge), cell.value(0, sway)};
-    if (!(told.dot(measured) >= std::cos(octant) * told.norm() * measured.norm())) return obstacle;
+    if (!(told.dot(measured) >= math::cos(octant) * told.norm() * measured.norm())) return obstacle;
   }
   return {};
 }

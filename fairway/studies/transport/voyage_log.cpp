@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "fairway/core/math.hpp"
 #include "fairway/experiment/measure_run.hpp"
 #include "fairway/planning/rrt_star/rrt_star.hpp"
 #include "fairway/studies/transport/field.hpp"
@@ -21,7 +22,7 @@ std::array<Vec3, 4> tips_of(const VehicleState& state) {
   std::array<Vec3, 4> tips;
   for (std::size_t i = 0; i < tips.size(); ++i) {
     const double angle = yaw_of(state.q_nb) + 0.5 * pi * static_cast<double>(i);
-    tips[i] = state.p_n + footprint_radius * Vec3{std::cos(angle), std::sin(angle), 0.0};
+    tips[i] = state.p_n + footprint_radius * Vec3{math::cos(angle), math::sin(angle), 0.0};
   }
   return tips;
 }
@@ -50,7 +51,7 @@ void VoyageLog::see_forces(const Frame& frame) {
   if (!commanded) return;
   if (!first_) first_ = commanded;
   greatest_ = greatest_.cwiseMax(*commanded);
-  greatest_[5] = std::fmax(greatest_[5], -(*commanded)[5]);
+  greatest_[5] = math::fmax(greatest_[5], -(*commanded)[5]);
 }
 
 void VoyageLog::see_detection(const VehicleFrame& vehicle) {
@@ -93,7 +94,7 @@ void VoyageLog::see_danger(const Frame& frame) {
   for (std::size_t i = 0; i < specs_.size(); ++i) {
     const DriftingObstacle obstacle{obstacles_[i], specs_[i].velocity};
     const double gap = nearest_point(obstacle.at(frame.time), p).distance - footprint_radius;
-    clearance = std::fmin(clearance, gap);
+    clearance = math::fmin(clearance, gap);
     const bool seen = gap <= sight_;
     if (seen && !in_sight_[i]) {
       surprised_at_ = p;

@@ -131,8 +131,8 @@ Meeting varied(Encounter encounter, std::uint64_t seed) {
   for (double& delay : meeting.start_delays_s) delay = rng.uniform(0.0, 1.0);
   for (Vec3& ship : meeting.ships) ship = anywhere_near(ship, 2.0, rng);
   const double speed_ratio = rng.uniform(0.9, 1.1);
-  meeting.ship_velocity =
-      speed_ratio * (Eigen::AngleAxisd{rng.uniform(-0.1, 0.1), Vec3::UnitZ()} * meeting.ship_velocity);
+  meeting.ship_velocity.head<2>() = turned(meeting.ship_velocity.head<2>(), rng.uniform(-0.1, 0.1));
+  meeting.ship_velocity *= speed_ratio;
   return meeting;
 }
 

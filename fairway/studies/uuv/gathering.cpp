@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "fairway/core/math.hpp"
 #include "fairway/core/rng.hpp"
 
 namespace fairway::uuv {
@@ -40,11 +41,11 @@ Vec3 near_place(double n, double e, double reach, Rng& rng) {
 
 std::vector<Voyage> swaps(std::size_t count, Rng rng) {
   const auto n = static_cast<double>(count);
-  const double radius = std::fmax(20.0, 4.0 * kept_radius * n / (2.0 * pi));
+  const double radius = math::fmax(20.0, 4.0 * kept_radius * n / (2.0 * pi));
   std::vector<Voyage> voyages;
   for (std::size_t i = 0; i < count; ++i) {
     const double angle = 2.0 * pi * static_cast<double>(i) / n;
-    const Vec3 start = near_place(radius * std::cos(angle), radius * std::sin(angle), 0.25, rng);
+    const Vec3 start = near_place(radius * math::cos(angle), radius * math::sin(angle), 0.25, rng);
     voyages.push_back({start, -start});
   }
   return voyages;
@@ -69,7 +70,7 @@ std::vector<Voyage> crossing(std::size_t count, Rng rng) {
 
 double nearest_of(const Vec3& place, const std::vector<Voyage>& voyages, Vec3 Voyage::*end) {
   double nearest = std::numeric_limits<double>::infinity();
-  for (const Voyage& voyage : voyages) nearest = std::fmin(nearest, (voyage.*end - place).norm());
+  for (const Voyage& voyage : voyages) nearest = math::fmin(nearest, (voyage.*end - place).norm());
   return nearest;
 }
 
@@ -128,7 +129,7 @@ Scenario gathering_scenario(const Gathering& gathering, const Awareness& awarene
                             std::uint64_t seed) {
   const std::vector<Voyage> voyages = voyages_of(gathering, seed);
   double longest = 0.0;
-  for (const Voyage& voyage : voyages) longest = std::fmax(longest, (voyage.goal - voyage.start).norm());
+  for (const Voyage& voyage : voyages) longest = math::fmax(longest, (voyage.goal - voyage.start).norm());
 
   Scenario scenario{.name = gathering.name(), .step_s = 0.1, .seed = seed};
   scenario.steps_per_decision = 2;

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "fairway/core/math.hpp"
+
 namespace fairway::uuv {
 namespace {
 
@@ -51,7 +53,7 @@ VehicleSpec uuv_of(std::size_t index, const Vec3& start, const Vec3& goal, doubl
   VehicleSpec uuv{.id = static_cast<std::uint32_t>(index), .name = fmt::format("uuv{}", index + 1)};
   uuv.model = model_of(hull, agility);
   uuv.position = start;
-  uuv.yaw = std::atan2(way.y(), way.x());
+  uuv.yaw = math::atan2(way.y(), way.x());
   uuv.steering = steering_of(hull, uuv.yaw);
   uuv.priority = static_cast<std::int32_t>(index);
   uuv.limits = limits_of(hull, agility);

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "fairway/core/angles.hpp"
+#include "fairway/core/math.hpp"
 #include "fairway/experiment/measure_run.hpp"
 #include "fairway/studies/uuv/timeline.hpp"
 
@@ -27,7 +28,7 @@ class CourseLog final : public FrameSink {
       const VehicleFrame& vehicle = frame.vehicles[i];
       const Vec3 v = vehicle.state.v_n();
       if (!is_avoiding(vehicle.phase) || horizontal_norm(v) < slowest_way) continue;
-      const double course = std::atan2(v.y(), v.x());
+      const double course = math::atan2(v.y(), v.x());
       if (courses_[i]) total_ += std::abs(wrap_angle(course - *courses_[i]));
       courses_[i] = course;
     }

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "fairway/core/angles.hpp"
+#include "fairway/core/math.hpp"
 
 namespace fairway::uuv {
 namespace {
@@ -17,7 +18,7 @@ constexpr double aside_angle = 0.05236;  // 3 degrees [rad]
 /// Between two directions; of a standstill, the largest.
 double angle_between(const Vec2& a, const Vec2& b) {
   if (a.isZero(1e-9) || b.isZero(1e-9)) return pi;
-  return std::abs(std::atan2(cross(a, b), a.dot(b)));
+  return std::abs(math::atan2(cross(a, b), a.dot(b)));
 }
 
 }  // namespace
@@ -49,7 +50,7 @@ void Timeline::see_vehicle(const Frame& frame, std::size_t index) {
   for (std::size_t j = 0; j < frame.vehicles.size(); ++j) {
     if (j == index) continue;
     const Vec2 towards = frame.vehicles[j].state.p_n.head<2>() - sample.position;
-    vehicle_gap_ = std::fmin(vehicle_gap_, towards.norm() - radii_[index] - radii_[j]);
+    vehicle_gap_ = math::fmin(vehicle_gap_, towards.norm() - radii_[index] - radii_[j]);
     if (towards.norm() >= sample.nearest) continue;
     sample.nearest = towards.norm();
     sample.towards = towards;
@@ -61,7 +62,7 @@ void Timeline::see_ships(const Frame& frame, std::size_t index) {
   for (const ObstacleSpec& ship : ships_) {
     const Vec3 there = ship.position + frame.time * ship.velocity;
     const double distance = (there - frame.vehicles[index].state.p_n).norm();
-    ship_gap_ = std::fmin(ship_gap_, distance - ship.radius - radii_[index]);
+    ship_gap_ = math::fmin(ship_gap_, distance - ship.radius - radii_[index]);
   }
 }
 
@@ -79,7 +80,7 @@ Events Timeline::events(std::size_t index) const {
   double greatest_speed = 0.0, farthest = 0.0;
   for (auto sample = way.begin(); sample != end; ++sample) {
     const double speed = sample->velocity.norm();
-    greatest_speed = std::fmax(greatest_speed, speed);
+    greatest_speed = math::fmax(greatest_speed, speed);
     if (!events.slow_down && speed < slower_ratio * greatest_speed) events.slow_down = sample->time;
     const bool moves = speed > 0.1 * sample->wanted_speed;
     if (!events.aside && moves && off_course(*sample) > aside_angle) events.aside = sample->time;
@@ -104,7 +105,8 @@ Events Timeline::events(std::size_t index) const {
   if ((events.aside || events.slow_down) && resume != end) events.resume = resume->time;
 
   // at its slowest between
-  const double begins = std::fmin(events.slow_down.value_or(events.pass), events.aside.value_or(events.pass));
+  const double begins =
+      math::fmin(events.slow_down.value_or(events.pass), events.aside.value_or(events.pass));
   events.least_speed = std::numeric_limits<double>::infinity();
   for (auto sample = way.begin(); sample != resume; ++sample) {
     if (sample->time < begins || sample->velocity.norm() >= events.least_speed) continue;

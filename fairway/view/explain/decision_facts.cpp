@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "fairway/core/angles.hpp"
+#include "fairway/core/math.hpp"
 
 namespace fairway {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 /// A velocity this near a limit is at it, and one this slow has no course [m/s].
 constexpr double velocity_tolerance = 1e-9;
 
-double course_of(const Vec3& velocity) { return std::atan2(velocity.y(), velocity.x()); }
+double course_of(const Vec3& velocity) { return math::atan2(velocity.y(), velocity.x()); }
 
 Precedence precedence_of(const Ownship& own, const Track& track) {
   if (own.priority == track.priority) return Precedence::equal;
@@ -89,7 +90,7 @@ ClosestApproach closest_approach(const Vec3& position, const Vec3& velocity) noe
 }
 
 double bearing_from_bow(const Vec3& offset, double yaw) noexcept {
-  return wrap_angle(std::atan2(offset.y(), offset.x()) - yaw);
+  return wrap_angle(math::atan2(offset.y(), offset.x()) - yaw);
 }
 
 DecisionFacts facts_of(const Situation& situation, const Command& command) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "fairway/core/angles.hpp"
+#include "fairway/core/math.hpp"
 #include "fairway/core/text.hpp"
 #include "fairway/view/explain/decision_facts.hpp"
 #include "fairway/view/explain/drawn_section.hpp"
@@ -31,7 +32,7 @@ double compass(double angle) {
 
 /// "0.482 m/s, course 34.0 deg, level ([0.400, 0.270, 0.000] NED)".
 std::string velocity_words(const Vec3& v) {
-  return fmt::format("{:.3f} m/s, course {:.1f} deg, {} ({})", v.norm(), compass(std::atan2(v.y(), v.x())),
+  return fmt::format("{:.3f} m/s, course {:.1f} deg, {} ({})", v.norm(), compass(math::atan2(v.y(), v.x())),
                      std::abs(v.z()) < 5e-4
                          ? "level"
                          : fmt::format("{} at {:.3f} m/s", v.z() > 0.0 ? "down" : "up", std::abs(v.z())),

@@ -126,6 +126,8 @@ KeptDecision::KeptDecision(const Situation& situation, const Command& command)
     : situation_{situation},
       command_{command},
       model_{situation.model == nullptr ? nullptr : std::make_unique<const OnboardModel>(*situation.model)},
+      envelope_{situation.envelope == nullptr ? nullptr
+                                              : std::make_unique<const Envelope>(*situation.envelope)},
       tracks_{situation.tracks.begin(), situation.tracks.end()},
       obstacles_{situation.obstacles.begin(), situation.obstacles.end()} {
   for (Obstacle& obstacle : obstacles_) {
@@ -133,6 +135,7 @@ KeptDecision::KeptDecision(const Situation& situation, const Command& command)
     obstacle.vertices = vertices_.back();
   }
   situation_.model = model_.get();
+  situation_.envelope = envelope_.get();
   situation_.tracks = tracks_;
   situation_.obstacles = obstacles_;
 }

@@ -37,6 +37,7 @@ class KeptDecision {
   Situation situation_;
   Command command_;
   std::unique_ptr<const OnboardModel> model_;
+  std::unique_ptr<const Envelope> envelope_;
   std::vector<Track> tracks_;
   std::vector<Obstacle> obstacles_;
   std::vector<std::vector<Vec3>> vertices_;  // of the obstacles

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fairway/core/math.hpp"
+
 namespace fairway {
 namespace {
 
@@ -22,7 +24,7 @@ LiveRun::Clock::time_point LiveRun::due_at(double time) {
   const Clock::time_point now = Clock::now();
   if (pace_.speed <= 0.0) return now;
   const auto due = [&] {
-    const double wait = std::fmin((time - from_time_) / pace_.speed, farthest_s);
+    const double wait = math::fmin((time - from_time_) / pace_.speed, farthest_s);
     return from_clock_ + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(wait));
   };
   if (!timed_ || now - due() > forgiven_delay) {

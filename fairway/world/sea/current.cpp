@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fairway/core/math.hpp"
+
 namespace fairway {
 
 ShearedCurrent::ShearedCurrent(const ShearedCurrentSpec& spec)
-    : direction_{std::cos(spec.direction_rad), std::sin(spec.direction_rad)}, profile_{spec.profile} {}
+    : direction_{unit_at(spec.direction_rad)}, profile_{spec.profile} {}
 
 ShearedCurrent::Flow ShearedCurrent::at(double depth) const noexcept {
   const auto below = std::ranges::upper_bound(profile_, depth, {}, &ProfilePoint::depth_m);
@@ -26,8 +28,8 @@ GaussMarkov::GaussMarkov(double mean, double deviation, double correlation_time,
       offset_{deviation_ * rng_.normal()} {}
 
 void GaussMarkov::advance(double h) noexcept {
-  const double kept = std::exp(-rate_ * h);
-  const double fresh = std::sqrt(-std::expm1(-2.0 * rate_ * h));
+  const double kept = math::exp(-rate_ * h);
+  const double fresh = std::sqrt(-math::expm1(-2.0 * rate_ * h));
   offset_ = kept * offset_ + fresh * deviation_ * rng_.normal();
 }
 
@@ -47,8 +49,8 @@ void GaussMarkovCurrent::advance(double h) noexcept {
 
 Vec3 GaussMarkovCurrent::now() const noexcept {
   const double speed = std::clamp(speed_.value(), lowest_, highest_);
-  const double direction = direction_.value();
-  return {speed * std::cos(direction), speed * std::sin(direction), 0.0};
+  const Vec2 direction = unit_at(direction_.value());
+  return {speed * direction.x(), speed * direction.y(), 0.0};
 }
 
 }  // namespace fairway

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "fairway/core/math.hpp"
 #include "fairway/world/sea/spectrum.hpp"
 
 namespace fairway {
@@ -43,7 +44,7 @@ Water Sea::water_at(const Vec3& p_n, double time) const noexcept {
 }
 
 void Sea::add_waves(const Vec3& p_n, double time, Water& water) const noexcept {
-  const double n = p_n.x(), e = p_n.y(), depth = std::fmax(p_n.z(), 0.0);
+  const double n = p_n.x(), e = p_n.y(), depth = math::fmax(p_n.z(), 0.0);
   const bool submerged = depth > 0.0;
 
   // orbital velocity, its rate at a fixed place, and its gradients: of a potential flow, so that those across
@@ -56,13 +57,13 @@ void Sea::add_waves(const Vec3& p_n, double time, Water& water) const noexcept {
     const double k = wave.number, omega = wave.frequency;
     const double d_n = wave.direction.x(), d_e = wave.direction.y();
     const double phase = k * (d_n * n + d_e * e) - omega * time + wave.phase;
-    const double c = std::cos(phase), s = std::sin(phase);
+    const auto [s, c] = math::sin_cos(phase);
     elevation += wave.amplitude * c;
     slope_n -= k * wave.amplitude * d_n * s;
     slope_e -= k * wave.amplitude * d_e * s;
 
     // omega A e^(-k depth) (d cos, -sin) towards [n, e] and down
-    const double speed = omega * wave.amplitude * (submerged ? std::exp(-k * depth) : 1.0);
+    const double speed = omega * wave.amplitude * (submerged ? math::exp(-k * depth) : 1.0);
     const double ahead = speed * c, up = speed * s;
     v_n += d_n * ahead;
     v_e += d_e * ahead;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fairway/core/angles.hpp"
+#include "fairway/core/math.hpp"
 
 namespace fairway {
 namespace {
@@ -32,7 +33,7 @@ double spread(std::int32_t s, Rng& rng) {
   if (s == 0) return 0.0;
   for (;;) {
     const double angle = rng.uniform(-pi / 2, pi / 2);
-    if (rng.uniform(0.0, 1.0) < std::pow(std::cos(angle), 2 * s)) return angle;
+    if (rng.uniform(0.0, 1.0) < math::power(math::cos(angle), 2 * s)) return angle;
   }
 }
 
@@ -41,13 +42,13 @@ double spread(std::int32_t s, Rng& rng) {
 double pierson_moskowitz(double frequency, double significant_height, double peak_frequency) {
   const double ratio = peak_frequency / frequency, ratio4 = ratio * ratio * ratio * ratio;
   const double height2 = significant_height * significant_height;
-  return 5.0 / 16.0 * height2 * ratio4 / frequency * std::exp(-1.25 * ratio4);
+  return 5.0 / 16.0 * height2 * ratio4 / frequency * math::exp(-1.25 * ratio4);
 }
 
 double dnv_peakedness(double significant_height, double peak_frequency) {
   const double steepness = 2.0 * pi / (peak_frequency * std::sqrt(significant_height));
   if (steepness <= 3.6) return 5.0;
-  if (steepness <= 5.0) return std::exp(5.75 - 1.15 * steepness);
+  if (steepness <= 5.0) return math::exp(5.75 - 1.15 * steepness);
   return 1.0;
 }
 
@@ -55,8 +56,8 @@ double jonswap(double frequency, double significant_height, double peak_frequenc
   const double gamma = peakedness == 0.0 ? dnv_peakedness(significant_height, peak_frequency) : peakedness;
   const double sigma = frequency < peak_frequency ? 0.07 : 0.09;
   const double off = (frequency - peak_frequency) / (sigma * peak_frequency);
-  return (1.0 - 0.287 * std::log(gamma)) * pierson_moskowitz(frequency, significant_height, peak_frequency) *
-         std::pow(gamma, std::exp(-0.5 * off * off));
+  return (1.0 - 0.287 * math::log(gamma)) * pierson_moskowitz(frequency, significant_height, peak_frequency) *
+         math::exp(math::exp(-0.5 * off * off) * math::log(gamma));
 }
 
 std::vector<WaveComponent> sampled_sea(const SpectrumSpec& spec, const Rng& rng) {

@@ -17,7 +17,7 @@ WaveComponent wave_component(double amplitude, double frequency, double directio
           .frequency = frequency,
           .number = frequency * frequency / wave_gravity,
           .phase = phase,
-          .direction = {std::cos(direction), std::sin(direction)}};
+          .direction = unit_at(direction)};
 }
 
 WaveComponent wave_component(const WaveSpec& spec) {

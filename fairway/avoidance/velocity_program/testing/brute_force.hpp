@@ -21,7 +21,8 @@ struct Plane {
 
 inline std::vector<Plane> planes_of(std::span<const HalfSpace> half_spaces) {
   std::vector<Plane> planes;
-  for (const HalfSpace& h : half_spaces) planes.push_back({h.normal.cast<Real>(), h.offset});
+  for (const HalfSpace& h : half_spaces)
+    planes.push_back({{h.normal.x(), h.normal.y(), h.normal.z()}, h.offset});
   return planes;
 }
 

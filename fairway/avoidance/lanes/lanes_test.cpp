@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "fairway/avoidance/lanes/kernel.hpp"
+#include "fairway/avoidance/orca3d/half_space.hpp"
+#include "fairway/avoidance/testing/encounters.hpp"
+#include "fairway/avoidance/velocity_program/velocity_program.hpp"
+
+namespace fairway::lanes {
+namespace {
+
+using encounters::OwnedSituation;
+
+constexpr double tau = 5.0;
+
+/// From room for all to none, with one or another who overlaps, is at the same place or has the same
+/// velocity.
+OwnedSituation drawn(std::uint64_t index) {
+  Rng rng = Rng{1}.stream("lanes", index);
+  const int count = static_cast<int>(rng.index(13));
+  OwnedSituation e = index % 2 == 0 ? encounters::crowd(count, rng)
+                                    : encounters::congested(count, rng.stream("congested", 0));
+  for (Track& t : e.tracks) {
+    const std::uint64_t oddity = rng.index(12);
+    if (oddity == 0) t.position = e.situation.own.position;
+    if (oddity <= 1) t.velocity = e.situation.own.velocity;
+    if (oddity == 2) t.reacts = false;
+  }
+  return e;
+}
+
+double share_of(const Track& t) { return t.reacts ? 0.5 : 1.0; }
+
+/// What one number at a time comes to.
+struct Alone {
+  std::vector<HalfSpace> half_spaces;
+  VecOf<double> velocity;
+  double violation;
+};
+
+Alone alone(const Situation& s) {
+  Alone result;
+  for (const Track& t : s.tracks) {
+    const double north = number(t.id) % 2 == 0 ? 1.0 : -1.0;
+    const orca::RelativeNeighbour neighbour{t.position - s.own.position, s.own.velocity - t.velocity,
+                                            s.own.radius + t.radius, Vec3{north, 0.0, 0.0}};
+    const orca::Change change = orca::least_change(neighbour, tau, s.period);
+    result.half_spaces.push_back(orca::half_space(change, s.own.velocity, share_of(t)));
+  }
+  std::array<HalfSpace, 16> room;
+  result.violation =
+      nearest_velocity<double>(std::span<const HalfSpace>{result.half_spaces}, s.preferred_velocity(),
+                               s.limits.max_speed, true, room.data(), result.velocity);
+  return result;
+}
+
+void write(const Vec3& position, const Vec3& velocity, double radius, double last, std::size_t width,
+           double* at) {
+  const std::array<double, columns> numbers{position.x(), position.y(), position.z(), velocity.x(),
+                                            velocity.y(), velocity.z(), radius,       last};
+  for (std::size_t c = 0; c < columns; ++c) at[c * width] = numbers[c];
+}
+
+void write_neighbour(const Situation& s, std::size_t index, std::size_t width, double* at) {
+  if (index >= s.tracks.size()) return write(Vec3::Zero(), Vec3::Zero(), -1.0, 0.0, width, at);
+  const Track& t = s.tracks[index];
+  write(t.position, t.velocity, t.radius, number(t.id) % 2 == 0 ? share_of(t) : -share_of(t), width, at);
+}
+
+/// The bits of a half-space or of a choice, given as four columns.
+using Bits = std::array<std::uint64_t, 4>;
+Bits bits_of(const VecOf<double>& v, double last) {
+  return {std::bit_cast<std::uint64_t>(v.x()), std::bit_cast<std::uint64_t>(v.y()),
+          std::bit_cast<std::uint64_t>(v.z()), std::bit_cast<std::uint64_t>(last)};
+}
+Bits bits_of(const double* answer, std::size_t width, std::size_t lane) {
+  return bits_of({answer[lane], answer[width + lane], answer[2 * width + lane]}, answer[3 * width + lane]);
+}
+
+TEST(Lanes, NarrowKernelsComeFirst) {
+  std::size_t last = 1;
+  for (const Kernel* each : kernels()) {
+    const Kernel& kernel = *each;
+    EXPECT_GT(kernel.lanes, last);
+    last = kernel.lanes;
+    EXPECT_EQ(&kernel_for(kernel.lanes), &kernel);
+  }
+  EXPECT_EQ(&kernel_for(1000), kernels().back());
+}
+
+TEST(Lanes, EachNeighbourHasTheHalfSpaceThatItHasAlone) {
+  for (const Kernel* each : kernels()) {
+    const Kernel& kernel = *each;
+    const std::size_t width = kernel.lanes;
+    for (std::uint64_t i = 0; i < 4000; ++i) {
+      const OwnedSituation e = drawn(i);
+      const Situation s = e;
+      const Alone expected = alone(s);
+      std::array<double, columns> own;
+      write(s.own.position, s.own.velocity, s.own.radius, 0.0, 1, own.data());
+      alignas(64) std::array<double, columns * most_lanes> others;
+      alignas(64) std::array<double, 4 * most_lanes> answer;
+      for (std::size_t lane = 0; lane < width; ++lane) write_neighbour(s, lane, width, others.data() + lane);
+      kernel.half_spaces(tau, s.period, own.data(), others.data(), answer.data());
+      for (std::size_t lane = 0; lane < std::min(width, s.tracks.size()); ++lane) {
+        const HalfSpace& h = expected.half_spaces[lane];
+        EXPECT_EQ(bits_of(answer.data(), width, lane), bits_of(h.normal, h.offset))
+            << kernel.name << ", scene " << i << ", lane " << lane;
+      }
+    }
+  }
+}
+
+TEST(Lanes, EachVehicleDecidesAsItDoesAlone) {
+  const auto crowd = std::make_unique<Crowd>();
+  for (const Kernel* each : kernels()) {
+    const Kernel& kernel = *each;
+    const std::size_t width = kernel.lanes;
+    int infeasible = 0;
+    for (std::uint64_t i = 0; i < 4000; i += width) {
+      std::vector<OwnedSituation> owned;
+      std::vector<Alone> expected;
+      crowd->time_horizon = tau;
+      crowd->period = 0.1;
+      crowd->neighbours = 0;
+      for (std::size_t lane = 0; lane < width; ++lane) {
+        owned.push_back(drawn(i + lane));
+        const Situation s = owned.back();
+        expected.push_back(alone(s));
+        write(s.own.position, s.own.velocity, s.own.radius, s.limits.max_speed, width, crowd->own + lane);
+        const Vec3 preferred = s.preferred_velocity();
+        for (std::size_t c = 0; c < 3; ++c)
+          crowd->preferred[c * width + lane] = preferred[static_cast<Eigen::Index>(c)];
+        crowd->neighbours = std::max(crowd->neighbours, s.tracks.size());
+      }
+      for (std::size_t k = 0; k < crowd->neighbours; ++k)
+        for (std::size_t lane = 0; lane < width; ++lane)
+          write_neighbour(owned[lane], k, width, crowd->others + k * columns * width + lane);
+      alignas(64) std::array<double, 4 * most_lanes> answer;
+      kernel.decide(*crowd, answer.data());
+      for (std::size_t lane = 0; lane < width; ++lane) {
+        EXPECT_EQ(bits_of(answer.data(), width, lane),
+                  bits_of(expected[lane].velocity, expected[lane].violation))
+            << kernel.name << ", scene " << i + lane;
+        infeasible += expected[lane].violation > 0.0 ? 1 : 0;
+      }
+    }
+    EXPECT_GT(infeasible, 400) << kernel.name;
+  }
+}
+
+/// Places on a coarse lattice, so that many are equally far, and their numbers.
+std::array<std::vector<double>, 4> lattice(std::size_t count, Rng rng) {
+  std::array<std::vector<double>, 4> columns;
+  for (std::size_t c = 0; c < 3; ++c) {
+    for (std::size_t i = 0; i < count; ++i) columns[c].push_back(static_cast<double>(rng.index(5)));
+    columns[c].resize(count + most_lanes, 0.0);
+  }
+  for (std::size_t i = 0; i < count + most_lanes; ++i) columns[3].push_back(static_cast<double>(i));
+  return columns;
+}
+
+TEST(Lanes, WhoIsWithinReachIsFoundAndPutInOrder) {
+  for (const Kernel* each : kernels()) {
+    const Kernel& kernel = *each;
+    std::size_t all = 0;
+    for (std::uint64_t scene = 0; scene < 500; ++scene) {
+      Rng rng = Rng{2}.stream("reach", scene);
+      const std::size_t count = 1 + rng.index(most_found), begin = rng.index(count);
+      const auto columns = lattice(count, rng.stream("lattice", 0));
+      const std::array<const double*, 4> at{columns[0].data(), columns[1].data(), columns[2].data(),
+                                            columns[3].data()};
+      const std::array<double, 3> place{2.0, 2.0, 1.0};
+      const double reach2 = rng.uniform(0.0, 12.0);
+
+      std::vector<std::pair<double, std::uint32_t>> expected;
+      for (std::size_t i = begin; i < count; ++i) {
+        const double n = at[0][i] - 2.0, e = at[1][i] - 2.0, d = at[2][i] - 1.0;
+        const double distance2 = n * n + e * e + d * d;
+        if (distance2 <= reach2) expected.emplace_back(distance2, static_cast<std::uint32_t>(i));
+      }
+      std::ranges::sort(expected);
+
+      std::array<double, most_found + most_lanes> distances2, numbers;
+      std::array<std::uint32_t, most_found> ordered;
+      const Found found{distances2.data(), numbers.data()};
+      const std::size_t half = begin + (count - begin) / 2;
+      std::size_t within = kernel.within(at.data(), begin, half, place.data(), reach2, found, 0);
+      within = kernel.within(at.data(), half, count, place.data(), reach2, found, within);
+      ASSERT_EQ(within, expected.size()) << kernel.name << ", scene " << scene;
+      kernel.order(found, within, ordered.data());
+      for (std::size_t i = 0; i < within; ++i)
+        EXPECT_EQ(ordered[i], expected[i].second) << kernel.name << ", scene " << scene;
+      all += within;
+    }
+    EXPECT_GT(all, 2000U) << kernel.name;
+  }
+}
+
+}  // namespace
+}  // namespace fairway::lanes

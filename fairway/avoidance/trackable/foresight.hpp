@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+
+#include "fairway/avoidance/situation.hpp"
+#include "fairway/avoidance/trackable/helm.hpp"
+
+namespace fairway::trackable {
+
+/// A course and a speed to keep to, or a turn rate.
+struct Plan {
+  Vec2 direction = Vec2::UnitX();   ///< unit, to be made good [NED]
+  double speed{};                   ///< along the heading once that is reached [m/s]
+  std::optional<double> turn_rate;  ///< instead of a course [rad/s]
+};
+
+/// To stand over ground: with the bow up into what sets it aside, since it cannot go sideways against that.
+Plan standing_still(const Vec2& ahead, const Vec2& drift) noexcept;
+
+/// What a foresight looks at.
+struct Outlook {
+  double hold{};              ///< how long a plan is kept until its backup begins [s]
+  double window{};            ///< how far ahead all looks [s]
+  double margin{};            ///< kept to every surface [m]
+  Vec2 drift = Vec2::Zero();  ///< of the water, as far as it sets across the heading [m/s, NED]
+  double climb{};             ///< greatest vertical speed that is commanded [m/s]
+};
+
+/// What a plan comes to.
+enum class Prospect : std::uint8_t {
+  lost,       ///< neither
+  backed_up,  ///< clear if the backup begins after `hold`
+  clear,      ///< clear to the end of the window
+};
+
+/// What a vehicle does that is told a plan, as its envelope says: turn rate and speed approach what the helm
+/// orders by first-order lags, within the accelerations, and the hull slips about its pivot. All that is near
+/// keeps its velocity. A plan is clear if nothing comes nearer than the margin; where the margin is lost
+/// already, nothing comes nearer by more than a tenth of what is left of it. The backup of a vehicle that can
+/// stop is to stop, its bow up into the drift; of one that cannot it is to go round in a circle, to either
+/// side.
+class Foresight {
+ public:
+  static constexpr std::size_t steps = 48;
+  static constexpr std::size_t most_hazards = 64;
+
+  /// `helm` must outlive it. O(solids).
+  Foresight(const Helm& helm, const Situation& s, const Outlook& outlook) noexcept;
+
+  /// Nothing can come near within the window.
+  bool is_open() const noexcept { return count_ == 0; }
+  /// Nine tenths of the way to the nearest surface; infinite where nothing is near [m].
+  double room_now() const noexcept { return room_now_; }
+
+  /// What the plan comes to. O(steps x hazards).
+  Prospect of(const Plan& plan) const noexcept;
+  /// The least distance that the plan leaves beyond contact on the whole window [m]. Likewise.
+  double room_of(const Plan& plan) const noexcept;
+  /// What the helm is ordered now.
+  HelmOrder order(const Plan& plan) const noexcept;
+  /// Where the vehicle is after each step. [m]
+  std::array<Vec2, steps> path(const Plan& plan) const noexcept;
+
+ private:
+  struct Hazard {
+    Vec2 from, to;  // of its middle line, relative to own ship
+    Vec2 velocity;
+    double contact;  // own radius and its own [m]
+    double keep;     // from the middle line, squared [m2]
+    bool is_disc;
+  };
+  struct Motion {
+    Vec2 position = Vec2::Zero();
+    Vec2 ahead;  // unit
+    double turn_rate;
+    double speed;
+    double sway;
+    double error{};  // from the heading to that of the plan [rad]
+  };
+
+  void add(const Vec2& from, const Vec2& to, double radius, const Vec2& velocity) noexcept;
+  bool is_kept(const Vec2& position, double time) const noexcept;
+  /// Towards where the heading has to point for the direction to be made good.
+  Vec2 heading_for(const Plan& plan) const noexcept;
+  void advance(Motion& m, const HelmOrder& order) const noexcept;
+  /// Follows the plan for one step; `heading` is its heading_for(), and `m.error` the way there.
+  void follow(Motion& m, const Plan& plan, const Vec2& heading) const noexcept;
+  /// `m` is where the plan was given up.
+  bool stops(Motion m) const noexcept;
+  bool circles(Motion m, double turn_rate) const noexcept;
+
+  const Helm& helm_;
+  Outlook outlook_;
+  double own_radius_;
+  double step_;
+  double turn_share_, surge_share_, sway_share_;  // of the way to what is ordered, gone in a step
+  std::size_t hold_steps_;
+  double reach_;
+  double room_now_;
+  Motion now_;
+  std::array<Hazard, most_hazards> hazards_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace fairway::trackable

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/avoidance/trackable/trackable.hpp"
+
+#include <gtest/gtest.h>
+
+#include "fairway/avoidance/catalog.hpp"
+#include "fairway/avoidance/direct/direct.hpp"
+#include "fairway/avoidance/testing/encounters.hpp"
+
+namespace fairway {
+namespace {
+
+using encounters::OwnedSituation;
+using trackable::Foresight;
+using trackable::Helm;
+using trackable::Plan;
+using trackable::Prospect;
+
+/// Of a boat that makes 2 m/s, turns by 0.5 rad/s and slips in turns.
+Envelope of_a_boat() {
+  return {.ahead = 2.0,
+          .astern = 1.0,
+          .acceleration = 0.5,
+          .deceleration = 0.5,
+          .surge_lag = 0.5,
+          .turn_acceleration = 0.5,
+          .turn_lag = 0.5,
+          .pivot = 0.3,
+          .sway_lag = 1.0,
+          .turn_rates = {0.5, 0.5, 0.5, 0.5},
+          .following_errors = {0.3, 1.0, 2.0, 3.0, 4.0, 5.0}};
+}
+
+/// The same with a least speed.
+Envelope of_a_torpedo() {
+  Envelope envelope = of_a_boat();
+  envelope.least = 1.0;
+  envelope.astern = 0.0;
+  return envelope;
+}
+
+Obstacle buoy(double north, double east, double radius = 0.5) {
+  return {.kind = Obstacle::Kind::sphere, .position = {north, east, 50.0}, .radius = radius};
+}
+
+/// Under way northwards at 1 m/s, at a depth of 50 m.
+OwnedSituation under_way(const Envelope& envelope) {
+  OwnedSituation e = encounters::open_water();
+  e.situation.own.velocity = {1.0, 0.0, 0.0};
+  e.situation.own.yaw = 0.0;
+  e.situation.envelope = &envelope;
+  e.situation.limits.min_speed = envelope.least;
+  e.situation.limits.sternway = envelope.astern > 0.0;
+  e.situation.limits.sway = false;
+  return e;
+}
+
+/// Sails a wrapped `direct` as the envelope says, exactly and without slip, for `duration` [s].
+struct Sailed {
+  double clearance = 1e9;
+  int infeasible = 0;
+  Vec2 end = Vec2::Zero();
+};
+Sailed sail(OwnedSituation e, Avoider avoider, double duration) {
+  Sailed sailed;
+  const Envelope& can = *e.situation.envelope;
+  const double h = e.situation.period;
+  double yaw = e.situation.own.yaw, rate = 0.0, speed = e.situation.own.velocity.norm();
+  for (double time = 0.0; time < duration; time += h) {
+    const Command command = avoider.decide(e);
+    sailed.infeasible += command.mode == Mode::infeasible ? 1 : 0;
+    const double surge = std::cos(yaw) * command.velocity.x() + std::sin(yaw) * command.velocity.y();
+    rate += std::clamp((command.turn_rate.value_or(0.0) - rate) * h / can.turn_lag,
+                       -h * can.turn_acceleration, h * can.turn_acceleration);
+    speed += std::clamp((surge - speed) * h / can.surge_lag, -h * can.deceleration, h * can.acceleration);
+    yaw += h * rate;
+    Ownship& own = e.situation.own;
+    own.velocity = {speed * std::cos(yaw), speed * std::sin(yaw), 0.0};
+    own.position += h * own.velocity;
+    own.yaw = yaw;
+    own.yaw_rate = rate;
+    for (Track& t : e.tracks) t.position += h * t.velocity;
+    for (const Obstacle& o : e.obstacles)
+      sailed.clearance = std::min(sailed.clearance, nearest_point(o, own.position).distance - own.radius);
+    for (const Track& t : e.tracks)
+      sailed.clearance =
+          std::min(sailed.clearance, (t.position - own.position).norm() - t.radius - own.radius);
+  }
+  sailed.end = e.situation.own.position.head<2>();
+  return sailed;
+}
+
+Avoider around_direct_trackable() { return Avoider{Trackable{{}}, Avoider{Direct{{}}}}; }
+
+TEST(Trackable, WithoutAnEnvelopeItShowsAMarginAndIsNothingElse) {
+  for (std::uint64_t i = 0; i < 50; ++i) {
+    OwnedSituation e = encounters::crowd(8, Rng{i});
+    Avoider wrapped = builtin_avoiders().make("orca3d+trackable", {{"shown_margin_m", 0.25}}, Rng{7});
+    const Command command = wrapped.decide(e);
+    e.situation.own.radius += 0.25;
+    EXPECT_EQ(command, builtin_avoiders().make("orca3d", {}, Rng{7}).decide(e)) << i;
+  }
+}
+
+TEST(Trackable, InOpenWaterItSteersForWhatIsAsked) {
+  const Envelope boat = of_a_boat();
+  OwnedSituation e = under_way(boat);
+  e.situation.goal = {.position = {0.0, 100.0, 50.0}, .cruise_speed = 1.0};
+  const Command command = around_direct_trackable().decide(e);
+  EXPECT_EQ(command.mode, Mode::cruise);
+  ASSERT_TRUE(command.turn_rate);
+  EXPECT_NEAR(*command.turn_rate, 0.45, 1e-9);      // nine tenths of what it has, to starboard
+  EXPECT_NEAR(command.velocity.norm(), 0.0, 1e-9);  // it turns before it goes across
+}
+
+TEST(Trackable, AForeseenStopNeedsItsWay) {
+  // from 1 m/s at 0.5 m/s2 it stops within 1 m, and within 0.25 m more for the lag
+  const Envelope boat = of_a_boat();
+  OwnedSituation e = under_way(boat);
+  const Helm helm{boat, Limits::none};
+  const auto comes_to = [&](double gap) {
+    e.obstacles = {buoy(e.situation.own.position.x() + gap + 1.0 + 5.0, 0.0, 5.0)};
+    const Situation s = e;
+    return Foresight{helm, s, {.hold = 0.2, .window = 8.0, .margin = 0.1}}.of({.speed = 1.0});
+  };
+  EXPECT_EQ(comes_to(0.8), Prospect::lost);
+  EXPECT_EQ(comes_to(2.0), Prospect::backed_up);
+  EXPECT_EQ(comes_to(20.0), Prospect::clear);
+}
+
+TEST(Trackable, WhoCannotStopNeedsRoomForACircle) {
+  // 1 m/s at 0.5 rad/s: a radius of 2 m
+  const Envelope torpedo = of_a_torpedo();
+  OwnedSituation e = under_way(torpedo);
+  const Helm helm{torpedo, Limits::none};
+  const auto comes_to = [&](double gap) {
+    e.obstacles = {buoy(e.situation.own.position.x() + gap + 1.0 + 50.0, 0.0, 50.0)};
+    const Situation s = e;
+    return Foresight{helm, s, {.hold = 0.2, .window = 16.0, .margin = 0.1}}.of({.speed = 1.0});
+  };
+  EXPECT_EQ(comes_to(1.5), Prospect::lost);
+  EXPECT_EQ(comes_to(6.0), Prospect::backed_up);
+}
+
+TEST(Trackable, ABuoyStraightAheadIsPassedByWhoStopsAndByWhoCannot) {
+  for (const Envelope& envelope : {of_a_boat(), of_a_torpedo()}) {
+    OwnedSituation e = under_way(envelope);
+    e.situation.goal = {.position = {60.0, 0.0, 50.0}, .cruise_speed = 1.0};
+    e.situation.own.position = {0.0, 0.0, 50.0};
+    e.obstacles = {buoy(25.0, 0.0, 2.0)};
+    const Sailed sailed = sail(e, around_direct_trackable(), 50.0);
+    EXPECT_GT(sailed.clearance, 0.25) << envelope.least;
+    EXPECT_EQ(sailed.infeasible, 0) << envelope.least;
+    EXPECT_GT(sailed.end.x(), 40.0) << envelope.least;
+  }
+}
+
+TEST(Trackable, WhatDriftsAcrossIsNotMet) {
+  const Envelope boat = of_a_boat();
+  OwnedSituation e = under_way(boat);
+  e.situation.own.position = {0.0, 0.0, 50.0};
+  e.situation.goal = {.position = {60.0, 0.0, 50.0}, .cruise_speed = 1.0};
+  e.tracks = {encounters::track(1, {20.0, -10.0, 50.0}, {0.0, 0.5, 0.0}, 1.5)};
+  e.tracks[0].reacts = false;
+  EXPECT_LT(sail(e, Avoider{Direct{{}}}, 40.0).clearance, 0.0);
+  EXPECT_GT(sail(e, around_direct_trackable(), 40.0).clearance, 0.25);
+}
+
+TEST(Trackable, FieldsOfBuoysAreCrossedWithoutATouch) {
+  const Envelope boat = of_a_boat();
+  double clearance = 1e9;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    Rng rng = Rng{11}.stream("field", seed);
+    OwnedSituation e = under_way(boat);
+    e.situation.own.position = {0.0, 0.0, 50.0};
+    e.situation.goal = {.position = {50.0, 0.0, 50.0}, .cruise_speed = 1.0};
+    for (int i = 0; i < 14; ++i)
+      e.obstacles.push_back(buoy(rng.uniform(8.0, 42.0), rng.uniform(-8.0, 8.0), rng.uniform(0.3, 1.2)));
+    clearance = std::min(clearance, sail(e, around_direct_trackable(), 45.0).clearance);
+  }
+  EXPECT_GT(clearance, 0.0);
+}
+
+TEST(Trackable, WhatPassesFarAboveDoesNotCount) {
+  const Envelope boat = of_a_boat();
+  OwnedSituation e = under_way(boat);
+  e.situation.goal = {.position = {60.0, 0.0, 50.0}, .cruise_speed = 1.0};
+  e.situation.limits.max_climb_rate = 0.0;
+  e.obstacles = {buoy(5.0, 0.0, 2.0)};
+  e.obstacles[0].position.z() = 10.0;
+  EXPECT_EQ(around_direct_trackable().decide(e).mode, Mode::cruise);
+}
+
+}  // namespace
+}  // namespace fairway

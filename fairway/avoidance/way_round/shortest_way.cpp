@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/avoidance/way_round/shortest_way.hpp"
+
+#include <array>
+#include <cmath>
+
+#include "fairway/avoidance/avoa_improved/way_round.hpp"
+#include "fairway/core/math.hpp"
+
+namespace fairway {
+namespace {
+
+using avoa_improved::Capsule;
+using avoa_improved::Capsules;
+
+constexpr double narrow_share = 0.25;  // of the margin, where the whole leaves no way
+constexpr double leg_ahead_s = 20.0;   // to where a goal that is only a velocity leads
+
+/// The way with all solids wider by `kept` than they are.
+std::optional<avoa_improved::WayRound> way_with(const ShortestWay::Params& params, const Situation& s,
+                                                const ShortestWay::Memory& memory, double kept) {
+  std::array<Capsule, Capsules::capacity> wide;
+  std::size_t count = 0;
+  for (const Capsule& solid : memory.chart.view()) {
+    wide[count] = solid;
+    wide[count++].radius += s.own.radius + kept;
+  }
+  const Vec2 own = s.own.position.head<2>();
+  const Vec2 goal = s.goal.velocity ? Vec2{own + leg_ahead_s * s.preferred_velocity().head<2>()}
+                                    : Vec2{s.goal.position.head<2>()};
+  return avoa_improved::way_round({wide.data(), count}, own, goal,
+                                  {.committed = memory.committed,
+                                   .commitment = params.commitment_m,
+                                   .heading = Vec2{math::cos(s.own.yaw), math::sin(s.own.yaw)},
+                                   .bend = params.bend_m});
+}
+
+}  // namespace
+
+Command ShortestWay::decide(const Situation& s, Avoider& inner, Memory& memory,
+                            Context& context) const noexcept {
+  memory.chart.enter(s, true, params.same_place_m);
+  std::optional<avoa_improved::WayRound> way = way_with(params, s, memory, params.way_margin_m);
+  if (!way) way = way_with(params, s, memory, narrow_share * params.way_margin_m);
+  memory.committed.reset();
+  if (!way || way->is_straight) return inner.decide(s, context.sketch);
+
+  memory.committed = way->direction;
+  const Vec3 preferred = s.preferred_velocity();
+  const Vec2 along = horizontal_norm(preferred) * way->direction;
+  Situation shown = s;
+  shown.goal.velocity = Vec3{along.x(), along.y(), preferred.z()};
+  if (context.sketch) {
+    std::array<Vec3, avoa_improved::WayRound::most_points> points;
+    for (std::size_t i = 0; i < way->point_count; ++i)
+      points[i] = {way->points[i].x(), way->points[i].y(), s.own.position.z()};
+    context.sketch->path({points.data(), way->point_count}, "way round");
+  }
+  return inner.decide(shown, context.sketch);
+}
+
+}  // namespace fairway

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/avoidance/way_round/shortest_way.hpp"
+
+#include <gtest/gtest.h>
+
+#include "fairway/avoidance/catalog.hpp"
+#include "fairway/avoidance/direct/direct.hpp"
+#include "fairway/avoidance/testing/encounters.hpp"
+
+namespace fairway {
+namespace {
+
+using encounters::OwnedSituation;
+
+Avoider way_round_for_direct(const ShortestWay::Params& params = {}) {
+  return Avoider{ShortestWay{params}, Avoider{Direct{{}}}};
+}
+
+/// From the origin, 40 m north, at a depth of 50 m.
+OwnedSituation bound_north() {
+  OwnedSituation e = encounters::open_water();
+  e.situation.own.position = {0.0, 0.0, 50.0};
+  e.situation.own.yaw = 0.0;
+  e.situation.goal = {.position = {40.0, 0.0, 50.0}, .cruise_speed = 1.0};
+  return e;
+}
+
+TEST(ShortestWay, WhereNothingIsInTheWayTheInnerAvoiderDecidesAsEver) {
+  OwnedSituation e = bound_north();
+  e.obstacles = {{.kind = Obstacle::Kind::sphere, .position = {20.0, 9.0, 50.0}, .radius = 2.0}};
+  EXPECT_EQ(way_round_for_direct().decide(e), Avoider{Direct{{}}}.decide(e));
+}
+
+TEST(ShortestWay, ItLeadsAlongTheTangentOfABuoy) {
+  // a disc of 2 + 1 + 0.6 m at 20 m, 0.5 m to starboard: to port, asin(3.6 / d) - atan(0.5 / 20)
+  OwnedSituation e = bound_north();
+  e.obstacles = {{.kind = Obstacle::Kind::sphere, .position = {20.0, 0.5, 50.0}, .radius = 2.0}};
+  const Vec3 v = way_round_for_direct().decide(e).velocity;
+  const double angle = std::asin(3.6 / std::hypot(20.0, 0.5)) - std::atan2(0.5, 20.0);
+  EXPECT_NEAR(std::atan2(v.y(), v.x()), -angle, 1e-9);
+  EXPECT_NEAR(v.norm(), 1.0, 1e-12);
+}
+
+TEST(ShortestWay, ItLeadsOutOfAPocketInWhichTheStraightWayEnds) {
+  OwnedSituation e = bound_north();
+  const auto wall = [](const Vec3& from, const Vec3& to) {
+    return Obstacle{.kind = Obstacle::Kind::segment, .from = from, .to = to};
+  };
+  e.obstacles = {wall({10, -8, 50}, {10, 6, 50}), wall({10, -8, 50}, {-5, -8, 50}),
+                 wall({10, 6, 50}, {-5, 6, 50})};
+  EXPECT_LT(way_round_for_direct().decide(e).velocity.x(), 0.0);
+  EXPECT_GT(Avoider{Direct{{}}}.decide(e).velocity.x(), 0.9);
+}
+
+TEST(ShortestWay, WhatHasBeenSeenIsRemembered) {
+  OwnedSituation e = bound_north();
+  e.obstacles = {{.kind = Obstacle::Kind::sphere, .position = {20.0, 0.5, 50.0}, .radius = 2.0}};
+  Avoider avoider = way_round_for_direct();
+  const Command seen = avoider.decide(e);
+  e.obstacles.clear();
+  EXPECT_EQ(avoider.decide(e), seen);
+}
+
+TEST(ShortestWay, WithoutAnyWayItIsTheStraightOne) {
+  OwnedSituation e = bound_north();
+  e.add_polygon({{-5, -5, 50}, {5, -5, 50}, {5, 5, 50}, {-5, 5, 50}});  // all round
+  e.situation.own.radius = 0.1;
+  EXPECT_EQ(way_round_for_direct().decide(e), Avoider{Direct{{}}}.decide(e));
+}
+
+}  // namespace
+}  // namespace fairway

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/control/envelope.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fairway/avoidance/trackable/helm.hpp"
+#include "fairway/core/angles.hpp"
+#include "fairway/core/math.hpp"
+
+namespace fairway {
+namespace {
+
+constexpr double beyond_any = 100.0;     // [m/s], [rad/s]: as much as it has
+constexpr double longest = 120.0;        // of one trial [s]
+constexpr double settling = 1.0;         // what changes no more within this is steady [s]
+constexpr double steady_share = 2e-3;    // of the value
+constexpr double steady_error = 0.02;    // of the speed, when a velocity is followed
+constexpr double small_change = 0.1;     // of a speed or turn rate, for a lag
+constexpr double reached = 0.632;        // 1 - 1 / e
+constexpr double least_way = 1e-3;       // slower is no way [m/s]
+constexpr double cruise_share = 0.9;     // of the greatest speed, so that something is left to turn by
+constexpr double stopped_share = 0.05;   // of the speed from which it stops
+constexpr double error_allowance = 1.1;  // for what the trials do not show: steps, other speeds before
+
+/// A vehicle that obeys body requests in still water.
+struct Craft {
+  Vehicle vehicle;
+  Autopilot autopilot;
+  double step;
+
+  void obey(const BodyRequest& request) {
+    const VehicleState& x = vehicle.state();
+    vehicle.step(autopilot.control(request, x.v_b, x.omega_b, step, x.q_nb), Water{}, step);
+  }
+  double surge() const { return vehicle.state().v_b.x(); }
+  double sway() const { return vehicle.state().v_b.y(); }
+  double sinking() const { return vehicle.state().v_n().z(); }
+  double turn_rate() const { return vehicle.state().omega_b.z(); }
+  Vec2 place() const { return vehicle.state().p_n.head<2>(); }
+  double yaw() const { return yaw_of(vehicle.state().q_nb); }
+
+  /// Obeys until `value` of it is steady, which it gives.
+  template <class Value>
+  double settle(const BodyRequest& request, Value value) {
+    const auto window = std::max(1, static_cast<int>(settling / step));
+    double before = value(*this);
+    for (int k = 1; k * step < longest; ++k) {
+      obey(request);
+      if (k % window != 0) continue;
+      const double now = value(*this);
+      if (std::abs(now - before) <= steady_share * std::abs(now) + 1e-6) break;
+      before = now;
+    }
+    return value(*this);
+  }
+
+  /// Obeys until `value` of it passes `level`, upwards or downwards. How long that took [s].
+  template <class Value>
+  double time_to(const BodyRequest& request, Value value, double level) {
+    const bool upwards = value(*this) < level;
+    double time = 0.0;
+    for (; time < longest && (value(*this) < level) == upwards; time += step) obey(request);
+    return time;
+  }
+};
+
+double surge_of(const Craft& craft) { return craft.surge(); }
+double turn_rate_of(const Craft& craft) { return craft.turn_rate(); }
+
+class Trials {
+ public:
+  Trials(const Vehicle& vehicle, const Autopilot& autopilot, const Limits& limits, double step)
+      : at_rest_{vehicle, autopilot, step},
+        limits_{limits},
+        most_{limit_or(limits.max_speed, beyond_any)},
+        turn_{limit_or(limits.max_turn_rate, beyond_any)} {
+    VehicleState x;
+    x.v_b.x() = std::min(limits.min_speed, most_);
+    at_rest_.vehicle.set_state(x);
+  }
+
+  std::optional<Envelope> envelope() {
+    envelope_.least = limits_.min_speed;
+    under_way_ = at_rest_;
+    envelope_.ahead = std::min(most_, under_way_->settle({.surge_mps = most_}, surge_of));
+    if (!(envelope_.ahead > least_way)) return {};
+    measure_speeds();
+    measure_changes_of_speed();
+    measure_turns();
+    measure_following();
+    return envelope_;
+  }
+
+ private:
+  BodyRequest cruise() const { return {.surge_mps = envelope_.ahead}; }
+  double cruise_speed() const { return std::max(cruise_share * envelope_.ahead, envelope_.least); }
+
+  /// The greatest steady value, none that goes the other way.
+  template <class Value>
+  double greatest(Craft craft, const BodyRequest& request, Value value) const {
+    return std::max(0.0, craft.settle(request, value));
+  }
+
+  void measure_speeds() {
+    if (limits_.sternway)
+      envelope_.astern = greatest(at_rest_, {.surge_mps = -most_}, [](const Craft& c) { return -c.surge(); });
+    if (limits_.sway)
+      envelope_.sideways = greatest(at_rest_, {.sway_mps = most_}, [](const Craft& c) { return c.sway(); });
+    const double climb = limit_or(limits_.max_climb_rate, most_);
+    envelope_.down = climb_rate(climb);
+    envelope_.up = climb_rate(-climb);
+  }
+
+  /// While going ahead at nine tenths of the greatest speed, beyond what it does unasked.
+  double climb_rate(double wanted) const {
+    const auto sinking = [](const Craft& c) { return c.sinking(); };
+    const auto asked = [&](double heave) {
+      return BodyRequest{.surge_mps = cruise_speed(), .heave_mps = heave};
+    };
+    Craft climbing = *under_way_, level = *under_way_;
+    const double rate = std::abs(climbing.settle(asked(wanted), sinking) - level.settle(asked(0.0), sinking));
+    return rate < least_way ? 0.0 : std::min(rate, std::abs(wanted));
+  }
+
+  void measure_changes_of_speed() {
+    const double top = envelope_.ahead, least = std::min(envelope_.least, 0.9 * top);
+    Craft starting = at_rest_;
+    const double time = starting.time_to(cruise(), surge_of, 0.8 * top);
+    envelope_.acceleration = std::max(0.8 * top - least, 0.0) / std::max(time, starting.step);
+
+    Craft stopping = *under_way_;
+    const Vec2 from = stopping.place();
+    const double slow = std::max(1.05 * envelope_.least, stopped_share * top);
+    stopping.time_to({.surge_mps = envelope_.least}, surge_of, slow);
+    const double way = (stopping.place() - from).norm();
+    envelope_.deceleration = std::max(top * top - slow * slow, 0.0) / (2.0 * std::max(way, least_way));
+
+    Craft slower = *under_way_;
+    const double lower = (1.0 - small_change) * top;
+    envelope_.surge_lag = slower.time_to({.surge_mps = lower}, surge_of, top + reached * (lower - top));
+    if (envelope_.acceleration <= 0.0) envelope_.acceleration = envelope_.deceleration;
+  }
+
+  void measure_turns() {
+    for (std::size_t i = 0; i < Envelope::turn_rate_count; ++i) {
+      const double share = static_cast<double>(i) / (Envelope::turn_rate_count - 1);
+      const double speed = std::max(share * envelope_.ahead, envelope_.least);
+      Craft craft = *under_way_;
+      craft.settle({.surge_mps = speed}, surge_of);
+      Craft turning = craft, to_port = craft;
+      const double starboard = turning.settle({.surge_mps = speed, .yaw_rate_radps = turn_}, turn_rate_of);
+      const double port = -to_port.settle({.surge_mps = speed, .yaw_rate_radps = -turn_}, turn_rate_of);
+      envelope_.turn_rates[i] = std::clamp(std::min(starboard, port), 0.0, turn_);
+      if (i + 1 < Envelope::turn_rate_count) continue;
+      const double rate = envelope_.turn_rates[i];
+      if (rate > 0.0) envelope_.pivot = -turning.sway() / turning.turn_rate();
+      measure_turn_lag(craft, rate);
+      measure_sway_lag(craft);
+    }
+  }
+
+  void measure_turn_lag(const Craft& steady, double rate) {
+    Craft craft = steady;
+    const double small = small_change * rate;
+    envelope_.turn_lag =
+        craft.time_to({.surge_mps = envelope_.ahead, .yaw_rate_radps = small}, turn_rate_of, reached * small);
+    craft = steady;
+    const int window = std::max(1, static_cast<int>(0.2 / craft.step));
+    double before = 0.0;
+    for (int k = 1; k * craft.step < std::max(10.0, 5.0 * envelope_.turn_lag); ++k) {
+      craft.obey({.surge_mps = envelope_.ahead, .yaw_rate_radps = rate});
+      if (k % window != 0) continue;
+      const double now = craft.turn_rate();
+      envelope_.turn_acceleration =
+          std::max(envelope_.turn_acceleration, (now - before) / (window * craft.step));
+      before = now;
+    }
+  }
+
+  /// Pushed sideways at once, and left to itself.
+  void measure_sway_lag(Craft craft) {
+    VehicleState x = craft.vehicle.state();
+    const double push = 0.5 * envelope_.ahead;
+    x.v_b.y() += push;
+    craft.vehicle.set_state(x);
+    const auto sway = [](const Craft& c) { return c.sway(); };
+    envelope_.sway_lag = craft.time_to({.surge_mps = envelope_.ahead}, sway, (1.0 - reached) * push);
+  }
+
+  void measure_following() {
+    for (std::size_t i = 0; i < Envelope::change_count; ++i) {
+      const double change = static_cast<double>(i + 1) * pi / Envelope::change_count;
+      envelope_.following_errors[i] = error_allowance * std::max(error_of(change), error_of(-change));
+    }
+  }
+
+  /// The greatest distance from a point that has turned by `change` [rad] at once.
+  double error_of(double change) const {
+    const trackable::Helm helm{envelope_, turn_};
+    const double speed = cruise_speed();
+    Craft craft = *under_way_;
+    craft.settle({.surge_mps = speed}, surge_of);
+    const Vec2 from = craft.place();
+    const double course = craft.yaw() + change;
+    const Vec2 velocity = speed * Vec2{math::cos(course), math::sin(course)};
+    double greatest = 0.0;
+    double time = 0.0;
+    while ((time += craft.step) < longest) {
+      const double error = wrap_angle(course - craft.yaw());
+      const bool begins = time < settling;  // a full turn is to one side
+      const trackable::HelmOrder order =
+          helm.order(speed, begins ? std::copysign(error, change) : error, craft.surge());
+      craft.obey({.surge_mps = order.surge, .yaw_rate_radps = order.turn_rate});
+      greatest = std::max(greatest, (craft.place() - from - time * velocity).norm());
+      const Vec2 made_good = craft.vehicle.state().v_n().head<2>();
+      if ((made_good - velocity).norm() < steady_error * speed) break;
+    }
+    return greatest;
+  }
+
+  Craft at_rest_;
+  std::optional<Craft> under_way_;  // at the greatest speed
+  Limits limits_;
+  double most_;
+  double turn_;
+  Envelope envelope_;
+};
+
+}  // namespace
+
+std::optional<Envelope> measured_envelope(const Vehicle& vehicle, const Autopilot& autopilot,
+                                          const Limits& limits, double step) {
+  return Trials{vehicle, autopilot, limits, step}.envelope();
+}
+
+}  // namespace fairway

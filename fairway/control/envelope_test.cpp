@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/control/envelope.hpp"
+
+#include <gtest/gtest.h>
+
+#include "fairway/avoidance/trackable/helm.hpp"
+#include "fairway/control/vehicle_limits.hpp"
+#include "fairway/dynamics/catalog.hpp"
+
+namespace fairway {
+namespace {
+
+constexpr double envelope_step = 0.05;
+
+Envelope envelope_of(const char* name, const Limits& mission = {}, const ParamValues& params = {}) {
+  const Vehicle vehicle = builtin_vehicles().make(name, params);
+  return *measured_envelope(vehicle, Autopilot{vehicle}, narrowed(mission, vehicle), envelope_step);
+}
+
+/// Every vehicle that an autopilot drives.
+class EveryEnvelope : public ::testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Vehicles, EveryEnvelope,
+                         ::testing::Values("zarco", "otter_by_thrust", "sparus2", "kinematic", "remus100",
+                                           "minerva", "minerva_transport"));
+
+TEST_P(EveryEnvelope, IsTheSameEachTime) { EXPECT_EQ(envelope_of(GetParam()), envelope_of(GetParam())); }
+
+TEST_P(EveryEnvelope, StaysWithinTheLimitsOfTheMission) {
+  const Envelope full = envelope_of(GetParam());
+  const Limits half{.max_speed = 0.6 * full.ahead, .max_turn_rate = 0.5 * full.turn_rate(0.6 * full.ahead)};
+  const Envelope held = envelope_of(GetParam(), half);
+  EXPECT_LE(held.ahead, half.max_speed);
+  EXPECT_GT(held.ahead, 0.95 * half.max_speed);
+  for (const double rate : held.turn_rates) EXPECT_LE(rate, half.max_turn_rate);
+}
+
+TEST_P(EveryEnvelope, BoundsTheErrorOfFollowingACourseThatNoTrialHad) {
+  const Vehicle fresh = builtin_vehicles().make(GetParam());
+  const Limits limits = narrowed({}, fresh);
+  const Envelope envelope = envelope_of(GetParam());
+  const trackable::Helm helm{envelope, limits.max_turn_rate};
+  for (const double change : {0.3, -0.8, 1.3, -1.9, 2.4}) {
+    for (const double share : {0.6, 0.9}) {
+      const double speed = std::max(share * envelope.ahead, envelope.least);
+      Vehicle vehicle = fresh;
+      Autopilot autopilot{vehicle};
+      const auto obey = [&](const BodyRequest& request) {
+        const VehicleState& x = vehicle.state();
+        vehicle.step(autopilot.control(request, x.v_b, x.omega_b, envelope_step, x.q_nb), Water{},
+                     envelope_step);
+      };
+      for (int k = 0; k < 1200; ++k) obey({.surge_mps = speed});
+      const Vec3 from = vehicle.state().p_n;
+      const Vec3 velocity{speed * std::cos(change), speed * std::sin(change), 0.0};
+      double greatest = 0.0;
+      for (int k = 1; k * envelope_step < 60.0; ++k) {
+        const VehicleState& x = vehicle.state();
+        const trackable::HelmOrder order = helm.order(speed, wrap_angle(change - yaw_of(x.q_nb)), x.v_b.x());
+        obey({.surge_mps = order.surge, .yaw_rate_radps = order.turn_rate});
+        if (std::abs(wrap_angle(change - yaw_of(x.q_nb))) < 0.02) break;
+        const Vec3 error = vehicle.state().p_n - from - k * envelope_step * velocity;
+        greatest = std::max(greatest, horizontal_norm(error));
+      }
+      EXPECT_LE(greatest, envelope.following_error(change)) << change << " at " << speed;
+    }
+  }
+}
+
+TEST_P(EveryEnvelope, SaysWhichChangeCanBeFollowedWithinAnError) {
+  const Envelope envelope = envelope_of(GetParam());
+  for (const double error : {0.1, 0.5, 2.0, 8.0}) {
+    const double change = envelope.followable_change(error);
+    EXPECT_LE(envelope.following_error(change), error + 1e-9);
+  }
+}
+
+TEST(Envelope, OfAKinematicVehicleIsItsParameters) {
+  const Envelope envelope = envelope_of("kinematic");
+  EXPECT_NEAR(envelope.ahead, 0.5, 1e-3);
+  EXPECT_NEAR(envelope.astern, 0.5, 1e-3);
+  EXPECT_EQ(envelope.sideways, 0.0);
+  EXPECT_NEAR(envelope.down, 0.5, 1e-3);
+  EXPECT_NEAR(envelope.turn_rate(0.3), 0.45, 1e-3);
+  EXPECT_NEAR(envelope.turn_acceleration, 0.5, 0.01);
+  EXPECT_NEAR(envelope.turn_lag, 0.2, 0.051);  // one step of the trial
+  EXPECT_NEAR(envelope.pivot, 0.0, 1e-9);
+  EXPECT_NEAR(envelope_of("kinematic", {}, {{"max_sway_mps", 0.2}}).sideways, 0.2, 1e-3);
+}
+
+TEST(Envelope, OfZarcoGoesAsFastAsItsThrustersPush) {
+  const Envelope envelope = envelope_of("zarco");
+  EXPECT_NEAR(envelope.ahead, 1.898, 0.01);  // 20 u + 20 u^2 = 110 N
+  EXPECT_GT(envelope.pivot, 0.1);            // it slips outwards in a turn
+  EXPECT_EQ(envelope.sideways, 0.0);
+  EXPECT_EQ(envelope.down, 0.0);
+}
+
+TEST(Envelope, OfABodyWithFinsHasALeastSpeedAndNoWayAstern) {
+  const Envelope envelope = envelope_of("remus100");
+  EXPECT_NEAR(envelope.least, 0.96, 0.01);
+  EXPECT_EQ(envelope.astern, 0.0);
+  EXPECT_GT(envelope.turn_rate(envelope.ahead), 2.0 * envelope.turn_rate(envelope.least));
+}
+
+TEST(Envelope, OfWhatDoesNotGetUnderWayIsNone) {
+  const Vehicle vehicle = builtin_vehicles().make("kinematic", {{"max_speed_mps", 0.0}});
+  EXPECT_FALSE(measured_envelope(vehicle, Autopilot{vehicle}, narrowed({}, vehicle), envelope_step));
+}
+
+}  // namespace
+}  // namespace fairway

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <thread>
+#include <vector>
+
+namespace fairway {
+
+/// Threads that go through the parts of a piece of work together: whoever is free takes the next part, and
+/// nobody waits for one who is not there. What comes out must not depend on who did which.
+class Crew {
+ public:
+  /// `hands` at least 1, the one who calls among them.
+  explicit Crew(std::size_t hands = 1) {
+    for (std::size_t hand = 1; hand < hands; ++hand) threads_.emplace_back([this, hand] { serve(hand); });
+  }
+  /// As many others.
+  Crew(const Crew& other) : Crew{other.hands()} {}
+  Crew& operator=(const Crew&) = delete;
+  ~Crew() {
+    dismissed_ = true;
+    call();
+    for (std::thread& thread : threads_) thread.join();
+  }
+
+  std::size_t hands() const { return threads_.size() + 1; }
+
+  /// Calls `work(part, hand)` once for each part from 0 to `parts` - 1, with the number of the hand that does
+  /// it, and returns when all is done. `work` must not throw. Does not allocate.
+  template <class Work>
+  void go_through(std::size_t parts, const Work& work) {
+    if (threads_.empty() || parts < 2) {
+      for (std::size_t part = 0; part < parts; ++part) work(part, std::size_t{0});
+      return;
+    }
+    // nobody takes a part while it is being said what to do
+    const std::uint64_t piece = (next_.load() | lowest_bits) + 1;
+    next_ = piece | lowest_bits;
+    work_ = [](const void* of, std::size_t part, std::size_t hand) {
+      (*static_cast<const Work*>(of))(part, hand);
+    };
+    of_ = &work;
+    parts_ = parts;
+    done_ = 0;
+    next_ = piece;
+    call();
+    take_parts(0);
+    for (std::size_t done = done_; done != parts; done = done_) done_.wait(done);
+  }
+
+ private:
+  static constexpr std::uint64_t lowest_bits = 0xFFFF'FFFFU;
+
+  void call() {
+    ++calls_;
+    calls_.notify_all();
+  }
+
+  void serve(std::size_t hand) {
+    while (true) {
+      const std::uint32_t heard = calls_;
+      if (dismissed_) return;
+      take_parts(hand);
+      calls_.wait(heard);
+    }
+  }
+
+  /// Whoever succeeds in counting on from a part has it: the piece of work cannot have ended meanwhile.
+  void take_parts(std::size_t hand) {
+    while (true) {
+      std::uint64_t next = next_;
+      Call* const work = work_;
+      const void* of = of_;
+      const std::size_t parts = parts_;
+      const std::size_t part = next & lowest_bits;
+      if (part >= parts) return;
+      if (!next_.compare_exchange_strong(next, next + 1)) continue;
+      work(of, part, hand);
+      if (++done_ == parts) done_.notify_one();
+    }
+  }
+
+  using Call = void(const void* of, std::size_t part, std::size_t hand);
+
+  std::atomic<Call*> work_{};
+  std::atomic<const void*> of_{};
+  std::atomic<std::size_t> parts_{0};
+  std::atomic<std::uint64_t> next_{0};  // which piece of work it is, and in the lowest bits which part of it
+  std::atomic<std::size_t> done_{0};    // parts
+  std::atomic<std::uint32_t> calls_{0};
+  std::atomic<bool> dismissed_{false};
+  std::vector<std::thread> threads_;  // last, so that it starts when all else is there
+};
+
+}  // namespace fairway

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <tuple>
+
+#include "fairway/core/angles.hpp"
+#include "fairway/core/record.hpp"
+
+namespace fairway {
+
+/// What a vehicle under its autopilot can do in still water: the envelope of the closed loop that a method
+/// commands. Plain numbers, so that on board they can be given instead of measured.
+struct Envelope {
+  static constexpr std::size_t turn_rate_count = 4;
+  static constexpr std::size_t change_count = 6;
+
+  double ahead{};
+  double astern{};
+  double sideways{};
+  double up{};
+  double down{};
+  double least{};
+  double acceleration{};
+  double deceleration{};
+  double surge_lag{};
+  double turn_acceleration{};
+  double turn_lag{};
+  double pivot{};
+  double sway_lag{};
+  std::array<double, turn_rate_count> turn_rates{};
+  std::array<double, change_count> following_errors{};
+
+  static consteval auto members() {
+    using R = Envelope;
+    return std::tuple{
+        member<&R::ahead>("mps", "greatest speed ahead").required().not_negative(),
+        member<&R::astern>("mps", "greatest speed astern").not_negative(),
+        member<&R::sideways>("mps", "greatest speed to either side").not_negative(),
+        member<&R::up>("mps", "fastest up, while going ahead").not_negative(),
+        member<&R::down>("mps", "fastest down, while going ahead").not_negative(),
+        member<&R::least>("mps", "it can go no slower and steer").not_negative(),
+        member<&R::acceleration>("mps2", "mean from the least speed to four fifths of the greatest")
+            .required()
+            .not_negative(),
+        member<&R::deceleration>("mps2", "constant, of the same stopping distance as from the greatest speed")
+            .required()
+            .not_negative(),
+        member<&R::surge_lag>("s", "in which 63 % of a small change of speed is made").not_negative(),
+        member<&R::turn_acceleration>("radps2", "greatest change of the turn rate").required().not_negative(),
+        member<&R::turn_lag>("s", "in which 63 % of a small change of the turn rate is made").not_negative(),
+        member<&R::pivot>(
+            "m",
+            "ahead of the origin, where the hull does not slip sideways in a steady turn at the "
+            "greatest speed"),
+        member<&R::sway_lag>("s", "in which 63 % of a motion sideways dies away").not_negative(),
+        member<&R::turn_rates>("radps", "greatest, at 0, 1/3, 2/3 and 1 of the greatest speed"),
+        member<&R::following_errors>(
+            "m",
+            "bound on the distance from a point that takes up a commanded velocity at once, for courses "
+            "that change by 30, 60, 90, 120, 150 and 180 degrees at nine tenths of the greatest speed"),
+    };
+  }
+
+  /// The greatest turn rate at a speed [rad/s], between those of the table by straight lines. O(1).
+  double turn_rate(double speed) const noexcept {
+    return between(turn_rates, ahead > 0.0 ? std::abs(speed) / ahead * (turn_rate_count - 1) : 0.0);
+  }
+
+  /// Sideways through the water in a steady turn, to starboard positive [m/s]: in proportion to speed and
+  /// turn rate, as the momentum that has to be turned is. O(1).
+  double steady_sway(double speed, double turn_rate) const noexcept {
+    return ahead > 0.0 ? -pivot * turn_rate * std::abs(speed) / ahead : 0.0;
+  }
+
+  /// The bound on the error of following a velocity whose course changes by `change` [rad, either way]: none
+  /// for no change. [m] O(1).
+  double following_error(double change) const noexcept {
+    const double place = std::abs(change) / (pi / change_count);
+    return place < 1.0 ? place * following_errors[0] : between(following_errors, place - 1.0);
+  }
+
+  /// The largest change of course whose error stays below `error` [m]: the inverse of following_error(),
+  /// where that grows. [rad] O(1).
+  double followable_change(double error) const noexcept {
+    double before = 0.0;
+    for (std::size_t i = 0; i < change_count; ++i) {
+      const double here = following_errors[i];
+      if (here > error)
+        return (static_cast<double>(i) + (error - before) / (here - before)) * pi / change_count;
+      before = std::max(before, here);
+    }
+    return pi;
+  }
+
+  friend bool operator==(const Envelope&, const Envelope&) = default;
+
+ private:
+  template <std::size_t N>
+  static double between(const std::array<double, N>& values, double place) noexcept {
+    const auto i = std::min(static_cast<std::size_t>(std::max(place, 0.0)), N - 1);
+    if (i + 1 == N) return values[N - 1];
+    return values[i] + (place - static_cast<double>(i)) * (values[i + 1] - values[i]);
+  }
+};
+
+}  // namespace fairway

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "fairway/core/cell_index.hpp"
+#include "fairway/core/math.hpp"
+#include "fairway/core/vec.hpp"
+
+namespace fairway {
+
+/// How far a list reaches: as far as about `usual_count` others are on average, but not less than `least`
+/// and not more than `most` [m].
+struct VicinityLists {
+  double least{};
+  double most{std::numeric_limits<double>::infinity()};
+  double usual_count{8.0};
+};
+
+/// Who is near, of points that move a little at a time (Verlet, Physical Review 159, 1967: lists of
+/// neighbours with a margin). Each point has a list of who was within some distance when all were last sorted
+/// by cells; it holds for as long as nobody has gone half of its margin, and then all are sorted again. It
+/// finds exactly what comparing with every point finds: cells and lists decide about the cost alone. A value;
+/// looking round changes nothing.
+class Vicinity {
+ public:
+  using Lists = VicinityLists;
+
+  explicit Vicinity(const Lists& lists = {}) : lists_{lists} {}
+
+  /// Takes the points `point_of(i)` [m], i from 0 to `count` - 1, in place of those before; one that is not
+  /// finite is nowhere. Allocates only where there are more of them than ever before. O(count).
+  template <class PointOf>
+  void update(std::size_t count, const PointOf& point_of) {
+    const bool is_new = count != now_.size();
+    now_.resize(count);
+    if (count <= handful) {
+      for (std::size_t i = 0; i < count; ++i) now_[i] = point_of(i);
+      return;
+    }
+    const double enough = 0.25 * margin_ * margin_;
+    double way2 = is_new || then_.empty() ? std::numeric_limits<double>::infinity() : 0.0;
+    then_.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      now_[i] = point_of(i);
+      const double d2 = (now_[i] - then_[i]).squaredNorm();
+      if (d2 <= enough) {
+        way2 = math::fmax(way2, d2);
+      } else if (is_finite(now_[i])) {  // too far, or it was nowhere
+        way2 = std::numeric_limits<double>::infinity();
+      }
+    }
+    if (!(way2 <= enough)) {
+      sort();
+      way2 = 0.0;
+    }
+    moved_ = longer(std::sqrt(way2));
+  }
+
+  /// Calls `visit(index, distance2)` for each point whose squared distance from `place` [m2] is at most that
+  /// of `reach` [m], in no order; whoever is at `place` itself is among them.
+  template <class Visit>
+  void visit(const Vec3& place, double reach, const Visit& visit) const {
+    const double reach2 = reach * reach;
+    const auto compare = [&](std::size_t i) {
+      const double distance2 = (now_[i] - place).squaredNorm();
+      if (distance2 <= reach2) visit(i, distance2);
+    };
+    if (now_.size() <= handful) {
+      for (std::size_t i = 0; i < now_.size(); ++i) compare(i);
+    } else {
+      index_.visit(place, longer(reach + moved_), [&](std::size_t i, double) { compare(i); });
+    }
+  }
+
+  /// The same of all but point `index`, which looks round from `place`, usually its own.
+  template <class Visit>
+  void visit_others(std::size_t index, const Vec3& place, double reach, const Visit& visit) const {
+    if (!(reach <= sure_reach(index, place))) {
+      this->visit(place, reach, [&](std::size_t i, double distance2) {
+        if (i != index) visit(i, distance2);
+      });
+      return;
+    }
+    const double reach2 = reach * reach;
+    for (std::uint32_t k = begins_[index]; k < begins_[index + 1]; ++k) {
+      const std::size_t i = listed_[k];
+      const double distance2 = (now_[i] - place).squaredNorm();
+      if (distance2 <= reach2) visit(i, distance2);
+    }
+  }
+
+  /// Where point `index` is [m].
+  const Vec3& place(std::size_t index) const { return now_[index]; }
+  /// How many there are, nowhere or not.
+  std::size_t size() const { return now_.size(); }
+
+  /// Everyone within this distance of `place` [m] is on the list of point `index`; negative where no list
+  /// serves.
+  double sure_reach(std::size_t index, const Vec3& place) const {
+    if (begins_.empty() || now_.size() <= handful) return -1.0;
+    const double reach = list_reach_ - moved_ - longer((place - then_[index]).norm());
+    return reach >= 0.0 ? reach : -1.0;
+  }
+
+  /// A distance within which `wanted(i)` is true of at least `count` others than point `index`, not much
+  /// larger than it has to be; infinite if it is true of fewer.
+  template <class Wanted = bool (*)(std::size_t)>
+  double reach_of(
+      std::size_t count, std::size_t index, const Vec3& place,
+      const Wanted& wanted = [](std::size_t) { return true; }) const {
+    const auto found_within = [&](double reach) {
+      std::size_t found = 0;
+      visit_others(index, place, reach, [&](std::size_t i, double) { found += wanted(i) ? 1 : 0; });
+      return found;
+    };
+    const double sure = sure_reach(index, place);
+    if (sure > 0.0 && found_within(sure) >= count) return sure;
+    if (now_.size() <= handful) return std::numeric_limits<double>::infinity();
+    const double reach = index_.reach_of(
+        count, place, [&](std::size_t i) { return i != index && is_finite(now_[i]) && wanted(i); });
+    return longer(reach + moved_);
+  }
+
+ private:
+  static constexpr std::size_t handful = 24;        // so few are compared faster than lists are kept
+  static constexpr std::size_t list_capacity = 32;  // of a list on average
+  static constexpr double margin_share = 0.1;       // of what a list reaches
+
+  /// More than `distance`, by more than all that is rounded on the way.
+  static double longer(double distance) { return distance * (1.0 + 1e-9); }
+
+  void sort() {
+    then_ = now_;
+    index_.rebuild(now_.size(), lists_.least > 0.0 ? lists_.least : lists_.most,
+                   [&](std::size_t i) { return now_[i]; });
+    const double in_sphere = 4.19 * index_.crowd();  // of the radius of a cell's edge, where it is crowded
+    const double usual = index_.edge() * math::exp(math::log(lists_.usual_count / in_sphere) / 3.0);
+    const double reach = std::clamp(usual, lists_.least, std::max(lists_.least, lists_.most));
+    margin_ = margin_share * reach;
+    list_reach_ = reach + margin_;
+    moved_ = 0.0;
+    list();
+  }
+
+  /// Everyone's list, or none at all where there would be too much on them.
+  void list() {
+    const std::size_t capacity = list_capacity * now_.size();
+    listed_.reserve(capacity);
+    begins_.resize(now_.size() + 1);
+    listed_.clear();
+    for (std::size_t i = 0; i < now_.size(); ++i) {
+      begins_[i] = static_cast<std::uint32_t>(listed_.size());
+      index_.visit(then_[i], longer(list_reach_), [&](std::size_t j, double) {
+        if (j != i && listed_.size() < capacity) listed_.push_back(static_cast<std::uint32_t>(j));
+      });
+      if (listed_.size() == capacity) return begins_.clear();
+    }
+    begins_.back() = static_cast<std::uint32_t>(listed_.size());
+  }
+
+  Lists lists_;
+  CellIndex index_;         // of where they were when they were last sorted
+  std::vector<Vec3> then_;  // likewise
+  std::vector<Vec3> now_;
+  double moved_{};                     // since then, nobody farther [m]
+  double margin_{};                    // [m]
+  double list_reach_{};                // with it [m]
+  std::vector<std::uint32_t> listed_;  // all lists, one after the other
+  std::vector<std::uint32_t> begins_;  // of each, and the end; empty where there are none
+};
+
+}  // namespace fairway

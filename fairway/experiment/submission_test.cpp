@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/experiment/submission.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "fairway/core/testing/refusal.hpp"
+#include "fairway/experiment/testing/sample_runs.hpp"
+
+namespace fairway {
+namespace {
+
+using ::testing::HasSubstr;
+
+TEST(Submission, HasShardsThatAreLongEnoughAndEndTogether) {
+  // 4 for each of 8 nodes
+  EXPECT_EQ(shard_count({.total_s = 1e4, .runs = 100'000, .nodes = 8}), 32U);
+  // of 30 s at least: 100 s / 30 s
+  EXPECT_EQ(shard_count({.total_s = 100, .runs = 100'000, .nodes = 8}), 3U);
+  EXPECT_EQ(shard_count({.total_s = 1, .runs = 100'000, .nodes = 8}), 1U);
+  // of four cores, 400 s of work take 100 s
+  EXPECT_EQ(shard_count({.total_s = 400, .runs = 100'000, .nodes = 8, .cores = 4}), 3U);
+  // half of the limit: 1e5 s / 300 s = 334, of which 328 are 41 for each of 8 nodes
+  EXPECT_EQ(shard_count({.total_s = 1e5, .runs = 100'000, .nodes = 8, .limit_s = 600}), 328U);
+  // no more than an array may have, nor than there are runs; and none alone in a last round
+  EXPECT_EQ(shard_count({.total_s = 1e7, .runs = 10'000'000, .nodes = 1000}), 1000U);
+  EXPECT_EQ(shard_count({.total_s = 1e7, .runs = 20, .nodes = 8}), 16U);
+}
+
+TEST(Submission, WritesRangesAsSlurmReadsThem) {
+  EXPECT_EQ(ranges_text(std::vector<std::uint32_t>{3, 7, 8, 9, 12}), "3,7-9,12");
+  EXPECT_EQ(ranges_text(std::vector<std::uint32_t>{}), "");
+}
+
+TEST(Submission, ReadsWhatItsFolderHoldsOfEveryShard) {
+  const TemporaryFolder folder;
+  Submission s{.campaign = "c", .digest = "d", .folder = folder.file(""), .runs = {4, 4, 4, 4, 4}};
+  std::filesystem::create_directories(s.folder + "/parts");
+  const auto put = [&](std::uint32_t shard, std::size_t runs, const std::string& digest) {
+    Store store = Store::open(s.part(shard));
+    store.note(Origin{.campaign = "c", .digest = digest});
+    store.put(sample::records(runs));
+  };
+  put(0, 4, "d");
+  put(1, 2, "d");
+  put(2, 4, "of another version");
+  put(3, 4, "d");
+  std::filesystem::resize_file(s.part(3), 5000);
+  const std::vector<ShardProgress> progress = progress_of(s);
+  EXPECT_EQ(progress[0].state, ShardState::whole);
+  EXPECT_EQ(progress[1].state, ShardState::begun);
+  EXPECT_EQ(progress[1].runs, 2U);
+  EXPECT_EQ(progress[2].state, ShardState::damaged);
+  EXPECT_EQ(progress[3].state, ShardState::damaged);
+  EXPECT_EQ(progress[4].state, ShardState::missing);
+}
+
+TEST(Submission, ThatIsNoneIsRefused) {
+  const TemporaryFolder folder;
+  EXPECT_THAT(refusal_by([&] { read_submission(folder.file("nowhere")); }),
+              HasSubstr("nowhere/submission.json: cannot be read"));
+  sample::write_bytes(folder.file("submission.json"), "{\"campaign\": 3}");
+  EXPECT_THAT(refusal_by([&] { read_submission(folder.file("")); }),
+              HasSubstr("is no submission of fairway"));
+}
+
+}  // namespace
+}  // namespace fairway

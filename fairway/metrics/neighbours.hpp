@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+
+#include "fairway/core/vicinity.hpp"
+#include "fairway/record/frame.hpp"
+
+namespace fairway {
+
+/// Who of a frame's vehicles is near whom, for the metrics that ask. Does not allocate after the first frame.
+class Neighbours {
+ public:
+  /// Of one vehicle at once there is room for so many contacts; whoever has more takes memory for them.
+  static constexpr std::size_t usual_contacts = 8;
+
+  /// `reach` is how far the metrics usually look [m].
+  explicit Neighbours(double reach) : vicinity_{{.least = reach, .usual_count = 20.0}} {}
+
+  /// Takes the next frame, of the same vehicles.
+  const Neighbours& of(const Frame& frame) {
+    vicinity_.update(frame.vehicles.size(), [&](std::size_t i) { return frame.vehicles[i].state.p_n; });
+    return *this;
+  }
+
+  /// Calls `visit(other, distance2)` for each other vehicle whose squared distance from vehicle `index` [m2]
+  /// is at most that of `reach` [m], in no order.
+  template <class Visit>
+  void visit(std::size_t index, double reach, const Visit& visit) const {
+    vicinity_.visit_others(index, vicinity_.place(index), reach, visit);
+  }
+
+  /// A distance within which `wanted(other)` is true of another vehicle; infinite if it is true of none.
+  template <class Wanted>
+  double reach_of_one(std::size_t index, const Wanted& wanted) const {
+    return vicinity_.reach_of(1, index, vicinity_.place(index), wanted);
+  }
+
+ private:
+  Vicinity vicinity_;
+};
+
+}  // namespace fairway

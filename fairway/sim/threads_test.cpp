@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "fairway/core/rng.hpp"
+#include "fairway/core/testing/allocations.hpp"
+#include "fairway/metrics/run_metrics.hpp"
+#include "fairway/record/frame_hash.hpp"
+#include "fairway/sim/simulation.hpp"
+
+namespace fairway {
+namespace {
+
+constexpr std::array thread_counts{1U, 2U, 5U};
+
+/// Kinematic vehicles under `algorithm`, near each other in a box, each on its way somewhere.
+Scenario crowd(std::size_t count, const std::string& algorithm) {
+  Scenario scenario{.name = "crowd", .duration_s = 5.0};
+  scenario.perception.range_m = 15.0;
+  Rng rng{7};
+  const auto anywhere = [&] { return Vec3{rng.uniform(0, 60), rng.uniform(0, 60), rng.uniform(5, 30)}; };
+  for (std::size_t i = 0; i < count; ++i) {
+    VehicleSpec vehicle{.id = static_cast<std::uint32_t>(i),
+                        .name = "v" + std::to_string(i),
+                        .model = {.name = "kinematic"},
+                        .avoider = {.name = algorithm},
+                        .position = anywhere(),
+                        .radius_m = 0.5,
+                        .priority = static_cast<std::int32_t>(i),
+                        .cooperative = i % 10 != 0};
+    vehicle.limits.max_speed = 0.5;
+    vehicle.mission = {{.kind = LegKind::transit, .position = anywhere(), .speed_mps = 0.5}};
+    scenario.vehicles.push_back(std::move(vehicle));
+  }
+  return scenario;
+}
+
+/// Of every frame and of the tracks in it.
+struct Hash final : FrameSink {
+  explicit Hash(bool tracks) : with_tracks{tracks} {}
+  void write(const Frame& frame) override {
+    value = mix_hash(mix_hash(value, frame_hash(frame)), with_tracks ? perception_hash(frame) : 0);
+  }
+  bool wants_tracks() const override { return with_tracks; }
+
+  bool with_tracks;
+  std::uint64_t value{};
+};
+
+TEST(Threads, AnyNumberOfThemGivesTheSameBits) {
+  for (const char* algorithm : {"orca3d", "apf+stop_and_wait"}) {
+    for (const bool with_tracks : {false, true}) {
+      std::vector<std::uint64_t> hashes;
+      std::vector<std::vector<Measure>> measures;
+      for (const std::size_t threads : thread_counts) {
+        Simulation simulation{crowd(150, algorithm), builtin_catalogs()};
+        simulation.share_out(threads);
+        Hash hash{with_tracks};
+        RunMetrics metrics{{6.0, 3.0}};
+        metrics.share_out(threads);
+        const std::array<FrameSink*, 2> sinks{&hash, &metrics};
+        simulation.run(sinks);
+        hashes.push_back(hash.value);
+        measures.push_back(metrics.measures());
+      }
+      EXPECT_EQ(hashes, std::vector(thread_counts.size(), hashes[0])) << algorithm;
+      EXPECT_EQ(measures, std::vector(thread_counts.size(), measures[0])) << algorithm;
+    }
+  }
+}
+
+TEST(Threads, OfTwoThatBreakTheFirstOneIsNamed) {
+  for (const std::size_t threads : thread_counts) {
+    Simulation simulation{crowd(150, "orca3d"), builtin_catalogs()};
+    simulation.share_out(threads);
+    simulation.look();
+    for (const std::size_t index : {140U, 70U})
+      simulation.order(index, {.velocity = Vec3::Constant(std::nan(""))});
+    simulation.act({});
+    ASSERT_TRUE(simulation.divergence());
+    EXPECT_EQ(simulation.divergence()->vehicle, 70U);
+  }
+}
+
+TEST(Threads, NothingAllocatesAfterTheFirstSteps) {
+  Simulation simulation{crowd(150, "orca3d"), builtin_catalogs()};
+  simulation.share_out(3);
+  RunMetrics metrics{{6.0, 3.0}};
+  metrics.share_out(3);
+  const std::array<FrameSink*, 1> sinks{&metrics};
+  for (int i = 0; i < 3; ++i) simulation.step(sinks);
+  const long before = allocation_count();
+  for (int i = 0; i < 50; ++i) simulation.step(sinks);
+  EXPECT_EQ(allocation_count(), before);
+}
+
+TEST(Threads, ACopyHasItsOwn) {
+  Simulation a{crowd(100, "orca3d"), builtin_catalogs()};
+  a.share_out(2);
+  for (int i = 0; i < 10; ++i) a.step({});
+  Simulation b = a;
+  std::thread other{[&] {
+    for (int i = 0; i < 20; ++i) b.step({});
+  }};
+  for (int i = 0; i < 20; ++i) a.step({});
+  other.join();
+  for (std::size_t i = 0; i < 100; ++i)
+    EXPECT_EQ(a.agents()[i].vehicle.state().p_n, b.agents()[i].vehicle.state().p_n);
+}
+
+}  // namespace
+}  // namespace fairway

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/tuning/tune.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "fairway/core/testing/refusal.hpp"
+#include "fairway/core/testing/temporary_folder.hpp"
+#include "fairway/sim/catalogs.hpp"
+#include "fairway/tuning/tuning_text.hpp"
+
+namespace fairway {
+namespace {
+
+const std::string scenario_text = R"(fairway: 1
+name: meeting
+summary: two that meet
+duration_s: 10
+defaults: {model: kinematic, avoider: orca3d, radius_m: 1}
+vehicles:
+  - {name: a, start: {position_m: [0, 0, 5]}, mission: [{transit: {position_m: [20, 0, 5]}}]}
+  - {name: b, start: {position_m: [20, 0, 5], yaw_deg: 180}, mission: [{transit: {position_m: [0, 0, 5]}}]}
+)";
+
+const std::string specification = R"(fairway_tuning: 1
+name: meeting
+method: {algorithm: orca3d, crit_dist_m: 20}
+parameters:
+  time_horizon_s: {from: 2, to: 60, scale: log}
+  max_neighbours_count: {from: 2, to: 12}
+  symmetry: [none, starboard]
+train: {scenario: meeting.yaml, seeds: {count: 20}}
+validation: {scenario: meeting.yaml, seeds: {first: 101, count: 30}}
+test: {scenario: meeting.yaml, seeds: {first: 201, count: 40}}
+)";
+
+double param(const Scenario& scenario, std::string_view name, double usual) {
+  for (const auto& [key, value] : scenario.vehicles[0].avoider.params)
+    if (key == name) return std::get<double>(value);
+  return usual;
+}
+
+/// Stands in for a simulation: best at a horizon of 20 s and 6 neighbours; a horizon below 4 s collides.
+std::vector<Measure> pretended(const Scenario& scenario) {
+  Rng rng = Rng{scenario.seed}.stream("pretended");
+  const double horizon = param(scenario, "time_horizon_s", 5.0);
+  const double neighbours = param(scenario, "max_neighbours_count", 10.0);
+  const double time = 100.0 + 30.0 * std::fabs(std::log(horizon / 20.0)) + 3.0 * std::fabs(neighbours - 6.0);
+  return {{.quantity = "pair_collision_count", .value = horizon < 4.0 ? 1.0 : 0.0},
+          {.quantity = "arrived_ratio", .value = 1.0},
+          {.quantity = "navigation_time_s", .vehicle = 0, .value = time + 5.0 * rng.normal()}};
+}
+
+class Tuning : public ::testing::Test {
+ protected:
+  void SetUp() override { std::ofstream{folder_.file("meeting.yaml")} << scenario_text; }
+
+  std::string file() const { return folder_.file("spec.yaml"); }
+  TuningFile parsed(const std::string& text = specification) const {
+    return parse_tuning_file(text, file(), catalogs_.avoiders);
+  }
+
+  TuningResult tuned(Store& store, unsigned jobs, std::size_t budget = 800,
+                     const Simulate& simulate = pretended, const TuningFile* tuning = nullptr) const {
+    TrialRuns runs{file(), {.check = {}, .own = {}, .simulate = simulate}, store, {.jobs = jobs}};
+    return tune(tuning != nullptr ? *tuning : parsed(), runs, {.budget = budget});
+  }
+
+  TemporaryFolder folder_;
+  Catalogs catalogs_ = builtin_catalogs();
+};
+
+TEST_F(Tuning, FindsWhatIsBestAndSaysHowMuchBetterOnRunsThatItNeverSaw) {
+  Store store = Store::in_memory();
+  const TuningResult result = tuned(store, 2, 1600);
+  EXPECT_FALSE(result.is_usual);
+  EXPECT_NEAR(std::log(result.best[0] / 20.0), 0.0, 0.25);
+  EXPECT_NEAR(result.best[1], 6.0, 2.0);
+  EXPECT_LE(result.runs, 1600U);
+  EXPECT_EQ(result.test.runs, 40U);
+  EXPECT_EQ(result.test.collision_free.rate, 1.0);
+  // 141.6 + 12 s as written, about 100 tuned
+  EXPECT_NEAR(result.test.time_difference.mean, 105.0 / 153.6 - 1.0, 0.05);
+  EXPECT_LT(result.test.time_difference.high, -0.2);
+  EXPECT_LT(result.luck.low, 0.0);
+  EXPECT_GT(result.luck.high, 0.0) << "nothing here is luck";
+}
+
+TEST_F(Tuning, IsTheSameOnAnyNumberOfThreadsAndGoesOnWhereItWasStopped) {
+  Store one = Store::in_memory(), many = Store::in_memory(), stopped = Store::in_memory();
+  const std::string expected = to_json(parsed(), tuned(one, 1)).dump();
+  EXPECT_EQ(to_json(parsed(), tuned(many, 4)).dump(), expected);
+
+  std::atomic<int> made{0};
+  const Simulate until_stopped = [&](const Scenario& scenario) {
+    if (++made > 300) throw RunAbandoned{};
+    return pretended(scenario);
+  };
+  EXPECT_THROW(tuned(stopped, 1, 800, until_stopped), RunAbandoned);
+  const std::size_t before = stopped.size();
+  EXPECT_GT(before, 200U);
+  std::atomic<std::size_t> again{0};
+  const Simulate counted = [&](const Scenario& scenario) {
+    ++again;
+    return pretended(scenario);
+  };
+  EXPECT_EQ(to_json(parsed(), tuned(stopped, 2, 800, counted)).dump(), expected);
+  EXPECT_EQ(before + again, stopped.size()) << "no run is made twice";
+}
+
+TEST_F(Tuning, WhereNothingIsBetterTheMethodStaysAsItIsWritten) {
+  const Simulate alike = [](const Scenario& scenario) {
+    std::vector<Measure> measures = pretended(scenario);
+    if (param(scenario, "time_horizon_s", -1.0) > 0.0) measures[0].value = 1.0;  // whatever is tried collides
+    return measures;
+  };
+  Store store = Store::in_memory();
+  const TuningResult result = tuned(store, 2, 400, alike);
+  EXPECT_TRUE(result.is_usual);
+  EXPECT_EQ(result.best, usual_setting(parsed().parameters));
+  EXPECT_EQ(result.test.time_difference.mean, 0.0);
+  EXPECT_TRUE(tuning_text(parsed(), result).find("nothing was better") != std::string::npos);
+}
+
+TEST_F(Tuning, TellsLuckFromGain) {
+  // time is noise that a setting brings to a seed: what is best on train is no better on test
+  const Simulate noise = [](const Scenario& scenario) {
+    std::vector<Measure> measures = pretended(scenario);
+    const double horizon = param(scenario, "time_horizon_s", 5.0);
+    Rng rng = Rng{scenario.seed}.stream("noise", static_cast<std::uint64_t>(1e6 * horizon));
+    measures[0].value = 0.0;
+    measures[2].value = 100.0 + 20.0 * rng.normal();
+    return measures;
+  };
+  Store store = Store::in_memory();
+  const TuningResult result = tuned(store, 2, 3000, noise);
+  ASSERT_FALSE(result.is_usual);
+  EXPECT_LT(result.train.time_difference.mean, -0.03) << "on train it looks better";
+  EXPECT_GT(result.luck.mean, 0.02);
+  EXPECT_GT(result.test.time_difference.high, 0.0) << "on test it is not";
+}
+
+TEST_F(Tuning, TheAvoiderItWritesIsTheOneItFound) {
+  Store store = Store::in_memory();
+  const TuningResult result = tuned(store, 2);
+  const std::string text = tuned_avoider(parsed(), result, "fairway tune spec.yaml");
+  EXPECT_TRUE(text.starts_with("# Tuned by fairway"));
+  EXPECT_TRUE(text.find("# fairway tune spec.yaml\n") != std::string::npos);
+  EXPECT_TRUE(text.find("time_horizon_s: " + value_text(parsed().parameters[0], result.best[0])) !=
+              std::string::npos)
+      << text;
+}
+
+TEST_F(Tuning, RefusesWhatCannotBeTunedWithItsPlace) {
+  const auto refusal = [&](const std::string& from, const std::string& to) {
+    std::string text = specification;
+    text.replace(text.find(from), from.size(), to);
+    return refusal_by([&] { parsed(text); });
+  };
+  EXPECT_EQ(
+      refusal("time_horizon_s", "time_horizon"),
+      file() + ":5:3: parameters.time_horizon: is no parameter of orca3d; did you mean time_horizon_s?");
+  EXPECT_EQ(refusal("from: 2, to: 60", "from: 60, to: 2"),
+            file() + ":5:19: parameters.time_horizon_s: from must be less than to");
+  EXPECT_EQ(refusal("[none, starboard]", "[none, port]").substr(file().size()),
+            ":7:20: parameters.symmetry[1]: is port; known: none, starboard, drawn, by_id");
+  EXPECT_EQ(
+      refusal("first: 201", "first: 120"),
+      file() + ":10:18: test: has meeting under seed 120 as validation has; what is judged by must be new");
+  EXPECT_EQ(refusal("seeds: {count: 20}", "seeds: {count: 4}").substr(file().size()),
+            ":8:48: train.seeds.count: is 4; nobody can be told apart by fewer than 5");
+  EXPECT_EQ(refusal("crit_dist_m: 20", "time_horizon_s: 20").substr(file().size()),
+            ":5:19: parameters.time_horizon_s: is set by method too, so it is not searched for; leave it out "
+            "there");
+  EXPECT_EQ(refusal("{algorithm: orca3d, crit_dist_m: 20}", "direct").substr(file().size()),
+            ":5:3: parameters: direct has no parameters, so there is nothing to tune");
+  EXPECT_EQ(refusal("{from: 2, to: 12}", "5").substr(file().size()),
+            ":6:25: parameters.max_neighbours_count: expected {from: 1, to: 10}, or a list of values, got 5");
+}
+
+TEST_F(Tuning, RefusesABudgetThatIsTooSmallToRace) {
+  Store store = Store::in_memory();
+  EXPECT_EQ(refusal_by([&] { tuned(store, 1, 20); }),
+            "a budget of 20 runs is too small to race; this needs 55 to judge one generation");
+}
+
+}  // namespace
+}  // namespace fairway

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/tuning/tuning_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+
+#include "fairway/core/names.hpp"
+#include "fairway/core/text.hpp"
+#include "fairway/experiment/campaign_forms.hpp"
+
+namespace fairway {
+namespace {
+
+using Kind = TunedParameter::Kind;
+using yaml::Block;
+using yaml::Needed;
+using yaml::Tree;
+using yaml::Value;
+
+// a range that nobody would search as it stands: the declared bounds only keep nonsense out
+constexpr double widest_ratio = 1000.0;
+
+std::int32_t read_version(const Value& value) {
+  const auto version = value.whole<std::int32_t>();
+  if (version != 1)
+    value.refuse("is " + std::to_string(version) + "; this fairway reads specifications of version 1");
+  return version;
+}
+
+double usual_of(const TunedParameter& parameter, const ParamInfo& info, const ParamValue& value) {
+  if (parameter.kind != Kind::choice) {
+    const double* number = std::get_if<double>(&value);
+    return std::clamp(number != nullptr ? *number : parameter.range.lo, parameter.range.lo,
+                      parameter.range.hi);
+  }
+  const std::string text = info.type == "boolean" ? (std::get<bool>(value) ? "true" : "false")
+                           : std::holds_alternative<double>(value) ? number_text(std::get<double>(value))
+                                                                   : std::get<std::string>(value);
+  const auto place = std::find(parameter.choices.begin(), parameter.choices.end(), text);
+  return place == parameter.choices.end() ? 0.0 : static_cast<double>(place - parameter.choices.begin());
+}
+
+/// `[none, starboard]`, or of a number `[1, 2, 4]`: the values between which to choose.
+void read_choices(const Value& value, const ParamInfo& info, TunedParameter& parameter) {
+  parameter.kind = Kind::choice;
+  for (std::size_t i = 0; i < value.tree().items.size(); ++i) {
+    const Value entry = value.entry(i);
+    std::string text = yaml::one_line(entry.tree());
+    const bool known = info.type != "choice" || std::ranges::find(info.choices, text) != info.choices.end();
+    if (!known) entry.refuse("is " + text + suggestion(text, {info.choices.begin(), info.choices.end()}));
+    if (std::ranges::find(parameter.choices, text) != parameter.choices.end())
+      entry.refuse(text + " is given twice");
+    parameter.choices.push_back(std::move(text));
+  }
+}
+
+/// `{from: 2, to: 60, scale: log}`; what is not given is as the method declares it.
+void read_range(const Value& value, const ParamInfo& info, TunedParameter& parameter) {
+  value.expect_keys({"from", "to", "scale"});
+  parameter.kind = info.type == "integer" ? Kind::integer : Kind::number;
+  const yaml::Bounds bounds = yaml::from_to(info.range.lo, info.range.hi);
+  const std::optional<Value> from = value.find("from"), to = value.find("to"), scale = value.find("scale");
+  parameter.range = {from ? from->number(bounds) : info.range.lo, to ? to->number(bounds) : info.range.hi};
+  const auto [lo, hi] = parameter.range;
+  if (!(lo < hi)) value.refuse("from must be less than to");
+  if ((!from || !to) && hi - lo > widest_ratio * std::max(1.0, std::fabs(lo)))
+    value.refuse("may be anything in [" + number_text(lo) + ", " + number_text(hi) +
+                 "], which is no range to search; give from and to");
+  if (parameter.kind == Kind::integer && (std::floor(lo) != lo || std::floor(hi) != hi))
+    value.refuse("is a whole number: from and to must be such");
+  if (!scale) return;
+  const std::string text = scale->text();
+  if (text != "log" && text != "linear") scale->refuse("is \"" + text + "\"; expected linear or log");
+  parameter.logarithmic = text == "log";
+  if (parameter.logarithmic && parameter.kind == Kind::integer)
+    scale->refuse("is for numbers, not for integers");
+  if (parameter.logarithmic && lo <= 0.0) scale->refuse("cannot be log where from is not above 0");
+}
+
+/// Nothing written: all that the method declares.
+void take_all(const Value& value, const ParamInfo& info, TunedParameter& parameter) {
+  if (info.type == "number" || info.type == "integer") {
+    Tree nothing = Tree::map();
+    nothing.where = value.tree().where;
+    return read_range(Value{nothing, value.path(), value.reading()}, info, parameter);
+  }
+  parameter.kind = Kind::choice;
+  parameter.choices = info.type == "boolean" ? std::vector<std::string>{"false", "true"} : info.choices;
+}
+
+TunedParameter read_parameter(const Value& value, const ParamInfo& info, const ParamValues& written) {
+  TunedParameter parameter{.name = info.name};
+  if (info.type == "list") value.refuse("is a list of structures, which is not searched");
+  const bool is_number = info.type == "number" || info.type == "integer";
+  if (value.tree().is_null()) {
+    take_all(value, info, parameter);
+  } else if (value.tree().is_list() && value.tree().items.size() > 1) {
+    read_choices(value, info, parameter);
+  } else if (value.tree().is_map() && is_number) {
+    read_range(value, info, parameter);
+  } else {
+    value.expected(is_number ? "{from: 1, to: 10}, or a list of values"
+                             : "a list of values, or nothing for all");
+  }
+  const auto set =
+      std::ranges::find(written, info.name, [](const auto& w) { return std::string_view{w.first}; });
+  if (set != written.end())
+    value.refuse("is set by method too, so it is not searched for; leave it out there");
+  parameter.usual = usual_of(parameter, info, info.value);
+  return parameter;
+}
+
+std::vector<TunedParameter> read_parameters(const Value& value, const Catalog& methods,
+                                            const Choice& method) {
+  value.expect_map("parameters, each with what it may be");
+  const std::vector<ParamInfo> known = methods.params(method.name);
+  if (known.empty()) value.refuse(method.name + " has no parameters, so there is nothing to tune");
+  if (value.tree().keys.empty()) value.refuse("none is named, so there is nothing to tune");
+  std::vector<TunedParameter> parameters;
+  for (std::size_t i = 0; i < value.tree().keys.size(); ++i) {
+    const std::string& name = value.tree().keys[i];
+    const auto info = std::ranges::find(known, name, &ParamInfo::name);
+    if (info == known.end()) {
+      std::vector<std::string_view> names;
+      for (const ParamInfo& p : known) names.push_back(p.name);
+      value.refuse_key(i, "is no parameter of " + method.name + suggestion(name, names));
+    }
+    parameters.push_back(read_parameter(value.entry(i), *info, method.params));
+  }
+  return parameters;
+}
+
+const Block<TuningSet>& set_block() {
+  static const Block<TuningSet> seeds{
+      key("first", &TuningSet::first_seed, yaml::seed(), "Default 1."),
+      key("count", &TuningSet::seed_count, yaml::seed_count(), "How many in a row.", Needed::yes)};
+  static const Block<TuningSet> block{
+      key("scenario", &TuningSet::scenarios, yaml::scenario_files(),
+          "One scenario or several, relative to this file.", Needed::yes),
+      group("seeds", seeds, "Under each of which every scenario is run.", Needed::yes)};
+  return block;
+}
+
+/// The file's keys; those that need the catalog are read apart.
+const Block<TuningFile>& tuning_block() {
+  static const auto apart = [](const Value&, TuningFile&) {};
+  static const auto unwritten = [](const TuningFile&) { return std::optional<Tree>{}; };
+  static const auto set = yaml::block_form(set_block());
+  static const Block<TuningFile> block{
+      key("fairway_tuning", &TuningFile::version,
+          yaml::read_only<std::int32_t>(read_version, yaml::schema_text(R"({"const": 1})")),
+          "The format's version, 1.", Needed::yes),
+      key("name", &TuningFile::name, yaml::name(), "Of the specification.", Needed::yes),
+      key("summary", &TuningFile::summary, yaml::text(), "What it is meant to find out."),
+      key("method", &TuningFile::method,
+          yaml::read_only<CampaignAlgorithm>(yaml::read_algorithm,
+                                             yaml::schema_text(R"({"type": ["string", "object"]})")),
+          "The avoider that is tuned, with what is to stay as it is written.", Needed::yes),
+      {.name = "parameters",
+       .meaning =
+           "What is searched for: {from, to, scale} of a number, a list of values of anything, nothing for "
+           "all that the method declares.",
+       .needed = Needed::yes,
+       .read = apart,
+       .write = unwritten,
+       .schema = yaml::schema_text(R"({"type": "object", "minProperties": 1})")},
+      key("train", &TuningFile::train, set, "What is searched on.", Needed::yes),
+      key("validation", &TuningFile::validation, set, "What the search never sees; shows its luck.",
+          Needed::yes),
+      key("test", &TuningFile::test, set, "What the result is reported on.", Needed::yes)};
+  return block;
+}
+
+/// A run that is in both, as "cube20_8 under seed 7".
+std::optional<std::string> common_run(const TuningSet& a, const TuningSet& b,
+                                      const std::filesystem::path& folder) {
+  const std::uint64_t first = std::max(a.first_seed, b.first_seed);
+  const std::uint64_t last = std::min(a.first_seed + (a.seed_count - 1), b.first_seed + (b.seed_count - 1));
+  if (first > last) return {};
+  const auto place = [&](const CampaignScenarioFile& file) {
+    return (folder / file.path).lexically_normal();
+  };
+  for (const CampaignScenarioFile& one : a.scenarios)
+    for (const CampaignScenarioFile& other : b.scenarios)
+      if (place(one) == place(other))
+        return place(one).stem().string() + " under seed " + std::to_string(first);
+  return {};
+}
+
+void refuse_common_runs(const TuningFile& tuning, const std::string& file) {
+  const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+  const std::array<std::pair<const char*, const TuningSet*>, 3> sets{
+      {{"train", &tuning.train}, {"validation", &tuning.validation}, {"test", &tuning.test}}};
+  for (std::size_t i = 0; i < sets.size(); ++i)
+    for (std::size_t j = i + 1; j < sets.size(); ++j)
+      if (const auto run = common_run(*sets[i].second, *sets[j].second, folder))
+        throw InputError(sets[j].second->scenarios.front().where, sets[j].first,
+                         "has " + *run + " as " + sets[i].first + " has; what is judged by must be new");
+}
+
+void refuse_bad_seeds(const Value& root, const TuningFile& tuning) {
+  if (tuning.train.seed_count < least_train_seeds)
+    root.at("train").at("seeds").at("count").refuse("is " + std::to_string(tuning.train.seed_count) +
+                                                    "; nobody can be told apart by fewer than " +
+                                                    std::to_string(least_train_seeds));
+  for (const auto& [name, set] :
+       {std::pair{"train", &tuning.train}, std::pair{"validation", &tuning.validation},
+        std::pair{"test", &tuning.test}})
+    if (set->first_seed + (set->seed_count - 1) < set->first_seed)
+      root.at(name).at("seeds").refuse("pass the largest seed there is");
+}
+
+}  // namespace
+
+TuningFile parse_tuning_file(std::string_view text, const std::string& file, const Catalog& methods) {
+  const Tree document = yaml::parse_tree(text, file);
+  if (!document.is_map() || document.find("fairway_tuning") == nullptr)
+    throw InputError(
+        {file, 0, 0}, "",
+        "not a specification of a tuning: expected keys such as fairway_tuning, method and train");
+  yaml::Reading reading{0};
+  const Value root{document, "", reading};
+  TuningFile tuning;
+  yaml::read_block(root, tuning_block(), tuning);
+  tuning.parameters =
+      read_parameters(root.at("parameters"), methods,
+                      yaml::read_choice(root.at("method"), "algorithm", Needed::yes, {"label"}));
+  refuse_bad_seeds(root, tuning);
+  refuse_common_runs(tuning, file);
+  return tuning;
+}
+
+}  // namespace fairway

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/tuning/tuning_text.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "fairway/experiment/version.hpp"
+
+namespace fairway {
+namespace {
+
+using nlohmann::json;
+
+struct NamedSet {
+  const char* name;
+  const Appraisal* found;
+  const Appraisal* usual;
+};
+
+std::array<NamedSet, 3> sets_of(const TuningResult& result) {
+  return {{{"train", &result.train, &result.usual_train},
+           {"validation", &result.validation, &result.usual_validation},
+           {"test", &result.test, &result.usual_test}}};
+}
+
+json number(double value) { return std::isfinite(value) ? json(value) : json(); }
+
+json mean_json(const MeanEstimate& e) {
+  return {{"mean", number(e.mean)}, {"low", number(e.low)}, {"high", number(e.high)}};
+}
+
+json appraisal_json(const Appraisal& a) {
+  return {{"runs", a.runs},
+          {"collision_free_ratio",
+           {{"mean", a.collision_free.rate}, {"low", a.collision_free.low}, {"high", a.collision_free.high}}},
+          {"arrived_ratio", mean_json(a.arrived)},
+          {"navigation_time_s", mean_json(a.time_s)},
+          {"safer_ratio",
+           {{"mean", number(a.safer.difference)},
+            {"low", number(a.safer.low)},
+            {"high", number(a.safer.high)},
+            {"p", a.safer_p}}},
+          {"time_difference_ratio", mean_json(a.time_difference)}};
+}
+
+json score_json(const Score& score) {
+  return {{"runs", score.runs},
+          {"unsafe", score.unsafe},
+          {"arrived_ratio", score.arrived},
+          {"time_ratio", number(score.time_ratio)}};
+}
+
+json setting_json(const TuningFile& tuning, const Setting& setting) {
+  json object = json::object();
+  for (std::size_t i = 0; i < setting.size(); ++i) {
+    const TunedParameter& parameter = tuning.parameters[i];
+    if (parameter.kind == TunedParameter::Kind::choice) {
+      object[parameter.name] = parameter.choices[static_cast<std::size_t>(setting[i])];
+    } else {
+      object[parameter.name] = setting[i];
+    }
+  }
+  return object;
+}
+
+std::string row(const std::string& name, const Appraisal& a) {
+  return fmt::format("  {:<24} {:>5}   {:.3f} [{:.3f}, {:.3f}]   {:.3f}   {:.4g} [{:.4g}, {:.4g}] s\n", name,
+                     a.runs, a.collision_free.rate, a.collision_free.low, a.collision_free.high,
+                     a.arrived.mean, a.time_s.mean, a.time_s.low, a.time_s.high);
+}
+
+std::string percent(const MeanEstimate& e) {
+  return fmt::format("{:+.1f} % [{:+.1f}, {:+.1f}]", 100.0 * e.mean, 100.0 * e.low, 100.0 * e.high);
+}
+
+std::string setting_text(const TuningFile& tuning, const Setting& setting) {
+  std::string text;
+  for (std::size_t i = 0; i < setting.size(); ++i)
+    text += fmt::format(
+        "  {:<32} {}{}\n", tuning.parameters[i].name, value_text(tuning.parameters[i], setting[i]),
+        setting[i] == tuning.parameters[i].usual
+            ? ""
+            : fmt::format("   (it has {})", value_text(tuning.parameters[i], tuning.parameters[i].usual)));
+  return text;
+}
+
+}  // namespace
+
+std::string tuning_text(const TuningFile& tuning, const TuningResult& result) {
+  std::string text = fmt::format("{}: {} settings of {} in {} generations, {} runs\n", tuning.name,
+                                 result.tried, tuning.method.label, result.generations, result.runs);
+  if (result.is_usual) {
+    text += "  nothing was better on the runs to train on than the method as it is written\n";
+  } else {
+    text += setting_text(tuning, result.best);
+  }
+  text +=
+      fmt::format("  {:<24} {:>5}   collision-free [95 %]     arrived   mean time under way\n", "", "runs");
+  for (const NamedSet& set : sets_of(result)) {
+    text += row(std::string{set.name} + ", as written", *set.usual);
+    if (!result.is_usual) text += row(std::string{set.name} + ", tuned", *set.found);
+  }
+  if (result.is_usual) return text;
+  for (const NamedSet& set : sets_of(result))
+    text += fmt::format("  {}: time {}, run by run; collision-free {:+.1f} % [{:+.1f}, {:+.1f}], p {:.2g}\n",
+                        set.name, percent(set.found->time_difference), 100.0 * set.found->safer.difference,
+                        100.0 * set.found->safer.low, 100.0 * set.found->safer.high, set.found->safer_p);
+  text += fmt::format("  of the time saved on train, luck (lost again on test): {}\n", percent(result.luck));
+  for (const Ablation& ablation : result.ablations)
+    text +=
+        fmt::format("  without {}: time {} on validation, collision-free {:+.1f} %\n", ablation.parameter,
+                    percent(ablation.appraisal.time_difference), 100.0 * ablation.appraisal.safer.difference);
+  return text;
+}
+
+json to_json(const TuningFile& tuning, const TuningResult& result) {
+  json document{{"fairway_tuning_result", 1},
+                {"name", tuning.name},
+                {"method", tuning.method.avoider},
+                {"results_epoch", results_epoch},
+                {"best", setting_json(tuning, result.best)},
+                {"better_than_default", !result.is_usual},
+                {"runs", result.runs},
+                {"generations", result.generations},
+                {"tried", result.tried},
+                {"luck_ratio", mean_json(result.luck)},
+                {"default", {{"parameters", setting_json(tuning, usual_setting(tuning.parameters))}}},
+                {"curve", json::array()},
+                {"front", json::array()},
+                {"ablations", json::array()}};
+  for (const NamedSet& set : sets_of(result)) {
+    document[set.name] = appraisal_json(*set.found);
+    document["default"][set.name] = appraisal_json(*set.usual);
+  }
+  for (const TuningStep& step : result.curve) {
+    json point = score_json(step.score);
+    point["spent"] = step.runs;
+    document["curve"].push_back(std::move(point));
+  }
+  for (const auto& [setting, score] : result.front)
+    document["front"].push_back(
+        {{"parameters", setting_json(tuning, setting)}, {"train", score_json(score)}});
+  for (const Ablation& ablation : result.ablations)
+    document["ablations"].push_back(
+        {{"parameter", ablation.parameter}, {"validation", appraisal_json(ablation.appraisal)}});
+  return document;
+}
+
+std::string tuned_avoider(const TuningFile& tuning, const TuningResult& result, const std::string& command) {
+  const Appraisal& test = result.test;
+  std::string text = fmt::format(
+      "# Tuned by fairway {}, results epoch {}: {}\n# {}\n# On {} runs that the search never saw: "
+      "collision-free "
+      "{:.4g} [{:.4g}, {:.4g}], time {} of the method as written.\n",
+      FAIRWAY_VERSION, results_epoch, tuning.name, command, test.runs, test.collision_free.rate,
+      test.collision_free.low, test.collision_free.high, percent(test.time_difference));
+  const std::string avoider = result.is_usual
+                                  ? tuning.method.avoider
+                                  : avoider_text(tuning.method.avoider, tuning.parameters, result.best);
+  if (!avoider.starts_with('{')) return text + "algorithm: " + avoider + "\n";
+  return text + avoider + "\n";
+}
+
+}  // namespace fairway

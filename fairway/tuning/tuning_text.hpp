@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "fairway/record/output_check.hpp"
+#include "fairway/tuning/tune.hpp"
+
+namespace fairway {
+
+/// The result for people: what was found, how it did on every set beside the method as written, and how much
+/// of the gain was luck.
+std::string tuning_text(const TuningFile& tuning, const TuningResult& result);
+
+/// The same with full precision. What is unknown is null.
+nlohmann::json to_json(const TuningFile& tuning, const TuningResult& result);
+
+/// An avoider as scenarios, campaigns and `run --algorithm` take it, with where it comes from in comments.
+std::string tuned_avoider(const TuningFile& tuning, const TuningResult& result, const std::string& command);
+
+/// tuned_avoider() as a file.
+inline constexpr FileKind tuned_file{
+    .name = "an avoider that fairway tuned", .begins = "# Tuned by fairway", .holds = "algorithm:"};
+
+/// to_json() as a file.
+inline constexpr FileKind tuning_document{
+    .name = "a result of fairway tune", .begins = "{", .holds = "\"fairway_tuning_result\""};
+
+}  // namespace fairway
