@@ -23,6 +23,7 @@ struct Standing {
   std::uint32_t whole{};
   std::vector<std::uint32_t> running, waiting;         ///< as the scheduler says
   std::vector<std::uint32_t> begun, missing, damaged;  ///< that nobody works at
+  std::map<std::uint32_t, std::string> errors;         ///< of these, with which some ended
   bool is_merged{};
   double runs_per_s{};
   double left_s{};
@@ -54,6 +55,7 @@ Standing standing_of(const Submission& s) {
        : at.state == ShardState::begun ? standing.begun
                                        : standing.missing)
           .push_back(shard);
+      if (std::string error = error_of(s, shard); !error.empty()) standing.errors[shard] = std::move(error);
     }
   }
   standing.is_merged = is_merged(s);
@@ -68,6 +70,8 @@ Standing standing_of(const Submission& s) {
 }
 
 nlohmann::json document_of(const Submission& s, const Standing& at) {
+  nlohmann::json errors = nlohmann::json::object();
+  for (const auto& [shard, error] : at.errors) errors[std::to_string(shard)] = error;
   return {{"campaign", s.campaign},
           {"engine", s.engine},
           {"shards", s.shards()},
@@ -77,6 +81,7 @@ nlohmann::json document_of(const Submission& s, const Standing& at) {
           {"begun", at.begun},
           {"missing", at.missing},
           {"damaged", at.damaged},
+          {"errors", std::move(errors)},
           {"runs", at.runs},
           {"made", at.made},
           {"failed", at.failed},
@@ -99,6 +104,8 @@ void print(const Submission& s, const Standing& at) {
   print_list("begun", at.begun);
   print_list("missing", at.missing);
   print_list("damaged", at.damaged);
+  for (const auto& [shard, error] : at.errors)
+    std::cout << fmt::format("  shard {} failed: {}\n", shard, error);
   if (at.whole < s.shards() && at.runs_per_s > 0.0)
     std::cout << fmt::format("{:.3g} runs/s since it was submitted, {:.0f} s left at that rate\n",
                              at.runs_per_s, at.left_s);

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <memory>
 #include <sstream>
@@ -203,6 +204,11 @@ void make_folders(const Submission& s) {
   }
 }
 
+/// So that the error of an attempt before is not taken for one of that which begins.
+void note_another_attempt(const std::string& log) {
+  if (fs::exists(log)) std::ofstream{log, std::ios::app} << "---- sent again\n";
+}
+
 void write_submission(const Submission& s) {
   write_file(s.folder + "/" + submission_file, nlohmann::json(s).dump(1) + "\n");
 }
@@ -254,6 +260,7 @@ int submit(const SubmitFlags& flags, const Outputs& outputs, const Program& prog
     return ok;
   }
   make_folders(s);
+  for (const std::uint32_t shard : shards) note_another_attempt(s.log(shard));
   s.submitted_s = std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
   write_file(s.folder + "/shards.sh", shards_script(s, shards));
   if (const std::string script = merge_script(s); !script.empty()) write_file(s.folder + "/merge.sh", script);

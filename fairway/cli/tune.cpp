@@ -7,11 +7,13 @@
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "fairway/cli/numbers.hpp"
 #include "fairway/cli/outputs.hpp"
 #include "fairway/cli/own_methods.hpp"
 #include "fairway/cli/program.hpp"
+#include "fairway/experiment/digest.hpp"
 #include "fairway/experiment/measure_run.hpp"
 #include "fairway/record/output_file.hpp"
 #include "fairway/sim/simulation.hpp"
@@ -24,6 +26,7 @@ struct TuneFlags {
   std::string specification;
   std::size_t budget{};
   std::string out;
+  std::string shard;
   std::uint64_t seed{1};
   unsigned jobs{0};
   bool json{false};
@@ -31,6 +34,7 @@ struct TuneFlags {
 
 /// What a tuning leaves in its folder.
 struct TuneFiles {
+  std::string parts;  ///< a folder, with the stores of several who search together
   std::string store;
   std::string avoider;
   std::string document;
@@ -38,7 +42,8 @@ struct TuneFiles {
 
 TuneFiles files_in(const std::string& folder) {
   const std::filesystem::path out{folder};
-  return {(out / "runs.sqlite").string(), (out / "best.yaml").string(), (out / "tuning.json").string()};
+  return {(out / "parts").string(), (out / "runs.sqlite").string(), (out / "best.yaml").string(),
+          (out / "tuning.json").string()};
 }
 
 std::vector<std::string> inputs_of(const TuneFlags& flags, const TuningFile& tuning) {
@@ -48,6 +53,25 @@ std::vector<std::string> inputs_of(const TuneFlags& flags, const TuningFile& tun
     for (const CampaignScenarioFile& scenario : set->scenarios)
       inputs.push_back((folder / scenario.path).lexically_normal().string());
   return inputs;
+}
+
+/// Tells this search from every other that may leave its runs in the same folder.
+std::string digest_of(const TuneFlags& flags, const TuningFile& tuning, const Shard& shard) {
+  Digest digest;
+  digest.add(std::to_string(flags.budget));
+  digest.add(std::to_string(flags.seed));
+  digest.add(std::to_string(shard.count));
+  for (const std::string& file : inputs_of(flags, tuning)) digest.add(read_text(file));
+  return digest.hex();
+}
+
+void write_result(const TuneFlags& flags, const TuneFiles& files, const TuningFile& tuning,
+                  const TuningResult& result, const Program& program) {
+  write_file(files.avoider, tuned_avoider(tuning, result, program.typed));
+  const nlohmann::json document = to_json(tuning, result);
+  write_file(files.document, document.dump(2) + "\n");
+  std::cout << (flags.json ? document.dump(2) + "\n"
+                           : tuning_text(tuning, result) + "wrote " + files.avoider + "\n");
 }
 
 int tune_method(const TuneFlags& flags, const Outputs& outputs, const Program& program) {
@@ -60,37 +84,42 @@ int tune_method(const TuneFlags& flags, const Outputs& outputs, const Program& p
   for (const TuningSet* set : {&tuning.train, &tuning.validation, &tuning.test})
     expanded({.scenarios = set->scenarios, .algorithms = {tuning.method}, .first_seed = set->first_seed},
              flags.specification, check);
+  const Shard shard = flags.shard.empty() ? Shard{} : parse_shard(flags.shard);
   if (std::filesystem::exists(flags.out)) {
     outputs.judge(inputs_of(flags, tuning), {{"--out", files.store, store_file},
                                              {"--out", files.avoider, tuned_file},
                                              {"--out", files.document, tuning_document}});
   }
-  std::filesystem::create_directories(flags.out);
-  Store store = Store::open(files.store, outputs.force() ? Store::Foreign::replace : Store::Foreign::refuse);
-  store.note({.campaign = tuning.name, .summary = tuning.summary});
-
-  TrialRuns runs{
-      flags.specification,
-      {.check =
-           [&](const Scenario& scenario) {
-             Simulation{scenario, catalogs};
-           },
-       .own = own_methods(program),
-       .simulate = [&](const Scenario& scenario) { return measure_run(scenario, catalogs, program.stop); }},
-      store,
-      {.jobs = flags.jobs, .stop = program.stop}};
+  std::filesystem::create_directories(shard.is_all() ? flags.out : files.parts);
+  const Store::Foreign foreign = outputs.force() ? Store::Foreign::replace : Store::Foreign::refuse;
+  const RunMaker maker{
+      .check = check, .own = own_methods(program), .simulate = [&](const Scenario& scenario) {
+        return measure_run(scenario, catalogs, program.stop);
+      }};
+  const ExecutorOptions options{.jobs = flags.jobs, .stop = program.stop};
+  std::optional<Store> store;
+  std::optional<Companions> companions;
+  std::optional<TrialRuns> runs;
+  Origin origin{.campaign = tuning.name, .summary = tuning.summary};
+  if (shard.is_all()) {
+    store.emplace(Store::open(files.store, foreign));
+    store->note(origin);
+    runs.emplace(flags.specification, maker, *store, options);
+  } else {
+    origin.digest = digest_of(flags, tuning, shard);
+    companions.emplace(files.parts, shard, origin, foreign);
+    runs.emplace(flags.specification, maker, *companions, options, [](const std::string& file) {
+      std::cerr << "fairway: waits for runs that " << file << " is to have\n";
+    });
+  }
   Progress progress{tuning.name};
   try {
     const TuningResult result =
-        tune(tuning, runs, {.budget = flags.budget, .seed = flags.seed, .progress = &progress});
-    write_file(files.avoider, tuned_avoider(tuning, result, program.typed));
-    const nlohmann::json document = to_json(tuning, result);
-    write_file(files.document, document.dump(2) + "\n");
-    std::cout << (flags.json ? document.dump(2) + "\n"
-                             : tuning_text(tuning, result) + "wrote " + files.avoider + "\n");
+        tune(tuning, *runs, {.budget = flags.budget, .seed = flags.seed, .progress = &progress});
+    if (shard.index == 0) write_result(flags, files, tuning, result, program);
   } catch (const RunAbandoned&) {
     std::cerr << "fairway: interrupted; the same command goes on from here\n";
-    return interrupted;
+    return *program.terminated && !shard.is_all() ? ok : interrupted;
   }
   return ok;
 }
@@ -112,6 +141,11 @@ void add_tune(CLI::App& app, Program& program) {
                    "folder for the runs, best.yaml and tuning.json; goes on where it is there")
       ->required()
       ->type_name("FOLDER");
+  verb->add_option(
+          "--shard", flags->shard,
+          "I/N: makes part I, from 0, of the runs, beside others that make theirs in the same folder; "
+          "part 0 writes the result")
+      ->type_name("I/N");
   verb->add_option("--seed", flags->seed, "of the search")
       ->transform(whole_number<std::uint64_t>())
       ->capture_default_str();

@@ -33,7 +33,7 @@ LocalStore::Folder::Folder() {
   std::error_code error;
   const std::filesystem::path place = std::filesystem::temp_directory_path(error);
   if (error) throw InputError("no place for temporary files: TMPDIR is no folder");
-  path = (place / "fairway-XXXXXX").string();
+  path = (place / ("fairway-" + std::string(6, 'X'))).string();
   if (::mkdtemp(path.data()) == nullptr)
     throw InputError(path + ": cannot be made a folder: " + std::generic_category().message(errno));
 }

@@ -17,44 +17,10 @@
 #include "fairway/experiment/labels.hpp"
 #include "fairway/experiment/lock_file.hpp"
 #include "fairway/experiment/sqlite.hpp"
-#include "fairway/experiment/version.hpp"
-#include "fairway/record/output_file.hpp"
+#include "fairway/experiment/store_tables.hpp"
 
 namespace fairway {
 namespace {
-
-constexpr std::int64_t application_id = 0x66776179;  // "fway", in the file's header
-constexpr std::int64_t schema_version = 1;
-
-// `value` has no declared type: SQLite would store a REAL column's -0.0 as 0
-constexpr const char* schema = R"(
-  PRAGMA application_id = 1719099769;
-  PRAGMA user_version = 1;
-  CREATE TABLE meta(name TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
-  CREATE TABLE label_sets(id INTEGER PRIMARY KEY, labels TEXT NOT NULL UNIQUE);
-  CREATE TABLE quantities(id INTEGER PRIMARY KEY, name TEXT NOT NULL UNIQUE);
-  CREATE TABLE runs(id INTEGER PRIMARY KEY, key TEXT NOT NULL UNIQUE,
-                    labels INTEGER NOT NULL REFERENCES label_sets(id), seed INTEGER NOT NULL,
-                    failure TEXT NOT NULL, wall_s REAL);
-  CREATE TABLE measures(run INTEGER NOT NULL REFERENCES runs(id), place INTEGER NOT NULL,
-                        vehicle INTEGER NOT NULL, quantity INTEGER NOT NULL REFERENCES quantities(id),
-                        value, PRIMARY KEY(run, place)) WITHOUT ROWID;
-  CREATE VIEW results AS
-    SELECT runs.key, label_sets.labels, runs.seed, measures.vehicle, quantities.name AS quantity,
-           measures.value
-    FROM measures JOIN runs ON runs.id = measures.run JOIN label_sets ON label_sets.id = runs.labels
-                  JOIN quantities ON quantities.id = measures.quantity;
-)";
-static_assert(application_id == 1719099769 && schema_version == 1, "as in the schema");
-
-// By labels, since runs that differ in their seeds differ in nothing else of their commands. It came later
-// than the rest: a store without it has no commands, and an older fairway does not look at it.
-constexpr const char* commands_table =
-    "CREATE TABLE IF NOT EXISTS commands(labels INTEGER PRIMARY KEY REFERENCES label_sets(id),"
-    " command TEXT NOT NULL)";
-
-// a reader holds its lock for as long as all() takes, a writer for one commit
-constexpr int patience_ms = 30'000;
 
 /// `{"case":"cube20_8","method":"orca3d"}`, in order.
 std::string labels_as_json(const Labels& labels) {
@@ -96,32 +62,6 @@ void refuse_what_is_no_file(const std::string& path) {
     throw InputError(path + ": is a folder, not a results store");
   if (std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored))
     throw InputError(path + ": is no plain file, and so cannot hold a results store");
-}
-
-/// All that a store has before its first run.
-void begin(Database& database) {
-  Transaction transaction{database, Transaction::Kind::write};
-  database.execute(schema);
-  database.execute(commands_table);
-  Statement note{database, "INSERT INTO meta(name, value) VALUES (?, ?)"};
-  note.bind(1, "fairway_version").bind(2, fairway_version).run();
-  note.bind(1, "results_epoch").bind(2, std::to_string(results_epoch)).run();
-  transaction.commit();
-}
-
-/// An empty store in the place of whatever is at `path`, by one rename. Whoever calls it holds the lock.
-void make_store(const std::string& path) {
-  OutputFile file{path};
-  {
-    Database database{file.part(), Database::Access::existing, patience_ms};
-    database.execute("PRAGMA journal_mode = MEMORY");  // nobody rolls a temporary file back
-    begin(database);
-  }
-  // a journal that the file before left behind would be rolled back into the new one
-  std::error_code ignored;
-  const std::string followed = std::filesystem::weakly_canonical(path, ignored).string();
-  for (const char* beside : {"-journal", "-wal", "-shm"}) std::filesystem::remove(followed + beside, ignored);
-  file.commit();
 }
 
 /// Nothing that is kept is there: no file, or an empty one.
@@ -212,7 +152,7 @@ struct Store::Contents {
 
   Contents(const std::string& path, Database::Access access, std::unique_ptr<LockFile> taken,
            bool for_writing)
-      : lock{std::move(taken)}, database{path, access, patience_ms}, writable{for_writing} {}
+      : lock{std::move(taken)}, database{path, access, store_patience_ms}, writable{for_writing} {}
 
   void check_origin();
   void prepare();
@@ -223,12 +163,12 @@ struct Store::Contents {
 void Store::Contents::check_origin() {
   if (database.integer("PRAGMA page_count") == 0) {
     database.refuse("is not a results store: the file is empty");
-  } else if (database.integer("PRAGMA application_id") != application_id) {
+  } else if (database.integer("PRAGMA application_id") != store_application_id) {
     database.refuse("is a SQLite database, but not a results store of fairway");
-  } else if (const auto version = database.integer("PRAGMA user_version"); version != schema_version) {
+  } else if (const auto version = database.integer("PRAGMA user_version"); version != store_schema_version) {
     database.refuse("is a results store of version " + std::to_string(version) +
-                    ", and this fairway reads version " + std::to_string(schema_version) +
-                    (version > schema_version ? "; use a newer fairway" : ""));
+                    ", and this fairway reads version " + std::to_string(store_schema_version) +
+                    (version > store_schema_version ? "; use a newer fairway" : ""));
   } else {
     Statement sound{database, "PRAGMA quick_check(1)"};
     const std::string finding = sound.step() ? sound.text(0) : "";
@@ -301,7 +241,7 @@ Store Store::open_existing(const std::string& path) {
 
 Store Store::in_memory() {
   auto contents = std::make_unique<Contents>("", Database::Access::create, nullptr, true);
-  begin(contents->database);
+  begin_store(contents->database);
   contents->prepare();
   return Store{std::move(contents)};
 }

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <numeric>
+#include <string_view>
 #include <utility>
 
 #include "fairway/core/error.hpp"
@@ -109,6 +110,10 @@ std::string Submission::part(std::uint32_t shard) const {
   return engine == "mpi" ? merged() : folder + "/parts/" + std::to_string(shard) + ".db";
 }
 
+std::string Submission::log(std::uint32_t shard) const {
+  return folder + "/logs/" + (engine == "mpi" ? "mpi" : std::to_string(shard)) + ".log";
+}
+
 Submission read_submission(const std::string& folder) {
   const std::string file = (std::filesystem::path(folder) / submission_file).string();
   std::ifstream text{file};
@@ -183,6 +188,16 @@ std::vector<ShardProgress> progress_of(const Submission& submission) {
     }
   }
   return all;
+}
+
+std::string error_of(const Submission& submission, std::uint32_t shard) {
+  constexpr std::string_view says = "fairway: ", warns = "fairway: warning: ",
+                             was_told_to_stop = "the same command goes on from here";
+  std::ifstream log{submission.log(shard)};
+  std::string last;
+  for (std::string line; std::getline(log, line);) last = line;
+  if (!last.starts_with(says) || last.starts_with(warns) || last.ends_with(was_told_to_stop)) return "";
+  return last.substr(says.size());
 }
 
 bool is_merged(const Submission& s) {

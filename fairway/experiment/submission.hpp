@@ -32,6 +32,7 @@ struct Submission {
 
   std::uint32_t shards() const { return static_cast<std::uint32_t>(runs.size()); }
   std::string part(std::uint32_t shard) const;  ///< its store
+  std::string log(std::uint32_t shard) const;   ///< what its process said
   std::string merged() const { return folder + "/all.db"; }
 };
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Submission, campaign, file, digest, folder, engine, program, options,
@@ -78,6 +79,9 @@ struct ShardProgress {
 
 /// Of every shard. One whose store cannot be read is damaged.
 std::vector<ShardProgress> progress_of(const Submission& submission);
+
+/// The error that is the last line of a shard's log; empty if it ended otherwise, or was told to stop.
+std::string error_of(const Submission& submission, std::uint32_t shard);
 
 /// Whether all runs are in the merged store.
 bool is_merged(const Submission& submission);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 
 #include "fairway/core/testing/refusal.hpp"
 #include "fairway/experiment/testing/sample_runs.hpp"
@@ -55,6 +56,23 @@ TEST(Submission, ReadsWhatItsFolderHoldsOfEveryShard) {
   EXPECT_EQ(progress[2].state, ShardState::damaged);
   EXPECT_EQ(progress[3].state, ShardState::damaged);
   EXPECT_EQ(progress[4].state, ShardState::missing);
+}
+
+TEST(Submission, KnowsTheErrorOfAShardByTheLastLineOfItsLog) {
+  const TemporaryFolder folder;
+  const Submission s{.folder = folder.file(""), .runs = {1}};
+  std::filesystem::create_directories(s.folder + "/logs");
+  EXPECT_EQ(error_of(s, 0), "");
+  const auto after = [&](const std::string& line) {
+    std::ofstream{s.log(0), std::ios::app} << line << "\n";
+    return error_of(s, 0);
+  };
+  EXPECT_EQ(after("c, shard 0/1: 4 of 4 runs; 4 made, 0 of them failed, 0 were there"), "");
+  EXPECT_EQ(after("fairway: p.db: cannot be written: No space left on device"),
+            "p.db: cannot be written: No space left on device");
+  EXPECT_EQ(after("---- sent again"), "");
+  EXPECT_EQ(after("fairway: terminated after 3 runs; the same command goes on from here"), "");
+  EXPECT_EQ(after("fairway: warning: the disk is nearly full"), "");
 }
 
 TEST(Submission, ThatIsNoneIsRefused) {

@@ -34,7 +34,7 @@ std::vector<Contender> race(std::vector<Contender> contenders, std::span<const O
                             std::size_t& budget) {
   std::size_t done = 0;
   while (done < course.blocks) {
-    const std::size_t blocks = std::min(done == 0 ? course.first : course.step, course.blocks - done);
+    const std::size_t blocks = std::min(course.step, course.blocks - done);
     const std::vector<std::size_t> in = those_in(contenders);
     const std::size_t cost = in.size() * blocks * course.scenarios;
     if (in.empty() || cost > budget) break;

@@ -21,8 +21,7 @@ struct Contender {
 struct RaceCourse {
   std::size_t scenarios{};  ///< runs of a block, which is one seed
   std::size_t blocks{};     ///< of the whole course
-  std::size_t first{5};     ///< blocks that everybody runs before anybody is judged …
-  std::size_t step{5};      ///< … and after which they are judged again
+  std::size_t step{5};      ///< after so many blocks everybody who is still in is judged, again and again
 };
 
 /// Runs the next blocks of some contenders: their settings, the index of the first block, how many.

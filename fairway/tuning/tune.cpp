@@ -14,16 +14,10 @@ namespace {
 
 constexpr int most_asks = 50;  // for a setting that was not tried yet
 
-std::vector<double> times_of(std::span<const Outcome> outcomes) {
-  std::vector<double> times;
-  for (const Outcome& outcome : outcomes) times.push_back(outcome.time_s);
-  return times;
-}
-
-std::vector<double> arrivals_of(std::span<const Outcome> outcomes) {
-  std::vector<double> arrivals;
-  for (const Outcome& outcome : outcomes) arrivals.push_back(outcome.arrived);
-  return arrivals;
+std::vector<double> values_of(std::span<const Outcome> outcomes, double Outcome::*value) {
+  std::vector<double> values;
+  for (const Outcome& outcome : outcomes) values.push_back(outcome.*value);
+  return values;
 }
 
 /// The mean over blocks of which something is known.
@@ -46,8 +40,8 @@ Appraisal appraised(std::span<const Outcome> outcomes, std::span<const Outcome> 
   }
   return {.runs = outcomes.size(),
           .collision_free = wilson_interval(safe_runs, outcomes.size()),
-          .arrived = mean_of_blocks(arrivals_of(outcomes), scenarios),
-          .time_s = mean_of_blocks(times_of(outcomes), scenarios),
+          .arrived = mean_of_blocks(values_of(outcomes, &Outcome::arrived), scenarios),
+          .time_s = mean_of_blocks(values_of(outcomes, &Outcome::time_s), scenarios),
           .safer = paired_rate_difference(safe),
           .safer_p = mcnemar_test(safe).p,
           .time_difference = mean_of_blocks(longer, scenarios)};
@@ -81,9 +75,10 @@ class Search {
   TuningResult run() {
     if (options_.progress != nullptr) options_.progress->begin(count());
     usual_ = champion_ = whole_course({tuning_.method}).front();
-    spend(usual_.size());
+    left_ -= usual_.size();
+    if (options_.progress != nullptr) options_.progress->update(count());
     remember(result_.best, usual_);
-    while (left_ >= sampler_.population() * first_blocks() * scenarios() && next_generation()) {
+    while (left_ >= sampler_.population() * least_train_seeds * scenarios() && next_generation()) {
     }
     if (options_.progress != nullptr) options_.progress->end(count());
     result_.runs = options_.budget - left_;
@@ -95,15 +90,7 @@ class Search {
 
  private:
   std::size_t scenarios() const { return tuning_.train.scenarios.size(); }
-  std::size_t first_blocks() const {
-    return std::min<std::size_t>(least_train_seeds, tuning_.train.seed_count);
-  }
   ProgressCount count() const { return {.total = options_.budget, .made = options_.budget - left_}; }
-
-  void spend(std::size_t runs) {
-    left_ -= runs;
-    if (options_.progress != nullptr) options_.progress->update(count());
-  }
 
   /// A setting as the campaign's machinery takes it; none is the method as written.
   CampaignAlgorithm method_with(const Setting& setting) const {
@@ -134,10 +121,8 @@ class Search {
     if (contenders.size() < 4) return false;
     result_.tried += contenders.size();
     ++result_.generations;
-    const RaceCourse course{.scenarios = scenarios(),
-                            .blocks = tuning_.train.seed_count,
-                            .first = first_blocks(),
-                            .step = first_blocks()};
+    const RaceCourse course{
+        .scenarios = scenarios(), .blocks = tuning_.train.seed_count, .step = least_train_seeds};
     const auto run = [&](const std::vector<Setting>& settings, std::size_t first, std::size_t blocks) {
       std::vector<CampaignAlgorithm> methods;
       for (const Setting& setting : settings) methods.push_back(method_with(setting));

@@ -3,10 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "fairway/core/testing/refusal.hpp"
 #include "fairway/core/testing/temporary_folder.hpp"
@@ -110,6 +112,37 @@ TEST_F(Tuning, IsTheSameOnAnyNumberOfThreadsAndGoesOnWhereItWasStopped) {
   };
   EXPECT_EQ(to_json(parsed(), tuned(stopped, 2, 800, counted)).dump(), expected);
   EXPECT_EQ(before + again, stopped.size()) << "no run is made twice";
+}
+
+TEST_F(Tuning, IsTheSameWhereSeveralShareTheRunsAndEveryRunIsMadeByOne) {
+  Store one = Store::in_memory();
+  const std::string expected = to_json(parsed(), tuned(one, 1)).dump();
+
+  constexpr std::uint32_t count = 3;
+  const Origin search{.campaign = "meeting", .digest = "of this search"};
+  std::atomic<std::size_t> made{0};
+  std::array<std::string, count> found;
+  const auto go = [&](std::uint32_t part) {
+    Companions companions{folder_.file(""), {part, count}, search, Store::Foreign::refuse};
+    const Simulate counted = [&](const Scenario& scenario) {
+      ++made;
+      return pretended(scenario);
+    };
+    TrialRuns runs{file(), {.check = {}, .own = {}, .simulate = counted}, companions, {.jobs = 1}, {}};
+    found[part] = to_json(parsed(), tune(parsed(), runs, {.budget = 800})).dump();
+  };
+  {
+    std::vector<std::jthread> threads;
+    for (std::uint32_t part = 0; part < count; ++part) threads.emplace_back(go, part);
+  }
+  for (const std::string& document : found) EXPECT_EQ(document, expected);
+  EXPECT_EQ(made, one.size());
+
+  EXPECT_EQ(refusal_by([&] {
+              Companions{folder_.file(""), {1, count}, {.digest = "another"}, Store::Foreign::refuse};
+            }).substr(folder_.file("").size()),
+            "1.db: holds the runs of another search: of another specification, budget, seed or number of "
+            "shards; take another folder");
 }
 
 TEST_F(Tuning, WhereNothingIsBetterTheMethodStaysAsItIsWritten) {

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "fairway/experiment/version.hpp"
@@ -26,11 +25,7 @@ std::array<NamedSet, 3> sets_of(const TuningResult& result) {
            {"test", &result.test, &result.usual_test}}};
 }
 
-json number(double value) { return std::isfinite(value) ? json(value) : json(); }
-
-json mean_json(const MeanEstimate& e) {
-  return {{"mean", number(e.mean)}, {"low", number(e.low)}, {"high", number(e.high)}};
-}
+json mean_json(const MeanEstimate& e) { return {{"mean", e.mean}, {"low", e.low}, {"high", e.high}}; }
 
 json appraisal_json(const Appraisal& a) {
   return {{"runs", a.runs},
@@ -39,10 +34,7 @@ json appraisal_json(const Appraisal& a) {
           {"arrived_ratio", mean_json(a.arrived)},
           {"navigation_time_s", mean_json(a.time_s)},
           {"safer_ratio",
-           {{"mean", number(a.safer.difference)},
-            {"low", number(a.safer.low)},
-            {"high", number(a.safer.high)},
-            {"p", a.safer_p}}},
+           {{"mean", a.safer.difference}, {"low", a.safer.low}, {"high", a.safer.high}, {"p", a.safer_p}}},
           {"time_difference_ratio", mean_json(a.time_difference)}};
 }
 
@@ -50,7 +42,7 @@ json score_json(const Score& score) {
   return {{"runs", score.runs},
           {"unsafe", score.unsafe},
           {"arrived_ratio", score.arrived},
-          {"time_ratio", number(score.time_ratio)}};
+          {"time_ratio", score.time_ratio}};
 }
 
 json setting_json(const TuningFile& tuning, const Setting& setting) {
