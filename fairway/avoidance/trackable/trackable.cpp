@@ -11,9 +11,9 @@ namespace fairway {
 namespace {
 
 using trackable::Foresight;
-using trackable::Helm;
 using trackable::Plan;
 using trackable::Prospect;
+using trackable::TurnLaw;
 
 constexpr double standing = 1e-3;       // [m/s]
 constexpr double standing_share = 0.1;  // of the preferred speed: slower stands
@@ -26,10 +26,10 @@ Vec2 turned_by(const Vec2& v, double angle) {
 }
 
 /// To turn a quarter and to stop; of who cannot stop, to go once round.
-double window_of(const Helm& helm, const Situation& s, double hold) {
-  const Envelope& can = helm.envelope();
+double window_of(const TurnLaw& law, const Situation& s, double hold) {
+  const Envelope& can = law.envelope();
   const double speed = std::min(can.ahead, std::max(s.goal.cruise_speed, can.least));
-  const double rate = std::max(helm.greatest_turn_rate(speed), 1e-3);
+  const double rate = std::max(law.greatest_turn_rate(speed), 1e-3);
   if (can.least > 0.0) return hold + can.turn_lag + 2.0 * pi / rate;
   return hold + slack_s + can.turn_lag + 0.5 * pi / rate + can.surge_lag +
          speed / std::max(can.deceleration, 1e-3);
@@ -141,13 +141,13 @@ Command Trackable::decide(const Situation& s, Avoider& inner, Memory& memory,
     return inner.decide(shown, context.sketch);
   }
 
-  const Helm helm{*s.envelope, s.limits.max_turn_rate};
+  const TurnLaw law{*s.envelope, s.limits.max_turn_rate};
   const double hold = std::max(params.hold_s, s.period);
   const Vec2 drift = observed_drift(s, params.drift_settling_s, memory);
-  const Foresight foresight{helm,
+  const Foresight foresight{law,
                             s,
                             {.hold = hold,
-                             .window = window_of(helm, s, hold),
+                             .window = window_of(law, s, hold),
                              .margin = params.margin_m,
                              .drift = drift,
                              .climb = std::min(limit_or(s.limits.max_climb_rate, 1e9),
@@ -169,7 +169,7 @@ Command Trackable::decide(const Situation& s, Avoider& inner, Memory& memory,
   if (context.sketch) draw(*context.sketch, s, foresight, plan, asked);
   if (command.mode == Mode::hold) return command;
 
-  const trackable::HelmOrder order = foresight.order(plan);
+  const trackable::TurnOrder order = foresight.order(plan);
   command.velocity.head<2>() = order.surge * Vec2{math::cos(s.own.yaw), math::sin(s.own.yaw)};
   command.turn_rate = order.turn_rate;
   command.heading.reset();

@@ -12,9 +12,9 @@ namespace {
 
 using encounters::OwnedSituation;
 using trackable::Foresight;
-using trackable::Helm;
 using trackable::Plan;
 using trackable::Prospect;
+using trackable::TurnLaw;
 
 /// Of a boat that makes 2 m/s, turns by 0.5 rad/s and slips in turns.
 Envelope of_a_boat() {
@@ -117,11 +117,11 @@ TEST(Trackable, AForeseenStopNeedsItsWay) {
   // from 1 m/s at 0.5 m/s2 it stops within 1 m, and within 0.25 m more for the lag
   const Envelope boat = of_a_boat();
   OwnedSituation e = under_way(boat);
-  const Helm helm{boat, Limits::none};
+  const TurnLaw law{boat, Limits::none};
   const auto comes_to = [&](double gap) {
     e.obstacles = {buoy(e.situation.own.position.x() + gap + 1.0 + 5.0, 0.0, 5.0)};
     const Situation s = e;
-    return Foresight{helm, s, {.hold = 0.2, .window = 8.0, .margin = 0.1}}.of({.speed = 1.0});
+    return Foresight{law, s, {.hold = 0.2, .window = 8.0, .margin = 0.1}}.of({.speed = 1.0});
   };
   EXPECT_EQ(comes_to(0.8), Prospect::lost);
   EXPECT_EQ(comes_to(2.0), Prospect::backed_up);
@@ -132,11 +132,11 @@ TEST(Trackable, WhoCannotStopNeedsRoomForACircle) {
   // 1 m/s at 0.5 rad/s: a radius of 2 m
   const Envelope torpedo = of_a_torpedo();
   OwnedSituation e = under_way(torpedo);
-  const Helm helm{torpedo, Limits::none};
+  const TurnLaw law{torpedo, Limits::none};
   const auto comes_to = [&](double gap) {
     e.obstacles = {buoy(e.situation.own.position.x() + gap + 1.0 + 50.0, 0.0, 50.0)};
     const Situation s = e;
-    return Foresight{helm, s, {.hold = 0.2, .window = 16.0, .margin = 0.1}}.of({.speed = 1.0});
+    return Foresight{law, s, {.hold = 0.2, .window = 16.0, .margin = 0.1}}.of({.speed = 1.0});
   };
   EXPECT_EQ(comes_to(1.5), Prospect::lost);
   EXPECT_EQ(comes_to(6.0), Prospect::backed_up);
