@@ -59,19 +59,26 @@ Foresight::Foresight(const TurnLaw& law, const Situation& s, const Outlook& outl
   reach_ = (fastest + outlook.drift.norm()) * outlook.window;
 
   const Vec2 own = s.own.position.head<2>();
-  const auto passes_over = [&](double depth, double radius, double climb) {
-    const double beyond = std::abs(depth - s.own.position.z()) - radius - own_radius_ - outlook.margin;
+  const auto passes_over = [&](const Vec3& position, double radius, double climb) {
+    const double below = position.z() - s.own.position.z();
+    const double kept = radius + own_radius_ + outlook.margin;
+    const double beyond = std::abs(below) - kept;
+    if (beyond > 0.0 && (position.head<2>() - own).norm() < kept + fastest * outlook.hold) {
+      const double spare = beyond - (unasked_climb * law.envelope().ahead + std::abs(climb)) * outlook.window;
+      double& most = below > 0.0 ? most_sinking_ : most_rising_;
+      most = std::min(most, std::max(0.0, spare / (outlook.window + outlook.hold)));
+    }
     return beyond > (outlook.climb + std::abs(climb)) * outlook.window;
   };
   for (const Obstacle& obstacle : s.obstacles) {
-    if (obstacle.kind == Obstacle::Kind::sphere && passes_over(obstacle.position.z(), obstacle.radius, 0.0))
+    if (obstacle.kind == Obstacle::Kind::sphere && passes_over(obstacle.position, obstacle.radius, 0.0))
       continue;
     avoa_improved::for_each_solid(obstacle, [&](const avoa_improved::Capsule& solid) {
       add(solid.from - own, solid.to - own, solid.radius, Vec2::Zero());
     });
   }
   for (const Track& track : s.tracks) {
-    if (passes_over(track.position.z(), track.radius, track.velocity.z())) continue;
+    if (passes_over(track.position, track.radius, track.velocity.z())) continue;
     const Vec2 p = track.position.head<2>() - own;
     add(p, p, track.radius, track.velocity.head<2>());
   }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <optional>
 
 #include "fairway/avoidance/situation.hpp"
@@ -19,6 +21,9 @@ struct Plan {
 
 /// To stand over ground: with the bow up into what sets it aside, since it cannot go sideways against that.
 Plan standing_still(const Vec2& ahead, const Vec2& drift) noexcept;
+
+/// Vertical speed that it may gain unasked, of the greatest speed ahead.
+inline constexpr double unasked_climb = 0.1;
 
 /// What a foresight looks at.
 struct Outlook {
@@ -54,6 +59,12 @@ class Foresight {
   bool is_open() const noexcept { return count_ == 0; }
   /// Nine tenths of the way to the nearest surface; infinite where nothing is near [m].
   double room_now() const noexcept { return room_now_; }
+
+  /// Vertical velocities, downwards positive, at which it does not come upon what it is just above or below,
+  /// and passes [m/s].
+  double held_to_depths(double sinking) const noexcept {
+    return std::max(-most_rising_, std::min(most_sinking_, sinking));
+  }
 
   /// What the plan comes to. O(steps x hazards).
   Prospect of(const Plan& plan) const noexcept;
@@ -100,6 +111,8 @@ class Foresight {
   std::size_t hold_steps_;
   double reach_;
   double room_now_;
+  double most_sinking_ = std::numeric_limits<double>::infinity();
+  double most_rising_ = std::numeric_limits<double>::infinity();
   Motion now_;
   std::array<Hazard, most_hazards> hazards_;
   std::size_t count_ = 0;

@@ -135,7 +135,7 @@ Keeper::Keeper(const Keeping& keeping, const Situation& s, Course& course) noexc
                   .margin = margins_.total(window_),
                   .drift = drift_,
                   .climb = std::min(limit_or(s.limits.max_climb_rate, 1e9),
-                                    std::abs(s.own.velocity.z()) + 0.1 * s.envelope->ahead)}} {}
+                                    std::abs(s.own.velocity.z()) + unasked_climb * s.envelope->ahead)}} {}
 
 void Keeper::draw(Sketch& sketch, const Plan& plan, const Command& asked) const {
   std::array<Vec3, Foresight::steps> points;
@@ -162,6 +162,7 @@ Command Keeper::keep(const Command& asked, const Deviations& deviations, Sketch*
     command.note = choice.prospect == Prospect::lost ? "no manoeuvre is left that keeps clear of all" : "";
   }
   if (sketch != nullptr) draw(*sketch, plan, asked);
+  command.velocity.z() = foresight_.held_to_depths(command.velocity.z());
   if (command.mode == Mode::hold) return command;
 
   const TurnOrder order = foresight_.order(plan);

@@ -123,6 +123,18 @@ TEST(Trackable, WhatPassesFarAboveDoesNotCount) {
   EXPECT_EQ(around_direct_trackable().decide(e).mode, Mode::cruise);
 }
 
+TEST(Trackable, ItDoesNotComeDownOnWhatItPassesOver) {
+  const Envelope boat = of_a_boat();
+  OwnedSituation e = under_way(boat);
+  e.situation.own.position = {0.0, 0.0, 20.0};
+  e.situation.goal = {.position = {60.0, 0.0, 60.0}, .cruise_speed = 1.0};
+  EXPECT_GT(around_direct_trackable().decide(e).velocity.z(), 0.5);
+  e.obstacles = {buoy(1.0, 0.0, 27.5)};  // its top is at 22.5 m, where own sphere ends at 21 m
+  EXPECT_EQ(around_direct_trackable().decide(e).velocity.z(), 0.0);
+  e.obstacles[0].position.z() = -10.0;  // its bottom is at 17.5 m
+  EXPECT_GT(around_direct_trackable().decide(e).velocity.z(), 0.5);
+}
+
 TEST(Trackable, ItsMarginsAddUpAndAreDrawn) {
   const trackable::Margins margins{
       .tracking = 0.1, .perception = 0.2, .navigation = 0.3, .current = 0.05, .extra = 0.4};
