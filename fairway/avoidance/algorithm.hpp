@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <concepts>
 #include <string_view>
 
@@ -34,6 +35,15 @@ struct AlgorithmInfo {
   bool ignores_movers = false;     ///< tracks: vehicles and what drifts
 
   bool needs_envelope = false;  ///< reads Situation::envelope, which takes some milliseconds to find
+
+  // what it takes for granted of the vehicle and of what is about; where that is not so, the user is told
+  bool needs_sway = false;      ///< moves a point that goes any way at once
+  bool needs_stopping = false;  ///< waits, or ends at rest
+  bool needs_chart = false;     ///< of what stands it avoids only what is charted
+
+  // of wrappers
+  bool follows = false;     ///< asks of a vehicle that must turn only what it can follow: sway is not needed
+  bool shows_only = false;  ///< changes what the inner avoider is shown, and not what it answers
 };
 
 /// "ignores obstacles and whatever moves"; empty for whoever ignores nothing.
@@ -42,6 +52,15 @@ constexpr std::string_view ignorance_of(const AlgorithmInfo& info) {
   if (info.ignores_obstacles) return "ignores obstacles";
   return info.ignores_movers ? "ignores whatever moves" : "";
 }
+
+/// Something that a method may take for granted.
+struct Need {
+  bool AlgorithmInfo::*member;
+  std::string_view word;
+};
+inline constexpr std::array all_needs{
+    Need{&AlgorithmInfo::needs_sway, "sway"}, Need{&AlgorithmInfo::needs_stopping, "stopping"},
+    Need{&AlgorithmInfo::needs_chart, "chart"}, Need{&AlgorithmInfo::planar, "plane"}};
 
 /// For algorithms that remember nothing.
 struct NoMemory {

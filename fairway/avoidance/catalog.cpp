@@ -2,6 +2,7 @@
 #include "fairway/avoidance/catalog.hpp"
 
 #include <algorithm>
+#include <ranges>
 
 namespace fairway {
 
@@ -70,6 +71,31 @@ bool Catalog::ignores(std::string_view name, bool AlgorithmInfo::*what) const {
 
 bool Catalog::needs(std::string_view name, bool AlgorithmInfo::*what) const {
   return std::ranges::any_of(layers(name), [&](const Entry* layer) { return layer->info.*what; });
+}
+
+std::vector<std::string_view> Catalog::needs_of(std::string_view name) const {
+  std::vector<std::string_view> words;
+  for (const Need& need : all_needs) {
+    const bool is_sway = need.member == &AlgorithmInfo::needs_sway;
+    if (needs(name, need.member) && !(is_sway && needs(name, &AlgorithmInfo::follows)))
+      words.push_back(need.word);
+  }
+  return words;
+}
+
+std::string Catalog::tracked(std::string_view name) const {
+  constexpr std::string_view wrapper = "trackable";
+  const std::vector<const Entry*> stack = layers(name);
+  const bool avoids_nobody =
+      ignores(name, &AlgorithmInfo::ignores_obstacles) && ignores(name, &AlgorithmInfo::ignores_movers);
+  if (!has(wrapper) || avoids_nobody || needs(name, &AlgorithmInfo::follows)) return std::string(name);
+  const auto last = std::ranges::find_if(stack | std::views::reverse,
+                                         [](const Entry* layer) { return !layer->info.shows_only; });
+  std::vector<std::string_view> names = layer_names(name);
+  names.insert(names.begin() + (stack.rend() - last), wrapper);
+  std::string all;
+  for (const std::string_view layer : names) all += (all.empty() ? "" : "+") + std::string(layer);
+  return all;
 }
 
 Avoider Catalog::make(std::string_view name, const ParamValues& values, Rng rng) const {

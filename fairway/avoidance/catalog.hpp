@@ -75,12 +75,25 @@ class Catalog {
   /// The parameters of "inner+wrapper", each name once. Throws InputError as make().
   std::vector<ParamInfo> params(std::string_view name) const;
 
+  /// The layers of "inner+wrapper", the innermost first. Throws InputError as make(). Valid until something
+  /// is added.
+  std::vector<const Entry*> layers(std::string_view name) const;
+
   /// Whether every layer of "inner+wrapper" ignores it: what one of them sees, the whole avoids. `what` is
   /// `&AlgorithmInfo::ignores_obstacles` or `ignores_movers`. Throws InputError as make().
   bool ignores(std::string_view name, bool AlgorithmInfo::*what) const;
 
   /// Whether any layer of "inner+wrapper" needs it, as `&AlgorithmInfo::needs_envelope`. Likewise.
   bool needs(std::string_view name, bool AlgorithmInfo::*what) const;
+
+  /// The words of `all_needs` for what "inner+wrapper" takes for granted: what a layer does, and no wrapper
+  /// that `follows` makes up for. Likewise.
+  std::vector<std::string_view> needs_of(std::string_view name) const;
+
+  /// "inner+wrapper" with `trackable` behind the last layer that decides, inside of those that only show:
+  /// the name itself where a layer `follows` already, where all of it avoids nobody, or where this catalog
+  /// has no `trackable`. Likewise.
+  std::string tracked(std::string_view name) const;
 
   /// Throws InputError with the nearest known name.
   const Entry& find(std::string_view name) const;
@@ -101,8 +114,6 @@ class Catalog {
     if constexpr (requires { std::string{A::version}; }) return std::string{A::version};
     return {};
   }
-
-  std::vector<const Entry*> layers(std::string_view name) const;
 
   std::vector<Entry> entries_;
   std::vector<std::pair<std::string, std::string>> aliases_;

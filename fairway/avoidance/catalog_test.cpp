@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "fairway/avoidance/orca2d/orca2d.hpp"
 #include "fairway/core/testing/refusal.hpp"
 
 namespace fairway {
@@ -58,6 +59,35 @@ TEST(Catalog, ListsTheParametersOfAllLayersOnce) {
   const std::vector<ParamInfo> params = builtin_avoiders().params("apf+stop_and_wait");
   EXPECT_EQ(std::ranges::count(params, std::string("crit_dist_m"), &ParamInfo::name), 1);
   EXPECT_EQ(std::ranges::count(params, std::string("w2_ratio"), &ParamInfo::name), 1);
+}
+
+TEST(Catalog, PutsTrackableBehindTheLastLayerThatDecides) {
+  const Catalog catalog = builtin_avoiders();
+  EXPECT_EQ(catalog.tracked("orca2d"), "orca2d+trackable");
+  EXPECT_EQ(catalog.tracked("orca2d+way_round"), "orca2d+trackable+way_round");
+  EXPECT_EQ(catalog.tracked("orca3d+inflate"), "orca3d+trackable+inflate");
+  EXPECT_EQ(catalog.tracked("orca3d+saw"), "orca3d+saw+trackable");
+  EXPECT_EQ(catalog.tracked("way_round"), "trackable+way_round");
+  EXPECT_NO_THROW((void)catalog.make(catalog.tracked("way_round")));
+}
+
+TEST(Catalog, LeavesWhoFollowsByItselfAndWhoAvoidsNobody) {
+  const Catalog catalog = builtin_avoiders();
+  for (const std::string_view name : {"direct", "trackable", "orca2d+trackable", "orca2d+trackable+way_round",
+                                      "apf+safety_filter", "orca3d+cbf"})
+    EXPECT_EQ(catalog.tracked(name), name);
+  EXPECT_EQ(Catalog{}.add<Orca2d>().tracked("orca2d"), "orca2d");  // there is no wrapper to take
+}
+
+TEST(Catalog, SaysWhatAMethodTakesForGranted) {
+  using testing::ElementsAre;
+  const Catalog catalog = builtin_avoiders();
+  EXPECT_THAT(catalog.needs_of("direct"), ElementsAre());
+  EXPECT_THAT(catalog.needs_of("orca3d"), ElementsAre("sway"));
+  EXPECT_THAT(catalog.needs_of("orca2d"), ElementsAre("sway", "plane"));
+  EXPECT_THAT(catalog.needs_of("avoa"), ElementsAre("plane"));
+  EXPECT_THAT(catalog.needs_of("orca2d+stop_and_wait"), ElementsAre("sway", "stopping", "plane"));
+  EXPECT_THAT(catalog.needs_of("orca2d+trackable"), ElementsAre("plane"));
 }
 
 }  // namespace

@@ -66,6 +66,18 @@ TYPED_TEST(Orca, WhatDoesNotReactLeavesAllOfTheChangeToUs) {
   EXPECT_GT((decide<TypeParam>(e).velocity - shared.velocity).norm(), 0.2);
 }
 
+TYPED_TEST(Orca, WhoOverlapsIsApartAfterThePlanningInterval) {
+  // 2 m within each other at rest, one half each: 1 m in the interval, where decisions come every 0.1 s
+  OwnedSituation e = encounters::open_water();
+  e.situation.own.velocity = Vec3::Zero();
+  e.situation.goal.velocity = Vec3::Zero();
+  e.situation.limits.max_speed = 100.0;
+  e.tracks = {encounters::track(1, e.situation.own.position + Vec3{0.0, 1e-3, 0.0}, Vec3::Zero())};
+  EXPECT_NEAR(decide<TypeParam>(e, {.planning_interval_s = 2.0}).velocity.norm(), 0.5, 1e-3);
+  EXPECT_NEAR(decide<TypeParam>(e, {.planning_interval_s = 0.5}).velocity.norm(), 2.0, 4e-3);
+  EXPECT_EQ(decide<TypeParam>(e, {.planning_interval_s = e.situation.period}), decide<TypeParam>(e));
+}
+
 TYPED_TEST(ByVelocity, TwoAtTheSamePlacePartAlongOneLineByTheirIds) {
   OwnedSituation e = encounters::open_water();
   e.situation.own.velocity = Vec3::Zero();

@@ -20,13 +20,29 @@ std::string collision_rule(const Scenario& scenario) {
          " m (exam.safety_distance_m), whatever the radii";
 }
 
-/// The scenario as it is resolved, with the collision rule beside every vehicle's radius.
-std::string annotated(const Scenario& scenario) {
+/// The avoider of each vehicle, with the wrapper that its tracking asks for.
+std::vector<std::string> avoiders_of(const Scenario& scenario, const Simulation& simulation,
+                                     const Catalog& avoiders) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < scenario.vehicles.size(); ++i)
+    names.push_back(avoider_in_force(scenario.vehicles[i], simulation.agents()[i].ship().limits, avoiders));
+  return names;
+}
+
+/// The scenario as it is resolved, with the collision rule beside every vehicle's radius, and beside its
+/// avoider what comes of it.
+std::string annotated(const Scenario& scenario, const std::vector<std::string>& avoiders) {
   std::istringstream lines{to_yaml(scenario)};
   std::string text;
   bool in_vehicles = false;
+  std::size_t vehicle = 0;
   for (std::string line; std::getline(lines, line);) {
     if (!line.starts_with(' ')) in_vehicles = line == "vehicles:";
+    if (in_vehicles && line.starts_with("    avoider:")) {
+      if (avoiders[vehicle] != scenario.vehicles[vehicle].avoider.name)
+        line += "  # in force: " + avoiders[vehicle];
+      ++vehicle;
+    }
     if (in_vehicles && line.starts_with("    radius_m: ")) line += "  # " + collision_rule(scenario);
     text += line + "\n";
   }
@@ -59,13 +75,16 @@ void add_check(CLI::App& app, Program& program) {
       const Scenario scenario = load_scenario(file, overrides_of(*settings), *seed);
       check_expectations(scenario);
       const Simulation simulation{scenario, program.catalogs};  // the catalogs check what they are asked for
+      const std::vector<std::string> avoiders = avoiders_of(scenario, simulation, program.catalogs.avoiders);
+      warn_of_misfits(scenario, program);
       if (*json) {
         document.push_back({{"file", file},
                             {"name", scenario.name},
                             {"resolved", to_yaml(scenario)},
+                            {"avoiders", avoiders},
                             {"collision_rule", collision_rule(scenario)}});
       } else {
-        std::cout << (files->size() > 1 ? "# " + file + "\n" : "") << annotated(scenario);
+        std::cout << (files->size() > 1 ? "# " + file + "\n" : "") << annotated(scenario, avoiders);
       }
     }
     if (*json) std::cout << document.dump(2) << "\n";

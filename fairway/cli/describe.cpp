@@ -90,6 +90,12 @@ std::optional<json> described_kind(std::string_view role, const std::vector<Kind
   return {};
 }
 
+/// "sway, plane": what a method takes for granted.
+std::string needs_text(const Catalog& catalog, const std::string& name) {
+  const std::vector<std::string_view> words = catalog.needs_of(name);
+  return words.empty() ? "nothing" : fmt::format("{}", fmt::join(words, ", "));
+}
+
 json describe(const std::string& name, const Catalogs& catalogs) {
   std::vector<std::string_view> known;
   if (name.find('+') != std::string::npos) {
@@ -97,6 +103,7 @@ json describe(const std::string& name, const Catalogs& catalogs) {
             {"name", name},
             {"ignores_obstacles", catalogs.avoiders.ignores(name, &AlgorithmInfo::ignores_obstacles)},
             {"ignores_movers", catalogs.avoiders.ignores(name, &AlgorithmInfo::ignores_movers)},
+            {"needs", needs_text(catalogs.avoiders, name)},
             {"parameters", params_json(catalogs.avoiders.params(name))}};
   }
   for (const Catalog::Entry& entry : catalogs.avoiders.entries()) {
@@ -109,6 +116,7 @@ json describe(const std::string& name, const Catalogs& catalogs) {
             {"planar", entry.info.planar},
             {"ignores_obstacles", entry.info.ignores_obstacles},
             {"ignores_movers", entry.info.ignores_movers},
+            {"needs", needs_text(catalogs.avoiders, name)},
             {"wraps", entry.wraps},
             {"parameters", params_json(entry.params)}};
   }

@@ -27,10 +27,13 @@ std::vector<Item> algorithms(const Catalog& catalog) {
   std::vector<Item> items;
   for (const Catalog::Entry& entry : catalog.entries()) {
     const std::string note = entry.wraps ? "; wraps another: orca3d+" + std::string(entry.info.name) : "";
-    const std::string_view ignorance = ignorance_of(entry.info);
-    items.push_back({std::string(entry.info.name), std::string(entry.info.title) + note +
-                                                       (ignorance.empty() || entry.wraps ? "" : "; ") +
-                                                       std::string(entry.wraps ? "" : ignorance)});
+    std::string title = std::string(entry.info.title) + note;
+    if (const std::string_view ignorance = ignorance_of(entry.info); !ignorance.empty() && !entry.wraps)
+      title += "; " + std::string(ignorance);
+    std::string needs;
+    for (const std::string_view word : catalog.needs_of(entry.info.name))
+      needs += (needs.empty() ? "; needs " : ", ") + std::string(word);
+    items.push_back({std::string(entry.info.name), title + needs});
   }
   return items;
 }

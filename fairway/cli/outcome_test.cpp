@@ -28,6 +28,7 @@ vehicles:
   - name: feather
     model: {name: zarco, mass_kg: 1, thrust_ahead_n: 1e5, linear_damping_surge_kgps: 0, quadratic_damping_surge_kgpm: 0}
     avoider: {algorithm: rrt_star, kp_x_npm: 1e6, kd_x_npmps: 1e6}
+    tracking: raw
     start: {position_m: [0, 0, 0]}
     mission: [{transit: {position_m: [5000, 0, 0], speed_mps: 100}}]
 expect: {collision_count: 0, makespan_s: {max: 100}}

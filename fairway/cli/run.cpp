@@ -48,6 +48,7 @@ int run(const RunOptions& options, const Outputs& outputs, const Program& progra
     print_interrupted(options, outcome.simulated_s);
     return interrupted;
   }
+  warn_of_misfits(scenario, program);
   const std::vector<Judgement> judgements = judge(scenario, outcome.measures);
   if (options.json) {
     std::cout << document_of(scenario, outcome, judgements).dump(2) << "\n";

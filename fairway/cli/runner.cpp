@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iostream>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -17,6 +18,7 @@
 #include "fairway/experiment/recording_info.hpp"
 #include "fairway/record/recording_writer.hpp"
 #include "fairway/scenario/block.hpp"
+#include "fairway/sim/misfits.hpp"
 
 namespace fairway::cli {
 namespace {
@@ -171,6 +173,11 @@ std::string text_of(const Judgement& judgement) {
   }
   return expected.metric + " = " + number_text(judgement.worst) + ", expected " + bounds +
          (judgement.kept ? "" : occasion_text(judgement));
+}
+
+void warn_of_misfits(const Scenario& scenario, const Program& program) {
+  for (const std::string& line : misfits(scenario, program.catalogs))
+    std::cerr << "fairway: warning: " << line << "\n";
 }
 
 void set_algorithm(Scenario& scenario, const std::string& name) {

@@ -81,6 +81,9 @@ std::vector<Judgement> judge(const Scenario& scenario, const std::vector<Measure
 /// at 31.5 s)".
 std::string text_of(const Judgement& judgement);
 
+/// Tells on standard error where a method is not meant for its vehicle or for what it meets.
+void warn_of_misfits(const Scenario& scenario, const Program& program);
+
 /// All runs of a scenario share the same algorithm: `name`, or "name" with parameters kept if the same.
 void set_algorithm(Scenario& scenario, const std::string& name);
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fairway/avoidance/trackable/helm.hpp"
+#include "fairway/avoidance/trackable/turn_law.hpp"
 #include "fairway/core/angles.hpp"
 #include "fairway/core/math.hpp"
 
@@ -197,7 +197,7 @@ class Trials {
 
   /// The greatest distance from a point that has turned by `change` [rad] at once.
   double error_of(double change) const {
-    const trackable::Helm helm{envelope_, turn_};
+    const trackable::TurnLaw law{envelope_, turn_};
     const double speed = cruise_speed();
     Craft craft = *under_way_;
     craft.settle({.surge_mps = speed}, surge_of);
@@ -209,8 +209,8 @@ class Trials {
     while ((time += craft.step) < longest) {
       const double error = wrap_angle(course - craft.yaw());
       const bool begins = time < settling;  // a full turn is to one side
-      const trackable::HelmOrder order =
-          helm.order(speed, begins ? std::copysign(error, change) : error, craft.surge());
+      const trackable::TurnOrder order =
+          law.order(speed, begins ? std::copysign(error, change) : error, craft.surge());
       craft.obey({.surge_mps = order.surge, .yaw_rate_radps = order.turn_rate});
       greatest = std::max(greatest, (craft.place() - from - time * velocity).norm());
       const Vec2 made_good = craft.vehicle.state().v_n().head<2>();

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "fairway/avoidance/trackable/helm.hpp"
+#include "fairway/avoidance/trackable/turn_law.hpp"
 #include "fairway/control/vehicle_limits.hpp"
 #include "fairway/dynamics/catalog.hpp"
 
@@ -38,7 +38,7 @@ TEST_P(EveryEnvelope, BoundsTheErrorOfFollowingACourseThatNoTrialHad) {
   const Vehicle fresh = builtin_vehicles().make(GetParam());
   const Limits limits = narrowed({}, fresh);
   const Envelope envelope = envelope_of(GetParam());
-  const trackable::Helm helm{envelope, limits.max_turn_rate};
+  const trackable::TurnLaw law{envelope, limits.max_turn_rate};
   for (const double change : {0.3, -0.8, 1.3, -1.9, 2.4}) {
     for (const double share : {0.6, 0.9}) {
       const double speed = std::max(share * envelope.ahead, envelope.least);
@@ -55,7 +55,7 @@ TEST_P(EveryEnvelope, BoundsTheErrorOfFollowingACourseThatNoTrialHad) {
       double greatest = 0.0;
       for (int k = 1; k * envelope_step < 60.0; ++k) {
         const VehicleState& x = vehicle.state();
-        const trackable::HelmOrder order = helm.order(speed, wrap_angle(change - yaw_of(x.q_nb)), x.v_b.x());
+        const trackable::TurnOrder order = law.order(speed, wrap_angle(change - yaw_of(x.q_nb)), x.v_b.x());
         obey({.surge_mps = order.surge, .yaw_rate_radps = order.turn_rate});
         if (std::abs(wrap_angle(change - yaw_of(x.q_nb))) < 0.02) break;
         const Vec3 error = vehicle.state().p_n - from - k * envelope_step * velocity;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <initializer_list>
 #include <optional>
@@ -9,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "fairway/core/names.hpp"
 #include "fairway/scenario/scenario.hpp"
 #include "fairway/scenario/value.hpp"
 
@@ -183,6 +185,24 @@ Form<std::uint32_t> identifier();
 Form<std::int32_t> integer();
 /// From `lo` to `hi`.
 Form<std::int32_t> integer(std::int32_t lo, std::int32_t hi);
+
+/// One of the names of an enumeration. `of` is what it is called where the name is not known.
+template <class E>
+Form<E> enumeration(std::string_view of) {
+  constexpr auto& names = EnumNames<E>::names;
+  Tree listed = Tree::list();
+  for (const std::string_view name : names) listed.items.push_back(Tree::quote(name));
+  return {.read =
+              [of = std::string(of)](const Value& value) {
+                const std::string text = value.text();
+                const std::vector<std::string_view> known(names.begin(), names.end());
+                const auto found = std::ranges::find(known, text);
+                if (found == known.end()) value.refuse("unknown " + of + suggestion(text, known));
+                return static_cast<E>(found - known.begin());
+              },
+          .write = [](const E& value) -> std::optional<Tree> { return Tree::quote(enum_name(value)); },
+          .schema = Tree::map({{"enum", std::move(listed)}})};
+}
 
 /// Something chosen by name, with parameters of its own: `orca3d`, or a mapping in which `name_key`
 /// holds the name and all other keys are parameters.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -26,6 +27,18 @@ struct Choice {
   std::vector<Location> param_where;  ///< of each parameter; may be empty
 };
 
+/// How what a method answers becomes what a vehicle is asked for.
+enum class Tracking : std::uint8_t {
+  automatic,  ///< as `trackable` where the vehicle cannot go sideways, unless the method follows by itself
+  raw,        ///< as printed: the steering makes of the answer what it can
+  trackable,  ///< the wrapper `trackable` on any vehicle
+};
+
+template <>
+struct EnumNames<Tracking> {
+  static constexpr std::array names{"auto", "raw", "trackable"};
+};
+
 /// An obstacle that owns its vertices. A sphere may drift: then it is perceived as a track, not as an
 /// obstacle.
 struct ObstacleSpec {
@@ -47,8 +60,9 @@ struct ObstacleSpec {
 struct VehicleSpec {
   std::uint32_t id{};
   std::string name;
-  Choice model;       ///< of the vehicle catalog
-  Choice avoider;     ///< of the avoidance catalog
+  Choice model;                      ///< of the vehicle catalog
+  Choice avoider;                    ///< of the avoidance catalog
+  Tracking tracking{Tracking::raw};  ///< a file that does not say it means `automatic`
   Choice steering;    ///< how a velocity becomes a body request; name empty = the model's usual one
   Choice allocation;  ///< how commanded forces are shared out among the thrusters; name empty = bounded
   Choice autopilot;   ///< what drives the thrusters to a velocity; name empty = velocity_controller

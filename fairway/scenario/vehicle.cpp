@@ -87,6 +87,10 @@ const Block<VehicleSpec>& vehicle_block() {
           Needed::yes),
       key("avoider", &VehicleSpec::avoider, choice("algorithm", Needed::yes),
           "How it avoids; `fairway list algorithms`. direct avoids nobody.", Needed::yes),
+      key("tracking", &VehicleSpec::tracking, unless(Tracking::automatic, enumeration<Tracking>("tracking")),
+          "auto: where the vehicle cannot go sideways, the avoider is wrapped by trackable. raw: it is used "
+          "as "
+          "its paper prints it. trackable: it is wrapped on any vehicle. Default auto."),
       key("steering", &VehicleSpec::steering, choice("kind", Needed::no),
           "How a velocity is steered. Default: the model's usual way."),
       key("allocation", &VehicleSpec::allocation, choice("method", Needed::yes),
@@ -125,6 +129,7 @@ Form<VehicleSpec> vehicle() {
                 if (const auto id = value.find("id")) vehicle.id = id->whole<std::uint32_t>();
                 vehicle.name = "robot" + std::to_string(vehicle.id);
                 vehicle.priority = static_cast<std::int32_t>(vehicle.id);
+                vehicle.tracking = Tracking::automatic;
                 vehicle.model.path = value.path() + ".model";
                 vehicle.avoider.path = value.path() + ".avoider";
                 vehicle.steering.path = value.path() + ".steering";

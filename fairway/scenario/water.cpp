@@ -43,24 +43,6 @@ Form<std::vector<T>> list_up_to(std::size_t most, const Form<T>& item, const std
   return form;
 }
 
-Form<SpectrumKind> spectrum_kind() {
-  Tree names = Tree::list();
-  for (const std::string_view name : EnumNames<SpectrumKind>::names) names.items.push_back(Tree::quote(name));
-  return {
-      .read =
-          [](const Value& value) {
-            const std::string text = value.text();
-            std::vector<std::string_view> known;
-            for (const std::string_view name : EnumNames<SpectrumKind>::names) {
-              if (name == text) return static_cast<SpectrumKind>(known.size());
-              known.push_back(name);
-            }
-            value.refuse("unknown spectrum" + suggestion(text, known));
-          },
-      .write = [](const SpectrumKind& kind) -> std::optional<Tree> { return Tree::quote(enum_name(kind)); },
-      .schema = Tree::map({{"enum", std::move(names)}})};
-}
-
 /// Where something runs to, as a vector of any length or as an angle.
 template <class Owner>
 Block<Owner> direction(double Owner::*member, const std::string& of) {
@@ -131,7 +113,8 @@ Form<SpectrumSpec> spectrum() {
     return Tree::number(spec.peakedness_ratio);
   };
   Form<SpectrumSpec> form = block_form(joined<SpectrumSpec>(
-      {{key("spectrum", &SpectrumSpec::spectrum, spectrum_kind(), "Which one.", Needed::yes),
+      {{key("spectrum", &SpectrumSpec::spectrum, enumeration<SpectrumKind>("spectrum"), "Which one.",
+            Needed::yes),
         key("significant_height_m", &SpectrumSpec::significant_height_m, number(above_to(0.0, 100.0)),
             "Four standard deviations of the elevation.", Needed::yes),
         key("peak_period_s", &SpectrumSpec::peak_period_s, number(wave_periods), "Where it is highest.",

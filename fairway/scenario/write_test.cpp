@@ -116,6 +116,7 @@ VehicleSpec vehicle(Rng& rng, std::uint32_t id) {
                    .model = choice(rng, false),
                    .avoider = choice(rng, false),
                    .steering = choice(rng, true)};
+  made.tracking = static_cast<Tracking>(rng.index(EnumNames<Tracking>::names.size()));
   made.position = somewhere(rng);
   made.yaw = rng.index(4) == 0 ? radians(rng.uniform(-360, 360)) : rng.uniform(-6.0, 6.0);
   if (rng.index(8) == 0) made.yaw = -0.0;
@@ -180,10 +181,10 @@ class Dump {
     }
     for (const VehicleSpec& v : s.vehicles) {
       const Limits& l = v.limits;
-      add(std::uint64_t{v.id}, v.name, v.model, v.avoider, v.steering, v.position, v.yaw, v.speed,
-          v.start_delay_s, v.radius_m, static_cast<std::uint64_t>(v.priority), l.max_speed, l.max_climb_rate,
-          l.max_acceleration, l.max_turn_rate, l.min_depth, l.max_depth, l.min_speed,
-          std::uint64_t{l.sternway}, std::uint64_t{l.sway});
+      add(std::uint64_t{v.id}, v.name, v.model, v.avoider, static_cast<std::uint64_t>(v.tracking), v.steering,
+          v.position, v.yaw, v.speed, v.start_delay_s, v.radius_m, static_cast<std::uint64_t>(v.priority),
+          l.max_speed, l.max_climb_rate, l.max_acceleration, l.max_turn_rate, l.min_depth, l.max_depth,
+          l.min_speed, std::uint64_t{l.sternway}, std::uint64_t{l.sway});
       for (const Leg& leg : v.mission) {
         add(static_cast<std::uint64_t>(leg.kind), leg.position, leg.from, leg.speed_mps, leg.box_m,
             leg.arrival_m, leg.duration_s);

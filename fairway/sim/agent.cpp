@@ -117,10 +117,17 @@ std::optional<Envelope> known_envelope(const VehicleSpec& spec, const Vehicle& v
   constexpr std::size_t most_known = 64;
   const std::lock_guard lock{one_at_a_time};
   const EnvelopeKey key{spec.model, spec.autopilot, spec.allocation, limits, step};
-  const auto found = std::ranges::find(known, key, [](const auto& entry) { return entry.first; });
+  const auto found =
+      std::ranges::find(known, key, [](const auto& entry) -> const EnvelopeKey& { return entry.first; });
   if (found != known.end()) return found->second;
   if (known.size() == most_known) known.pop_front();
   return known.emplace_back(key, measured_envelope(vehicle, autopilot, limits, step)).second;
+}
+
+Autopilot make_autopilot(const VehicleSpec& spec, const Vehicle& vehicle) {
+  const AutopilotParams controller = autopilot_of(spec, vehicle);
+  const AllocationMethod allocation = chosen(spec.allocation, "method", AllocationParams{}).method;
+  return made(spec.model, [&] { return Autopilot{vehicle, controller, allocation}; });
 }
 
 VehicleState start_of(const VehicleSpec& spec) {
@@ -145,20 +152,33 @@ Vehicle make_vehicle(const VehicleSpec& spec, const VehicleCatalog& vehicles) {
   return made(spec.model, [&] { return vehicles.make(spec.model.name, spec.model.params); });
 }
 
-Avoider make_avoider(const VehicleSpec& spec, std::uint64_t seed, const Catalog& avoiders) {
-  return made(spec.avoider, [&] {
-    return avoiders.make(spec.avoider.name, spec.avoider.params, Rng{seed}.stream("avoider", spec.id));
-  });
+std::string avoider_in_force(const VehicleSpec& spec, const Limits& limits, const Catalog& avoiders) {
+  const bool is_tracked =
+      spec.tracking == Tracking::trackable || (spec.tracking == Tracking::automatic && !limits.sway);
+  if (!is_tracked) return spec.avoider.name;
+  return made(spec.avoider, [&] { return avoiders.tracked(spec.avoider.name); });
 }
 
-Particulars particulars_of(const VehicleSpec& spec, const Vehicle& vehicle) {
-  return {.id = VehicleId{spec.id},
-          .name = spec.name,
-          .radius = spec.radius_m,
-          .priority = spec.priority,
-          .limits = narrowed(spec.limits, vehicle),
-          .steering = steering_of(spec, vehicle),
-          .model = onboard_model(vehicle)};
+Avoider make_avoider(const VehicleSpec& spec, const Limits& limits, std::uint64_t seed,
+                     const Catalog& avoiders) {
+  const std::string name = avoider_in_force(spec, limits, avoiders);
+  return made(spec.avoider,
+              [&] { return avoiders.make(name, spec.avoider.params, Rng{seed}.stream("avoider", spec.id)); });
+}
+
+Particulars particulars_of(const VehicleSpec& spec, const Vehicle& vehicle, double step,
+                           const Catalog& avoiders) {
+  Particulars ship{.id = VehicleId{spec.id},
+                   .name = spec.name,
+                   .radius = spec.radius_m,
+                   .priority = spec.priority,
+                   .limits = narrowed(spec.limits, vehicle),
+                   .steering = steering_of(spec, vehicle),
+                   .model = onboard_model(vehicle)};
+  const std::string avoider = avoider_in_force(spec, ship.limits, avoiders);
+  if (made(spec.avoider, [&] { return avoiders.needs(avoider, &AlgorithmInfo::needs_envelope); }))
+    ship.envelope = known_envelope(spec, vehicle, make_autopilot(spec, vehicle), ship.limits, step);
+  return ship;
 }
 
 std::vector<Limits> limits_in_force(const Scenario& scenario, const VehicleCatalog& vehicles) {
@@ -183,13 +203,9 @@ Agent make_agent(const VehicleSpec& spec, const Scenario& scenario, const Catalo
   const std::size_t track_count = scenario.vehicles.size() + scenario.obstacles.size();
   Vehicle vehicle = alike != nullptr ? *alike : make_vehicle(spec, catalogs.vehicles);
   vehicle.set_state(start_of(spec));
-  const AutopilotParams controller = autopilot_of(spec, vehicle);
-  const AllocationMethod allocation = chosen(spec.allocation, "method", AllocationParams{}).method;
-  Autopilot autopilot = made(spec.model, [&] { return Autopilot{vehicle, controller, allocation}; });
-  Particulars ship = particulars_of(spec, vehicle);
-  if (made(spec.avoider,
-           [&] { return catalogs.avoiders.needs(spec.avoider.name, &AlgorithmInfo::needs_envelope); }))
-    ship.envelope = known_envelope(spec, vehicle, autopilot, ship.limits, scenario.step_s);
+  Autopilot autopilot = make_autopilot(spec, vehicle);
+  Particulars ship = particulars_of(spec, vehicle, scenario.step_s, catalogs.avoiders);
+  Avoider avoider = make_avoider(spec, ship.limits, scenario.seed, catalogs.avoiders);
   Eigen::VectorXd demand = vehicle.actuator_state();
 
   return {
@@ -199,7 +215,7 @@ Agent make_agent(const VehicleSpec& spec, const Scenario& scenario, const Catalo
       .pilot = Pilot{std::move(ship), scenario.steps_per_decision * scenario.step_s},
       .autopilot = std::move(autopilot),
       .mission = Mission{spec.mission, scenario.exam.time_coefficient_ratio},
-      .avoider = make_avoider(spec, scenario.seed, catalogs.avoiders),
+      .avoider = std::move(avoider),
       .navigation = made(
           scenario.navigation,
           [&] {

@@ -42,10 +42,17 @@ struct Agent {
   const Particulars& ship() const { return pilot.ship(); }
 };
 
-/// The vehicle, the avoider and the particulars of a spec, each alone. They throw as `make_agent` does.
+/// The name of the avoider that a vehicle with these limits has: that of its spec, with the wrapper that
+/// `VehicleSpec::tracking` asks for. Throws InputError for a name that the catalog does not know.
+std::string avoider_in_force(const VehicleSpec& spec, const Limits& limits, const Catalog& avoiders);
+
+/// The vehicle, the avoider and the particulars of a spec, each alone. `limits` are the particulars', `step`
+/// is the control period [s]. They throw as `make_agent` does.
 Vehicle make_vehicle(const VehicleSpec& spec, const VehicleCatalog& vehicles);
-Avoider make_avoider(const VehicleSpec& spec, std::uint64_t seed, const Catalog& avoiders);
-Particulars particulars_of(const VehicleSpec& spec, const Vehicle& vehicle);
+Avoider make_avoider(const VehicleSpec& spec, const Limits& limits, std::uint64_t seed,
+                     const Catalog& avoiders);
+Particulars particulars_of(const VehicleSpec& spec, const Vehicle& vehicle, double step,
+                           const Catalog& avoiders);
 
 /// Whether two choices make the same, wherever they were written.
 bool is_same(const Choice& a, const Choice& b);

@@ -22,7 +22,7 @@ const std::string scenario_text = R"(fairway: 1
 name: meeting
 summary: two that meet
 duration_s: 10
-defaults: {model: kinematic, avoider: orca3d, radius_m: 1}
+defaults: {model: kinematic, avoider: orca3d, tracking: raw, radius_m: 1}
 vehicles:
   - {name: a, start: {position_m: [0, 0, 5]}, mission: [{transit: {position_m: [20, 0, 5]}}]}
   - {name: b, start: {position_m: [20, 0, 5], yaw_deg: 180}, mission: [{transit: {position_m: [0, 0, 5]}}]}

@@ -325,11 +325,15 @@ AvoiderSetup avoider_setup(const AvoiderOptions& options) {
   check(draft);
 
   const VehicleSpec& own = draft.vehicle();
+  const Catalog& avoiders = draft.catalogs.avoiders;
+  Particulars ship =
+      particulars_of(own, make_vehicle(own, draft.catalogs.vehicles), draft.scenario.step_s, avoiders);
+  const Limits limits = ship.limits;
   AvoiderSetup setup{.obstacles = std::move(draft.scenario.obstacles),
-                     .algorithm = own.avoider.name,
-                     .pilot = {particulars_of(own, make_vehicle(own, draft.catalogs.vehicles)), draft.period},
+                     .algorithm = avoider_in_force(own, limits, avoiders),
+                     .pilot = {std::move(ship), draft.period},
                      .helm = std::move(draft.helm),
-                     .avoider = make_avoider(own, draft.scenario.seed, draft.catalogs.avoiders)};
+                     .avoider = make_avoider(own, limits, draft.scenario.seed, avoiders)};
   for (const ObstacleSpec& obstacle : setup.obstacles) {
     if (obstacle.charted && !obstacle.moves()) setup.helm.chart.push_back(obstacle.view());
   }

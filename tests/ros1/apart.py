@@ -16,6 +16,7 @@ duration_s: 5000
 defaults:
   model: sparus2
   avoider: {algorithm: orca3d, time_horizon_s: 10}
+  tracking: raw
   steering: {kind: proportional}
   radius_m: 2
   limits: {max_speed_mps: 0.5}

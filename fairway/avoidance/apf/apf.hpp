@@ -31,6 +31,7 @@ struct Apf {
       .name = "apf",
       .title = "Artificial potential fields",
       .source = "raja2024, section III-B, Algorithm 1, after Khatib 1986",
+      .needs_sway = true,
   };
 
   struct Params {

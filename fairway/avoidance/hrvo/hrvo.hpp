@@ -16,6 +16,7 @@ struct Hrvo {
       .source = "Snape, van den Berg, Guy, Manocha 2011, sections IV and V",
       .planar = true,
       .handed = true,
+      .needs_sway = true,
   };
 
   using Params = velocity_obstacle::Params;

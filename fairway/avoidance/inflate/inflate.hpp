@@ -18,6 +18,7 @@ struct Inflate {
       .source = "chi distribution of the norm of a Gaussian error",
       .ignores_obstacles = true,  // it shows others larger, and leaves it to the inner avoider what to do
       .ignores_movers = true,
+      .shows_only = true,
   };
 
   struct Params {

@@ -51,7 +51,7 @@ class AllowedVelocities {
 void add_shore(const Situation& s, const Orca2d::Params& params, AllowedVelocities& allowed) {
   const double tau = params.obstacle_time_horizon_s;
   const Vec2 position = s.own.position.head<2>();
-  const orca2d::Mariner mariner{s.own.velocity.head<2>(), s.own.radius, tau, s.period,
+  const orca2d::Mariner mariner{s.own.velocity.head<2>(), s.own.radius, tau, params.interval(s),
                                 parting_direction(s.own.id, TrackId{number(s.own.id)}).head<2>()};
   // a wall that cannot be reached within the horizon asks for nothing
   const double reach = tau * s.limits.max_speed + s.own.radius;
@@ -63,7 +63,7 @@ void add_shore(const Situation& s, const Orca2d::Params& params, AllowedVelociti
     if (landmark.kind == orca2d::Landmark::Kind::disc) {
       const orca2d::RelativeNeighbour encounter{obstacle.position.head<2>() - position, mariner.velocity,
                                                 s.own.radius + obstacle.radius, mariner.parting};
-      allowed.add(half_plane(least_change(encounter, tau, s.period), mariner.velocity, 1.0));
+      allowed.add(half_plane(least_change(encounter, tau, params.interval(s)), mariner.velocity, 1.0));
       continue;
     }
     const orca2d::Wall wall = orca2d::wall_at(obstacle, landmark, position);
@@ -83,7 +83,7 @@ void add_tracks(const Situation& s, const Orca2d::Params& params, AllowedVelocit
   const Vec2 v_opt = s.own.velocity.head<2>();
   const double radius = s.own.radius;
   const double tau = params.time_horizon_s;
-  const double period = s.period;
+  const double period = params.interval(s);
   const double range2 = params.crit_dist_m * params.crit_dist_m;
   const double share = params.responsibility_ratio;
   int left = std::min(params.max_neighbours_count, max_neighbours);

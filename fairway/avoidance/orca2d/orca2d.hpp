@@ -19,13 +19,14 @@ namespace fairway {
 ///     r_A + r_B  R, own.radius + track.radius
 ///     v_opt      own.velocity
 ///     1/2        responsibility_ratio; 1 for tracks that do not react
-///     dt         situation.period: who overlaps already is apart by then
+///     dt         planning_interval_s, or situation.period: who overlaps already is apart by then
 struct Orca2d {
   static constexpr AlgorithmInfo info{
       .name = "orca2d",
       .title = "Optimal reciprocal collision avoidance in the horizontal plane, with walls",
       .source = "van den Berg, Guy, Lin, Manocha 2011, sections 4 and 5",
       .planar = true,
+      .needs_sway = true,
   };
 
   using Params = OrcaParams;

@@ -32,7 +32,7 @@ void add_neighbours(const Situation& s, const OrcaParams& params, std::size_t co
     for (std::size_t i = 0; i < here; ++i)
       orca::write_neighbour(s, params, *half_spaces.tracks[first + i], width, others.data() + i);
     for (std::size_t i = here; i < width; ++i) orca::write_nobody(width, others.data() + i);
-    kernel.half_spaces(params.time_horizon_s, s.period, own.data(), others.data(), answer.data());
+    kernel.half_spaces(params.time_horizon_s, params.interval(s), own.data(), others.data(), answer.data());
     for (std::size_t i = 0; i < here; ++i)
       half_spaces.all[first + i] = {{answer[i], answer[width + i], answer[2 * width + i]},
                                     answer[3 * width + i]};
@@ -41,19 +41,19 @@ void add_neighbours(const Situation& s, const OrcaParams& params, std::size_t co
 
 /// An obstacle as a neighbour that does not move: a sphere as it is, anything else as the point of its
 /// surface that is nearest; from inside, the push is out through that point.
-orca::Change change_for(const Obstacle& obstacle, const SurfacePoint& surface, const Situation& s,
-                        double tau) {
+orca::Change change_for(const Obstacle& obstacle, const SurfacePoint& surface, const Situation& s, double tau,
+                        double interval) {
   const Vec3& v = s.own.velocity;
   const Vec3 parting = parting_direction(s.own.id, TrackId{number(s.own.id)});
   if (obstacle.kind == Obstacle::Kind::sphere) {
     return orca::least_change(
-        {obstacle.position - s.own.position, v, s.own.radius + obstacle.radius, parting}, tau, s.period);
+        {obstacle.position - s.own.position, v, s.own.radius + obstacle.radius, parting}, tau, interval);
   }
   const Vec3 p = surface.point - s.own.position;
-  if (surface.distance >= 0.0) return orca::least_change({p, v, s.own.radius, parting}, tau, s.period);
+  if (surface.distance >= 0.0) return orca::least_change({p, v, s.own.radius, parting}, tau, interval);
 
   const Vec3 outward = p / -surface.distance;
-  return {outward, (s.own.radius - surface.distance) / s.period - outward.dot(v)};
+  return {outward, (s.own.radius - surface.distance) / interval - outward.dot(v)};
 }
 
 /// And so does what does not move.
@@ -63,7 +63,8 @@ std::size_t add_obstacles(const Situation& s, const OrcaParams& params, HalfSpac
     const SurfacePoint surface = nearest_point(obstacle, s.own.position);
     if (surface.distance > params.crit_dist_m) continue;
     if (count == half_spaces.all.size()) break;
-    const orca::Change change = change_for(obstacle, surface, s, params.obstacle_time_horizon_s);
+    const orca::Change change =
+        change_for(obstacle, surface, s, params.obstacle_time_horizon_s, params.interval(s));
     half_spaces.all[count++] = orca::half_space(change, s.own.velocity, 1.0);
   }
   return count;

@@ -28,6 +28,7 @@ struct Orca3d {
       .name = "orca3d",
       .title = "Optimal reciprocal collision avoidance in three dimensions",
       .source = "van den Berg, Guy, Lin, Manocha 2011, sections 4 and 5; raja2024, eqs. 5-10",
+      .needs_sway = true,
   };
 
   using Params = OrcaParams;

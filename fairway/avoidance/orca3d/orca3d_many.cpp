@@ -27,7 +27,8 @@ class InLanes {
   bool add(const Situation& s, Command& command) {
     std::array<const Track*, lanes::most_in_lanes + 1> near;
     const std::size_t count = orca::find_neighbours(s, orca_.params, near);
-    if (!s.obstacles.empty() || s.period != crowd_.period || count == 0 || count > lanes::most_in_lanes)
+    if (!s.obstacles.empty() || orca_.params.interval(s) != crowd_.period || count == 0 ||
+        count > lanes::most_in_lanes)
       return false;
     write_vehicle(lanes_, s.own, math::fmin(s.limits.max_speed, orca::fastest), s.preferred_velocity());
     for (std::size_t k = 0; k < count; ++k)
@@ -79,7 +80,7 @@ void Orca3d::decide_many(std::span<const Situation* const> situations,
                          std::span<Command* const> commands) const noexcept {
   const lanes::Kernel& kernel = lanes::kernel_for(situations.size());
   for (std::size_t first = 0; first < situations.size(); first += kernel.lanes) {
-    InLanes in_lanes{*this, situations[first]->period, kernel};
+    InLanes in_lanes{*this, params.interval(*situations[first]), kernel};
     const std::size_t end = std::min(situations.size(), first + kernel.lanes);
     for (std::size_t i = first; i < end; ++i)
       if (!in_lanes.add(*situations[i], *commands[i])) *commands[i] = decide_alone(*this, *situations[i]);

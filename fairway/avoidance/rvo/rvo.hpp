@@ -16,6 +16,7 @@ struct Rvo {
       .source = "van den Berg, Lin, Manocha 2008; cao2022, eq. 7",
       .planar = true,
       .handed = true,
+      .needs_sway = true,
   };
 
   using Params = velocity_obstacle::Params;

@@ -179,6 +179,14 @@ void draw(Sketch& sketch, const Command& inner, const Command& filtered) {
 
 }  // namespace
 
+Command SafetyFilter::decide(const Situation& s, Avoider& inner, Memory& memory,
+                             Context& context) const noexcept {
+  const Command asked = inner.decide(s, context.sketch);
+  if (!trackable::must_turn(s)) return filtered(s, asked, context.sketch);
+  const trackable::Keeping keeping{.margins = {.extra = params.margin_m}, .hold = params.hold_s};
+  return trackable::Keeper{keeping, s, memory}.keep(asked, deviations, context.sketch);
+}
+
 Command SafetyFilter::filtered(const Situation& s, const Command& asked, Sketch* sketch) const noexcept {
   const bool by_forces = asked.wrench && has_masses(s.model);
   const Barriers barriers{params, s, by_forces ? 0.0 : params.response_s};

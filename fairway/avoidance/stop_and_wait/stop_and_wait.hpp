@@ -14,6 +14,7 @@ struct StopAndWait {
       .title = "Stop and wait for vehicles of higher priority",
       .source = "raja2024, section III-D",
       .ignores_obstacles = true,
+      .needs_stopping = true,
   };
 
   struct Params {

@@ -40,14 +40,14 @@ Plan standing_still(const Vec2& ahead, const Vec2& drift) noexcept {
   return {.direction = speed > least_drift ? Vec2{-drift / speed} : ahead};
 }
 
-Foresight::Foresight(const Helm& helm, const Situation& s, const Outlook& outlook) noexcept
-    : helm_{helm},
+Foresight::Foresight(const TurnLaw& law, const Situation& s, const Outlook& outlook) noexcept
+    : law_{law},
       outlook_{outlook},
       own_radius_{s.own.radius},
       step_{outlook.window / steps},
-      turn_share_{1.0 - math::exp(-step_ / std::max(helm.envelope().turn_lag, least_lag))},
-      surge_share_{1.0 - math::exp(-step_ / std::max(helm.envelope().surge_lag, least_lag))},
-      sway_share_{1.0 - math::exp(-step_ / std::max(helm.envelope().sway_lag, least_lag))},
+      turn_share_{1.0 - math::exp(-step_ / std::max(law.envelope().turn_lag, least_lag))},
+      surge_share_{1.0 - math::exp(-step_ / std::max(law.envelope().surge_lag, least_lag))},
+      sway_share_{1.0 - math::exp(-step_ / std::max(law.envelope().sway_lag, least_lag))},
       hold_steps_{
           std::clamp<std::size_t>(static_cast<std::size_t>(std::ceil(outlook.hold / step_)), 1, steps)},
       room_now_{std::numeric_limits<double>::infinity()} {
@@ -55,23 +55,30 @@ Foresight::Foresight(const Helm& helm, const Situation& s, const Outlook& outloo
   now_.turn_rate = s.own.yaw_rate;
   now_.speed = now_.ahead.dot(s.own.velocity.head<2>());
   now_.sway = starboard_of(now_.ahead).dot(s.own.velocity.head<2>() - outlook.drift);
-  const double fastest = std::max(std::min(helm.envelope().ahead, s.limits.max_speed), std::abs(now_.speed));
+  const double fastest = std::max(std::min(law.envelope().ahead, s.limits.max_speed), std::abs(now_.speed));
   reach_ = (fastest + outlook.drift.norm()) * outlook.window;
 
   const Vec2 own = s.own.position.head<2>();
-  const auto passes_over = [&](double depth, double radius, double climb) {
-    const double beyond = std::abs(depth - s.own.position.z()) - radius - own_radius_ - outlook.margin;
+  const auto passes_over = [&](const Vec3& position, double radius, double climb) {
+    const double below = position.z() - s.own.position.z();
+    const double kept = radius + own_radius_ + outlook.margin;
+    const double beyond = std::abs(below) - kept;
+    if (beyond > 0.0 && (position.head<2>() - own).norm() < kept + fastest * outlook.hold) {
+      const double spare = beyond - (unasked_climb * law.envelope().ahead + std::abs(climb)) * outlook.window;
+      double& most = below > 0.0 ? most_sinking_ : most_rising_;
+      most = std::min(most, std::max(0.0, spare / (outlook.window + outlook.hold)));
+    }
     return beyond > (outlook.climb + std::abs(climb)) * outlook.window;
   };
   for (const Obstacle& obstacle : s.obstacles) {
-    if (obstacle.kind == Obstacle::Kind::sphere && passes_over(obstacle.position.z(), obstacle.radius, 0.0))
+    if (obstacle.kind == Obstacle::Kind::sphere && passes_over(obstacle.position, obstacle.radius, 0.0))
       continue;
     avoa_improved::for_each_solid(obstacle, [&](const avoa_improved::Capsule& solid) {
       add(solid.from - own, solid.to - own, solid.radius, Vec2::Zero());
     });
   }
   for (const Track& track : s.tracks) {
-    if (passes_over(track.position.z(), track.radius, track.velocity.z())) continue;
+    if (passes_over(track.position, track.radius, track.velocity.z())) continue;
     const Vec2 p = track.position.head<2>() - own;
     add(p, p, track.radius, track.velocity.head<2>());
   }
@@ -108,13 +115,13 @@ Vec2 Foresight::heading_for(const Plan& plan) const noexcept {
   return {cosine * d.x() - sine * d.y(), sine * d.x() + cosine * d.y()};
 }
 
-HelmOrder Foresight::order(const Plan& plan) const noexcept {
+TurnOrder Foresight::order(const Plan& plan) const noexcept {
   if (plan.turn_rate) return {plan.speed, *plan.turn_rate};
-  return helm_.order(plan.speed, error_of(now_.ahead, heading_for(plan)), now_.speed);
+  return law_.order(plan.speed, error_of(now_.ahead, heading_for(plan)), now_.speed);
 }
 
-void Foresight::advance(Motion& m, const HelmOrder& order) const noexcept {
-  const Envelope& can = helm_.envelope();
+void Foresight::advance(Motion& m, const TurnOrder& order) const noexcept {
+  const Envelope& can = law_.envelope();
   const double rate = m.turn_rate, speed = m.speed;
   m.turn_rate = towards(rate, order.turn_rate, turn_share_, -can.turn_acceleration * step_,
                         can.turn_acceleration * step_);
@@ -138,7 +145,7 @@ void Foresight::advance(Motion& m, const HelmOrder& order) const noexcept {
 void Foresight::follow(Motion& m, const Plan& plan, const Vec2& heading) const noexcept {
   if (plan.turn_rate) return advance(m, {plan.speed, *plan.turn_rate});
   const double before = m.turn_rate;
-  advance(m, {helm_.surge(plan.speed, m.ahead.dot(heading)), helm_.turn_rate(m.error, m.speed)});
+  advance(m, {law_.surge(plan.speed, m.ahead.dot(heading)), law_.turn_rate(m.error, m.speed)});
   m.error -= 0.5 * step_ * (before + m.turn_rate);
 }
 
@@ -172,9 +179,9 @@ Prospect Foresight::of(const Plan& plan) const noexcept {
   }
   if (k == steps) return Prospect::clear;
   if (k < hold_steps_) return Prospect::lost;
-  const double hard_over = helm_.greatest_turn_rate(held.speed);
+  const double hard_over = law_.greatest_turn_rate(held.speed);
   const bool has_backup =
-      helm_.envelope().least <= 0.0 ? stops(held) : circles(held, hard_over) || circles(held, -hard_over);
+      law_.envelope().least <= 0.0 ? stops(held) : circles(held, hard_over) || circles(held, -hard_over);
   return has_backup ? Prospect::backed_up : Prospect::lost;
 }
 

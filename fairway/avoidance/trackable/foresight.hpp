@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <optional>
 
 #include "fairway/avoidance/situation.hpp"
-#include "fairway/avoidance/trackable/helm.hpp"
+#include "fairway/avoidance/trackable/turn_law.hpp"
 
 namespace fairway::trackable {
 
@@ -19,6 +21,9 @@ struct Plan {
 
 /// To stand over ground: with the bow up into what sets it aside, since it cannot go sideways against that.
 Plan standing_still(const Vec2& ahead, const Vec2& drift) noexcept;
+
+/// Vertical speed that it may gain unasked, of the greatest speed ahead.
+inline constexpr double unasked_climb = 0.1;
 
 /// What a foresight looks at.
 struct Outlook {
@@ -36,7 +41,7 @@ enum class Prospect : std::uint8_t {
   clear,      ///< clear to the end of the window
 };
 
-/// What a vehicle does that is told a plan, as its envelope says: turn rate and speed approach what the helm
+/// What a vehicle does that is told a plan, as its envelope says: turn rate and speed approach what the law
 /// orders by first-order lags, within the accelerations, and the hull slips about its pivot. All that is near
 /// keeps its velocity. A plan is clear if nothing comes nearer than the margin; where the margin is lost
 /// already, nothing comes nearer by more than a tenth of what is left of it. The backup of a vehicle that can
@@ -47,20 +52,26 @@ class Foresight {
   static constexpr std::size_t steps = 48;
   static constexpr std::size_t most_hazards = 64;
 
-  /// `helm` must outlive it. O(solids).
-  Foresight(const Helm& helm, const Situation& s, const Outlook& outlook) noexcept;
+  /// `law` must outlive it. O(solids).
+  Foresight(const TurnLaw& law, const Situation& s, const Outlook& outlook) noexcept;
 
   /// Nothing can come near within the window.
   bool is_open() const noexcept { return count_ == 0; }
   /// Nine tenths of the way to the nearest surface; infinite where nothing is near [m].
   double room_now() const noexcept { return room_now_; }
 
+  /// Vertical velocities, downwards positive, at which it does not come upon what it is just above or below,
+  /// and passes [m/s].
+  double held_to_depths(double sinking) const noexcept {
+    return std::max(-most_rising_, std::min(most_sinking_, sinking));
+  }
+
   /// What the plan comes to. O(steps x hazards).
   Prospect of(const Plan& plan) const noexcept;
   /// The least distance that the plan leaves beyond contact on the whole window [m]. Likewise.
   double room_of(const Plan& plan) const noexcept;
-  /// What the helm is ordered now.
-  HelmOrder order(const Plan& plan) const noexcept;
+  /// What the autopilot is ordered now.
+  TurnOrder order(const Plan& plan) const noexcept;
   /// Where the vehicle is after each step. [m]
   std::array<Vec2, steps> path(const Plan& plan) const noexcept;
 
@@ -85,14 +96,14 @@ class Foresight {
   bool is_kept(const Vec2& position, double time) const noexcept;
   /// Towards where the heading has to point for the direction to be made good.
   Vec2 heading_for(const Plan& plan) const noexcept;
-  void advance(Motion& m, const HelmOrder& order) const noexcept;
+  void advance(Motion& m, const TurnOrder& order) const noexcept;
   /// Follows the plan for one step; `heading` is its heading_for(), and `m.error` the way there.
   void follow(Motion& m, const Plan& plan, const Vec2& heading) const noexcept;
   /// `m` is where the plan was given up.
   bool stops(Motion m) const noexcept;
   bool circles(Motion m, double turn_rate) const noexcept;
 
-  const Helm& helm_;
+  const TurnLaw& law_;
   Outlook outlook_;
   double own_radius_;
   double step_;
@@ -100,6 +111,8 @@ class Foresight {
   std::size_t hold_steps_;
   double reach_;
   double room_now_;
+  double most_sinking_ = std::numeric_limits<double>::infinity();
+  double most_rising_ = std::numeric_limits<double>::infinity();
   Motion now_;
   std::array<Hazard, most_hazards> hazards_;
   std::size_t count_ = 0;

@@ -2,179 +2,27 @@
 #include "fairway/avoidance/trackable/trackable.hpp"
 
 #include <algorithm>
-#include <cmath>
-
-#include "fairway/core/angles.hpp"
-#include "fairway/core/math.hpp"
 
 namespace fairway {
-namespace {
-
-using trackable::Foresight;
-using trackable::Helm;
-using trackable::Plan;
-using trackable::Prospect;
-
-constexpr double standing = 1e-3;       // [m/s]
-constexpr double standing_share = 0.1;  // of the preferred speed: slower stands
-constexpr double turn_step = pi / 12;   // between plans
-constexpr double slack_s = 1.0;         // of the window, beyond the manoeuvres that it is to hold
-
-Vec2 turned_by(const Vec2& v, double angle) {
-  const double c = math::cos(angle), s = math::sin(angle);
-  return {c * v.x() - s * v.y(), s * v.x() + c * v.y()};
-}
-
-/// To turn a quarter and to stop; of who cannot stop, to go once round.
-double window_of(const Helm& helm, const Situation& s, double hold) {
-  const Envelope& can = helm.envelope();
-  const double speed = std::min(can.ahead, std::max(s.goal.cruise_speed, can.least));
-  const double rate = std::max(helm.greatest_turn_rate(speed), 1e-3);
-  if (can.least > 0.0) return hold + can.turn_lag + 2.0 * pi / rate;
-  return hold + slack_s + can.turn_lag + 0.5 * pi / rate + can.surge_lag +
-         speed / std::max(can.deceleration, 1e-3);
-}
-
-/// What sets the vehicle aside, as far as that shows across its heading: what is left of its motion there
-/// when its own sway is taken away.
-Vec2 observed_drift(const Situation& s, double settling, Trackable::Memory& memory) {
-  const Envelope& can = *s.envelope;
-  const Vec2 ahead{math::cos(s.own.yaw), math::sin(s.own.yaw)}, starboard = starboard_of(ahead);
-  const Vec2 velocity = s.own.velocity.head<2>();
-  const double across = starboard.dot(velocity);
-  const double slip = can.steady_sway(ahead.dot(velocity), s.own.yaw_rate);
-  if (!memory.drift) {
-    memory.sway = slip;
-    memory.drift = (across - slip) * starboard;
-  }
-  memory.sway += (1.0 - math::exp(-s.period / std::max(can.sway_lag, 1e-3))) * (slip - memory.sway);
-  const double error = across - memory.sway - starboard.dot(*memory.drift);
-  *memory.drift += (1.0 - math::exp(-s.period / settling)) * error * starboard;
-  return *memory.drift;
-}
-
-/// What the inner avoider wants, as a course and a speed. One that stands without being told to wait has
-/// found no velocity: then a way is looked for round the preferred one.
-Plan plan_of(const Situation& s, const Command& asked, const Vec2& drift) {
-  const Vec2 ahead{math::cos(s.own.yaw), math::sin(s.own.yaw)};
-  const Vec2 v = asked.velocity.head<2>();
-  if (asked.mode == Mode::hold) return trackable::standing_still(ahead, drift);
-  if (asked.turn_rate) return {.direction = ahead, .speed = v.dot(ahead), .turn_rate = asked.turn_rate};
-  if (asked.heading) {
-    const Vec2 heading{math::cos(*asked.heading), math::sin(*asked.heading)};
-    return {.direction = heading, .speed = std::max(0.0, v.dot(heading))};
-  }
-  const Vec2 preferred = s.preferred_velocity().head<2>();
-  const bool stands = v.norm() < standing_share * preferred.norm();
-  const Vec2& wanted = stands ? preferred : v;
-  const double speed = wanted.norm();
-  if (speed <= standing) return trackable::standing_still(ahead, drift);
-  return {.direction = wanted / speed, .speed = speed};
-}
-
-struct Choice {
-  Plan plan;
-  Prospect prospect;
-  double side;
-};
-
-/// The cheapest deviation that is clear, else the cheapest that has a backup, else what leaves most room.
-Choice choose(std::span<const Trackable::Deviation> deviations, const Foresight& foresight, const Plan& asked,
-              double cruise, double side) {
-  const auto plan_at = [&](const Trackable::Deviation& d) {
-    const double speed = std::max(asked.speed, 0.5 * cruise);
-    return Plan{turned_by(asked.direction, side * d.turn), d.speed_ratio * speed, {}};
-  };
-  std::optional<Choice> backed_up;
-  for (const Trackable::Deviation& d : deviations) {
-    const Plan plan = plan_at(d);
-    const Prospect prospect = foresight.of(plan);
-    Choice choice{plan, prospect, d.turn * side < 0.0 ? -1.0 : d.turn != 0.0 ? 1.0 : side};
-    if (prospect == Prospect::clear) return choice;
-    if (prospect == Prospect::backed_up && !backed_up) backed_up = choice;
-  }
-  if (backed_up) return *backed_up;
-  Choice best{asked, Prospect::lost, side};
-  double most = foresight.room_of(asked);
-  for (const Trackable::Deviation& d : deviations) {
-    const Plan plan = plan_at(d);
-    const double room = foresight.room_of(plan);
-    if (room > most) best.plan = plan;
-    most = std::max(most, room);
-  }
-  return best;
-}
-
-void draw(Sketch& sketch, const Situation& s, const Foresight& foresight, const Plan& plan,
-          const Command& asked) {
-  std::array<Vec3, Foresight::steps> points;
-  std::ranges::transform(foresight.path(plan), points.begin(), [&](const Vec2& p) {
-    return Vec3{s.own.position.x() + p.x(), s.own.position.y() + p.y(), s.own.position.z()};
-  });
-  sketch.path(points, "foreseen");
-  sketch.velocity(asked.velocity, "asked by the inner avoider");
-}
-
-}  // namespace
-
-Trackable::Trackable(const Params& chosen) : params{chosen} {
-  std::size_t n = 0;
-  for (std::size_t i = 0; i < turn_count; ++i) {
-    const std::size_t steps_aside = (i + 1) / 2;
-    const double turn = (i % 2 == 1 ? 1.0 : -1.0) * turn_step * static_cast<double>(steps_aside);
-    for (std::size_t k = 0; k < speed_count; ++k) {
-      const double ratio = 1.0 - static_cast<double>(k) / speed_count;
-      deviations[n++] = {1.0 - math::cos(turn) + chosen.slow_cost_ratio * (1.0 - ratio), ratio, turn};
-    }
-  }
-  deviations[n++] = {1.7, 0.0, 0.0};
-  std::ranges::stable_sort(deviations, {}, &Deviation::cost);
-}
 
 Command Trackable::decide(const Situation& s, Avoider& inner, Memory& memory,
                           Context& context) const noexcept {
-  const bool goes_sideways = s.envelope != nullptr && s.limits.sway && s.envelope->sideways > standing;
-  const bool foresees = s.envelope != nullptr && !goes_sideways;
-  if (!foresees) {
-    Situation shown = s;
+  Situation shown = s;
+  if (!trackable::must_turn(s)) {
     shown.own.radius += params.shown_margin_m;
     return inner.decide(shown, context.sketch);
   }
-
-  const Helm helm{*s.envelope, s.limits.max_turn_rate};
-  const double hold = std::max(params.hold_s, s.period);
-  const Vec2 drift = observed_drift(s, params.drift_settling_s, memory);
-  const Foresight foresight{helm,
-                            s,
-                            {.hold = hold,
-                             .window = window_of(helm, s, hold),
-                             .margin = params.margin_m,
-                             .drift = drift,
-                             .climb = std::min(limit_or(s.limits.max_climb_rate, 1e9),
-                                               std::abs(s.own.velocity.z()) + 0.1 * s.envelope->ahead)}};
-
-  Situation shown = s;
-  shown.own.radius += std::max(0.0, std::min(params.shown_margin_m, foresight.room_now()));
-  const Command asked = inner.decide(shown, context.sketch);
-
-  Plan plan = plan_of(s, asked, drift);
-  Command command = asked;
-  if (!foresight.is_open() && foresight.of(plan) != Prospect::clear) {
-    const Choice choice = choose(deviations, foresight, plan, s.goal.cruise_speed, memory.side);
-    memory.side = choice.side;
-    plan = choice.plan;
-    command.mode = choice.prospect == Prospect::lost ? Mode::infeasible : Mode::avoid;
-    command.note = choice.prospect == Prospect::lost ? "no manoeuvre is left that keeps clear of all" : "";
-  }
-  if (context.sketch) draw(*context.sketch, s, foresight, plan, asked);
-  if (command.mode == Mode::hold) return command;
-
-  const trackable::HelmOrder order = foresight.order(plan);
-  command.velocity.head<2>() = order.surge * Vec2{math::cos(s.own.yaw), math::sin(s.own.yaw)};
-  command.turn_rate = order.turn_rate;
-  command.heading.reset();
-  command.wrench.reset();
-  return command;
+  trackable::Keeper keeper{{.margins = {.tracking = params.tracking_bound_m,
+                                        .perception = params.perception_error_m,
+                                        .navigation = params.navigation_error_m,
+                                        .current = params.current_error_mps,
+                                        .extra = params.margin_m},
+                            .hold = params.hold_s,
+                            .drift_settling = params.drift_settling_s},
+                           s,
+                           memory};
+  shown.own.radius += std::max(0.0, std::min(params.shown_margin_m, keeper.room_now()));
+  return keeper.keep(inner.decide(shown, context.sketch), deviations, context.sketch);
 }
 
 }  // namespace fairway

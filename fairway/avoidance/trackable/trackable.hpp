@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
-#include <optional>
-
 #include "fairway/avoidance/avoider.hpp"
-#include "fairway/avoidance/trackable/foresight.hpp"
+#include "fairway/avoidance/trackable/keeper.hpp"
 
 namespace fairway {
 
@@ -28,19 +25,28 @@ struct Trackable {
           true,  // without an envelope it shows a margin, and leaves the rest to the inner one
       .ignores_movers = true,
       .needs_envelope = true,
+      .follows = true,
   };
 
   struct Params {
     double margin_m = 0.3;
+    double tracking_bound_m = 0.0;
+    double perception_error_m = 0.0;
+    double navigation_error_m = 0.0;
+    double current_error_mps = 0.0;
     double shown_margin_m = 0.4;
     double hold_s = 0.8;
-    double slow_cost_ratio = 0.5;
+    double slow_cost_ratio = trackable::usual_slow_cost;
     double drift_settling_s = 3.0;
 
     static consteval auto fields() {
       using P = Params;
       return std::tuple{
-          field<&P::margin_m>({0, 1000}, "kept to every surface, beyond own sphere"),
+          field<&P::margin_m>({0, 1000}, "kept to every surface beyond own sphere and the four below"),
+          field<&P::tracking_bound_m>({0, 1000}, "it is no farther than this from where it is foreseen"),
+          field<&P::perception_error_m>({0, 1000}, "the others are no farther from where they are seen"),
+          field<&P::navigation_error_m>({0, 1000}, "own ship is no farther from where it believes to be"),
+          field<&P::current_error_mps>({0, 10}, "the water moves no more otherwise than it is taken to"),
           field<&P::shown_margin_m>({0, 1000}, "by which the inner avoider is shown own sphere larger"),
           field<&P::hold_s>({0, 100}, "how long a command is kept before its backup must still be possible"),
           field<&P::slow_cost_ratio>({0, 10}, "cost of stopping; that of turning round is 2"),
@@ -49,26 +55,12 @@ struct Trackable {
     }
   };
 
-  struct Memory {
-    std::optional<Vec2> drift;  ///< [m/s, NED]
-    double sway{};              ///< through the water, to starboard, as the envelope says [m/s]
-    double side = 1.0;          ///< to which it went last: 1 starboard, -1 port
-  };
-
-  /// A plan relative to the inner answer.
-  struct Deviation {
-    double cost;
-    double speed_ratio;
-    double turn;  ///< to the side that is preferred [rad]
-  };
-  static constexpr std::size_t turn_count = 25;  ///< both sides of every 15 degrees
-  static constexpr std::size_t speed_count = 3;
-  static constexpr std::size_t deviation_count = turn_count * speed_count + 1;
+  using Memory = trackable::Course;
 
   Params params;
-  std::array<Deviation, deviation_count> deviations;  ///< the cheapest first
+  trackable::Deviations deviations;
 
-  explicit Trackable(const Params& chosen);
+  explicit Trackable(const Params& chosen) : params{chosen}, deviations{chosen.slow_cost_ratio} {}
 
   Command decide(const Situation& s, Avoider& inner, Memory& memory, Context& context) const noexcept;
 };

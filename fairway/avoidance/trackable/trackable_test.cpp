@@ -5,90 +5,22 @@
 
 #include "fairway/avoidance/catalog.hpp"
 #include "fairway/avoidance/direct/direct.hpp"
-#include "fairway/avoidance/testing/encounters.hpp"
+#include "fairway/avoidance/testing/boat.hpp"
 
 namespace fairway {
 namespace {
 
+using encounters::buoy;
+using encounters::of_a_boat;
+using encounters::of_a_torpedo;
 using encounters::OwnedSituation;
+using encounters::sail;
+using encounters::Sailed;
+using encounters::under_way;
 using trackable::Foresight;
-using trackable::Helm;
 using trackable::Plan;
 using trackable::Prospect;
-
-/// Of a boat that makes 2 m/s, turns by 0.5 rad/s and slips in turns.
-Envelope of_a_boat() {
-  return {.ahead = 2.0,
-          .astern = 1.0,
-          .acceleration = 0.5,
-          .deceleration = 0.5,
-          .surge_lag = 0.5,
-          .turn_acceleration = 0.5,
-          .turn_lag = 0.5,
-          .pivot = 0.3,
-          .sway_lag = 1.0,
-          .turn_rates = {0.5, 0.5, 0.5, 0.5},
-          .following_errors = {0.3, 1.0, 2.0, 3.0, 4.0, 5.0}};
-}
-
-/// The same with a least speed.
-Envelope of_a_torpedo() {
-  Envelope envelope = of_a_boat();
-  envelope.least = 1.0;
-  envelope.astern = 0.0;
-  return envelope;
-}
-
-Obstacle buoy(double north, double east, double radius = 0.5) {
-  return {.kind = Obstacle::Kind::sphere, .position = {north, east, 50.0}, .radius = radius};
-}
-
-/// Under way northwards at 1 m/s, at a depth of 50 m.
-OwnedSituation under_way(const Envelope& envelope) {
-  OwnedSituation e = encounters::open_water();
-  e.situation.own.velocity = {1.0, 0.0, 0.0};
-  e.situation.own.yaw = 0.0;
-  e.situation.envelope = &envelope;
-  e.situation.limits.min_speed = envelope.least;
-  e.situation.limits.sternway = envelope.astern > 0.0;
-  e.situation.limits.sway = false;
-  return e;
-}
-
-/// Sails a wrapped `direct` as the envelope says, exactly and without slip, for `duration` [s].
-struct Sailed {
-  double clearance = 1e9;
-  int infeasible = 0;
-  Vec2 end = Vec2::Zero();
-};
-Sailed sail(OwnedSituation e, Avoider avoider, double duration) {
-  Sailed sailed;
-  const Envelope& can = *e.situation.envelope;
-  const double h = e.situation.period;
-  double yaw = e.situation.own.yaw, rate = 0.0, speed = e.situation.own.velocity.norm();
-  for (double time = 0.0; time < duration; time += h) {
-    const Command command = avoider.decide(e);
-    sailed.infeasible += command.mode == Mode::infeasible ? 1 : 0;
-    const double surge = std::cos(yaw) * command.velocity.x() + std::sin(yaw) * command.velocity.y();
-    rate += std::clamp((command.turn_rate.value_or(0.0) - rate) * h / can.turn_lag,
-                       -h * can.turn_acceleration, h * can.turn_acceleration);
-    speed += std::clamp((surge - speed) * h / can.surge_lag, -h * can.deceleration, h * can.acceleration);
-    yaw += h * rate;
-    Ownship& own = e.situation.own;
-    own.velocity = {speed * std::cos(yaw), speed * std::sin(yaw), 0.0};
-    own.position += h * own.velocity;
-    own.yaw = yaw;
-    own.yaw_rate = rate;
-    for (Track& t : e.tracks) t.position += h * t.velocity;
-    for (const Obstacle& o : e.obstacles)
-      sailed.clearance = std::min(sailed.clearance, nearest_point(o, own.position).distance - own.radius);
-    for (const Track& t : e.tracks)
-      sailed.clearance =
-          std::min(sailed.clearance, (t.position - own.position).norm() - t.radius - own.radius);
-  }
-  sailed.end = e.situation.own.position.head<2>();
-  return sailed;
-}
+using trackable::TurnLaw;
 
 Avoider around_direct_trackable() { return Avoider{Trackable{{}}, Avoider{Direct{{}}}}; }
 
@@ -117,11 +49,11 @@ TEST(Trackable, AForeseenStopNeedsItsWay) {
   // from 1 m/s at 0.5 m/s2 it stops within 1 m, and within 0.25 m more for the lag
   const Envelope boat = of_a_boat();
   OwnedSituation e = under_way(boat);
-  const Helm helm{boat, Limits::none};
+  const TurnLaw law{boat, Limits::none};
   const auto comes_to = [&](double gap) {
     e.obstacles = {buoy(e.situation.own.position.x() + gap + 1.0 + 5.0, 0.0, 5.0)};
     const Situation s = e;
-    return Foresight{helm, s, {.hold = 0.2, .window = 8.0, .margin = 0.1}}.of({.speed = 1.0});
+    return Foresight{law, s, {.hold = 0.2, .window = 8.0, .margin = 0.1}}.of({.speed = 1.0});
   };
   EXPECT_EQ(comes_to(0.8), Prospect::lost);
   EXPECT_EQ(comes_to(2.0), Prospect::backed_up);
@@ -132,11 +64,11 @@ TEST(Trackable, WhoCannotStopNeedsRoomForACircle) {
   // 1 m/s at 0.5 rad/s: a radius of 2 m
   const Envelope torpedo = of_a_torpedo();
   OwnedSituation e = under_way(torpedo);
-  const Helm helm{torpedo, Limits::none};
+  const TurnLaw law{torpedo, Limits::none};
   const auto comes_to = [&](double gap) {
     e.obstacles = {buoy(e.situation.own.position.x() + gap + 1.0 + 50.0, 0.0, 50.0)};
     const Situation s = e;
-    return Foresight{helm, s, {.hold = 0.2, .window = 16.0, .margin = 0.1}}.of({.speed = 1.0});
+    return Foresight{law, s, {.hold = 0.2, .window = 16.0, .margin = 0.1}}.of({.speed = 1.0});
   };
   EXPECT_EQ(comes_to(1.5), Prospect::lost);
   EXPECT_EQ(comes_to(6.0), Prospect::backed_up);
@@ -189,6 +121,39 @@ TEST(Trackable, WhatPassesFarAboveDoesNotCount) {
   e.obstacles = {buoy(5.0, 0.0, 2.0)};
   e.obstacles[0].position.z() = 10.0;
   EXPECT_EQ(around_direct_trackable().decide(e).mode, Mode::cruise);
+}
+
+TEST(Trackable, ItDoesNotComeDownOnWhatItPassesOver) {
+  const Envelope boat = of_a_boat();
+  OwnedSituation e = under_way(boat);
+  e.situation.own.position = {0.0, 0.0, 20.0};
+  e.situation.goal = {.position = {60.0, 0.0, 60.0}, .cruise_speed = 1.0};
+  EXPECT_GT(around_direct_trackable().decide(e).velocity.z(), 0.5);
+  e.obstacles = {buoy(1.0, 0.0, 27.5)};  // its top is at 22.5 m, where own sphere ends at 21 m
+  EXPECT_EQ(around_direct_trackable().decide(e).velocity.z(), 0.0);
+  e.obstacles[0].position.z() = -10.0;  // its bottom is at 17.5 m
+  EXPECT_GT(around_direct_trackable().decide(e).velocity.z(), 0.5);
+}
+
+TEST(Trackable, ItsMarginsAddUpAndAreDrawn) {
+  const trackable::Margins margins{
+      .tracking = 0.1, .perception = 0.2, .navigation = 0.3, .current = 0.05, .extra = 0.4};
+  EXPECT_DOUBLE_EQ(margins.total(10.0), 0.1 + 0.2 + 0.3 + 0.5 + 0.4);
+  // a buoy that is passed with 1 m to spare is gone round where the parts ask for more
+  const Envelope boat = of_a_boat();
+  OwnedSituation e = under_way(boat);
+  e.situation.own.position = {0.0, 0.0, 50.0};
+  e.situation.goal = {.position = {60.0, 0.0, 50.0}, .cruise_speed = 1.0};
+  e.obstacles = {buoy(8.0, 2.5, 0.5)};
+  const auto mode_with = [&](Trackable::Params params) {
+    return Avoider{Trackable{params}, Avoider{Direct{{}}}}.decide(e).mode;
+  };
+  EXPECT_EQ(mode_with({}), Mode::cruise);
+  EXPECT_EQ(mode_with({.margin_m = 1.1}), Mode::avoid);
+  EXPECT_EQ(mode_with({.tracking_bound_m = 0.8}), Mode::avoid);
+  EXPECT_EQ(mode_with({.perception_error_m = 0.8}), Mode::avoid);
+  EXPECT_EQ(mode_with({.navigation_error_m = 0.8}), Mode::avoid);
+  EXPECT_EQ(mode_with({.current_error_mps = 0.2}), Mode::avoid);
 }
 
 }  // namespace

@@ -23,6 +23,7 @@ struct Vo {
       .source = "Fiorini, Shiller 1998; cao2022, eqs. 2-6",
       .planar = true,
       .handed = true,
+      .needs_sway = true,
   };
 
   using Params = velocity_obstacle::Params;

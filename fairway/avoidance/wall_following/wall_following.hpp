@@ -34,7 +34,8 @@ struct WallFollowing {
       .title = "Wall following with go-to-goal and avoid-obstacle behaviours",
       .source = "rehman2021, section III-A-2, eqs. 12-18, Table 2; corrected form: fairway",
       .planar = true,
-      .isotropic = false,  // the printed form holds a heading
+      .isotropic = false,  // the printed form holds a heading,
+      .needs_sway = true,
   };
 
   struct Params {

@@ -19,6 +19,7 @@ struct ShortestWay {
       .source = "fairway; taut string over tangents, by A*, as in avoa_improved",
       .handed = true,
       .ignores_movers = true,
+      .shows_only = true,
   };
 
   struct Params {

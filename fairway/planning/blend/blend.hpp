@@ -30,6 +30,8 @@ struct Blend {
       .planar = true,
       .allocates = true,
       .isotropic = false,
+      .needs_sway = true,
+      .needs_stopping = true,
   };
 
   struct Params : PlanParams {

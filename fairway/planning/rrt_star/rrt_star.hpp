@@ -28,6 +28,9 @@ struct RrtStar {
       .allocates = true,
       .isotropic = false,
       .ignores_movers = true,
+      .needs_sway = true,
+      .needs_stopping = true,
+      .needs_chart = true,
   };
 
   struct Params : PlanParams, TrackingParams {

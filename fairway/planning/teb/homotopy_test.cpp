@@ -21,7 +21,7 @@ Band along(const TebParams& params, const std::vector<Vec2>& path) {
 }
 
 TEST(Homotopy, WaysOnOneSideAreAlikeAndOnTwoAreNot) {
-  const TebParams params;
+  const TebParams params{.include_dynamic_obstacles = false};
   const std::vector<BandObstacle> barriers{{disc(3, 0), 0.75}, {disc(6, 1), 0.75}};
   const auto turns = [&](double at_first, double at_second) {
     return signature_of(barriers, along(params, {{0, 0}, {3, at_first}, {6, at_second}, {9, 0}}));
@@ -34,7 +34,7 @@ TEST(Homotopy, WaysOnOneSideAreAlikeAndOnTwoAreNot) {
 }
 
 TEST(Homotopy, AWayAllRoundABarrierIsOfAnotherClass) {
-  const TebParams params;
+  const TebParams params{.include_dynamic_obstacles = false};
   const std::vector<BandObstacle> barriers{{disc(3, 0), 0.75}};
   const Signature past = signature_of(barriers, along(params, {{0, 0}, {3, 2}, {6, 0}}));
   const Signature round =
@@ -45,7 +45,7 @@ TEST(Homotopy, AWayAllRoundABarrierIsOfAnotherClass) {
 
 TEST(Homotopy, ManyBarriersDoNotHideOne) {
   // the original's sum of 1 / products of distances vanishes with so many
-  const TebParams params;
+  const TebParams params{.include_dynamic_obstacles = false};
   std::vector<BandObstacle> barriers;
   for (int i = 0; i < 100; ++i) barriers.emplace_back(disc(3.0 + 0.1 * i, 20.0), 0.75);
   barriers.emplace_back(disc(3, 0), 0.75);
@@ -74,7 +74,7 @@ TEST(Homotopy, TurnsAboutAMoverBelowTheThresholdAreNoSide) {
 }
 
 TEST(Homotopy, TheRoadmapFindsBothSidesOfADisc) {
-  const TebParams params;
+  const TebParams params{.include_dynamic_obstacles = false};
   const std::vector<BandObstacle> barriers{{disc(1.5, 0), 0.75}};
   int both = 0;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
@@ -94,7 +94,7 @@ TEST(Homotopy, TheRoadmapFindsBothSidesOfADisc) {
 }
 
 TEST(Homotopy, TheRoadmapLeavesOutClassesThatAreKnownAndKeepsToTheirNumber) {
-  const TebParams params;
+  const TebParams params{.include_dynamic_obstacles = false};
   const std::vector<BandObstacle> barriers{{disc(1.5, 0), 0.75}};
   std::vector<Signature> known{signature_of(barriers, along(params, {{0, 0}, {1.5, 2}, {3, 0}}))};
   Rng rng{3};
@@ -109,7 +109,7 @@ TEST(Homotopy, TheRoadmapLeavesOutClassesThatAreKnownAndKeepsToTheirNumber) {
 }
 
 TEST(Homotopy, WithoutAWayThereIsNoClass) {
-  const TebParams params;
+  const TebParams params{.include_dynamic_obstacles = false};
   const std::vector<BandObstacle> around_the_end{{disc(3, 0, 1.0), 0.75}};
   const std::vector<BandObstacle> wall{
       {Obstacle{.kind = Obstacle::Kind::segment, .from = {1.5, -9, 0}, .to = {1.5, 9, 0}}, 0.75}};

@@ -65,9 +65,33 @@ void find_way(const TebParams& params, const Situation& s, const Vec2& goal, Teb
   memory.plan_failed = false;
 }
 
-/// The speeds that the band may have are those that the vehicle can have: without sternway none astern, and
-/// where there is a least speed, none below it.
-TebParams within(TebParams params, const Limits& limits) {
+/// In which a vehicle whose envelope is known takes up what is commanded, and the band is looked at [s].
+double taking_up(const Envelope& can) { return 1.0 + can.turn_lag; }
+
+/// Where the envelope is known, limits are the vehicle's at the speed of the mission, and the band reaches as
+/// far as it takes to turn aside and stop. The speeds that the band may have are those that the vehicle can
+/// have: without sternway none astern, and where there is a least speed, none below it.
+TebParams within(TebParams params, const Situation& s) {
+  constexpr double least = 0.01;
+  constexpr double most_poses =
+      20.0;  // what a band costs grows with them, and the manoeuvre has no need of more
+  const Limits& limits = s.limits;
+  if (s.envelope != nullptr) {
+    const Envelope& can = *s.envelope;
+    const double speed = std::max(least, std::min({can.ahead, limits.max_speed, s.goal.cruise_speed}));
+    params.max_vel_x_mps = speed;
+    params.max_vel_x_backwards_mps = std::max(least, std::min(speed, can.astern));
+    params.max_vel_theta_radps = std::max(least, std::min(can.turn_rate(speed), limits.max_turn_rate));
+    params.acc_lim_x_mps2 = std::max(least, std::min(can.acceleration, can.deceleration));
+    params.acc_lim_theta_radps2 = std::max(least, can.turn_acceleration);
+    const double manoeuvre =
+        taking_up(can) + 0.5 * pi / params.max_vel_theta_radps + speed / params.acc_lim_x_mps2;
+    params.max_global_plan_lookahead_dist_m =
+        std::max(params.max_global_plan_lookahead_dist_m, speed * manoeuvre);
+    const double coarser = std::max(1.0, manoeuvre / (most_poses * params.dt_ref_s));
+    params.dt_ref_s *= coarser;
+    params.dt_hysteresis_s *= coarser;
+  }
   if (!limits.sternway) params.max_vel_x_backwards_mps = -std::min(limits.min_speed, params.max_vel_x_mps);
   return params;
 }
@@ -191,6 +215,22 @@ Command first_command(const Task& task, const Band& band) {
   return command;
 }
 
+/// Towards where the band is when the vehicle has taken the command up, as fast as the band goes there.
+Command command_ahead(const Task& task, const Band& band, const Envelope& can) {
+  double time = 0.0, length = 0.0;
+  std::size_t i = 0;
+  do {
+    time += band.time(i);
+    length += (band.position(i + 1) - band.position(i)).norm();
+    ++i;
+  } while (i + 1 < band.size() && time < taking_up(can));
+  const Vec2 way = band.position(i) - band.position(0);
+  const double speed = std::min(length / time, task.params.max_vel_x_mps);
+  const Vec2 velocity = way.norm() > 0.0 ? Vec2{speed * way.normalized()} : Vec2{Vec2::Zero()};
+  return {.velocity = {velocity.x(), velocity.y(), 0.0},
+          .mode = task.barriers.empty() ? Mode::cruise : Mode::avoid};
+}
+
 void draw(const Situation& s, std::span<const Band> bands, Sketch& sketch) {
   for (std::size_t i = 0; i < bands.size(); ++i) {
     std::vector<Vec3> points;
@@ -222,7 +262,7 @@ Command Teb::decide(const Situation& s, Memory& memory, Context& context) const 
       memory.bands.clear();
       return {};
     }
-    const TebParams able = within(params, s.limits);
+    const TebParams able = within(params, s);
     const Task task = task_of(able, s, memory.way);
     plan(task, memory.bands, context.rng);
     if (context.sketch != nullptr) {
@@ -231,7 +271,8 @@ Command Teb::decide(const Situation& s, Memory& memory, Context& context) const 
     }
     const Band& band = memory.bands.front();
     if (is_feasible(task, band)) {
-      Command command = first_command(task, band);
+      const Command command =
+          s.envelope != nullptr ? command_ahead(task, band, *s.envelope) : first_command(task, band);
       if (context.sketch != nullptr) context.sketch->velocity(command.velocity, "chosen");
       return command;
     }

@@ -39,7 +39,7 @@ struct TebParams {
   double min_obstacle_dist_m = 0.5;
   double inflation_dist_m = 0.6;
   double dynamic_obstacle_inflation_dist_m = 0.6;
-  bool include_dynamic_obstacles = false;
+  bool include_dynamic_obstacles = true;
   double obstacle_association_force_inclusion_factor_ratio = 1.5;
   double obstacle_association_cutoff_factor_ratio = 5.0;
 

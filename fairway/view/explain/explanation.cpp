@@ -8,6 +8,7 @@
 #include "fairway/core/angles.hpp"
 #include "fairway/core/math.hpp"
 #include "fairway/core/text.hpp"
+#include "fairway/sim/agent.hpp"
 #include "fairway/view/explain/decision_facts.hpp"
 #include "fairway/view/explain/drawn_section.hpp"
 #include "fairway/view/explain/headline.hpp"
@@ -230,7 +231,6 @@ std::vector<ParamInfo> params_in_force(const Choice& avoider, const Catalog& avo
 Explanation explain(const Scenario& scenario, const FoundDecision& found, const Catalog& avoiders) {
   Explanation explanation{found.instant.vehicle, found.time, {}, {}};
   auto& sections = explanation.sections;
-  const Choice& avoider = scenario.vehicles[found.instant.vehicle].avoider;
   if (!found.decision) {
     explanation.headline = headline_of_unasked(scenario, found);
     sections = {unasked_section(found), found_section(found)};
@@ -247,6 +247,9 @@ Explanation explain(const Scenario& scenario, const FoundDecision& found, const 
   for (ExplanationSection& section : drawn_sections(scenario, drawn, facts.preferred, commanded)) {
     sections.push_back(std::move(section));
   }
+  const VehicleSpec& vehicle = scenario.vehicles[found.instant.vehicle];
+  Choice avoider = vehicle.avoider;
+  avoider.name = avoider_in_force(vehicle, decision.situation().limits, avoiders);
   sections.push_back(method_section(avoider, avoiders));
   sections.push_back(found_section(found));
   return explanation;

@@ -8,7 +8,7 @@
 namespace fairway::trackable {
 
 /// What is asked of a vehicle's autopilot.
-struct HelmOrder {
+struct TurnOrder {
   double surge;      ///< along the heading [m/s]
   double turn_rate;  ///< positive to starboard [rad/s]
 };
@@ -20,10 +20,10 @@ struct HelmOrder {
 ///
 /// With the first-order lag T_r of the turn rate the gain makes theta'' + theta' / T_r + 0.4 theta / T_r^2 =
 /// 0, a damping of 0.79. A share of the greatest turn rate is left to the autopilot.
-class Helm {
+class TurnLaw {
  public:
   /// `max_turn_rate` [rad/s] is that of the mission, or infinite.
-  Helm(const Envelope& envelope, double max_turn_rate) noexcept;
+  TurnLaw(const Envelope& envelope, double max_turn_rate) noexcept;
 
   /// Where a course needs `error` [rad] more to starboard, at `speed` [m/s] through the water.
   double turn_rate(double error, double speed) const noexcept;
@@ -31,7 +31,7 @@ class Helm {
   /// Speed ahead [m/s], of the `wanted` one; `along` is the cosine of the angle by which the heading is off.
   double surge(double wanted, double along) const noexcept;
 
-  HelmOrder order(double wanted, double error, double speed) const noexcept {
+  TurnOrder order(double wanted, double error, double speed) const noexcept {
     return {surge(wanted, math::cos(error)), turn_rate(error, speed)};
   }
 

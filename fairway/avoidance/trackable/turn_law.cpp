@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fairway/avoidance/trackable/helm.hpp"
+#include "fairway/avoidance/trackable/turn_law.hpp"
 
 #include <algorithm>
 
@@ -12,21 +12,21 @@ constexpr double turn_share = 0.9;   // of the greatest turn rate
 
 }  // namespace
 
-Helm::Helm(const Envelope& envelope, double max_turn_rate) noexcept
+TurnLaw::TurnLaw(const Envelope& envelope, double max_turn_rate) noexcept
     : envelope_{&envelope},
       max_turn_rate_{max_turn_rate},
       gain_{loop_gain / std::max(envelope.turn_lag, least_lag_s)} {}
 
-double Helm::greatest_turn_rate(double speed) const noexcept {
+double TurnLaw::greatest_turn_rate(double speed) const noexcept {
   return std::min(turn_share * envelope_->turn_rate(speed), max_turn_rate_);
 }
 
-double Helm::turn_rate(double error, double speed) const noexcept {
+double TurnLaw::turn_rate(double error, double speed) const noexcept {
   const double most = greatest_turn_rate(speed);
   return std::clamp(gain_ * error, -most, most);
 }
 
-double Helm::surge(double wanted, double along) const noexcept {
+double TurnLaw::surge(double wanted, double along) const noexcept {
   const double share = std::max(0.0, along);
   return std::max(wanted * share * share, envelope_->least);
 }

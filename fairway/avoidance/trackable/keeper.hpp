@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+
+#include "fairway/avoidance/command.hpp"
+#include "fairway/avoidance/sketch.hpp"
+#include "fairway/avoidance/trackable/foresight.hpp"
+#include "fairway/avoidance/trackable/margins.hpp"
+
+namespace fairway::trackable {
+
+/// A plan relative to what is asked.
+struct Deviation {
+  double cost;
+  double speed_ratio;
+  double turn;  ///< to the side that is preferred [rad]
+};
+
+/// Of stopping; that of turning round is 2.
+inline constexpr double usual_slow_cost = 0.5;
+
+/// Both sides of every 15 degrees at thirds of the speed, and to stop: the cheapest first, by
+/// 1 - cos(turn) + slow_cost_ratio (1 - speed ratio).
+class Deviations {
+ public:
+  explicit Deviations(double slow_cost_ratio);
+  auto begin() const noexcept { return all_.begin(); }
+  auto end() const noexcept { return all_.end(); }
+
+ private:
+  static constexpr std::size_t turn_count = 25;
+  static constexpr std::size_t speed_count = 3;
+  std::array<Deviation, turn_count * speed_count + 1> all_{};
+};
+
+/// How a vehicle that must turn is kept clear.
+struct Keeping {
+  Margins margins;
+  double hold;                  ///< how long a command is kept before its backup must still be possible [s]
+  double drift_settling = 3.0;  ///< time constant of learning what sets it aside [s]
+};
+
+/// What is remembered between decisions.
+struct Course {
+  std::optional<Vec2> drift;  ///< [m/s, NED]
+  double sway{};              ///< through the water, to starboard, as the envelope says [m/s]
+  double side = 1.0;          ///< to which it went last: 1 starboard, -1 port
+};
+
+/// Whether its envelope is known, and it turns in order to go elsewhere.
+bool must_turn(const Situation& s) noexcept;
+
+/// Holds what a method asks of a vehicle that must turn to what is clear, or leaves a backup manoeuvre, as a
+/// Foresight says; otherwise takes the nearest course and speed of which that is true, and says at that
+/// instant where there is none. A safe backup, once there, is not given up as long as what is near keeps its
+/// velocity (gatekeeper, Agrawal, Chen, Panagou 2023). For one decision.
+class Keeper {
+ public:
+  /// Of a situation in which the vehicle must_turn(). `s` must outlive it. O(solids).
+  Keeper(const Keeping& keeping, const Situation& s, Course& course) noexcept;
+  Keeper(const Keeper&) = delete;
+  Keeper& operator=(const Keeper&) = delete;
+
+  /// Nine tenths of the way to the nearest surface; infinite where nothing is near [m].
+  double room_now() const noexcept { return foresight_.room_now(); }
+
+  /// Surge and turn rate by the TurnLaw, so that the way is the one foreseen whatever steering the vehicle
+  /// has. Mode::infeasible and a note where no plan keeps clear. O(plans x steps x solids) where what is
+  /// asked is not clear, else O(steps x solids). `sketch` may be null.
+  Command keep(const Command& asked, const Deviations& deviations, Sketch* sketch) noexcept;
+
+ private:
+  void draw(Sketch& sketch, const Plan& plan, const Command& asked) const;
+
+  const Situation& s_;
+  Course& course_;
+  TurnLaw law_;
+  Margins margins_;
+  double hold_;
+  double window_;
+  Vec2 drift_;
+  Foresight foresight_;
+};
+
+}  // namespace fairway::trackable

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/sim/misfits.hpp"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+#include "fairway/core/math.hpp"
+#include "fairway/sim/agent.hpp"
+
+namespace fairway {
+namespace {
+
+/// What there is to meet, for all vehicles.
+struct Ground {
+  std::string uncharted, drifter;  ///< the first such obstacle, as a path; empty for none
+  bool has_obstacles = false;
+  bool has_others = false;
+  double shallowest = Limits::none, deepest = -Limits::none;  ///< [m]
+
+  explicit Ground(const Scenario& scenario) : has_others{scenario.vehicles.size() > 1} {
+    for (std::size_t i = 0; i < scenario.obstacles.size(); ++i) {
+      const ObstacleSpec& obstacle = scenario.obstacles[i];
+      const std::string path = "obstacles[" + std::to_string(i) + "]";
+      if (obstacle.moves() && drifter.empty()) drifter = path;
+      if (!obstacle.moves()) has_obstacles = true;
+      if (!obstacle.moves() && !obstacle.charted && uncharted.empty()) uncharted = path;
+      if (obstacle.kind == Obstacle::Kind::sphere) see(obstacle.position.z());
+    }
+    for (const VehicleSpec& vehicle : scenario.vehicles) {
+      see(vehicle.position.z());
+      for (const Leg& leg : vehicle.mission)
+        if (leg.kind == LegKind::transit) see(leg.position.z());
+    }
+  }
+
+ private:
+  void see(double depth) {
+    shallowest = math::fmin(shallowest, depth);
+    deepest = math::fmax(deepest, depth);
+  }
+};
+
+/// What is amiss with one vehicle, each thing as a clause about its method.
+std::vector<std::string> amiss(const VehicleSpec& spec, const Limits& limits, const Ground& ground,
+                               const Catalog& avoiders) {
+  const std::string name = avoider_in_force(spec, limits, avoiders);
+  const auto all = [&](bool AlgorithmInfo::*what) { return avoiders.ignores(name, what); };
+  const auto any = [&](bool AlgorithmInfo::*what) { return avoiders.needs(name, what); };
+  // where it foresees, it keeps clear of whatever there is
+  const bool foresees = any(&AlgorithmInfo::follows) && !limits.sway;
+  const bool is_blind = all(&AlgorithmInfo::ignores_obstacles),
+             is_alone = all(&AlgorithmInfo::ignores_movers);
+
+  std::vector<std::string> clauses;
+  if (any(&AlgorithmInfo::needs_sway) && !limits.sway && !foresees)
+    clauses.push_back("moves a point that goes any way at once, and " + spec.model.name +
+                      " has to turn first");
+  if (any(&AlgorithmInfo::needs_stopping) && limits.min_speed > 0.0)
+    clauses.push_back("has to stop now and then, and " + spec.model.name + " cannot: it circles");
+  if (!foresees && is_blind != is_alone) {
+    if (is_blind && ground.has_obstacles) clauses.emplace_back("ignores obstacles, and there are some");
+    if (is_alone && ground.has_others) clauses.emplace_back("ignores whatever moves, and there are others");
+    if (is_alone && !ground.has_others && !ground.drifter.empty())
+      clauses.push_back("ignores whatever moves, and " + ground.drifter + " drifts");
+  }
+  const auto sees_no_more = [](const Catalog::Entry* layer) {
+    return layer->info.needs_chart || layer->info.ignores_obstacles;
+  };
+  if (!foresees && !is_blind && std::ranges::all_of(avoiders.layers(name), sees_no_more) &&
+      !ground.uncharted.empty())
+    clauses.push_back("avoids only what is charted, and " + ground.uncharted + " is not");
+  if (any(&AlgorithmInfo::planar) && ground.deepest - ground.shallowest > spec.radius_m)
+    clauses.emplace_back("thinks in a horizontal plane, and not all that it meets is at one depth");
+  for (std::string& clause : clauses) clause = name + " " + clause;
+  return clauses;
+}
+
+}  // namespace
+
+std::vector<std::string> misfits(const Scenario& scenario, const Catalogs& catalogs) {
+  const Ground ground{scenario};
+  const std::vector<Limits> limits = limits_in_force(scenario, catalogs.vehicles);
+  struct Trouble {
+    std::string clause;
+    std::string first;
+    std::size_t count;
+  };
+  std::vector<Trouble> troubles;
+  for (std::size_t i = 0; i < scenario.vehicles.size(); ++i) {
+    const VehicleSpec& spec = scenario.vehicles[i];
+    try {
+      for (std::string& clause : amiss(spec, limits[i], ground, catalogs.avoiders)) {
+        const auto known = std::ranges::find(troubles, clause, &Trouble::clause);
+        if (known != troubles.end()) {
+          ++known->count;
+        } else {
+          troubles.push_back({std::move(clause), spec.name, 1});
+        }
+      }
+    } catch (const InputError&) {
+    }
+  }
+  std::vector<std::string> lines;
+  for (const auto& [clause, first, count] : troubles) {
+    std::string whom = first;
+    if (count > 1) whom += " and " + std::to_string(count - 1) + (count == 2 ? " other" : " others");
+    lines.push_back(whom + ": " + clause);
+  }
+  return lines;
+}
+
+}  // namespace fairway

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/sim/misfits.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "fairway/scenario/load.hpp"
+#include "fairway/sim/agent.hpp"
+
+namespace fairway {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+Scenario alone(const std::string& model, const std::string& avoider, const std::string& tracking = "raw",
+               const std::string& rest = "") {
+  return parse_scenario(
+      "{fairway: 1, name: alone, vehicles: [{model: " + model + ", avoider: " + avoider +
+          ", tracking: " + tracking +
+          ", start: {position_m: [0, 0, 0]}, mission: [{transit: {position_m: [50, 0, 0]}}]}]" + rest + "}",
+      "alone.yaml");
+}
+
+std::vector<std::string> told(const std::string& model, const std::string& avoider,
+                              const std::string& tracking = "raw", const std::string& rest = "") {
+  return misfits(alone(model, avoider, tracking, rest), builtin_catalogs());
+}
+
+std::string in_force(const std::string& model, const std::string& avoider, const std::string& tracking) {
+  const Scenario scenario = alone(model, avoider, tracking);
+  const std::vector<Limits> limits = limits_in_force(scenario, builtin_vehicles());
+  return avoider_in_force(scenario.vehicles[0], limits[0], builtin_catalogs().avoiders);
+}
+
+TEST(Tracking, WrapsWhoeverMustTurnUnlessTheScenarioSaysRaw) {
+  for (const std::string model : {"zarco", "otter_by_thrust", "remus100", "sparus2", "kinematic"}) {
+    EXPECT_EQ(in_force(model, "orca2d", "auto"), "orca2d+trackable") << model;
+    EXPECT_EQ(in_force(model, "orca2d", "raw"), "orca2d") << model;
+    EXPECT_EQ(in_force(model, "direct", "auto"), "direct") << model;
+    EXPECT_EQ(in_force(model, "orca2d+safety_filter", "auto"), "orca2d+safety_filter") << model;
+  }
+  for (const std::string model : {"minerva", "minerva_transport", "{name: kinematic, max_sway_mps: 0.5}"}) {
+    EXPECT_EQ(in_force(model, "orca2d", "auto"), "orca2d") << model;
+    EXPECT_EQ(in_force(model, "orca2d", "trackable"), "orca2d+trackable") << model;
+  }
+}
+
+TEST(Tracking, IsAutomaticInAFileThatDoesNotSayIt) {
+  const Scenario scenario = parse_scenario(
+      "{fairway: 1, name: s, vehicles: [{model: zarco, avoider: orca2d, start: {position_m: [0, 0, 0]}}]}",
+      "s.yaml");
+  EXPECT_EQ(scenario.vehicles[0].tracking, Tracking::automatic);
+  EXPECT_EQ(make_agent(scenario.vehicles[0], scenario, builtin_catalogs()).avoider.info().name, "trackable");
+}
+
+/// What every method is told on every kind of vehicle, as printed.
+TEST(Misfits, AreTheseForEachMethodOnEachVehicle) {
+  const std::vector<std::string> moving_any_way{"apf",      "orca3d", "orca2d",         "vo",
+                                                "rvo",      "hrvo",   "hard_switching", "wall_following",
+                                                "rrt_star", "blend"};
+  const std::vector<std::string> turning{
+      "direct", "avoa", "avoa_improved", "teb", "orca2d+trackable", "orca2d+safety_filter"};
+  const std::vector<std::string> boats{"zarco", "otter_by_thrust", "sparus2", "kinematic"};
+  for (const std::string& boat : boats) {
+    for (const std::string& method : moving_any_way)
+      EXPECT_THAT(told(boat, method),
+                  ElementsAre("robot0: " + method + " moves a point that goes any way at once, and " + boat +
+                              " has to turn first"));
+    for (const std::string& method : turning) EXPECT_THAT(told(boat, method), IsEmpty()) << boat << method;
+    EXPECT_THAT(told(boat, "orca2d", "auto"), IsEmpty()) << boat;
+    EXPECT_THAT(told(boat, "avoa+stop_and_wait"), IsEmpty()) << boat;
+  }
+  for (const std::string& method : moving_any_way)
+    EXPECT_THAT(told("minerva_transport", method), IsEmpty()) << method;
+  EXPECT_THAT(
+      told("remus100", "avoa+stop_and_wait"),
+      ElementsAre("robot0: avoa+stop_and_wait has to stop now and then, and remus100 cannot: it circles"));
+  EXPECT_EQ(told("remus100", "blend").size(), 2u);
+}
+
+TEST(Misfits, TellOfGroundThatAMethodDoesNotSee) {
+  const std::string buoy = ", obstacles: [{sphere: {position_m: [20, 0, 0], radius_m: 1";
+  const std::string transport = "minerva_transport";
+  EXPECT_THAT(told(transport, "rrt_star", "raw", buoy + "}}]"), IsEmpty());
+  EXPECT_THAT(told(transport, "rrt_star", "raw", buoy + ", charted: false}}]"),
+              ElementsAre("robot0: rrt_star avoids only what is charted, and obstacles[0] is not"));
+  EXPECT_THAT(told(transport, "blend", "raw", buoy + ", charted: false}}]"), IsEmpty());
+  const std::string drifter =
+      ", obstacles: [{sphere: {position_m: [20, 0, 0], radius_m: 1, velocity_mps: [0.1, 0, 0]}}]";
+  EXPECT_THAT(told(transport, "rrt_star", "raw", drifter),
+              ElementsAre("robot0: rrt_star ignores whatever moves, and obstacles[0] drifts"));
+  EXPECT_THAT(told("zarco", "rrt_star", "auto", drifter), IsEmpty());  // trackable sees it
+  EXPECT_THAT(told(transport, "direct", "raw", drifter), IsEmpty());   // it is there to avoid nobody
+  EXPECT_THAT(told(transport, "stop_and_wait", "raw", buoy + "}}]"),
+              ElementsAre("robot0: stop_and_wait ignores obstacles, and there are some"));
+  const std::string deep = ", obstacles: [{sphere: {position_m: [20, 0, 8], radius_m: 1}}]";
+  EXPECT_THAT(
+      told(transport, "orca2d", "raw", deep),
+      ElementsAre("robot0: orca2d thinks in a horizontal plane, and not all that it meets is at one depth"));
+  EXPECT_THAT(told(transport, "orca3d", "raw", deep), IsEmpty());
+}
+
+TEST(Misfits, NameTheFirstOfManyAndCountTheOthers) {
+  const Scenario scenario = parse_scenario(
+      "{fairway: 1, name: s, defaults: {model: sparus2, avoider: orca3d, tracking: raw}, "
+      "fleet: {count: 8, places: {lattice: {spacing_m: 11}}}}",
+      "s.yaml");
+  EXPECT_THAT(
+      misfits(scenario, builtin_catalogs()),
+      ElementsAre("robot0 and 7 others: orca3d moves a point that goes any way at once, and sparus2 has "
+                  "to turn first"));
+}
+
+}  // namespace
+}  // namespace fairway
