@@ -219,18 +219,19 @@ ExamOrder order_of(const ExamFile& exam, const ExamQuestion& question, const std
   return order;
 }
 
-std::string maker_text() {
-  const Maker maker = this_maker(false);
-  return fmt::format("fairway {} ({}, epoch {}), {}, {}, {}", maker.version, maker.commit, maker.epoch,
-                     maker.compiler, maker.c_library, maker.processor);
+/// Who made the runs of a store, in one line.
+std::string makers_of(const Store& store) {
+  std::string text;
+  for (const std::string& kind : kinds_of(store.origin().makers)) text += (text.empty() ? "" : "; ") + kind;
+  return text;
 }
 
 void write_exam(const ExamFlags& flags, const ExamFile& exam, const ExamQuestion& question,
-                const ExamPlan& plan, const std::vector<ExamRun>& runs, const std::string& against,
+                const ExamPlan& plan, const std::vector<ExamRun>& runs, const std::string& maker,
                 const std::vector<DecisionTime>& times, const Program& program) {
   const ExamFiles files = exam_files_in(flags.out);
   const ExamTable table = exam_table(runs, order_of(exam, question, runs));
-  ExamReference reference{.epoch = results_epoch, .maker = maker_text(), .grounds = {}, .runs = runs};
+  ExamReference reference{.epoch = results_epoch, .maker = maker, .grounds = {}, .runs = runs};
   for (const ExamFamily& family : question.families)
     reference.grounds[family.name] = digest_of(family, exam.conditions);
   std::ranges::stable_sort(reference.runs, {}, [](const ExamRun& run) {
@@ -247,8 +248,7 @@ void write_exam(const ExamFlags& flags, const ExamFile& exam, const ExamQuestion
                                .absences = plan.absences,
                                .decision_times = times,
                                .command = program.typed,
-                               .origin = "Made by " + maker_text() + "." +
-                                         (against.empty() ? "" : " Held against runs by " + against + ".")})
+                               .origin = "Made by " + maker + "."})
                  .dump(),
              files.page);
   std::cout << (flags.json ? document.dump(2) + "\n"
@@ -291,7 +291,7 @@ int hold_exam(const ExamFlags& flags, const Outputs& outputs, const Program& pro
   Origin origin{.campaign = exam.name, .summary = exam.summary};
   for (const CampaignCell& cell : plan.campaign.cells) add_values(origin.order, cell.labels);
   store.note(origin);
-  store.note(this_maker(false));
+  if (!plan.campaign.specs.empty()) store.note(this_maker(false));
 
   DecisionClock clock;
   Progress progress{exam.name};
@@ -312,7 +312,9 @@ int hold_exam(const ExamFlags& flags, const Outputs& outputs, const Program& pro
     add_commands(beside, exam, question, program);
     runs.insert(runs.end(), beside.begin(), beside.end());
   }
-  write_exam(flags, exam, question, plan, runs, reference ? reference->maker : "", clock.all(), program);
+  std::string maker = makers_of(store);
+  if (reference) maker += (maker.empty() ? "" : "; held against runs by ") + reference->maker;
+  write_exam(flags, exam, question, plan, runs, maker, clock.all(), program);
   return ok;
 }
 

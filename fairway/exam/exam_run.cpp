@@ -59,9 +59,12 @@ ExamOutcome exam_outcome(std::span<const Measure> measures, const Scenario& scen
   bool touched = false;
   for (const Measure& measure : measures) {
     double left = std::numeric_limits<double>::infinity();
-    if (measure.quantity == "footprint_clearance_m") left = measure.value;
     if (measure.quantity == "min_separation_m") left = measure.value - scenario.exam.safety_distance_m;
-    touched = touched || (measure.quantity == "footprint_clearance_m" && measure.value < 0.0);
+    if (measure.quantity == "footprint_clearance_m") {
+      left = measure.value +
+             exam_buffer_ratio * scenario.vehicles.at(static_cast<std::size_t>(measure.vehicle)).radius_m;
+      touched = touched || left < 0.0;
+    }
     if (measure.quantity == "no_progress_time_s" && measure.value > 0.0) outcome.no_progress = 1.0;
     if (!(left < outcome.clearance_m)) continue;
     outcome.clearance_m = left;

@@ -12,10 +12,14 @@
 
 namespace fairway {
 
+/// Part of a vehicle's radius that is a buffer round its hull: what is solid is touched once it is used up.
+/// As between vehicles, whose centres collide at 3 m where spheres of 2 m each overlap by a quarter.
+inline constexpr double exam_buffer_ratio = 0.25;
+
 /// What one run came to. Every number has six significant digits and no more, so that a table made of stored
 /// runs is the table of the runs themselves.
 struct ExamOutcome {
-  double safe{};           ///< 1 where no two vehicles came within the safety distance and none touched an
+  double safe{};           ///< 1 where no two vehicles came within the safety distance and no hull touched an
                            ///< obstacle, else 0
   double arrived_ratio{};  ///< share of the vehicles
   double no_progress{};    ///< 1 where a vehicle got nowhere for longer than the exam's window, else 0
@@ -24,7 +28,7 @@ struct ExamOutcome {
   double energy_j{};       ///< drawn by the actuators, likewise
   double turning_rad{};    ///< sum of all changes of heading, likewise
   double clearance_m{};    ///< least distance left: between centres beyond the safety distance, or between a
-                           ///< sphere and an obstacle; negative where something was touched
+                           ///< hull and an obstacle; negative where something was touched
   double worst_vehicle{};  ///< index of whoever had so little left; -1 where nobody is known
   double worst_time_s{};   ///< when
 

@@ -236,23 +236,26 @@ TEST(ExamReference, OfAnotherEpochOrOtherBytesIsRefused) {
   other.epoch = results_epoch - 1;
   EXPECT_NE(refusal_by([&] {
               parse_reference(reference_text(other), "r.csv");
-            }).find("r.csv:2: is of the results epoch " + std::to_string(results_epoch - 1)),
+            }).find("r.csv:2:1: is of the results epoch " + std::to_string(results_epoch - 1)),
             std::string::npos);
   std::string text = reference_text(stored());
   text[text.size() - 2] = text[text.size() - 2] == '5' ? '6' : '5';
   EXPECT_NE(refusal_by([&] { parse_reference(text, "r.csv"); }).find("not the one that its digest is of"),
             std::string::npos);
-  EXPECT_EQ(refusal_by([&] { parse_reference("a,b\n", "r.csv"); }), "r.csv:1: not stored results of an exam");
+  EXPECT_EQ(refusal_by([&] { parse_reference("a,b\n", "r.csv"); }),
+            "r.csv:1:1: not stored results of an exam");
 }
 
 TEST(ExamRunOutcome, NumbersHaveSixDigitsAndTheWorstInstantIsKept) {
   Scenario scenario;
   scenario.exam.safety_distance_m = 3.0;
+  scenario.vehicles.resize(3);
+  scenario.vehicles[2].radius_m = 2.0;
   const std::vector<Measure> measures{
       {.quantity = "pair_collision_count", .value = 0.0},
       {.quantity = "min_separation_m", .value = 3.5, .occasion = {.vehicle = 1, .other = 0, .time = 7.0}},
       {.quantity = "arrived_ratio", .value = 1.0},
-      {.quantity = "footprint_clearance_m", .vehicle = 2, .value = -0.25, .occasion = {.time = 9.0}},
+      {.quantity = "footprint_clearance_m", .vehicle = 2, .value = -0.75, .occasion = {.time = 9.0}},
       {.quantity = "navigation_time_s", .vehicle = 0, .value = 100.0 / 3.0},
       {.quantity = "navigation_time_s", .vehicle = 1, .value = 100.0 / 3.0}};
   const ExamOutcome found = exam_outcome(measures, scenario);

@@ -65,7 +65,7 @@ class Lines {
     return line;
   }
   [[noreturn]] void refuse(const std::string& message) const {
-    throw InputError({file_, number_, 0}, "", message);
+    throw InputError({file_, number_, 1}, "", message);
   }
 
  private:

@@ -3,6 +3,7 @@
 import { fit_texts, s, text_width } from '../../common/dom';
 import { short } from '../../common/format';
 import type { HeatBlock, HeatCell } from '../model';
+import { extent } from './cartesian';
 import { leads_to, numbers_table, type Chart, type Drawing, type Target, type View } from './chart';
 
 const font = 11.5;
@@ -37,7 +38,8 @@ function cell_rows({ value, low, high, text, mark, note }: HeatCell, block: Heat
 function draw(block: HeatBlock, view: View): Drawing {
   const { left, width, top, slanted, labels } = layout_of(block, view);
   const height = top + block.series.length * row_height + 6;
-  const svg = s('svg', { class: 'chart', viewBox: `0 0 ${view.width} ${height}`, width: view.width, height });
+  const across = Math.max(view.width, left + block.categories.length * width + 6);
+  const svg = s('svg', { class: 'chart', viewBox: `0 0 ${across} ${height}`, width: view.width, height: (height * view.width) / across });
   labels.forEach((label, c) => {
     const [x, y] = [left + (c + 0.5) * width, top - 7];
     svg.append(s('text', {
@@ -59,10 +61,8 @@ function draw(block: HeatBlock, view: View): Drawing {
       const colour = shade(cell.value, block.range[0], block.range[1]);
       svg.append(s('rect', { class: 'heat', colour, ...frame }));
       const shown = `${cell.mark === '' ? '' : `${cell.mark} `}${cell.text}`;
-      if (text_width(shown, font) <= width - 4)
-        svg.append(s('text', { class: 'heat-text', x: frame.x + frame.width / 2, y: y + row_height / 2 + font * 0.36, 'text-anchor': 'middle' }, shown));
-      else if (cell.mark !== '')
-        svg.append(s('text', { class: 'heat-text', x: frame.x + frame.width / 2, y: y + row_height / 2 + font * 0.36, 'text-anchor': 'middle' }, cell.mark));
+      svg.append(s('text', { class: 'heat-text', x: frame.x + frame.width / 2, y: y + row_height / 2 + font * 0.36, 'text-anchor': 'middle' },
+        text_width(shown, font) <= width - 4 ? shown : cell.mark));
       const title = `${label}, ${block.categories[c]!}`;
       const target: Target = {
         x: frame.x + frame.width / 2, y: frame.y + frame.height / 2,
@@ -80,10 +80,11 @@ function draw(block: HeatBlock, view: View): Drawing {
 
 export function heat_chart(block: HeatBlock): Chart {
   const known = block.series.flatMap(({ cells }) => cells.filter((cell) => cell !== null));
+  const ends = extent(known.map(({ value }) => value));
   return {
     legend: [],
-    summary: `Table of ${block.value_label || 'values'} of ${block.series.length} by ${block.categories.length}, ` +
-      `${known.length} known, from ${short(Math.min(...known.map(({ value }) => value)))} to ${short(Math.max(...known.map(({ value }) => value)))}.`,
+    summary: `Table of ${block.value_label || 'values'} of ${block.series.length} by ${block.categories.length}, ${known.length} known` +
+      (ends === null ? '.' : `, from ${short(ends[0])} to ${short(ends[1])}.`),
     data: () => numbers_table(block.title, [
       ['row', 'row', 'text'], ['column', block.category_label || 'column', 'text'], ['value', block.value_label || 'value'],
       ['low', 'from'], ['high', 'to'], ['text', block.text_label || 'text', 'text'], ['note', 'place', 'text'],
