@@ -39,6 +39,7 @@ struct ExamFlags {
   std::string tuned;
   std::string out;
   unsigned jobs{0};
+  bool as_it_is{false};
   bool json{false};
 };
 
@@ -214,8 +215,10 @@ ExamOrder order_of(const ExamFile& exam, const ExamQuestion& question, const std
   const auto add = [&](const std::string& method) {
     if (std::ranges::find(order.methods, method) == order.methods.end()) order.methods.push_back(method);
   };
-  for (const Candidate& candidate : question.candidates) add(candidate.method.label);
-  for (const ExamRun& run : runs) add(run.method);
+  for (const CampaignAlgorithm& method : exam.methods) add(method.label);
+  std::set<std::string> others;  // newcomers, in an order that does not depend on who was run now
+  for (const ExamRun& run : runs) others.insert(run.method);
+  for (const std::string& other : others) add(other);
   return order;
 }
 
@@ -253,6 +256,21 @@ void write_exam(const ExamFlags& flags, const ExamFile& exam, const ExamQuestion
              files.page);
   std::cout << (flags.json ? document.dump(2) + "\n"
                            : table_text(table, plan.absences) + "wrote " + files.page + "\n");
+}
+
+/// Leaves the runs of the cells whose every run is stored; the others are told.
+void keep_complete_cells(ExamPlan& plan, const Store& store) {
+  const auto cell_of = [](const RunSpec& spec) { return without_label(spec.labels, "case"); };
+  std::set<Labels> incomplete;
+  for (const RunSpec& spec : plan.campaign.specs)
+    if (!store.contains(spec.key)) incomplete.insert(cell_of(spec));
+  keep_runs(plan.campaign, [&](const RunSpec& spec) { return !incomplete.contains(cell_of(spec)); });
+  for (const Labels& cell : incomplete)
+    plan.absences.push_back({.family = *find_label(cell, "family"),
+                             .condition = *find_label(cell, "condition"),
+                             .method = *find_label(cell, "method"),
+                             .tuned = *find_label(cell, "tuned") == "true",
+                             .why = "has not been run"});
 }
 
 int hold_exam(const ExamFlags& flags, const Outputs& outputs, const Program& program) {
@@ -295,13 +313,15 @@ int hold_exam(const ExamFlags& flags, const Outputs& outputs, const Program& pro
 
   DecisionClock clock;
   Progress progress{exam.name};
-  const ExecutorReport report = run_missing(
-      plan.campaign.specs,
-      [&](std::size_t i) {
-        return examined(plan.campaign.scenario_of(i), plan.campaign.specs[i].labels, program, clock);
-      },
-      store, {.jobs = flags.jobs, .progress = &progress, .stop = program.stop});
-  if (report.stopped) {
+  if (flags.as_it_is) {
+    keep_complete_cells(plan, store);
+  } else if (run_missing(plan.campaign.specs,
+                         [&](std::size_t i) {
+                           return examined(plan.campaign.scenario_of(i), plan.campaign.specs[i].labels,
+                                           program, clock);
+                         },
+                         store, {.jobs = flags.jobs, .progress = &progress, .stop = program.stop})
+                 .stopped) {
     std::cerr << "fairway: interrupted; the same command goes on from here\n";
     return interrupted;
   }
@@ -351,6 +371,8 @@ void add_exam(CLI::App& app, Program& program) {
   verb->add_option("--jobs", flags->jobs, "threads; 0 = as many as the machine has")
       ->transform(whole_number(0U, max_jobs))
       ->capture_default_str();
+  verb->add_flag("--as-it-is", flags->as_it_is,
+                 "make no run: the table is of the cells that are stored whole");
   verb->add_flag("--json", flags->json, "print the results as JSON");
   program.on(*verb, [=, &program] { return hold_exam(*flags, *outputs, program); });
 }
