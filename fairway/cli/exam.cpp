@@ -107,11 +107,15 @@ std::vector<Measure> examined(const Scenario& scenario, const Labels& labels, co
   return measures_of(exam_outcome(metrics.measures(), scenario));
 }
 
-/// Stored results that newcomers are held against; none if there is no such flag.
+/// Stored results that newcomers are held against; none if there is no such flag. Unless families are named,
+/// those that it has are left.
 std::optional<ExamReference> reference_for(const ExamFlags& flags, const ExamFile& exam,
-                                           const std::vector<ExamFamily>& families) {
+                                           std::vector<ExamFamily>& families) {
   if (flags.against.empty()) return {};
   ExamReference reference = parse_reference(read_maybe_compressed(flags.against), flags.against);
+  if (flags.families.empty())
+    std::erase_if(families,
+                  [&](const ExamFamily& family) { return !reference.grounds.contains(family.name); });
   for (const ExamFamily& family : families) {
     const auto known = reference.grounds.find(family.name);
     if (known == reference.grounds.end())
@@ -236,7 +240,8 @@ void write_exam(const ExamFlags& flags, const ExamFile& exam, const ExamQuestion
   const ExamTable table = exam_table(runs, order_of(exam, question, runs));
   ExamReference reference{.epoch = results_epoch, .maker = maker, .grounds = {}, .runs = runs};
   for (const ExamFamily& family : question.families)
-    reference.grounds[family.name] = digest_of(family, exam.conditions);
+    if (std::ranges::find(runs, family.name, &ExamRun::family) != runs.end())
+      reference.grounds[family.name] = digest_of(family, exam.conditions);
   std::ranges::stable_sort(reference.runs, {}, [](const ExamRun& run) {
     return std::tie(run.family, run.condition, run.method, run.tuned, run.seed);
   });
@@ -256,6 +261,17 @@ void write_exam(const ExamFlags& flags, const ExamFile& exam, const ExamQuestion
              files.page);
   std::cout << (flags.json ? document.dump(2) + "\n"
                            : table_text(table, plan.absences) + "wrote " + files.page + "\n");
+}
+
+/// Leaves the runs of newcomers where the reference has somebody to hold them against.
+void keep_news(ExamPlan& plan, const ExamReference& reference, const ExamFile& exam) {
+  std::set<std::pair<std::string, std::string>> contests;
+  for (const ExamRun& run : reference.runs) contests.emplace(run.family, run.condition);
+  keep_runs(plan.campaign, [&](const RunSpec& spec) {
+    const auto label = [&](const char* name) { return *find_label(spec.labels, name); };
+    const bool is_baseline = label("method") == exam.baseline.label && label("tuned") == "false";
+    return !is_baseline && contests.contains({label("family"), label("condition")});
+  });
 }
 
 /// Leaves the runs of the cells whose every run is stored; the others are told.
@@ -289,11 +305,7 @@ int hold_exam(const ExamFlags& flags, const Outputs& outputs, const Program& pro
         Simulation{scenario, catalogs};
       },
       flags.jobs, own_methods(program));
-  if (reference)
-    keep_runs(plan.campaign, [&](const RunSpec& spec) {
-      return *find_label(spec.labels, "method") != exam.baseline.label ||
-             *find_label(spec.labels, "tuned") == "true";
-    });
+  if (reference) keep_news(plan, *reference, exam);
 
   const ExamFiles files = exam_files_in(flags.out);
   if (std::filesystem::exists(flags.out))

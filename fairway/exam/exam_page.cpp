@@ -363,8 +363,9 @@ std::vector<std::string> how() {
       "as if the others were not there.",
       "Within a family and condition whoever has the most runs without a collision leads, then the most "
       "arrivals, then the least time. Another is behind where McNemar's test of collision-free runs says "
-      "so, or, over the seeds in which both were safe, a sign test of who arrived in larger part and then "
-      "more than one in a hundred sooner. Since any entrant could have led, each p value is taken times "
+      "so, or a sign test of who came out better under each seed: safe before unsafe, then in larger part "
+      "arrived, then more than one in a hundred sooner. Since any entrant could have led, each p value is "
+      "taken times "
       "half their number, and all are adjusted by Holm over the whole table. Whoever is not shown to be "
       "behind shares the place.",
       "Mean ranks are Friedman's over the seeds of a family, a run with a collision being behind all others; "

@@ -109,9 +109,11 @@ class Rows {
   std::vector<ExamRow>& rows_;
 };
 
-/// Whether `a` got there better than `b`: in larger part, then in less time by more than one in a hundred.
-bool got_there_better(const ExamOutcome& a, const ExamOutcome& b) {
+/// Whether `a` came out better than `b`: safe before unsafe, then in larger part arrived, then in less time
+/// by more than one in a hundred. Two that were unsafe are alike.
+bool is_better(const ExamOutcome& a, const ExamOutcome& b) {
   constexpr double grain = 1.01;
+  if (!a.is_safe() || !b.is_safe()) return a.is_safe() && !b.is_safe();
   if (a.arrived_ratio != b.arrived_ratio) return a.arrived_ratio > b.arrived_ratio;
   return a.time_s * grain < b.time_s;
 }
@@ -130,7 +132,7 @@ std::vector<std::pair<const ExamRun*, const ExamRun*>> pairs_of(const ExamCell& 
 /// How two cells differ over the seeds of both; positive effects are in favour of the first.
 struct Difference {
   PairedTest safety;
-  PairedTest arrival;
+  PairedTest outcome;
 };
 
 PairedAnswers answers_of(std::span<const std::pair<const ExamRun*, const ExamRun*>> pairs) {
@@ -146,9 +148,8 @@ Difference difference_of(const ExamCell& a, const ExamCell& b) {
   const auto pairs = pairs_of(a, b);
   std::size_t more = 0, less = 0;
   for (const auto& [one, other] : pairs) {
-    if (!one->outcome.is_safe() || !other->outcome.is_safe()) continue;
-    more += got_there_better(one->outcome, other->outcome) ? 1 : 0;
-    less += got_there_better(other->outcome, one->outcome) ? 1 : 0;
+    more += is_better(one->outcome, other->outcome) ? 1 : 0;
+    less += is_better(other->outcome, one->outcome) ? 1 : 0;
   }
   return {mcnemar_test(answers_of(pairs)), sign_test(more, less)};
 }
@@ -237,8 +238,8 @@ std::size_t judge(std::vector<Contest>& contests) {
   for (const Contest& contest : contests) {
     const double could_lead = 0.5 * static_cast<double>(contest.placings.size());
     for (std::size_t i = 1; i < contest.placings.size(); ++i) {
-      const auto [safety, arrival] = difference_of(*contest.placings.front().cell, *contest.placings[i].cell);
-      for (const PairedTest& test : {safety, arrival}) {
+      const auto [safety, outcome] = difference_of(*contest.placings.front().cell, *contest.placings[i].cell);
+      for (const PairedTest& test : {safety, outcome}) {
         p.push_back(math::fmin(1.0, test.p * math::fmax(1.0, could_lead)));
         is_behind.push_back(test.effect > 0.0);
       }
@@ -250,7 +251,7 @@ std::size_t judge(std::vector<Contest>& contests) {
     bool all_behind = true;
     for (std::size_t i = 1; i < contest.placings.size(); ++i, next += 2) {
       Placing& placing = contest.placings[i];
-      const std::array<std::string_view, 2> of{"safety", "getting there"};
+      const std::array<std::string_view, 2> of{"safety", "outcome"};
       placing.place = Place::shared;
       placing.p_adjusted = math::fmin(adjusted[next], adjusted[next + 1]);
       for (std::size_t k = 2; k-- > 0;) {

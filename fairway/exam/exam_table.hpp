@@ -62,7 +62,7 @@ std::string_view name_of(Place place);
 struct Placing {
   const ExamCell* cell{};
   Place place{};
-  std::string_view behind_in{};  ///< "safety" or "getting there"
+  std::string_view behind_in{};  ///< "safety" or "outcome"
   double p_adjusted{1.0};        ///< the lesser of both tests against whoever leads
   double mean_rank{};            ///< among those who entered, by Friedman
   bool on_front{};               ///< nobody is both safer and faster, or one of them and equal in the other
@@ -108,10 +108,10 @@ struct ExamOrder {
 
 /// The table of these runs, which must outlive it; the same for the same runs in any order. Whoever leads a
 /// contest has the most runs without a collision, then the most arrivals, then the least time. Two tests say
-/// whether another is behind: McNemar's of collision-free runs and, over the seeds in which both were safe, a
-/// sign test of who arrived in larger part and then in less time, by more than one in a hundred. Their p
-/// values are taken times half the number of entrants, since any of them could have led, and adjusted by Holm
-/// over the whole table. O(runs log runs).
+/// whether another is behind: McNemar's of collision-free runs, and a sign test of who came out better under
+/// each seed: safe before unsafe, then in larger part arrived, then sooner by more than one in a hundred.
+/// Their p values are taken times half the number of entrants, since any of them could have led, and adjusted
+/// by Holm over the whole table. O(runs log runs).
 ExamTable exam_table(std::span<const ExamRun> runs, const ExamOrder& order);
 
 }  // namespace fairway
