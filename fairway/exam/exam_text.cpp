@@ -26,7 +26,22 @@ std::string time_text(const ExamCell& cell) {
   return std::isfinite(ratio) ? fmt::format("{:.2f} of the time alone", ratio) : "nobody arrived in full";
 }
 
-/// Who leads, where that is shown.
+/// Who is ahead, where somebody is shown to be behind.
+void add_leaders(std::vector<std::string>& texts, const Contest& contest) {
+  constexpr std::size_t most_names = 4;
+  std::vector<std::string> ahead;
+  for (const Placing& placing : contest.placings)
+    if (placing.place == Place::shared) ahead.push_back(placing.cell->name());
+  const std::size_t entrants = contest.placings.size();
+  if (ahead.empty() || ahead.size() == entrants || ahead.size() > most_names) return;
+  std::string names = ahead.front();
+  for (std::size_t i = 1; i < ahead.size(); ++i) names += (i + 1 == ahead.size() ? " and " : ", ") + ahead[i];
+  texts.push_back(fmt::format("{}, {}: {} {}; the other {} of {} are shown to be behind.", contest.family,
+                              contest.condition, names, ahead.size() == 1 ? "leads" : "are not told apart",
+                              entrants - ahead.size(), entrants));
+}
+
+/// Who is first, where that is shown.
 void add_leader(std::vector<std::string>& texts, const Contest& contest) {
   const Placing& first = contest.placings.front();
   if (first.place != Place::first) return;
@@ -87,6 +102,7 @@ std::vector<std::string> findings(const ExamTable& table) {
   std::vector<std::string> texts;
   for (const Contest& contest : table.contests) {
     add_leader(texts, contest);
+    add_leaders(texts, contest);
     add_only_safe(texts, contest);
   }
   for (const Awareness& awareness : table.awareness) add_cost(texts, awareness, table.conditions.front());
