@@ -39,7 +39,7 @@ function draw(block: HeatBlock, view: View): Drawing {
   const { left, width, top, slanted, labels } = layout_of(block, view);
   const height = top + block.series.length * row_height + 6;
   const across = Math.max(view.width, left + block.categories.length * width + 6);
-  const svg = s('svg', { class: 'chart', viewBox: `0 0 ${across} ${height}`, width: view.width, height: (height * view.width) / across });
+  const svg = s('svg', { class: 'chart', 'font-size': font, viewBox: `0 0 ${across} ${height}`, width: view.width, height: (height * view.width) / across });
   labels.forEach((label, c) => {
     const [x, y] = [left + (c + 0.5) * width, top - 7];
     svg.append(s('text', {
