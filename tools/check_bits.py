@@ -24,6 +24,7 @@ OUTSIDE = (
     "fairway/core/math.hpp",
     "fairway/core/math.cpp",
     "fairway/experiment/paired_tests.cpp",
+    "fairway/experiment/ranks.cpp",
     "fairway/experiment/statistics.cpp",
     "fairway/experiment/survival.cpp",
     "ros/bridge/fleet_marks.cpp",

@@ -52,6 +52,7 @@ void add_verbs(CLI::App& app, Program& program) {
   add_submit(app, program);
   add_status(app, program);
   add_tune(app, program);
+  add_exam(app, program);
   add_compare(app, program);
   add_report(app, program);
   add_replay(app, program);

@@ -46,6 +46,7 @@ void add_merge(CLI::App& app, Program& program);
 void add_submit(CLI::App& app, Program& program);
 void add_status(CLI::App& app, Program& program);
 void add_tune(CLI::App& app, Program& program);
+void add_exam(CLI::App& app, Program& program);
 void add_compare(CLI::App& app, Program& program);
 void add_report(CLI::App& app, Program& program);
 void add_replay(CLI::App& app, Program& program);

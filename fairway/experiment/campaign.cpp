@@ -273,8 +273,12 @@ Campaign expanded(const CampaignFile& written, const std::string& file, const Ch
   campaign.cells = expanded_cells(written, campaign);
   campaign.digest = digest_of(campaign);
   list_runs(campaign, jobs);
-  for_each_index(campaign.specs.size(), jobs, [&](std::size_t run) { resolve(campaign, run, check, own); });
+  resolve_runs(campaign, check, jobs, own);
   return campaign;
+}
+
+void resolve_runs(Campaign& campaign, const CheckScenario& check, unsigned jobs, const OwnMethods& own) {
+  for_each_index(campaign.specs.size(), jobs, [&](std::size_t run) { resolve(campaign, run, check, own); });
 }
 
 Campaign load_campaign(const std::string& file, const CheckScenario& check, unsigned jobs,

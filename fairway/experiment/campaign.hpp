@@ -89,6 +89,11 @@ Scenario scenario_of(const Campaign& campaign, std::size_t cell, std::uint64_t s
 Campaign parse_campaign(std::string_view yaml, const std::string& file, const CheckScenario& check = {},
                         unsigned jobs = 1, const OwnMethods& own = {}, const Shard& shard = {});
 
+/// Writes down key and command of the runs that are listed in `specs` and `cells_of`, on `jobs` threads, and
+/// asks `check` of the first of every cell; those of a cell stand together. For whoever lists cells and runs
+/// that no file says. Throws InputError.
+void resolve_runs(Campaign& campaign, const CheckScenario& check, unsigned jobs, const OwnMethods& own);
+
 /// Leaves only the runs of which `is_wanted` holds.
 void keep_runs(Campaign& campaign, const std::function<bool(const RunSpec&)>& is_wanted);
 

@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <filesystem>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "fairway/experiment/version.hpp"
 
@@ -123,6 +125,13 @@ json to_json(const TuningFile& tuning, const TuningResult& result) {
                 {"curve", json::array()},
                 {"front", json::array()},
                 {"ablations", json::array()}};
+  for (const auto& [name, set] :
+       {std::pair{"train", &tuning.train}, std::pair{"validation", &tuning.validation}}) {
+    json& seen = document["seen"][name];
+    seen = {{"first_seed", set->first_seed}, {"seed_count", set->seed_count}};
+    for (const CampaignScenarioFile& scenario : set->scenarios)
+      seen["scenarios"].push_back(std::filesystem::path(scenario.path).stem().string());
+  }
   for (const NamedSet& set : sets_of(result)) {
     document[set.name] = appraisal_json(*set.found);
     document["default"][set.name] = appraisal_json(*set.usual);

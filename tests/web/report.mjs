@@ -6,6 +6,7 @@
 // Without a file, the committed template is filled with rasters of known pixels, known runs and a few broken documents. Ends with 0 when every check held, else with 1 and a list of those that did not.
 import { join } from 'node:path';
 import { Browser, command_line } from './browser.mjs';
+import { heat_report, look_at_heats } from './heat_checks.mjs';
 import { look_at_rasters, raster_report } from './raster_checks.mjs';
 import { checks } from './report_checks.mjs';
 import { look_at_known_runs, run_checks, runs_report } from './runs_checks.mjs';
@@ -63,6 +64,7 @@ const broken = {
       title: 'empty', sections: [{
         title: 'nothing here', blocks: [
           { kind: 'boxes', title: 'b', categories: [], series: [] }, { kind: 'boxes', title: 'b', categories: ['1'], series: [{ label: 'm', boxes: [null] }] },
+          { kind: 'heat', title: 'h', categories: [], range: [0, 1], series: [] }, { kind: 'heat', title: 'h', categories: ['1'], range: [0, 0], series: [{ label: 'm', cells: [null] }] },
           { kind: 'intervals', title: 'i', categories: ['1'], series: [{ label: 'm', points: [null] }] },
           { kind: 'lines', title: 'l', series: [{ label: 'm', x: [], y: [] }, { label: 'one', x: [1], y: [0] }, { label: 'none', x: [1, 2], y: [null, null] }] },
           { kind: 'trajectories', title: 't', vehicles: [] }, { kind: 'trajectories', title: 't', vehicles: [{ label: 'still', n: [0], e: [0], d: [0], t: [0] }] },
@@ -94,6 +96,7 @@ if (given !== null) {
   await look_at_report(given);
 } else {
   await look_at_known_rasters();
+  await open(browser.write('heat.html', heat_report), 'tables of colours', { width: 1280, scheme: 'light' }, look_at_heats);
   await open(browser.write('runs.html', runs_report), 'known runs', { width: 1280, scheme: 'light' }, look_at_known_runs);
   await look_at_broken();
 }

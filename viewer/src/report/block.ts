@@ -5,6 +5,7 @@ import { legend } from '../common/legend';
 import { problem_element } from '../common/problem';
 import { boxes_chart } from './charts/boxes';
 import type { Chart, Palettes } from './charts/chart';
+import { heat_chart } from './charts/heat';
 import { intervals_chart } from './charts/intervals';
 import { lines_chart } from './charts/lines';
 import { raster_chart } from './charts/raster';
@@ -29,7 +30,7 @@ export interface Context {
   numbering: Numbering;
 }
 
-const charts = { boxes: boxes_chart, intervals: intervals_chart, lines: lines_chart, raster: raster_chart, trajectories: trajectories_chart };
+const charts = { boxes: boxes_chart, heat: heat_chart, intervals: intervals_chart, lines: lines_chart, raster: raster_chart, trajectories: trajectories_chart };
 
 function is_chart(block: Block): block is ChartBlock {
   return block.kind in charts;

@@ -155,6 +155,24 @@ const intervals = (runs: readonly Run[]) => (value: unknown, path: string) => ({
 });
 export type IntervalsBlock = ReturnType<ReturnType<typeof intervals>>;
 
+const heat_cell = (runs: readonly Run[]) => behind(runs, record({
+  value: number, low: or_null(number), high: or_null(number), text: label_or_none, mark: label_or_none, note: label_or_none,
+}));
+export type HeatCell = Of<ReturnType<typeof heat_cell>>;
+const heat = (runs: readonly Run[]) => (value: unknown, path: string) => {
+  const { categories } = record({ categories: names })(value, path);
+  return {
+    kind: 'heat' as const,
+    ...record({
+      title: label_or_none, categories: names, category_label: label_or_none, value_label: label_or_none, text_label: label_or_none,
+      /** The values that have the colours at both ends. */
+      range: pair('ends'),
+      series: list(record({ label: text, cells: list_for(categories.length, 'categories', unless_absent('value', heat_cell(runs))) })),
+    })(value, path),
+  };
+};
+export type HeatBlock = ReturnType<ReturnType<typeof heat>>;
+
 const curve = (value: unknown, path: string) => {
   const found = record({ label: text, x: list(or_null(number)) })(value, path);
   return { ...found, ...record({ y: list_for(found.x.length, 'values of x', or_null(number)) })(value, path) };
@@ -228,10 +246,10 @@ export interface ProblemBlock {
   kind: 'problem';
   text: string;
 }
-export type ChartBlock = BoxesBlock | IntervalsBlock | LinesBlock | RasterBlock | TrajectoriesBlock;
+export type ChartBlock = BoxesBlock | HeatBlock | IntervalsBlock | LinesBlock | RasterBlock | TrajectoriesBlock;
 export type Block = TableBlock | ChartBlock | GridBlock | ReturnType<ReturnType<typeof note>> | ProblemBlock;
 
-const readers = { table, boxes, intervals, lines, raster, trajectories, grid, note };
+const readers = { table, boxes, heat, intervals, lines, raster, trajectories, grid, note };
 const kind = record({ kind: one_of(Object.keys(readers) as (keyof typeof readers)[]) });
 
 function block(runs: readonly Run[]): Read<Block> {

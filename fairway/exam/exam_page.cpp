@@ -1,0 +1,446 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/exam/exam_page.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "fairway/exam/exam_text.hpp"
+#include "fairway/studies/page_blocks.hpp"
+#include "fairway/studies/run_list.hpp"
+
+namespace fairway {
+namespace {
+
+using nlohmann::json;
+
+/// The runs of every cell, one ground after the other, and where they stand in the document.
+class PageRuns {
+ public:
+  explicit PageRuns(const ExamTable& table) {
+    for (const ExamCell& cell : table.cells) {
+      std::vector<const ExamRun*> runs = cell.runs;
+      std::ranges::stable_sort(runs, {}, [](const ExamRun* run) { return run->ground; });
+      auto& places = places_[&cell];
+      for (const ExamRun* run : runs) {
+        const std::string label = fmt::format("{}, {}, {}", cell.name(), run->ground, cell.condition);
+        places.push_back(list_.add(label, {.seed = run->seed, .command = run->command}, ""));
+      }
+      runs_[&cell] = std::move(runs);
+    }
+  }
+
+  /// A mark that leads to the runs of a cell, each with the clearance that it left.
+  json mark(json mark, const ExamCell& cell) const {
+    std::vector<double> values;
+    for (const ExamRun* run : runs_.at(&cell)) values.push_back(run->outcome.clearance_m);
+    return page::linked(std::move(mark), page::references(places_.at(&cell)), page::shown_values(values));
+  }
+
+  const page::RunList& list() const { return list_; }
+
+ private:
+  std::map<const ExamCell*, std::vector<std::size_t>> places_;
+  std::map<const ExamCell*, std::vector<const ExamRun*>> runs_;
+  page::RunList list_;
+};
+
+const Contest* contest_of(const ExamTable& table, const std::string& family, const std::string& condition) {
+  const auto found = std::ranges::find_if(table.contests, [&](const Contest& contest) {
+    return contest.family == family && contest.condition == condition;
+  });
+  return found == table.contests.end() ? nullptr : &*found;
+}
+
+const Placing* placing_of(const Contest* contest, const std::string& name) {
+  if (contest == nullptr) return nullptr;
+  const auto found =
+      std::ranges::find_if(contest->placings, [&](const Placing& p) { return p.cell->name() == name; });
+  return found == contest->placings.end() ? nullptr : &*found;
+}
+
+/// Everyone who entered anything, in the order of the exam.
+std::vector<std::string> names_of(const ExamTable& table) {
+  std::vector<std::string> names;
+  for (const ExamCell& cell : table.cells)
+    if (!cell.is_baseline && std::ranges::find(names, cell.name()) == names.end())
+      names.push_back(cell.name());
+  return names;
+}
+
+std::string ratio_text(double value) { return std::isfinite(value) ? fmt::format("{:.2f}", value) : ""; }
+
+std::string place_text(const Placing& placing) {
+  switch (placing.place) {
+    case Place::first:
+      return "first: every other one is shown to be behind";
+    case Place::shared:
+      return "not told apart from whoever leads";
+    case Place::alone:
+      return "alone: nobody else may enter";
+    case Place::behind:
+      break;
+  }
+  return fmt::format("behind in {}, p {:.2g} over the table", placing.behind_in, placing.p_adjusted);
+}
+
+json heat_cell(const Placing& placing, const PageRuns& runs) {
+  const ExamCell& cell = *placing.cell;
+  const RateEstimate rate = wilson_interval(cell.safe_count(), cell.runs.size());
+  const char* mark = placing.place == Place::first ? "①" : placing.place == Place::shared ? "=" : "";
+  return runs.mark({{"value", rate.rate},
+                    {"low", rate.low},
+                    {"high", rate.high},
+                    {"text", ratio_text(cell.time_ratio())},
+                    {"mark", mark},
+                    {"note", place_text(placing)}},
+                   cell);
+}
+
+json heat_of(const ExamTable& table, const ExamCondition& condition, const PageRuns& runs) {
+  json series = json::array(), families = json::array();
+  std::vector<const Contest*> contests;
+  for (const std::string& family : table.families) {
+    if (const Contest* contest = contest_of(table, family, condition.name)) {
+      contests.push_back(contest);
+      families.push_back(family);
+    }
+  }
+  for (const std::string& name : names_of(table)) {
+    json cells = json::array();
+    for (const Contest* contest : contests) {
+      const Placing* placing = placing_of(contest, name);
+      cells.push_back(placing == nullptr ? json() : heat_cell(*placing, runs));
+    }
+    series.push_back({{"label", name}, {"cells", std::move(cells)}});
+  }
+  return {{"kind", "heat"},
+          {"title", condition.name + ": " + condition.meaning},
+          {"categories", std::move(families)},
+          {"category_label", "family"},
+          {"value_label", "runs without a collision"},
+          {"text_label", "time over the time alone"},
+          {"range", {0.0, 1.0}},
+          {"series", std::move(series)}};
+}
+
+json awareness_heat(const ExamTable& table) {
+  json series = json::array(), conditions = json::array();
+  for (std::size_t i = 1; i < table.conditions.size(); ++i) conditions.push_back(table.conditions[i]);
+  std::map<std::string, std::map<std::string, const Awareness*>> found;
+  std::vector<std::string> names;
+  for (const Awareness& each : table.awareness) {
+    const std::string name = each.tuned ? each.method + ", tuned" : each.method;
+    if (!found.contains(name)) names.push_back(name);
+    found[name][each.condition] = &each;
+  }
+  for (const std::string& name : names) {
+    json cells = json::array();
+    for (const json& condition : conditions) {
+      const auto cell = found[name].find(condition.get<std::string>());
+      if (cell == found[name].end()) {
+        cells.push_back(nullptr);
+        continue;
+      }
+      const Awareness& each = *cell->second;
+      const bool shown = each.p_adjusted < exam_significance;
+      cells.push_back(
+          {{"value", each.safety.difference},
+           {"low", each.safety.low},
+           {"high", each.safety.high},
+           {"text", fmt::format("{:+.0f} %", 100.0 * each.safety.difference)},
+           {"mark", shown ? "!" : ""},
+           {"note", fmt::format("p {:.2g} over all of these; {} pairs; time {:+.0f} %", each.p_adjusted,
+                                each.safety.pairs, 100.0 * each.time_ratio.mean)}});
+    }
+    series.push_back({{"label", name}, {"cells", std::move(cells)}});
+  }
+  return {{"kind", "heat"},
+          {"title", "Runs without a collision, less those under " + table.conditions.front()},
+          {"categories", std::move(conditions)},
+          {"category_label", "condition"},
+          {"value_label", "difference"},
+          {"text_label", "change"},
+          {"range", {-0.5, 0.5}},
+          {"series", std::move(series)}};
+}
+
+/// Where each stands between safety and time.
+json front_of(const Contest& contest) {
+  json points = json::array();
+  for (const Placing& placing : contest.placings) {
+    const double time = placing.cell->time_ratio();
+    if (!std::isfinite(time)) continue;
+    const double unsafe = 1.0 - static_cast<double>(placing.cell->safe_count()) /
+                                    static_cast<double>(placing.cell->runs.size());
+    points.push_back(page::series(placing.cell->name() + (placing.on_front ? ", on the front" : ""),
+                                  {100.0 * unsafe}, {time}));
+  }
+  return page::lines(contest.family, "runs with a collision [%]", "time over the time alone",
+                     std::move(points));
+}
+
+json boxes_of(const ExamTable& table, const std::string& family, const PageRuns& runs, const char* title,
+              const std::function<std::vector<double>(const ExamCell&)>& values) {
+  json series = json::array();
+  for (const std::string& name : names_of(table)) {
+    json boxes = json::array();
+    bool any = false;
+    for (const std::string& condition : table.conditions) {
+      const Placing* placing = placing_of(contest_of(table, family, condition), name);
+      json& box = boxes.emplace_back();
+      if (placing == nullptr) continue;
+      std::vector<double> known = values(*placing->cell);
+      std::erase_if(known, [](double value) { return !std::isfinite(value); });
+      box = runs.mark(page::box(std::move(known)), *placing->cell);
+      any = any || !box.is_null();
+    }
+    if (any) series.push_back({{"label", name}, {"boxes", std::move(boxes)}});
+  }
+  return {{"kind", "boxes"},
+          {"title", family + ": " + title},
+          {"y_label", title},
+          {"category_label", "condition"},
+          {"categories", table.conditions},
+          {"series", std::move(series)}};
+}
+
+json column(const char* key, const char* label, const char* type, int digits = -1) {
+  json column{{"key", key}, {"label", label}, {"type", type}};
+  if (digits >= 0) column["digits"] = digits;
+  return column;
+}
+
+json placings_table(const ExamTable& table, const PageRuns& runs) {
+  json rows = json::array();
+  for (const Contest& contest : table.contests) {
+    for (const Placing& placing : contest.placings) {
+      const ExamCell& cell = *placing.cell;
+      const RateEstimate safe = wilson_interval(cell.safe_count(), cell.runs.size());
+      json row{{"family", contest.family},
+               {"condition", contest.condition},
+               {"method", cell.name()},
+               {"safe", safe.rate},
+               {"low", safe.low},
+               {"high", safe.high},
+               {"arrived", cell.arrived()},
+               {"time", page::number(cell.time_ratio())},
+               {"rank", placing.mean_rank},
+               {"cd", contest.critical_difference},
+               {"place", name_of(placing.place)},
+               {"behind", placing.behind_in},
+               {"p", placing.p_adjusted},
+               {"runs", cell.runs.size()}};
+      const json link = runs.mark(json::object(), cell);
+      row["$runs"] = link["runs"];
+      row["$values"] = link["values"];
+      rows.push_back(std::move(row));
+    }
+  }
+  return {{"kind", "table"},
+          {"title", "Every method on every ground"},
+          {"columns",
+           {column("family", "Family", "text"), column("condition", "Condition", "text"),
+            column("method", "Method", "text"), column("safe", "Collision-free", "number", 3),
+            column("low", "95 % from", "number", 3), column("high", "to", "number", 3),
+            column("arrived", "Arrived", "number", 3), column("time", "Time over alone", "number", 2),
+            column("rank", "Mean rank", "number", 2), column("cd", "Critical difference", "number", 2),
+            column("place", "Place", "text"), column("behind", "Behind in", "text"), column("p", "p", "p"),
+            column("runs", "Runs", "number", 0)}},
+          {"rows", std::move(rows)},
+          {"filter", {"family", "condition", "method", "place"}},
+          {"note",
+           "A row leads to its runs; beside each is the clearance that it left in metres, negative "
+           "where something was touched."}};
+}
+
+/// Of every method and family the run that left least, where something was touched.
+json worst_table(const ExamTable& table) {
+  std::map<std::pair<std::string, std::string>, const ExamRun*> worst;
+  for (const ExamCell& cell : table.cells) {
+    if (cell.is_baseline) continue;
+    for (const ExamRun* run : cell.runs) {
+      if (run->outcome.is_safe() || !std::isfinite(run->outcome.clearance_m) || run->command.empty())
+        continue;
+      const ExamRun*& least = worst[{cell.family, cell.name()}];
+      if (least == nullptr || run->outcome.clearance_m < least->outcome.clearance_m) least = run;
+    }
+  }
+  json rows = json::array();
+  for (const auto& [key, run] : worst) {
+    std::string command =
+        fmt::format("{}{} --out worst.mcap; fairway view worst.mcap", run->command, run->seed);
+    if (run->outcome.worst_vehicle >= 0.0 && std::isfinite(run->outcome.worst_time_s))
+      command += fmt::format("; fairway explain worst.mcap --vehicle {:.0f} --time {:g}",
+                             run->outcome.worst_vehicle, run->outcome.worst_time_s);
+    rows.push_back({{"family", key.first},
+                    {"method", key.second},
+                    {"condition", run->condition},
+                    {"clearance", run->outcome.clearance_m},
+                    {"time", page::number(run->outcome.worst_time_s)},
+                    {"command", std::move(command)}});
+  }
+  return {{"kind", "table"},
+          {"title", "Where each failed worst"},
+          {"columns",
+           {column("family", "Family", "text"), column("method", "Method", "text"),
+            column("condition", "Condition", "text"), column("clearance", "Clearance [m]", "number", 2),
+            column("time", "At [s]", "number", 1), column("command", "To play and explain it", "text")}},
+          {"rows", std::move(rows)},
+          {"filter", {"family", "method", "condition"}}};
+}
+
+json decisions_table(std::span<const DecisionTime> times) {
+  json rows = json::array();
+  for (const DecisionTime& each : times)
+    rows.push_back({{"family", each.family},
+                    {"method", each.tuned ? each.method + ", tuned" : each.method},
+                    {"decisions", each.decisions},
+                    {"mean", each.mean_us},
+                    {"worst", each.worst_us}});
+  return {{"kind", "table"},
+          {"title", "Time to decide, of one run under the first condition"},
+          {"columns",
+           {column("family", "Family", "text"), column("method", "Method", "text"),
+            column("decisions", "Decisions", "number", 0), column("mean", "Mean [us]", "number", 2),
+            column("worst", "Longest [us]", "number", 0)}},
+          {"rows", std::move(rows)},
+          {"filter", {"family", "method"}}};
+}
+
+json absences_table(std::span<const Absence> absences) {
+  json rows = json::array();
+  for (const Absence& absence : absences)
+    rows.push_back({{"family", absence.family},
+                    {"condition", absence.condition.empty() ? "all" : absence.condition},
+                    {"method", absence.method.empty() ? "all" : absence.method},
+                    {"why", absence.why}});
+  return {{"kind", "table"},
+          {"title", "Cells without runs"},
+          {"columns",
+           {column("family", "Family", "text"), column("condition", "Condition", "text"),
+            column("method", "Method", "text"), column("why", "Why", "text")}},
+          {"rows", std::move(rows)},
+          {"filter", {"family", "method"}}};
+}
+
+json families_table(std::span<const ExamFamily> families) {
+  json rows = json::array();
+  for (const ExamFamily& family : families) {
+    std::string needs, grounds;
+    for (const auto& [needed, name] :
+         {std::pair{family.needs_movers, "movers"}, std::pair{family.needs_obstacles, "obstacles"},
+          std::pair{family.needs_space, "space"}})
+      if (needed) needs += (needs.empty() ? "" : ", ") + std::string(name);
+    for (const ExamGround& ground : family.grounds) grounds += (grounds.empty() ? "" : ", ") + ground.name;
+    rows.push_back({{"family", family.name},
+                    {"summary", family.summary},
+                    {"source", family.source},
+                    {"needs", needs},
+                    {"grounds", grounds},
+                    {"seeds", fmt::format("{} to {}", family.test.first, family.test.last())}});
+  }
+  return {{"kind", "table"},
+          {"title", "Families"},
+          {"columns",
+           {column("family", "Family", "text"), column("summary", "What happens", "text"),
+            column("source", "Source", "text"), column("needs", "A method must see", "text"),
+            column("grounds", "Grounds", "text"), column("seeds", "Test seeds", "text")}},
+          {"rows", std::move(rows)}};
+}
+
+std::vector<std::string> how() {
+  return {
+      "Every method runs in the same scenarios under the same seeds, with the same limits, radii and "
+      "information; what a method adds for itself is among its parameters. Times, lengths and energies are "
+      "those of the run over those of direct alone under the same seed, in runs in which all arrived in "
+      "both: direct avoids nobody, contacts are counted and not felt, and so its run is everyone's own way "
+      "as if the others were not there.",
+      "Within a family and condition whoever has the most runs without a collision leads, then the most "
+      "arrivals, then the least time. Another is behind where McNemar's test of collision-free runs says "
+      "so, or a sign test of who came out better under each seed: safe before unsafe, then in larger part "
+      "arrived, then more than one in a hundred sooner. Since any entrant could have led, each p value is "
+      "taken times "
+      "half their number, and all are adjusted by Holm over the whole table. Whoever is not shown to be "
+      "behind shares the place.",
+      "Mean ranks are Friedman's over the seeds of a family, a run with a collision being behind all others; "
+      "ranks that are farther apart than Nemenyi's critical difference differ at 5 % within that contest, "
+      "without any correction over the table."};
+}
+
+}  // namespace
+
+json exam_page(const ExamTable& table, const ExamPageParts& parts) {
+  const PageRuns runs{table};
+  json sections = json::array();
+  std::vector<std::string> said = findings(table);
+  if (said.empty()) said.emplace_back("These runs show no difference that holds over the whole table.");
+  sections.push_back(page::section("findings", "Findings", std::move(said), {}));
+
+  std::vector<json> heats;
+  for (const ExamCondition& condition : parts.conditions) heats.push_back(heat_of(table, condition, runs));
+  sections.push_back(page::section(
+      "grounds", "Methods and grounds",
+      {"The colour is the share of runs without a collision, the number the time over the time alone. ① is "
+       "first on the evidence of these runs, = is not told apart from whoever leads. Grey: may not enter. A "
+       "click lists the runs, the least clearance first if asked."},
+      std::move(heats)));
+  if (!table.awareness.empty())
+    sections.push_back(page::section("awareness", "What knowing less costs",
+                                     {"Pairs of runs of one family and seed; ! marks what holds over all of "
+                                      "these by Holm."},
+                                     {awareness_heat(table)}));
+
+  std::vector<json> fronts;
+  for (const std::string& family : table.families)
+    if (const Contest* contest = contest_of(table, family, table.conditions.front()))
+      fronts.push_back(front_of(*contest));
+  sections.push_back(page::section(
+      "fronts", "Safety and time",
+      {"Under " + table.conditions.front() +
+       ". On the front nobody else is at least as safe and as fast, and better in one of them."},
+      {page::grid(3, std::move(fronts))}));
+  sections.push_back(page::section("worst", "Worst runs", {}, {worst_table(table)}));
+
+  std::vector<json> boxes;
+  for (const std::string& family : table.families) {
+    boxes.push_back(boxes_of(table, family, runs, "time over the time alone",
+                             [](const ExamCell& cell) { return cell.ratios(&ExamOutcome::time_s); }));
+    boxes.push_back(boxes_of(table, family, runs, "clearance left [m]", [](const ExamCell& cell) {
+      std::vector<double> values;
+      for (const ExamRun* run : cell.runs) values.push_back(run->outcome.clearance_m);
+      return values;
+    }));
+  }
+  sections.push_back(page::section("distributions", "Distributions", {}, std::move(boxes)));
+  sections.push_back(page::section("placings", "All placings", {}, {placings_table(table, runs)}));
+  if (!parts.decision_times.empty())
+    sections.push_back(page::section(
+        "decisions", "Time to decide",
+        {"By the clock of the machine that made this page: unlike all else here, it does not repeat."},
+        {decisions_table(parts.decision_times)}));
+  sections.push_back(page::section("families", "Families, and who may not enter", {},
+                                   {families_table(parts.families), absences_table(parts.absences)}));
+  std::vector<std::string> paragraphs = how();
+  paragraphs.push_back(parts.origin);
+  sections.push_back(page::section("how", "How this came about", std::move(paragraphs), {}));
+
+  return page::document("The exam", "Every method on every ground, under the same seeds", parts.command,
+                        {page::fact("Methods", std::to_string(names_of(table).size())),
+                         page::fact("Families", std::to_string(table.families.size())),
+                         page::fact("Conditions", std::to_string(table.conditions.size())),
+                         page::fact("First on the evidence", std::to_string(std::ranges::count_if(
+                                                                 table.contests,
+                                                                 [](const Contest& contest) {
+                                                                   return contest.placings.front().place ==
+                                                                          Place::first;
+                                                                 })))},
+                        runs.list(), std::move(sections));
+}
+
+}  // namespace fairway

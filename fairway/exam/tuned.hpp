@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "fairway/exam/exam_plan.hpp"
+
+namespace fairway {
+
+/// A method by its name in the catalog, by its label in the exam, or by a file of an avoider, `mine.yaml`,
+/// whose name is then its label. Throws InputError, which begins with `flag`, for anything else, with the
+/// nearest name.
+Candidate candidate_of(const std::string& name, const ExamFile& exam, const Catalog& methods,
+                       const std::string& flag);
+
+/// What `fairway tune` left: a file of an avoider, or every one in a folder and below it. One that lies in a
+/// folder named after a family is for that family alone. What was searched on stands in tuning.json beside
+/// it. Throws InputError where there is none, where two are of one method and family, and where a search saw
+/// a test seed of a ground of these families.
+std::vector<Candidate> tuned_candidates(const std::string& path, const std::vector<ExamFamily>& families,
+                                        const Catalog& methods);
+
+}  // namespace fairway

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// A small table of colours, pointed at and clicked, and tables that must be refused.
+
+const cell = (value, mark, runs) => ({ value, low: value - 0.1, high: value + 0.1, text: '1.20', mark, note: 'a note', runs: [runs], values: [-1, 3] });
+const heat = {
+  kind: 'heat', title: 'Two by two', categories: ['cubes', 'mazes'], category_label: 'family', value_label: 'safe', text_label: 'time',
+  range: [0, 1], series: [{ label: 'orca3d', cells: [cell(1, '=', [0, 1]), null] }, { label: 'apf', cells: [cell(0, '', [2, 3]), cell(0.5, '', [0, 1])] }],
+};
+const refused = [
+  [{ range: [0] }, 'range: 1 entries for 2 ends'],
+  [{ series: [{ label: 'm', cells: [null] }] }, 'series[0].cells: 1 entries for 2 categories'],
+  [{ series: [{ label: 'm', cells: [null, { value: 'x' }] }] }, 'series[0].cells[1].value: expected a number'],
+];
+export const heat_report = JSON.stringify({
+  title: 'Heats', runs: [{ label: 'a', command: 'fairway run a --seed ', seeds: [7, 8] }, { label: 'b', command: 'fairway run b --seed ', seeds: [7, 8] }],
+  sections: [{ title: 'A', blocks: [heat, ...refused.map(([change]) => ({ ...heat, ...change }))] }],
+});
+
+export async function look_at_heats(page, expect) {
+  const figure = page.locator('#figure-1');
+  const cells = figure.locator('.plot svg .heat');
+  const colours = await cells.evaluateAll((all) => all.map((one) => getComputedStyle(one).fill));
+  expect(colours.length === 3 && new Set(colours).size === 3, `the cells have the colours ${colours.join()}`);
+  expect(await figure.locator('.plot svg .heat-none').count() === 1, 'what is not known is not told apart');
+  expect((await figure.locator('.heat-text').allTextContents()).join() === '= 1.20,1.20,1.20', 'the cells say something else');
+
+  const box = await cells.nth(1).boundingBox();
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  const tip = (await page.locator('.tip:visible').allInnerTexts()).join().replace(/\s+/g, ' ');
+  expect(/apf, cubes safe 0 interval \u22120\.1 – 0\.1 time 1\.20 place a note click or Enter lists its 2 runs/.test(tip), `pointing says ${tip}`);
+  await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
+  const listed = await page.locator('dialog.runs').innerText();
+  expect(listed.includes('fairway run b --seed 7') && listed.includes('fairway run b --seed 8'), `a click lists ${listed}`);
+  await page.keyboard.press('Escape');
+
+  const said = await page.locator('.note.problem').allInnerTexts();
+  refused.forEach(([, reason], i) => expect(said[i]?.includes(`sections[0].blocks[${1 + i}].${reason}`), `"${reason}" is not said, but: ${said[i]}`));
+}
