@@ -32,14 +32,13 @@ bool tells_shortfall(std::string_view note) noexcept {
 
 void Avoider::decide_many(std::span<Avoider* const> avoiders, std::span<const Situation> situations,
                           std::span<Command> commands) noexcept {
-  constexpr std::size_t most = 8;  // lanes of the widest registers
-  std::array<const Situation*, most> asked;
-  std::array<Command*, most> answers;
+  std::array<const Situation*, most_together> asked;
+  std::array<Command*, most_together> answers;
   for (std::size_t next = 0; next < avoiders.size();) {
     const std::size_t first = next;
     Interface& algorithm = *avoiders[first]->self_;
     std::size_t count = 0;
-    for (; next < avoiders.size() && count < most; ++next) {
+    for (; next < avoiders.size() && count < most_together; ++next) {
       if (!algorithm.decides_with(*avoiders[next]->self_)) break;
       const std::string_view trouble = why_unusable(situations[next]);
       if (!trouble.empty()) {

@@ -58,6 +58,12 @@ class Avoider {
     return command;
   }
 
+  /// So many of `decide_many` are asked at once: the lanes of the widest registers.
+  static constexpr std::size_t most_together = 8;
+
+  /// Whether its algorithm decides for many at once, of whom some may be others like it.
+  bool decides_for_many() const noexcept { return self_->decides_with(*self_); }
+
   /// What `avoiders[i]->decide(situations[i])` would be, in `commands[i]`, to the bit; sooner where several
   /// that come one after another are alike and their algorithm decides for many at once. Nobody is asked
   /// twice.

@@ -8,6 +8,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <ctime>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -25,8 +26,9 @@ using Clock = std::chrono::steady_clock;
 /// What a step of one fleet has cost.
 struct FleetCost {
   std::size_t vehicles{};
-  double ns{};     ///< a vehicle and step
-  double bytes{};  ///< a vehicle
+  double ns{};            ///< a vehicle and step
+  double processor_ns{};  ///< likewise, of the processor: of all threads, and not while others run
+  double bytes{};         ///< a vehicle
   std::array<double, stage_count> stage_ns{};
 };
 
@@ -78,7 +80,7 @@ FleetCost cost_of(std::size_t count, const Catalogs& catalogs, double budget_s, 
   const Scenario scenario = lattice(count);
   FleetCost cost{.vehicles = count};
   std::int64_t steps = 0;
-  double total = 0.0;
+  double total = 0.0, processor = 0.0;
   while (steps < 10 || total < budget_s) {
     Simulation simulation{scenario, catalogs};
     RunMetrics metrics = metrics_for(scenario, catalogs.vehicles);
@@ -90,16 +92,19 @@ FleetCost cost_of(std::size_t count, const Catalogs& catalogs, double budget_s, 
 
     simulation.time_stages();
     const Clock::time_point begin = Clock::now();
+    const std::clock_t processor_begin = std::clock();
     const auto gone = [&] { return std::chrono::duration<double>(Clock::now() - begin).count(); };
     for (int i = 0; i < most_steps && (steps < 10 || total + gone() < budget_s); ++i, ++steps)
       simulation.step(sinks);
     total += gone();
+    processor += static_cast<double>(std::clock() - processor_begin) / CLOCKS_PER_SEC;
     const auto seconds = simulation.stage_times().seconds();
     for (std::size_t k = 0; k < seconds.size(); ++k) cost.stage_ns[k] += seconds[k];
   }
   const double ns_of_second = 1e9 / (n * static_cast<double>(steps));
   for (double& stage : cost.stage_ns) stage *= ns_of_second;
   cost.ns = ns_of_second * total;
+  cost.processor_ns = ns_of_second * processor;
   return cost;
 }
 
@@ -109,12 +114,14 @@ nlohmann::json json_of(const FleetCost& cost) {
     stages[EnumNames<Stage>::names[k]] = cost.stage_ns[k];
   return {{"vehicles", cost.vehicles},
           {"ns_per_vehicle_step", cost.ns},
+          {"processor_ns_per_vehicle_step", cost.processor_ns},
           {"bytes_per_vehicle", cost.bytes},
           {"stages_ns", stages}};
 }
 
 void print(const FleetCost& cost, double growth) {
-  std::cout << fmt::format("{:>8} {:>9.0f} {:>7.2f} {:>9.0f} ", cost.vehicles, cost.ns, growth, cost.bytes);
+  std::cout << fmt::format("{:>8} {:>9.0f} {:>9.0f} {:>7.2f} {:>9.0f} ", cost.vehicles, cost.ns,
+                           cost.processor_ns, growth, cost.bytes);
   for (const double ns : cost.stage_ns) std::cout << fmt::format(" {:>8.0f}", ns);
   std::cout << std::endl;
 }
@@ -125,7 +132,8 @@ int bench_fleets(const std::vector<std::size_t>& counts, double budget_s, std::s
                  const Catalogs& catalogs) {
   if (!as_json) {
     std::cout << "ns per vehicle and step, kinematic under orca3d, at most 10 neighbours within 15 m\n";
-    std::cout << fmt::format("{:>8} {:>9} {:>7} {:>9} ", "vehicles", "ns", "growth", "bytes");
+    std::cout << fmt::format("{:>8} {:>9} {:>9} {:>7} {:>9} ", "vehicles", "ns", "processor", "growth",
+                             "bytes");
     for (const std::string_view stage : EnumNames<Stage>::names) std::cout << fmt::format(" {:>8}", stage);
     std::cout << "\n";
   }

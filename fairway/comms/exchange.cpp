@@ -21,14 +21,12 @@ Exchange::Way Exchange::way_of(std::string_view kind, const ParamValues& params,
 }
 
 void Exchange::pass_on(Tick now, const Mailbox& said, std::span<const Vec3> places) {
-  if (auto* everywhere = std::get_if<Everywhere>(&way_)) everywhere->heard = said;
   if (auto* channel = std::get_if<AcousticChannel>(&way_)) channel->pass_on(now, said, places);
 }
 
-std::span<const Message> Exchange::heard_by(std::size_t receiver) const {
+std::span<const Message> Exchange::heard_by(std::size_t receiver, std::span<const Message> said) const {
   if (const auto* channel = std::get_if<AcousticChannel>(&way_)) return channel->heard_by(receiver);
-  if (const auto* everywhere = std::get_if<Everywhere>(&way_)) return everywhere->heard;
-  return {};
+  return carries_at_once() ? said : std::span<const Message>{};
 }
 
 void Exchange::add_under_way(std::vector<MessageFlight>& flights) const {

@@ -29,15 +29,16 @@ class Exchange {
   /// Does not allocate after the first tick.
   void pass_on(Tick now, const Mailbox& said, std::span<const Vec3> places);
 
-  /// The last message that `receiver` has heard of each vehicle; its own may be among them, and so may
-  /// vehicles that never told anything (`told` is false). Valid until the next pass_on().
-  std::span<const Message> heard_by(std::size_t receiver) const;
+  /// The last message that `receiver` has heard of each vehicle, `said` being what was passed on last; its
+  /// own may be among them, and so may vehicles that never told anything (`told` is false). Valid until the
+  /// next pass_on(), and for as long as `said` is.
+  std::span<const Message> heard_by(std::size_t receiver, std::span<const Message> said) const;
 
   /// Adds the messages that are under way, in the order in which they were sent; none where telling takes no
   /// time.
   void add_under_way(std::vector<MessageFlight>& flights) const;
 
-  /// True if everyone hears what everyone says, at once: heard_by() is then what was said, by vehicle.
+  /// True if everyone hears what everyone says, at once: heard_by() is then what is said, by vehicle.
   bool carries_at_once() const { return std::holds_alternative<Everywhere>(way_); }
 
   /// False if nobody ever hears anything.
@@ -48,9 +49,7 @@ class Exchange {
   double unforeseen_acceleration() const;
 
  private:
-  struct Everywhere {
-    Mailbox heard;
-  };
+  struct Everywhere {};
   struct Silence {};
   using Way = std::variant<Everywhere, Silence, AcousticChannel>;
 

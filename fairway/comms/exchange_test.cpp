@@ -14,15 +14,16 @@ TEST(Exchange, PerfectHandsEverythingToEveryoneAtOnce) {
   said[1].position = {1, 2, 3};
   said[1].sent = Tick{7};
   exchange.pass_on(Tick{7}, said, std::vector<Vec3>(2));
-  ASSERT_EQ(exchange.heard_by(0).size(), 2U);
-  EXPECT_EQ(exchange.heard_by(0)[1].position, Vec3(1, 2, 3));
-  EXPECT_EQ(exchange.heard_by(0)[1].sent, Tick{7});
+  ASSERT_EQ(exchange.heard_by(0, said).size(), 2U);
+  EXPECT_EQ(exchange.heard_by(0, said)[1].position, Vec3(1, 2, 3));
+  EXPECT_EQ(exchange.heard_by(0, said)[1].sent, Tick{7});
 }
 
 TEST(Exchange, NoneCarriesNothing) {
   Exchange exchange{"none", {}, 2, 0.05, Rng{1}};
-  exchange.pass_on(Tick{0}, two_vehicles(), std::vector<Vec3>(2));
-  EXPECT_TRUE(exchange.heard_by(0).empty());
+  const Mailbox said = two_vehicles();
+  exchange.pass_on(Tick{0}, said, std::vector<Vec3>(2));
+  EXPECT_TRUE(exchange.heard_by(0, said).empty());
   EXPECT_FALSE(exchange.carries_anything());
 }
 

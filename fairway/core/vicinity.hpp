@@ -24,7 +24,8 @@ struct VicinityLists {
 
 /// Who is near, of points that move a little at a time (Verlet, Physical Review 159, 1967: lists of
 /// neighbours with a margin). Each point has a list of who was within some distance when all were last sorted
-/// by cells; it holds for as long as nobody has gone half of its margin, and then all are sorted again. It
+/// by cells, nearest first; it holds for as long as nobody has gone half of its margin, and then all are
+/// sorted again. Whoever looks less far than the list reaches looks at its beginning alone. It
 /// finds exactly what comparing with every point finds: cells and lists decide about the cost alone. A value;
 /// looking round changes nothing.
 class Vicinity {
@@ -63,7 +64,7 @@ class Vicinity {
   }
 
   /// Calls `visit(index, distance2)` for each point whose squared distance from `place` [m2] is at most that
-  /// of `reach` [m], in no order; whoever is at `place` itself is among them.
+  /// of `reach` [m], in no certain order; whoever is at `place` itself is among them.
   template <class Visit>
   void visit(const Vec3& place, double reach, const Visit& visit) const {
     const double reach2 = reach * reach;
@@ -88,10 +89,12 @@ class Vicinity {
       return;
     }
     const double reach2 = reach * reach;
+    const double then_within = longer(reach + moved_ + gone(index, place));
     for (std::uint32_t k = begins_[index]; k < begins_[index + 1]; ++k) {
-      const std::size_t i = listed_[k];
-      const double distance2 = (now_[i] - place).squaredNorm();
-      if (distance2 <= reach2) visit(i, distance2);
+      const Listed& other = listed_[k];
+      if (other.distance > then_within) return;
+      const double distance2 = (now_[other.index] - place).squaredNorm();
+      if (distance2 <= reach2) visit(std::size_t{other.index}, distance2);
     }
   }
 
@@ -104,7 +107,7 @@ class Vicinity {
   /// serves.
   double sure_reach(std::size_t index, const Vec3& place) const {
     if (begins_.empty() || now_.size() <= handful) return -1.0;
-    const double reach = list_reach_ - moved_ - longer((place - then_[index]).norm());
+    const double reach = list_reach_ - moved_ - gone(index, place);
     return reach >= 0.0 ? reach : -1.0;
   }
 
@@ -132,6 +135,15 @@ class Vicinity {
   static constexpr std::size_t list_capacity = 32;  // of a list on average
   static constexpr double margin_share = 0.1;       // of what a list reaches
 
+  /// Whoever was near when all were last sorted.
+  struct Listed {
+    float distance;  ///< then, or a little less [m]
+    std::uint32_t index;
+  };
+
+  /// From where it was when all were last sorted [m].
+  double gone(std::size_t index, const Vec3& place) const { return longer((place - then_[index]).norm()); }
+
   /// More than `distance`, by more than all that is rounded on the way.
   static double longer(double distance) { return distance * (1.0 + 1e-9); }
 
@@ -156,10 +168,13 @@ class Vicinity {
     listed_.clear();
     for (std::size_t i = 0; i < now_.size(); ++i) {
       begins_[i] = static_cast<std::uint32_t>(listed_.size());
-      index_.visit(then_[i], longer(list_reach_), [&](std::size_t j, double) {
-        if (j != i && listed_.size() < capacity) listed_.push_back(static_cast<std::uint32_t>(j));
+      index_.visit(then_[i], longer(list_reach_), [&](std::size_t j, double distance2) {
+        if (j == i || listed_.size() == capacity) return;
+        const double a_little_less = (1.0 - 1e-6) * std::sqrt(distance2);
+        listed_.push_back({static_cast<float>(a_little_less), static_cast<std::uint32_t>(j)});
       });
       if (listed_.size() == capacity) return begins_.clear();
+      std::ranges::sort(listed_.begin() + begins_[i], listed_.end(), {}, &Listed::distance);
     }
     begins_.back() = static_cast<std::uint32_t>(listed_.size());
   }
@@ -171,7 +186,7 @@ class Vicinity {
   double moved_{};                     // since then, nobody farther [m]
   double margin_{};                    // [m]
   double list_reach_{};                // with it [m]
-  std::vector<std::uint32_t> listed_;  // all lists, one after the other
+  std::vector<Listed> listed_;         // all lists, one after the other
   std::vector<std::uint32_t> begins_;  // of each, and the end; empty where there are none
 };
 

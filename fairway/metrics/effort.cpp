@@ -28,16 +28,18 @@ const std::vector<QuantityInfo>& EffortMetric::quantities() {
 }
 
 void EffortMetric::see(const Frame& frame) {
-  own_.resize(frame.vehicles.size());
-  for (std::size_t i = 0; i < frame.vehicles.size(); ++i) {
-    const VehicleFrame& vehicle = frame.vehicles[i];
-    Own& own = own_[i];
-    if (!own.started && is_avoiding(vehicle.phase)) {
-      own.started = true;
-      own.start = own.last = vehicle.state.p_n;
-    }
-    if (own.started) see(vehicle, frame.period, own);
+  begin(frame);
+  for (std::size_t i = 0; i < frame.vehicles.size(); ++i) see(frame, i);
+}
+
+void EffortMetric::see(const Frame& frame, std::size_t index) {
+  const VehicleFrame& vehicle = frame.vehicles[index];
+  Own& own = own_[index];
+  if (!own.started && is_avoiding(vehicle.phase)) {
+    own.started = true;
+    own.start = own.last = vehicle.state.p_n;
   }
+  if (own.started) see(vehicle, frame.period, own);
 }
 
 void EffortMetric::see(const VehicleFrame& vehicle, double period, Own& own) {

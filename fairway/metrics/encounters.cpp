@@ -21,7 +21,7 @@ const std::vector<QuantityInfo>& EncounterMetric::quantities() {
   return all;
 }
 
-void EncounterMetric::begin(const Frame& frame, std::size_t index) {
+void EncounterMetric::set_out(const Frame& frame, std::size_t index) {
   Count& count = counts_[index];
   const VehicleFrame& own = frame.vehicles[index];
   count.started = true;
@@ -29,22 +29,23 @@ void EncounterMetric::begin(const Frame& frame, std::size_t index) {
   count.last_position = own.state.p_n;
 }
 
-bool EncounterMetric::update_contacts(const Frame& frame, std::size_t index, const Neighbours& near) {
+bool EncounterMetric::update_contacts(const Frame& frame, std::size_t index, const Neighbours& near,
+                                      std::vector<OpenEncounter>& detected) {
   Count& count = counts_[index];
-  detected_.clear();
+  detected.clear();
   near.visit(index, rules_.crit_dist_m, [&](std::size_t j, double distance2) {
     const bool collided = distance2 <= rules_.safety_distance_m * rules_.safety_distance_m;
-    detected_.push_back({static_cast<std::uint32_t>(j), collided ? Contact::collided : Contact::near});
+    detected.push_back({static_cast<std::uint32_t>(j), collided ? Contact::collided : Contact::near});
   });
-  if (detected_.empty() && count.open.empty()) return false;
-  std::ranges::sort(detected_, {}, &OpenEncounter::other);
-  const auto hit = std::ranges::find(detected_, Contact::collided, &OpenEncounter::worst);
-  if (hit != detected_.end() && count.first_collision.other == Occasion::none)
+  if (detected.empty() && count.open.empty()) return false;
+  std::ranges::sort(detected, {}, &OpenEncounter::other);
+  const auto hit = std::ranges::find(detected, Contact::collided, &OpenEncounter::worst);
+  if (hit != detected.end() && count.first_collision.other == Occasion::none)
     count.first_collision = {.other = static_cast<int>(hit->other), .time = frame.time};
 
   // whoever was near before is near still, or has left; both lists ascend
   auto before = count.open.begin();
-  for (OpenEncounter& now : detected_) {
+  for (OpenEncounter& now : detected) {
     for (; before != count.open.end() && before->other < now.other; ++before)
       count_closed(count, before->worst);
     if (before == count.open.end() || before->other != now.other) continue;
@@ -52,22 +53,22 @@ bool EncounterMetric::update_contacts(const Frame& frame, std::size_t index, con
     ++before;
   }
   for (; before != count.open.end(); ++before) count_closed(count, before->worst);
-  count.open.assign(detected_.begin(), detected_.end());
-  return !detected_.empty();
+  count.open.assign(detected.begin(), detected.end());
+  return !detected.empty();
 }
 
-void EncounterMetric::see(const Frame& frame, std::size_t index, const Neighbours& near) {
+void EncounterMetric::see(const Frame& frame, const Neighbours& near, std::size_t index, std::size_t hand) {
   Count& count = counts_[index];
   const VehicleFrame& own = frame.vehicles[index];
   if (count.finished || (!count.started && !is_avoiding(own.phase))) return;
-  if (!count.started) begin(frame, index);
+  if (!count.started) set_out(frame, index);
 
   count.distance += (own.state.p_n - count.last_position).norm();
   count.last_position = own.state.p_n;
 
   if (own.phase == Phase::under_way) {
     count.navigation_time += frame.period;
-    if (update_contacts(frame, index, near)) count.avoidance_time += frame.period;
+    if (update_contacts(frame, index, near, detected_[hand])) count.avoidance_time += frame.period;
     return;
   }
 
@@ -80,16 +81,19 @@ void EncounterMetric::see(const Frame& frame, std::size_t index, const Neighbour
   count.open.clear();
 }
 
-void EncounterMetric::make_room(std::size_t vehicles) {
-  const std::size_t usual = std::min(vehicles, Neighbours::usual_contacts);
-  detected_.reserve(vehicles);
-  counts_.resize(vehicles);
-  for (Count& count : counts_) count.open.reserve(usual);
+void EncounterMetric::begin(const Frame& frame, std::size_t hands) {
+  const std::size_t vehicles = frame.vehicles.size();
+  if (counts_.empty()) {
+    counts_.resize(vehicles);
+    for (Count& count : counts_) count.open.reserve(std::min(vehicles, Neighbours::usual_contacts));
+  }
+  while (detected_.size() < hands) detected_.emplace_back().reserve(vehicles);
 }
 
-void EncounterMetric::see(const Frame& frame, const Neighbours& near) {
-  if (counts_.empty()) make_room(frame.vehicles.size());
-  for (std::size_t i = 0; i < frame.vehicles.size(); ++i) see(frame, i, near);
+void EncounterMetric::see(const Frame& frame) {
+  begin(frame, 1);
+  const Neighbours& near = neighbours_.of(frame);
+  for (std::size_t i = 0; i < frame.vehicles.size(); ++i) see(frame, near, i, 0);
 }
 
 void EncounterMetric::report(std::vector<Measure>& measures) const {

@@ -34,8 +34,9 @@ class EncounterMetric final : public Metric {
   };
 
   explicit EncounterMetric(EncounterRules rules) : rules_{rules}, neighbours_{rules.crit_dist_m} {}
-  void see(const Frame& frame) override { see(frame, neighbours_.of(frame)); }
-  void see(const Frame& frame, const Neighbours& near);
+  void see(const Frame& frame) override;
+  void begin(const Frame& frame, std::size_t hands);
+  void see(const Frame& frame, const Neighbours& near, std::size_t index, std::size_t hand);
   void report(std::vector<Measure>& measures) const override;
 
   /// A vehicle's open encounters as of the last frame, in ascending order of the other; none before it is
@@ -58,10 +59,9 @@ class EncounterMetric final : public Metric {
     Occasion first_collision;
   };
 
-  void make_room(std::size_t vehicles);
-  void see(const Frame& frame, std::size_t index, const Neighbours& near);
-  void begin(const Frame& frame, std::size_t index);
-  bool update_contacts(const Frame& frame, std::size_t index, const Neighbours& near);
+  void set_out(const Frame& frame, std::size_t index);
+  bool update_contacts(const Frame& frame, std::size_t index, const Neighbours& near,
+                       std::vector<OpenEncounter>& detected);
   static void count_closed(Count& count, Contact worst) {
     ++(worst == Contact::collided ? count.collisions : count.avoided);
   }
@@ -69,7 +69,7 @@ class EncounterMetric final : public Metric {
   EncounterRules rules_;
   Neighbours neighbours_;
   std::vector<Count> counts_;
-  std::vector<OpenEncounter> detected_;  // by the vehicle at hand
+  std::vector<std::vector<OpenEncounter>> detected_;  // by the vehicle in each hand
 };
 
 }  // namespace fairway

@@ -41,21 +41,42 @@ const std::vector<QuantityInfo>& FleetMetric::quantities() {
   return all;
 }
 
-void FleetMetric::see(const Frame& frame, const Neighbours& near) {
+void FleetMetric::see(const Frame& frame) {
+  begin(frame, 1);
+  const Neighbours& near = neighbours_.of(frame);
+  for (std::size_t i = 0; i < frame.vehicles.size(); ++i) see(frame, near, i, 0);
+  finish(frame);
+}
+
+void FleetMetric::begin(const Frame& frame, std::size_t hands) {
+  const std::size_t n = frame.vehicles.size();
+  const std::size_t usual_pairs = std::min(n * n / 2, Neighbours::usual_contacts * n / 2);
   if (own_.empty()) {
-    own_.resize(frame.vehicles.size());
-    const std::size_t n = frame.vehicles.size();
-    for (std::vector<Pair>* pairs : {&touching_, &touch_, &apart_})
-      pairs->reserve(std::min(n * n / 2, Neighbours::usual_contacts * n / 2));
+    own_.resize(n);
+    touching_.reserve(usual_pairs);
+    apart_.reserve(usual_pairs);
   }
-  if (!started_) {
-    started_ =
-        std::ranges::any_of(frame.vehicles, [](const VehicleFrame& v) { return is_avoiding(v.phase); });
-    if (!started_) return;
-    start_time_ = frame.time;
+  while (hands_.size() < hands) hands_.emplace_back().touch.reserve(usual_pairs);
+  if (started_) return;
+  started_ = std::ranges::any_of(frame.vehicles, [](const VehicleFrame& v) { return is_avoiding(v.phase); });
+  start_time_ = frame.time;
+}
+
+void FleetMetric::see(const Frame& frame, const Neighbours& near, std::size_t index, std::size_t hand) {
+  if (!started_) return;
+  Hand& found = hands_[hand];
+  found.somebody_goes |= see_vehicle(frame, index);
+  if (takes_part(frame.vehicles[index])) see_others(frame, near, index, found.touch);
+}
+
+void FleetMetric::finish(const Frame& frame) {
+  if (!started_) return;
+  if (std::ranges::any_of(hands_, &Hand::somebody_goes)) last_arrival_ = frame.time;
+  see_pairs(frame);
+  for (Hand& hand : hands_) {
+    hand.touch.clear();
+    hand.somebody_goes = false;
   }
-  for (std::size_t i = 0; i < frame.vehicles.size(); ++i) see_vehicle(frame, i);
-  see_pairs(frame, near);
 }
 
 bool FleetMetric::is_beyond(const VehicleFrame& vehicle, std::size_t index) const {
@@ -66,7 +87,8 @@ bool FleetMetric::is_beyond(const VehicleFrame& vehicle, std::size_t index) cons
   return shortfall(limits, vehicle.command, yaw_of(vehicle.state.q_nb)) != Shortfall::none;
 }
 
-void FleetMetric::see_vehicle(const Frame& frame, std::size_t index) {
+/// Whether it is on its way, or has just arrived.
+bool FleetMetric::see_vehicle(const Frame& frame, std::size_t index) {
   const VehicleFrame& vehicle = frame.vehicles[index];
   Own& own = own_[index];
   if (is_avoiding(vehicle.phase)) {
@@ -80,8 +102,9 @@ void FleetMetric::see_vehicle(const Frame& frame, std::size_t index) {
     }
   }
   see_obstacles(frame, index);
-  if (vehicle.phase != Phase::arrived || !own.arrived) last_arrival_ = frame.time;
+  const bool rests = vehicle.phase == Phase::arrived && own.arrived;
   own.arrived = vehicle.phase == Phase::arrived;
+  return !rests;
 }
 
 void FleetMetric::see_obstacles(const Frame& frame, std::size_t index) {
@@ -95,7 +118,8 @@ void FleetMetric::see_obstacles(const Frame& frame, std::size_t index) {
   }
 }
 
-void FleetMetric::see_others(const Frame& frame, const Neighbours& near, std::size_t index) {
+void FleetMetric::see_others(const Frame& frame, const Neighbours& near, std::size_t index,
+                             std::vector<Pair>& touch) {
   Own& own = own_[index];
   const auto counts = [&](std::size_t j) { return takes_part(frame.vehicles[j]); };
 
@@ -113,20 +137,19 @@ void FleetMetric::see_others(const Frame& frame, const Neighbours& near, std::si
       nearest2 = distance2;
       who = j;
     }
-    if (touches) touch_.push_back({static_cast<std::uint32_t>(index), static_cast<std::uint32_t>(j)});
+    if (touches) touch.push_back({static_cast<std::uint32_t>(index), static_cast<std::uint32_t>(j)});
   });
   if (!(nearest2 < own.nearest2)) return;
   own.nearest2 = nearest2;
   own.nearest_at = {.other = static_cast<int>(who), .time = frame.time};
 }
 
-void FleetMetric::see_pairs(const Frame& frame, const Neighbours& near) {
-  touch_.clear();
-  for (std::size_t i = 0; i < frame.vehicles.size(); ++i) {
-    if (takes_part(frame.vehicles[i])) see_others(frame, near, i);
-  }
-  std::ranges::sort(touch_);
-  for (const Pair& pair : touch_) {
+void FleetMetric::see_pairs(const Frame& frame) {
+  std::vector<Pair>& touch = hands_[0].touch;
+  for (const Hand& hand : std::span{hands_}.subspan(1))
+    touch.insert(touch.end(), hand.touch.begin(), hand.touch.end());
+  std::ranges::sort(touch);
+  for (const Pair& pair : touch) {
     if (std::ranges::binary_search(touching_, pair) || ++pair_events_ > 1) continue;
     first_pair_event_ = {static_cast<int>(pair.one), static_cast<int>(pair.other), Occasion::none,
                          frame.time};
@@ -138,7 +161,7 @@ void FleetMetric::see_pairs(const Frame& frame, const Neighbours& near) {
     return !takes_part(frame.vehicles[pair.one]) || !takes_part(frame.vehicles[pair.other]);
   });
   touching_.clear();
-  std::ranges::merge(touch_, apart_, std::back_inserter(touching_));
+  std::ranges::merge(touch, apart_, std::back_inserter(touching_));
 }
 
 Occasion FleetMetric::not_arrived() const {

@@ -31,8 +31,10 @@ class FleetMetric final : public Metric {
       : safety_distance_{safety_distance_m},
         surroundings_{std::move(surroundings)},
         neighbours_{safety_distance_m} {}
-  void see(const Frame& frame) override { see(frame, neighbours_.of(frame)); }
-  void see(const Frame& frame, const Neighbours& near);
+  void see(const Frame& frame) override;
+  void begin(const Frame& frame, std::size_t hands);
+  void see(const Frame& frame, const Neighbours& near, std::size_t index, std::size_t hand);
+  void finish(const Frame& frame);
   void report(std::vector<Measure>& measures) const override;
 
  private:
@@ -51,10 +53,24 @@ class FleetMetric final : public Metric {
   };
 
   bool is_beyond(const VehicleFrame& vehicle, std::size_t index) const;
-  void see_vehicle(const Frame& frame, std::size_t index);
+
+  /// Two vehicles within the safety distance, the one of the lesser index first.
+  struct Pair {
+    std::uint32_t one;
+    std::uint32_t other;
+    friend auto operator<=>(const Pair&, const Pair&) = default;
+  };
+
+  /// What one hand has found in a frame.
+  struct Hand {
+    std::vector<Pair> touch;
+    bool somebody_goes{};  // or has just arrived
+  };
+
+  bool see_vehicle(const Frame& frame, std::size_t index);
   void see_obstacles(const Frame& frame, std::size_t index);
-  void see_pairs(const Frame& frame, const Neighbours& near);
-  void see_others(const Frame& frame, const Neighbours& near, std::size_t index);
+  void see_others(const Frame& frame, const Neighbours& near, std::size_t index, std::vector<Pair>& touch);
+  void see_pairs(const Frame& frame);
   Occasion not_arrived() const;  ///< the first vehicle that did not arrive
 
   double safety_distance_;
@@ -66,15 +82,8 @@ class FleetMetric final : public Metric {
   Occasion first_pair_event_;
   std::vector<Own> own_;
   Neighbours neighbours_;
-
-  /// Two vehicles within the safety distance, the one of the lesser index first.
-  struct Pair {
-    std::uint32_t one;
-    std::uint32_t other;
-    friend auto operator<=>(const Pair&, const Pair&) = default;
-  };
   std::vector<Pair> touching_;  ///< as of the last frame, ascending
-  std::vector<Pair> touch_;     ///< those of this one
+  std::vector<Hand> hands_;     ///< of this one
   std::vector<Pair> apart_;     ///< memory to work in
 };
 

@@ -20,8 +20,11 @@ struct QuantityInfo {
 };
 
 /// A fold over the frames of a run, the same live and from a file, in memory that does not grow with
-/// the run. See each implementation for its quantities. Those that ask who is near take a frame together with
-/// its `Neighbours` too, so that several share them.
+/// the run. See each implementation for its quantities.
+///
+/// Several metrics see a frame together, vehicle by vehicle, as `see(frame)` of each does alone: after
+/// `begin()`, `see()` of every vehicle once, in any order and by as many hands at a time as were announced,
+/// and `finish()` where there is one. Those that ask who is near share the frame's `Neighbours`.
 class Metric {
  public:
   virtual ~Metric() = default;

@@ -41,21 +41,41 @@ double ProgressMetric::radius_of(std::size_t index) const {
   return index < surroundings_.radii.size() ? surroundings_.radii[index] : 0.0;
 }
 
-void ProgressMetric::see(const Frame& frame, const Neighbours& near) {
+void ProgressMetric::see(const Frame& frame) {
+  begin(frame, 1);
+  for (std::size_t i = 0; i < own_.size(); ++i) see(frame, i, 0);
+  finish(frame, neighbours_.of(frame));
+}
+
+void ProgressMetric::begin(const Frame& frame, std::size_t hands) {
   if (own_.empty()) {
     own_.assign(frame.vehicles.size(), {.watch = ProgressWatch{window_}});
     bystanders_.reserve(frame.vehicles.size() + surroundings_.obstacles.size());
   }
-  for (std::size_t i = 0; i < own_.size(); ++i) {
-    const VehicleFrame& vehicle = frame.vehicles[i];
-    own_[i].watch.see(frame.time, vehicle.state.p_n, goal_of(frame, i), is_avoiding(vehicle.phase));
+  while (late_.size() < hands) late_.emplace_back().reserve(frame.vehicles.size());
+}
+
+void ProgressMetric::see(const Frame& frame, std::size_t index, std::size_t hand) {
+  const VehicleFrame& vehicle = frame.vehicles[index];
+  Own& own = own_[index];
+  own.watch.see(frame.time, vehicle.state.p_n, goal_of(frame, index), is_avoiding(vehicle.phase));
+  if (own.watch.is_late()) {
+    late_[hand].push_back(static_cast<std::uint32_t>(index));
+  } else {
+    own.report = own.watch.judge(vehicle.command.mode, {});
   }
-  for (std::size_t i = 0; i < own_.size(); ++i) {
-    Own& own = own_[i];
-    bystanders_.clear();
-    if (own.watch.is_late()) find_bystanders(frame, i, near);
-    own.report = own.watch.judge(frame.vehicles[i].command.mode, bystanders_);
-    if (own.watch.is_late()) count(frame, i);
+}
+
+void ProgressMetric::finish(const Frame& frame, const Neighbours& near) {
+  for (std::vector<std::uint32_t>& late : late_) {
+    for (const std::uint32_t index : late) {
+      Own& own = own_[index];
+      bystanders_.clear();
+      find_bystanders(frame, index, near);
+      own.report = own.watch.judge(frame.vehicles[index].command.mode, bystanders_);
+      count(frame, index);
+    }
+    late.clear();
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,8 +21,10 @@ class ProgressMetric final : public Metric {
 
   /// `window` [s].
   explicit ProgressMetric(double window, Surroundings surroundings = {});
-  void see(const Frame& frame) override { see(frame, neighbours_.of(frame)); }
-  void see(const Frame& frame, const Neighbours& near);
+  void see(const Frame& frame) override;
+  void begin(const Frame& frame, std::size_t hands);
+  void see(const Frame& frame, std::size_t index, std::size_t hand);
+  void finish(const Frame& frame, const Neighbours& near);
   void report(std::vector<Measure>& measures) const override;
 
   /// How a vehicle got on, as of the last frame; only after one. `with` is the index of a vehicle or, from
@@ -52,6 +55,8 @@ class ProgressMetric final : public Metric {
   double largest_radius_{};  // of a vehicle [m]
   Neighbours neighbours_;
   std::vector<Own> own_;
+  std::vector<std::vector<std::uint32_t>>
+      late_;                           // of this frame, found by each hand: whom it matters who is near
   std::vector<Bystander> bystanders_;  // of whoever is judged
 };
 

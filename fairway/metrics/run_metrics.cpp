@@ -1,27 +1,39 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/metrics/run_metrics.hpp"
 
+#include <algorithm>
+
 namespace fairway {
 
 void RunMetrics::write(const Frame& frame) {
+  const std::size_t hands = crew_ ? crew_->hands() : 1;
+  encounters_.begin(frame, hands);
+  progress_.begin(frame, hands);
+  fleet_.begin(frame, hands);
+  effort_.begin(frame);
+  smoothness_.begin(frame);
+
+  // all that is asked of one vehicle at a time, so that its frame is looked at once
   const Neighbours& near = neighbours_.of(frame);
-  const auto see = [&](std::size_t metric, std::size_t /*hand*/) {
-    switch (metric) {  // the longest first
-      case 0:
-        return fleet_.see(frame, near);
-      case 1:
-        return progress_.see(frame, near);
-      case 2:
-        return encounters_.see(frame, near);
-      case 3:
-        return effort_.see(frame);
-      default:
-        return smoothness_.see(frame);
+  constexpr std::size_t size = 64;
+  const std::size_t count = frame.vehicles.size();
+  const auto see = [&](std::size_t part, std::size_t hand) {
+    for (std::size_t i = part * size; i < std::min(count, (part + 1) * size); ++i) {
+      fleet_.see(frame, near, i, hand);
+      progress_.see(frame, i, hand);
+      encounters_.see(frame, near, i, hand);
+      effort_.see(frame, i);
+      smoothness_.see(frame, i);
     }
   };
-  constexpr std::size_t metrics = 5;
-  if (crew_) return crew_->go_through(metrics, see);
-  for (std::size_t i = 0; i < metrics; ++i) see(i, 0);
+  const std::size_t parts = (count + size - 1) / size;
+  if (crew_) {
+    crew_->go_through(parts, see);
+  } else {
+    for (std::size_t part = 0; part < parts; ++part) see(part, 0);
+  }
+  fleet_.finish(frame);
+  progress_.finish(frame, near);
 }
 
 std::vector<Measure> RunMetrics::measures() const {

@@ -26,7 +26,7 @@ class RunMetrics final : public FrameSink {
         progress_{progress_window, surroundings},
         fleet_{rules.safety_distance_m, std::move(surroundings)} {}
 
-  /// From now on so many threads see a frame together, one metric each. The numbers are the same.
+  /// From now on so many threads see a frame together, some vehicles each. The numbers are the same.
   void share_out(std::size_t threads) {
     crew_ = {};
     if (threads > 1) crew_.emplace(threads);

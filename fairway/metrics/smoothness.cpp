@@ -16,21 +16,23 @@ const std::vector<QuantityInfo>& SmoothnessMetric::quantities() {
 }
 
 void SmoothnessMetric::see(const Frame& frame) {
-  own_.resize(frame.vehicles.size());
-  for (std::size_t i = 0; i < frame.vehicles.size(); ++i) {
-    const VehicleFrame& vehicle = frame.vehicles[i];
-    if (!is_avoiding(vehicle.phase)) continue;
-    Own& own = own_[i];
-    const double yaw = yaw_of(vehicle.state.q_nb);
-    const double speed = vehicle.state.v_b.x();
-    if (own.started) {
-      own.heading_change += std::abs(wrap_angle(yaw - own.last_yaw));
-      own.speed_change += std::abs(speed - own.last_speed);
-    }
-    own.started = true;
-    own.last_yaw = yaw;
-    own.last_speed = speed;
+  begin(frame);
+  for (std::size_t i = 0; i < frame.vehicles.size(); ++i) see(frame, i);
+}
+
+void SmoothnessMetric::see(const Frame& frame, std::size_t index) {
+  const VehicleFrame& vehicle = frame.vehicles[index];
+  if (!is_avoiding(vehicle.phase)) return;
+  Own& own = own_[index];
+  const double yaw = yaw_of(vehicle.state.q_nb);
+  const double speed = vehicle.state.v_b.x();
+  if (own.started) {
+    own.heading_change += std::abs(wrap_angle(yaw - own.last_yaw));
+    own.speed_change += std::abs(speed - own.last_speed);
   }
+  own.started = true;
+  own.last_yaw = yaw;
+  own.last_speed = speed;
 }
 
 void SmoothnessMetric::report(std::vector<Measure>& measures) const {

@@ -14,6 +14,8 @@ class SmoothnessMetric final : public Metric {
   static const std::vector<QuantityInfo>& quantities();
 
   void see(const Frame& frame) override;
+  void begin(const Frame& frame) { own_.resize(frame.vehicles.size()); }
+  void see(const Frame& frame, std::size_t index);
   void report(std::vector<Measure>& measures) const override;
 
  private:

@@ -43,8 +43,13 @@ void write(const Message& message, const Scene& scene, Track& track) {
   track.priority = message.priority;
   track.destination = message.destination;
   track.reacts = true;
-  track.position_covariance = 0.25 * age * age * drift * drift * Mat3::Identity();
-  track.velocity_covariance = drift * drift * Mat3::Identity();
+  if (drift == 0.0) {  // as always where all is told at once
+    track.position_covariance.setZero();
+    track.velocity_covariance.setZero();
+  } else {
+    track.position_covariance = 0.25 * age * age * drift * drift * Mat3::Identity();
+    track.velocity_covariance = drift * drift * Mat3::Identity();
+  }
 }
 
 /// Whoever was heard of within reach, but the own vehicle; `index` is that of the message.
@@ -67,8 +72,11 @@ void add_places(const Scene& scene, const Viewpoint& own, const Reach& reach, st
   if (own.most_tracks < places.size() && farthest > places.sure_reach(scene.own_index, here))
     farthest = math::fmin(farthest, places.reach_of(own.most_tracks, scene.own_index, here));
   places.visit_others(scene.own_index, here, farthest, [&](std::size_t i, double distance2) {
-    const Mover& mover = scene.movers[i];
-    near.push_back({distance2, mover.id, mover.silent ? scene.heard.size() + i : i});
+    if (scene.heard_at_once && scene.heard[i].told) {
+      near.push_back({distance2, TrackId{number(scene.heard[i].from)}, i});
+    } else {
+      near.push_back({distance2, scene.movers[i].id, scene.heard.size() + i});
+    }
   });
 }
 

@@ -104,11 +104,8 @@ struct EnvelopeKey {
   double step;
 
   bool operator==(const EnvelopeKey& other) const {
-    const auto same = [](const Choice& a, const Choice& b) {
-      return a.name == b.name && a.params == b.params;
-    };
-    return same(model, other.model) && same(autopilot, other.autopilot) &&
-           same(allocation, other.allocation) && limits == other.limits && step == other.step;
+    return is_same(model, other.model) && is_same(autopilot, other.autopilot) &&
+           is_same(allocation, other.allocation) && limits == other.limits && step == other.step;
   }
 };
 
@@ -176,12 +173,15 @@ std::vector<Limits> limits_in_force(const Scenario& scenario, const VehicleCatal
   return limits;
 }
 
-Agent make_agent(const VehicleSpec& spec, const Scenario& scenario, const Catalogs& catalogs) {
+bool is_same(const Choice& a, const Choice& b) { return a.name == b.name && a.params == b.params; }
+
+Agent make_agent(const VehicleSpec& spec, const Scenario& scenario, const Catalogs& catalogs,
+                 const Vehicle* alike) {
   const Rng rng{scenario.seed};
   const auto drawn_for = [&](std::string_view user) { return rng.stream(user, spec.id); };
   const PerceptionSpec& perception = scenario.perception;
   const std::size_t track_count = scenario.vehicles.size() + scenario.obstacles.size();
-  Vehicle vehicle = make_vehicle(spec, catalogs.vehicles);
+  Vehicle vehicle = alike != nullptr ? *alike : make_vehicle(spec, catalogs.vehicles);
   vehicle.set_state(start_of(spec));
   const AutopilotParams controller = autopilot_of(spec, vehicle);
   const AllocationMethod allocation = chosen(spec.allocation, "method", AllocationParams{}).method;

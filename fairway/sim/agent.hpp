@@ -47,10 +47,15 @@ Vehicle make_vehicle(const VehicleSpec& spec, const VehicleCatalog& vehicles);
 Avoider make_avoider(const VehicleSpec& spec, std::uint64_t seed, const Catalog& avoiders);
 Particulars particulars_of(const VehicleSpec& spec, const Vehicle& vehicle);
 
+/// Whether two choices make the same, wherever they were written.
+bool is_same(const Choice& a, const Choice& b);
+
 /// An agent as its spec describes it, everything random on board drawn from streams of the scenario's seed.
+/// It shares the model, which is constant, with the vehicle `alike` if there is one, of the same choice.
 /// Throws InputError, with the place in the file, where a catalog does not know a name or refuses a
 /// parameter.
-Agent make_agent(const VehicleSpec& spec, const Scenario& scenario, const Catalogs& catalogs);
+Agent make_agent(const VehicleSpec& spec, const Scenario& scenario, const Catalogs& catalogs,
+                 const Vehicle* alike = nullptr);
 
 /// What each vehicle of a scenario may and can do, as its agent is told. A model that the catalog does not
 /// know or refuses is taken to be able to do anything: whoever simulates it refuses it.

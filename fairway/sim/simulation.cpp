@@ -2,7 +2,6 @@
 #include "fairway/sim/simulation.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -97,7 +96,12 @@ Simulation::Simulation(const Scenario& scenario, const Catalogs& catalogs)
       found_at_{lists_of(scenario)},
       stop_when_done_{scenario.stop_when_done} {
   agents_.reserve(scenario.vehicles.size());
-  for (const VehicleSpec& spec : scenario.vehicles) agents_.push_back(make_agent(spec, scenario, catalogs));
+  const VehicleSpec* before = nullptr;
+  for (const VehicleSpec& spec : scenario.vehicles) {
+    const bool alike = before != nullptr && is_same(before->model, spec.model);
+    agents_.push_back(make_agent(spec, scenario, catalogs, alike ? &agents_.back().vehicle : nullptr));
+    before = &spec;
+  }
   for (const Agent& agent : agents_) {
     movers_.push_back(mover_of(agent, !agent.cooperative || !exchange_.carries_anything()));
     looked_at_ = looked_at_ || agent.lookout.has_sensor();
@@ -147,9 +151,14 @@ void Simulation::make_room(bool keeping) {
   };
   for (Hand& hand : hands_) {
     if (hand.near.capacity() > 0) continue;
-    std::size_t most = 1;
-    for (const Agent& agent : agents_) most = std::max(most, agent.avoider.most_tracks());
-    make(hand.passing, most);
+    std::size_t most_alone = 0, most_together = 0;
+    for (const Agent& agent : agents_) {
+      std::size_t& most = agent.avoider.decides_for_many() ? most_together : most_alone;
+      most = std::max(most, agent.avoider.most_tracks());
+    }
+    make(hand.passing, std::max(most_alone, most_together));
+    if (!keeping)
+      for (Sight& sight : hand.company.sights) make(sight, most_together);
     hand.near.reserve(movers_.size());
   }
   if (!keeping || !kept_.empty()) return;
@@ -161,18 +170,21 @@ void Simulation::make_room(bool keeping) {
 /// The stages that a vehicle goes through by itself, for a part of the fleet at a time, so that what one
 /// stage leaves in the cache the next one finds there. Each reads of the others only what stood still before,
 /// so that parts may be gone through in any order, and at the same time.
-template <Stage... stages, void (Simulation::*... works)(std::size_t index, Simulation::Hand& hand)>
-void Simulation::in_parts(Work<stages, works>... /*in this order*/) {
+template <class... Works>
+void Simulation::in_parts(Works... /*in this order*/) {
   constexpr std::size_t size = 32;
   const auto go_through = [&](std::size_t part, std::size_t number) {
     Hand& hand = hands_[number];
     const std::size_t first = part * size, end = std::min(first + size, agents_.size());
     if (timing_stages_) hand.stages.begin();
-    const auto go = [&]<Stage stage, void (Simulation::*work)(std::size_t, Hand&)>(Work<stage, work>) {
-      for (std::size_t i = first; i < end; ++i) (this->*work)(i, hand);
-      if (timing_stages_) hand.stages.finish(stage);
-    };
-    (go(Work<stages, works>{}), ...);
+    const auto go =
+        [&]<Stage stage, void (Simulation::*work)(std::size_t, Hand&), void (Simulation::*together)(Hand&)>(
+            Work<stage, work, together>) {
+          for (std::size_t i = first; i < end; ++i) (this->*work)(i, hand);
+          if constexpr (together != nullptr) (this->*together)(hand);
+          if (timing_stages_) hand.stages.finish(stage);
+        };
+    (go(Works{}), ...);
   };
   const std::size_t parts = (agents_.size() + size - 1) / size;
   const bool one_at_a_time = !crew_ || observer_ != nullptr;
@@ -203,11 +215,15 @@ void Simulation::look(bool keeping) {
 
 void Simulation::act(std::span<FrameSink* const> sinks) {
   if (divergence_) return;
-  if (!keeping_) {
-    in_parts(Work<Stage::perceive, &Simulation::perceive>{}, Work<Stage::decide, &Simulation::decide>{},
-             Work<Stage::control, &Simulation::control>{});
+  watched_ = !sinks.empty();
+  constexpr Work<Stage::perceive, &Simulation::perceive> perceiving;
+  constexpr Work<Stage::decide, &Simulation::decide, &Simulation::decide_together> deciding;
+  constexpr Work<Stage::control, &Simulation::control> controlling;
+  constexpr Work<Stage::record, &Simulation::record> recording;
+  if (keeping_) {
+    in_parts(deciding, controlling, recording);
   } else {
-    in_parts(Work<Stage::decide, &Simulation::decide>{}, Work<Stage::control, &Simulation::control>{});
+    in_parts(perceiving, deciding, controlling, recording);
   }
   if (divergence_) return;
   show(sinks);
@@ -295,7 +311,7 @@ Scene Simulation::scene_of(std::size_t index) const {
           .own_index = index,
           .movers = movers_,
           .obstacles = obstacles_.fixed(),
-          .heard = exchange_.heard_by(index),
+          .heard = exchange_.heard_by(index, mailbox_),
           .places = &found_at_,
           .heard_at_once = exchange_.carries_at_once(),
           .unforeseen_acceleration = exchange_.unforeseen_acceleration()};
@@ -306,72 +322,12 @@ void Simulation::perceive(std::size_t index, Hand& hand) {
   const bool everyone_ready = rendezvous_reached_ >= agent.mission.rendezvous_reached();
   if (time() >= agent.start_delay) agent.mission.advance(agent.own, time(), everyone_ready);
   if (agent.lookout.has_sensor()) agent.lookout.sense(scene_of(index), viewpoint_of(agent));
-  if (keeping_ && is_deciding(agent)) look_round(index, hand);
+  if (keeping_ && is_deciding(agent)) look_round(index, hand.near, kept_[index]);
 }
 
-void Simulation::look_round(std::size_t index, Hand& hand) {
+void Simulation::look_round(std::size_t index, std::vector<Near>& near, Sight& sight) {
   Agent& agent = agents_[index];
-  Sight& sight = keeping_ ? kept_[index] : hand.passing;
-  agent.lookout.report(scene_of(index), viewpoint_of(agent), hand.near, sight.tracks, sight.obstacles);
-}
-
-bool Simulation::is_deciding(const Agent& agent) const {
-  return is_avoiding(agent.mission.phase()) && agent.pilot.is_due(time(), period_);
-}
-
-Command Simulation::decided(std::size_t index, Hand& hand) {
-  Agent& agent = agents_[index];
-  const Leg* leg = agent.mission.leg();
-  if (leg == nullptr || time() < agent.start_delay) return {.mode = Mode::hold};
-  switch (leg->kind) {
-    case LegKind::rendezvous:
-    case LegKind::keep_position:
-      return {.mode = Mode::hold};
-    case LegKind::go_to:
-      return go_to(*leg, agent.own, period_);
-    case LegKind::section:
-      return follow_section(*leg, agent.own);
-    case LegKind::transit:
-      break;
-  }
-  return ask(index, hand);
-}
-
-Situation Simulation::situation(std::size_t index) const { return situation(index, kept_[index]); }
-
-Situation Simulation::situation(std::size_t index, const Sight& sight) const {
-  const Agent& agent = agents_[index];
-  return agent.pilot.situation(time(), agent.own, *agent.mission.leg(), sight.tracks, sight.obstacles);
-}
-
-Command Simulation::ask(std::size_t index, Hand& hand) {
-  Agent& agent = agents_[index];
-  const Situation shown = situation(index, keeping_ ? kept_[index] : hand.passing);
-  const Order* order = order_of(index);
-  Command command = order != nullptr ? *order->command
-                                     : agent.avoider.decide(shown, showing_ ? &drawings_[index] : nullptr);
-  if (observer_ != nullptr) observer_->see(index, shown, command);
-  return command;
-}
-
-void Simulation::decide(std::size_t index, Hand& hand) {
-  Agent& agent = agents_[index];
-  const bool deciding = is_deciding(agent);
-  if (is_avoiding(agent.mission.phase()) && !deciding) return;
-  drawings_[index].clear();
-  if (deciding && !keeping_) look_round(index, hand);
-  using Clock = std::chrono::steady_clock;
-  const bool timed = timing_ && deciding;
-  const Clock::time_point begin = timed ? Clock::now() : Clock::time_point{};
-  const Command command = decided(index, hand);
-  if (timed) {
-    const double took = std::chrono::duration<double>(Clock::now() - begin).count();
-    DecisionTimes& times = hand.times;
-    times = {times.count + 1, times.total_s + took, math::fmax(times.worst_s, took)};
-  }
-  agent.pilot.obey(command, {agent.own.position, agent.own.yaw});
-  if (deciding) agent.pilot.note_decision(time());
-  if (!deciding) agent.pilot.ask_at_once();
+  agent.lookout.report(scene_of(index), viewpoint_of(agent), near, sight.tracks, sight.obstacles);
 }
 
 void Simulation::control(std::size_t index, Hand& hand) {
@@ -409,6 +365,7 @@ ActuatorValues Simulation::demanded(std::size_t index, Hand& hand) {
 }
 
 void Simulation::record(std::size_t index, Hand& /*hand*/) {
+  if (!watched_) return;
   const Agent& agent = agents_[index];
   const Leg* leg = agent.mission.leg();
   const Eigen::VectorXd& actuators = agent.vehicle.actuator_state();
@@ -428,8 +385,7 @@ void Simulation::record(std::size_t index, Hand& /*hand*/) {
 }
 
 void Simulation::show(std::span<FrameSink* const> sinks) {
-  if (sinks.empty()) return;
-  in_parts(Work<Stage::record, &Simulation::record>{});
+  if (!watched_) return;
   flights_.clear();
   if (showing_) exchange_.add_under_way(flights_);
   const Frame frame{tick_, time(), period_, frame_, flights_};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -23,7 +24,8 @@
 
 namespace fairway {
 
-/// How long deciding took on this machine: never among the results of a run.
+/// How long deciding took on this machine: never among the results of a run. Those who decide together share
+/// their time.
 struct DecisionTimes {
   std::int64_t count{};
   double total_s{};
@@ -106,9 +108,22 @@ class Simulation {
   std::span<const Agent> agents() const { return agents_; }
 
  private:
+  /// Those of a part who decide together, in their order.
+  struct Company {
+    static constexpr std::size_t most = Avoider::most_together;
+
+    std::size_t count{};
+    std::array<std::size_t, most> members;  // indices
+    std::array<Avoider*, most> avoiders;
+    std::array<Situation, most> situations;
+    std::array<Command, most> commands;
+    std::array<Sight, most> sights;  // of the members, where none are kept
+  };
+
   /// Whoever goes through parts of the fleet: what it finds, and memory to work in.
   struct Hand {
-    Sight passing;  // of whoever decides, where none is kept
+    Sight passing;  // of whoever decides alone, where none is kept
+    Company company;
     std::vector<Near> near;
     int rendezvous_reached{};  // by all of its parts
     std::optional<Divergence> divergence;
@@ -116,12 +131,13 @@ class Simulation {
     StageTimes stages;
   };
 
-  /// What a stage does for one vehicle.
-  template <Stage stage, void (Simulation::*work)(std::size_t index, Hand& hand)>
+  /// What a stage does for one vehicle, and then for all of a part together.
+  template <Stage stage, void (Simulation::*work)(std::size_t index, Hand& hand),
+            void (Simulation::*together)(Hand& hand) = nullptr>
   struct Work {};
 
-  template <Stage... stages, void (Simulation::*... works)(std::size_t index, Hand& hand)>
-  void in_parts(Work<stages, works>... /*in this order*/);
+  template <class... Works>
+  void in_parts(Works... /*in this order*/);
   void look(bool keeping);
   void make_room(bool keeping);
   void locate(std::size_t index, Hand& hand);
@@ -129,8 +145,9 @@ class Simulation {
   void deliver();
   void sort_places();
   void perceive(std::size_t index, Hand& hand);
-  void look_round(std::size_t index, Hand& hand);
+  void look_round(std::size_t index, std::vector<Near>& near, Sight& sight);
   void decide(std::size_t index, Hand& hand);
+  void decide_together(Hand& hand);
   void control(std::size_t index, Hand& hand);
   void record(std::size_t index, Hand& hand);
   void show(std::span<FrameSink* const> sinks);
@@ -144,6 +161,11 @@ class Simulation {
   };
 
   bool is_deciding(const Agent& agent) const;
+  bool joins(std::size_t index) const;
+  void join(std::size_t index, Hand& hand);
+  template <class Decide>
+  void timed(std::size_t count, Hand& hand, const Decide& decide);
+  void obey(Agent& agent, const Command& command);
   const Order* order_of(std::size_t index) const;
   Scene scene_of(std::size_t index) const;
   Situation situation(std::size_t index, const Sight& sight) const;
@@ -176,6 +198,7 @@ class Simulation {
   bool stop_when_done_;
   bool looked_at_{false};  // by sensors, so that it matters where those are who tell
   bool keeping_{false};
+  bool watched_{false};  // by sinks
   bool showing_{false};
   bool timing_{false};
   bool timing_stages_{false};

@@ -70,6 +70,48 @@ TEST(Threads, AnyNumberOfThemGivesTheSameBits) {
   }
 }
 
+/// While somebody sees every decision, each vehicle is asked alone.
+struct Onlooker final : DecisionObserver {
+  void see(std::size_t, const Situation&, const Command&) override { ++seen; }
+  int seen{};
+};
+
+TEST(Company, WhoDecidesTogetherDecidesAsAlone) {
+  for (const bool with_tracks : {false, true}) {
+    for (const int steps_per_decision : {1, 4}) {
+      Scenario scenario = crowd(150, "orca3d");
+      scenario.steps_per_decision = steps_per_decision;
+      for (std::size_t i = 0; i < scenario.vehicles.size(); i += 7)
+        scenario.vehicles[i].avoider = {.name = i % 2 == 0 ? "apf" : "orca3d+stop_and_wait"};
+      scenario.obstacles.push_back(
+          {.kind = Obstacle::Kind::sphere, .charted = false, .position = {30, 30, 15}, .radius = 4.0});
+      std::vector<std::uint64_t> hashes;
+      for (const bool alone : {false, true}) {
+        Simulation simulation{scenario, builtin_catalogs()};
+        Onlooker onlooker;
+        if (alone) simulation.observe(&onlooker);
+        Hash hash{with_tracks};
+        const std::array<FrameSink*, 1> sinks{&hash};
+        simulation.run(sinks);
+        EXPECT_EQ(onlooker.seen > 0, alone);
+        hashes.push_back(hash.value);
+      }
+      EXPECT_EQ(hashes[0], hashes[1]) << "every " << steps_per_decision;
+    }
+  }
+}
+
+TEST(Company, WhoDecidesTogetherIsCountedAndTimed) {
+  Scenario scenario = crowd(20, "orca3d");
+  Simulation simulation{scenario, builtin_catalogs()};
+  simulation.time_decisions();
+  for (int i = 0; i < 10; ++i) simulation.step({});
+  const DecisionTimes times = simulation.decision_times();
+  EXPECT_EQ(times.count, 200);
+  EXPECT_GT(times.total_s, 0.0);
+  EXPECT_LE(times.worst_s, times.total_s);
+}
+
 TEST(Threads, OfTwoThatBreakTheFirstOneIsNamed) {
   for (const std::size_t threads : thread_counts) {
     Simulation simulation{crowd(150, "orca3d"), builtin_catalogs()};

@@ -72,7 +72,7 @@ class InLanes {
 }  // namespace
 
 bool Orca3d::decides_with(const Orca3d& other) const noexcept {
-  return params.symmetry == Symmetry::none && params == other.params;
+  return params.symmetry == Symmetry::none && (this == &other || params == other.params);
 }
 
 void Orca3d::decide_many(std::span<const Situation* const> situations,

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+// How vehicles decide: those whose method can decide for many together, the others one by one.
+#include <chrono>
+
+#include "fairway/core/math.hpp"
+#include "fairway/sim/simulation.hpp"
+
+namespace fairway {
+
+bool Simulation::is_deciding(const Agent& agent) const {
+  return is_avoiding(agent.mission.phase()) && agent.pilot.is_due(time(), period_);
+}
+
+Command Simulation::decided(std::size_t index, Hand& hand) {
+  Agent& agent = agents_[index];
+  const Leg* leg = agent.mission.leg();
+  if (leg == nullptr || time() < agent.start_delay) return {.mode = Mode::hold};
+  switch (leg->kind) {
+    case LegKind::rendezvous:
+    case LegKind::keep_position:
+      return {.mode = Mode::hold};
+    case LegKind::go_to:
+      return go_to(*leg, agent.own, period_);
+    case LegKind::section:
+      return follow_section(*leg, agent.own);
+    case LegKind::transit:
+      break;
+  }
+  return ask(index, hand);
+}
+
+Situation Simulation::situation(std::size_t index) const { return situation(index, kept_[index]); }
+
+Situation Simulation::situation(std::size_t index, const Sight& sight) const {
+  const Agent& agent = agents_[index];
+  return agent.pilot.situation(time(), agent.own, *agent.mission.leg(), sight.tracks, sight.obstacles);
+}
+
+Command Simulation::ask(std::size_t index, Hand& hand) {
+  Agent& agent = agents_[index];
+  const Situation shown = situation(index, keeping_ ? kept_[index] : hand.passing);
+  const Order* order = order_of(index);
+  Command command = order != nullptr ? *order->command
+                                     : agent.avoider.decide(shown, showing_ ? &drawings_[index] : nullptr);
+  if (observer_ != nullptr) observer_->see(index, shown, command);
+  return command;
+}
+
+void Simulation::decide(std::size_t index, Hand& hand) {
+  Agent& agent = agents_[index];
+  const bool deciding = is_deciding(agent);
+  if (is_avoiding(agent.mission.phase()) && !deciding) return;
+  drawings_[index].clear();
+  if (deciding && joins(index)) return join(index, hand);
+  if (!deciding) {
+    obey(agent, decided(index, hand));
+    return agent.pilot.ask_at_once();
+  }
+  if (!keeping_) look_round(index, hand.near, hand.passing);
+  Command command;
+  timed(1, hand, [&] { command = decided(index, hand); });
+  obey(agent, command);
+  agent.pilot.note_decision(time());
+}
+
+/// Whether it decides together with others: nobody looks over its shoulder or tells it what to do.
+bool Simulation::joins(std::size_t index) const {
+  return !showing_ && observer_ == nullptr && order_of(index) == nullptr &&
+         agents_[index].avoider.decides_for_many();
+}
+
+void Simulation::join(std::size_t index, Hand& hand) {
+  Company& company = hand.company;
+  const std::size_t place = company.count++;
+  const Sight& sight = keeping_ ? kept_[index] : company.sights[place];
+  if (!keeping_) look_round(index, hand.near, company.sights[place]);
+  company.members[place] = index;
+  company.avoiders[place] = &agents_[index].avoider;
+  company.situations[place] = situation(index, sight);
+  if (company.count == Company::most) decide_together(hand);
+}
+
+void Simulation::decide_together(Hand& hand) {
+  Company& company = hand.company;
+  const std::size_t count = company.count;
+  if (count == 0) return;
+  timed(count, hand, [&] {
+    Avoider::decide_many(std::span{company.avoiders}.first(count), std::span{company.situations}.first(count),
+                         std::span{company.commands}.first(count));
+  });
+  for (std::size_t i = 0; i < count; ++i) {
+    Agent& agent = agents_[company.members[i]];
+    obey(agent, company.commands[i]);
+    agent.pilot.note_decision(time());
+  }
+  company.count = 0;
+}
+
+/// Does what `decide` does, `count` decisions, and takes the time of it if somebody wants to know.
+template <class Decide>
+void Simulation::timed(std::size_t count, Hand& hand, const Decide& decide) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point begin = timing_ ? Clock::now() : Clock::time_point{};
+  decide();
+  if (!timing_) return;
+  const double took = std::chrono::duration<double>(Clock::now() - begin).count();
+  DecisionTimes& times = hand.times;
+  times = {times.count + static_cast<std::int64_t>(count), times.total_s + took,
+           math::fmax(times.worst_s, took / static_cast<double>(count))};
+}
+
+void Simulation::obey(Agent& agent, const Command& command) {
+  agent.pilot.obey(command, {agent.own.position, agent.own.yaw});
+}
+
+}  // namespace fairway
