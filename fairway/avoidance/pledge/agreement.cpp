@@ -7,21 +7,23 @@
 namespace fairway::pledge {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 constexpr double codes_a_second = 1200.0;  // of the search
-constexpr double silent_turns = 3.0;      // after so many the next member may propose
-constexpr double least_patience = 1.1;    // turns from the word of a plan to its start, in which everybody speaks
+constexpr double silent_turns = 3.0;       // after so many the next member may propose
+constexpr double least_patience =
+    1.1;  // turns from the word of a plan to its start, in which everybody speaks
 constexpr double most_patience = 9.0;
 
-std::uint8_t epoch_of(int round, std::size_t author) { return static_cast<std::uint8_t>(round << 3U | author); }
+std::uint8_t epoch_of(int round, std::size_t author) {
+  return static_cast<std::uint8_t>(round << 3U | author);
+}
 int round_of(std::uint8_t epoch) { return epoch >> 3U; }
 constexpr int most_rounds = 31;
 
 }  // namespace
 
 void Agreement::hold(const Member& member) noexcept {
-  const std::uint8_t version = known_[self_] ? static_cast<std::uint8_t>((members_[self_].version + 1) % 16) : 0;
+  const std::uint8_t version =
+      known_[self_] ? static_cast<std::uint8_t>((members_[self_].version + 1) % 16) : 0;
   members_[self_] = as_told(member, terms_.datum);
   members_[self_].version = version;
   known_.set(self_);
@@ -119,17 +121,18 @@ bool Agreement::is_clear() noexcept {
   if (status_ == Status::held) return scene.accepts(self_, Reference{members_[self_].anchor});
   if (scene.accepts(self_, way_)) return true;
   const double gate = next_gate();
-  if (gate == infinity || !scene.accepts(self_, way_.until(gate))) return false;
+  if (gate == never || !scene.accepts(self_, way_.until(gate))) return false;
   way_ = way_.until(gate);
   return true;
 }
 
 /// Rule 3.
 void Agreement::depart(double now) noexcept {
-  if (status_ != Status::held || plan_.epoch == 0 || now < plan_.start || acknowledged_epoch_ != plan_.epoch ||
-      !plan_.participants[self_])
+  if (status_ != Status::held || plan_.epoch == 0 || now < plan_.start ||
+      acknowledged_epoch_ != plan_.epoch || !plan_.participants[self_])
     return;
-  acknowledged_epoch_ = static_cast<std::uint8_t>(plan_.epoch | 7U);  // none of this round any more, whatever comes
+  acknowledged_epoch_ =
+      static_cast<std::uint8_t>(plan_.epoch | 7U);  // none of this round any more, whatever comes
   Members needed = everyone();
   for (std::size_t i = 0; i < terms_.count; ++i)
     if (statuses_[i] == Status::arrived) needed.reset(i);
@@ -148,7 +151,7 @@ void Agreement::depart(double now) noexcept {
 }
 
 double Agreement::next_gate() const noexcept {
-  double next = infinity;
+  double next = never;
   for (std::size_t i = 0; i < terms_.count; ++i)
     if (!left_[i]) next = std::min(next, gates_[i]);
   return next;
@@ -157,7 +160,7 @@ double Agreement::next_gate() const noexcept {
 /// Rule 4.
 void Agreement::stop_at_gate(double now) noexcept {
   if (status_ != Status::moving) return;
-  const bool leads_there = first_within(way_, members_[self_].destination, members_[self_].arrival) < infinity;
+  const bool leads_there = first_within(way_, members_[self_].destination, members_[self_].arrival) < never;
   const double stops = leads_there ? next_gate() : std::min(next_gate(), way_.end());
   if (now < stops) return;
   Member member = members_[self_];
@@ -169,7 +172,8 @@ Members Agreement::held() const noexcept {
   Members all;
   for (std::size_t i = 0; i < terms_.count; ++i)
     // of those who departed by the plan, only who has said since that it is held again
-    if (known_[i] && statuses_[i] == Status::held && (i == self_ || !departed_[i] || last_heard_[i] > plan_.start))
+    if (known_[i] && statuses_[i] == Status::held &&
+        (i == self_ || !departed_[i] || last_heard_[i] > plan_.start))
       all.set(i);
   return all;
 }
@@ -236,7 +240,8 @@ std::string_view Agreement::reason(double now) const noexcept {
   if (known_ != everyone()) return "waits for the state of another member";
   if (search_) return "looks for a plan";
   if (is_pending(now))
-    return acknowledged_[self_] ? "waits for acknowledgements, and for the start" : "cannot acknowledge the plan";
+    return acknowledged_[self_] ? "waits for acknowledgements, and for the start"
+                                : "cannot acknowledge the plan";
   return "waits for a plan";
 }
 

@@ -12,7 +12,8 @@
 namespace fairway::pledge {
 
 /// One member's part of an agreement. It is held at its anchor until it has a plan that every member has
-/// acknowledged, and then keeps to its reference. The rules, on which the safety argument of the README rests:
+/// acknowledged, and then keeps to its reference. The rules, on which the safety argument of the README
+/// rests:
 ///
 /// 1. Acknowledgements go upwards: a member acknowledges no plan that is older than one that it has
 ///    acknowledged before, and none whose start has passed.
@@ -56,7 +57,7 @@ class Agreement {
   std::string_view reason(double now) const noexcept;
 
  private:
-  static constexpr std::array<double, most_members> never() {
+  static constexpr std::array<double, most_members> not_yet() {
     std::array<double, most_members> times{};
     times.fill(-std::numeric_limits<double>::infinity());
     return times;
@@ -83,11 +84,11 @@ class Agreement {
 
   // of everybody
   std::array<Member, most_members> members_{};
-  Members known_{};                                ///< whose states have been heard
-  std::array<Status, most_members> statuses_{};    ///< as last heard
-  std::array<double, most_members> last_heard_ = never();  ///< when what was heard last was said [s]
-  std::array<Members, most_members> heard_by_{};   ///< whose states each of them has
-  std::uint8_t newest_epoch_{};                    ///< that anybody has spoken of
+  Members known_{};                                          ///< whose states have been heard
+  std::array<Status, most_members> statuses_{};              ///< as last heard
+  std::array<double, most_members> last_heard_ = not_yet();  ///< when what was heard last was said [s]
+  std::array<Members, most_members> heard_by_{};             ///< whose states each of them has
+  std::uint8_t newest_epoch_{};                              ///< that anybody has spoken of
 
   // the newest plan
   Plan plan_{};

@@ -2,12 +2,9 @@
 #include "fairway/avoidance/pledge/clearance.hpp"
 
 #include <algorithm>
-#include <limits>
 
 namespace fairway::pledge {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // so much farther off a gate is than two may be, so that whoever stops at it can be given another plan [m]
 constexpr double beyond = 0.05;
@@ -22,10 +19,8 @@ Clearance::Gates Clearance::gates_of(std::size_t member, const Reference& refere
   Gates gates;
   for (std::size_t other = 0; other < most_members; ++other) {
     const bool has_none = other == member || !participants_[other] || reference.knots().size() < 2;
-    gates[other] = has_none
-                       ? infinity  // nobody comes nearer who stays where it is
-                       : first_within(reference, members_[other].anchor,
-                                      apart(member, other) + beyond);
+    gates[other] = has_none ? never  // nobody comes nearer who stays where it is
+                            : first_within(reference, members_[other].anchor, apart(member, other) + beyond);
   }
   return gates;
 }
@@ -34,7 +29,7 @@ Clearance::Stops Clearance::stops_of(std::size_t member, const Reference& refere
                                      const Gates& gates) const noexcept {
   Stops stops;
   for (const double gate : gates)
-    if (gate < infinity) stops.add(gate, reference.at(gate));
+    if (gate < never) stops.add(gate, reference.at(gate));
   const Member& m = members_[member];
   const double near = first_within(reference, m.destination, m.arrival + tubes_.radius);
   if (near < reference.end()) {
@@ -47,8 +42,7 @@ Clearance::Stops Clearance::stops_of(std::size_t member, const Reference& refere
 bool Clearance::are_clear(std::size_t member, const Stops& stops, std::size_t other,
                           const Reference& of_other) const noexcept {
   for (std::size_t i = 0; i < stops.count; ++i) {
-    if (least_distance(Reference{stops.all[i].place}, of_other, stops.all[i].time) <
-        apart(member, other))
+    if (least_distance(Reference{stops.all[i].place}, of_other, stops.all[i].time) < apart(member, other))
       return false;
   }
   return true;

@@ -29,8 +29,8 @@ class Clearance {
             double start)
       : members_{members}, participants_{participants}, tubes_{tubes}, start_{start} {}
 
-  /// Whether the member may go so, as far as the others that have been placed are concerned. O(placed^2 knots)
-  /// at worst, O(placed knots) where few gates bind.
+  /// Whether the member may go so, as far as the others that have been placed are concerned. O(placed^2
+  /// knots) at worst, O(placed knots) where few gates bind.
   bool accepts(std::size_t member, const Reference& reference) const noexcept;
 
   void place(std::size_t member, const Reference& reference) noexcept;
@@ -59,7 +59,8 @@ class Clearance {
   double apart(std::size_t a, std::size_t b) const noexcept;
   Gates gates_of(std::size_t member, const Reference& reference) const noexcept;
   Stops stops_of(std::size_t member, const Reference& reference, const Gates& gates) const noexcept;
-  bool are_clear(std::size_t member, const Stops& stops, std::size_t other, const Reference& of_other) const noexcept;
+  bool are_clear(std::size_t member, const Stops& stops, std::size_t other,
+                 const Reference& of_other) const noexcept;
 
   std::array<Member, most_members> members_{};
   Members participants_{};

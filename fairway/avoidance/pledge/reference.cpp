@@ -3,15 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "fairway/core/math.hpp"
 
 namespace fairway::pledge {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // of a ring, by one straight piece at most [rad]
 constexpr double piece = std::numbers::pi / 9.0;
@@ -45,7 +42,8 @@ struct Line {
 /// straight outwards. `side` is 1 if the ring is gone round with the centre to starboard.
 double contact(const Vec2& from, const Vec2& centre, double radius, double side) {
   const Vec2 out = from - centre;
-  return math::atan2(out.y(), out.x()) + side * math::acos(std::min(radius / math::fmax(out.norm(), 1e-9), 1.0));
+  return math::atan2(out.y(), out.x()) +
+         side * math::acos(std::min(radius / math::fmax(out.norm(), 1e-9), 1.0));
 }
 
 /// Straight on, or by a ring; straight too where that stays clear of the ring on the side on which it is
@@ -76,15 +74,15 @@ Reference ended_near(const Reference& whole, const Vec3& place, double distance)
   return time < whole.end() ? whole.until(time) : whole;
 }
 
-/// When two that move evenly for `duration` are first within `distance`, from now; infinity if never.
+/// When two that move evenly for `duration` are first within `distance`, from now; never if never.
 double time_within(const Vec3& apart, const Vec3& velocity, double duration, double distance) {
   const double a = velocity.squaredNorm(), b = apart.dot(velocity);
   const double c = apart.squaredNorm() - distance * distance;
   if (c <= 0.0) return 0.0;
   const double under = b * b - a * c;
-  if (a <= 0.0 || b >= 0.0 || under < 0.0) return infinity;
+  if (a <= 0.0 || b >= 0.0 || under < 0.0) return never;
   const double time = (-b - std::sqrt(under)) / a;
-  return time <= duration ? time : infinity;
+  return time <= duration ? time : never;
 }
 
 /// The place at a time, where `after` is the number of the first knot behind it.
@@ -153,7 +151,7 @@ Reference reference_of(const Member& member, const Plan& plan, const Code& code)
 }
 
 double least_distance(const Reference& a, const Reference& b, double from) noexcept {
-  double least = infinity;
+  double least = never;
   double begins = from;
   std::size_t i = 0, j = 0;
   const std::span<const Knot> of_a = a.knots(), of_b = b.knots();
@@ -161,8 +159,9 @@ double least_distance(const Reference& a, const Reference& b, double from) noexc
     while (i < of_a.size() && of_a[i].time <= begins) ++i;
     while (j < of_b.size() && of_b[j].time <= begins) ++j;
     const Vec3 apart = between(of_a, i, begins) - between(of_b, j, begins);
-    const double ends = std::min(i < of_a.size() ? of_a[i].time : infinity, j < of_b.size() ? of_b[j].time : infinity);
-    if (ends == infinity) return std::min(least, apart.norm());
+    const double ends =
+        std::min(i < of_a.size() ? of_a[i].time : never, j < of_b.size() ? of_b[j].time : never);
+    if (ends == never) return std::min(least, apart.norm());
     const Vec3 change = between(of_a, i, ends) - between(of_b, j, ends) - apart;
     const double square = change.squaredNorm();
     const double share = square > 0.0 ? std::clamp(-apart.dot(change) / square, 0.0, 1.0) : 0.0;
@@ -177,9 +176,9 @@ double first_within(const Reference& reference, const Vec3& place, double distan
     const double duration = all[i + 1].time - all[i].time;
     const Vec3 velocity = (all[i + 1].position - all[i].position) / duration;
     const double time = time_within(all[i].position - place, velocity, duration, distance);
-    if (time < infinity) return all[i].time + time;
+    if (time < never) return all[i].time + time;
   }
-  return (all.back().position - place).norm() <= distance ? all.back().time : infinity;
+  return (all.back().position - place).norm() <= distance ? all.back().time : never;
 }
 
 }  // namespace fairway::pledge

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/avoidance/pledge/search.hpp"
 
-#include <limits>
-
 namespace fairway::pledge {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int rings = static_cast<int>(ring_radius.size());
 constexpr int carousels = 2 * rings * rings;  // either way round, a ring for each class
 constexpr int codes = 256;
@@ -20,7 +17,8 @@ Vec2 centre_of(const std::array<Member, most_members>& members, const Members& p
   Vec2 sum = Vec2::Zero();
   for (std::size_t i = 0; i < most_members; ++i) {
     const Member& m = members[i];
-    if (participants[i]) sum += choice == 0 ? Vec2{0.5 * (m.anchor + m.destination).head<2>()} : Vec2{m.anchor.head<2>()};
+    if (participants[i])
+      sum += choice == 0 ? Vec2{0.5 * (m.anchor + m.destination).head<2>()} : Vec2{m.anchor.head<2>()};
   }
   return participants.any() ? Vec2{sum / static_cast<double>(participants.count())} : sum;
 }
@@ -54,7 +52,7 @@ bool Search::go_on(int count) noexcept {
       number_ = 0;
       turn_ = 0;
       member_ = numbered(0);
-      soonest_ = infinity;
+      soonest_ = never;
       stage_ = found() ? Stage::improve : Stage::one_by_one;
       scene_ = empty();
       plan_ = found() ? best_ : Plan{.centre = centre_};
@@ -82,7 +80,7 @@ Clearance Search::empty() const noexcept {
 /// The participant after this one; false, and the first again, after the last.
 bool Search::next_member() noexcept {
   number_ = 0;
-  soonest_ = infinity;
+  soonest_ = never;
   do {
     if (++turn_ < most_members) continue;
     turn_ = 0;
@@ -94,7 +92,8 @@ bool Search::next_member() noexcept {
 }
 
 bool Search::try_carousel(int number) noexcept {
-  const Code down{static_cast<std::uint8_t>(number % rings)}, up{static_cast<std::uint8_t>(number / rings % rings)};
+  const Code down{static_cast<std::uint8_t>(number % rings)},
+      up{static_cast<std::uint8_t>(number / rings % rings)};
   Plan plan{.centre = centre_, .to_port = number >= rings * rings, .participants = participants_};
   Clearance scene = empty();
   for (std::size_t i = 0; i < most_members; ++i) {
@@ -118,7 +117,7 @@ void Search::try_next_code() noexcept {
     code_ = code;
   }
   if (++number_ < codes) return;
-  if (soonest_ < infinity) {
+  if (soonest_ < never) {
     plan_.codes[member_] = code_;
     plan_.participants.set(member_);
     scene_.place(member_, reference_of(members_[member_], plan_, code_));
@@ -151,7 +150,7 @@ void Search::improve_next() noexcept {
   }
   if (++number_ < codes) return;
   if (plan_.participants[member_]) {
-    if (soonest_ < infinity) {
+    if (soonest_ < never) {
       plan_.codes[member_] = code_;
       improved_ = true;
     }

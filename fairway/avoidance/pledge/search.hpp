@@ -17,16 +17,16 @@ struct Terms {
 
 /// Looks for a plan by which all of those who are held get to their destinations, soonest in the mean. First
 /// a carousel: those who dive by one ring, those who climb by another. Where none is clear, one member after
-/// the other takes the soonest code that is clear of those before it; whoever has none stays, and all begin again round it. Then
-/// each looks for a sooner one. A
-/// value: it goes on from where it was, a few codes at a time. Nothing allocates.
+/// the other takes the soonest code that is clear of those before it; whoever has none stays, and all begin
+/// again round it. Then each looks for a sooner one. A value: it goes on from where it was, a few codes at a
+/// time. Nothing allocates.
 class Search {
  public:
   Search() = default;
 
-  /// Of a plan that begins at time 0. `others` are the references of those who do not take part and stay where
-  /// they are, as far as they are known; the rest of them have no knots. `attempt` counts from 0: every one has another centre, and
-  /// another who is first.
+  /// Of a plan that begins at time 0. `others` are the references of those who do not take part and stay
+  /// where they are, as far as they are known; the rest of them have no knots. `attempt` counts from 0: every
+  /// one has another centre, and another who is first.
   Search(const std::array<Member, most_members>& members, const Members& participants,
          const std::array<Reference, most_members>& others, const Terms& terms, std::size_t attempt) noexcept;
 

@@ -18,7 +18,7 @@ constexpr Scale centre_across{10, 0.32, -163.84};
 constexpr Scale radius{6, 0.25, 0.0}, arrival{5, 0.25, 0.0};
 constexpr Scale speed{6, 0.02, 0.0}, climb{6, 0.01, 0.0}, turn{4, 1.0, 0.0};
 
-constexpr double tenth = 0.1;           // of times [s]
+constexpr double tenth = 0.1;            // of times [s]
 constexpr double period = 4096 * tenth;  // of the clock that is told [s]
 constexpr int clock_bits = 12;
 
@@ -117,7 +117,9 @@ Speech sealed(Speech speech) {
   return speech;
 }
 
-std::span<std::uint8_t> body_of(Speech& speech) { return std::span{speech.bytes}.first(Speech::most_bytes - 1); }
+std::span<std::uint8_t> body_of(Speech& speech) {
+  return std::span{speech.bytes}.first(Speech::most_bytes - 1);
+}
 
 }  // namespace
 

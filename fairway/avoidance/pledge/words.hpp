@@ -42,9 +42,9 @@ enum class Status : std::uint8_t {
 
 /// What every word has.
 struct Header {
-  std::uint8_t sender{};   ///< a member
-  std::uint8_t epoch{};    ///< of the newest plan that it knows, 0 for none
-  double sent{};           ///< [s], to 0.1 s
+  std::uint8_t sender{};  ///< a member
+  std::uint8_t epoch{};   ///< of the newest plan that it knows, 0 for none
+  double sent{};          ///< [s], to 0.1 s
   Status status{};
   Members acknowledged{};  ///< who has acknowledged that plan, as far as it knows
   Members departed{};      ///< who has departed by it, likewise
@@ -61,7 +61,8 @@ struct StateWord {
 struct Code {
   std::uint8_t ring{};   ///< 0 to 7: straight, or by a ring about the centre (ring_radius)
   std::uint8_t delay{};  ///< 0 to 7, in steps of delay_step
-  std::uint8_t dive{};   ///< 0 to 3: how much of the time to spare goes by before it dives or climbs, in thirds
+  std::uint8_t
+      dive{};  ///< 0 to 3: how much of the time to spare goes by before it dives or climbs, in thirds
 
   std::uint8_t packed() const { return static_cast<std::uint8_t>(ring << 5U | delay << 2U | dive); }
   static Code of(std::uint8_t byte) {
@@ -73,13 +74,13 @@ struct Code {
 
 /// By which way and when everybody goes that takes part.
 struct Plan {
-  std::uint8_t epoch{};        ///< round (5 bits) and author (3 bits); of two plans the later has the larger one
-  double start{};              ///< when all depart [s], to 0.1 s
+  std::uint8_t epoch{};  ///< round (5 bits) and author (3 bits); of two plans the later has the larger one
+  double start{};        ///< when all depart [s], to 0.1 s
   Vec2 centre = Vec2::Zero();  ///< of the rings [m, north and east]
   bool to_port{};              ///< the rings are gone round with the centre to starboard unless this is so
   Members participants{};
   std::array<Code, most_members> codes{};
-  std::uint32_t digest{};      ///< of the participants' states, 24 bits
+  std::uint32_t digest{};  ///< of the participants' states, 24 bits
 
   friend bool operator==(const Plan&, const Plan&) = default;
 };
