@@ -80,6 +80,13 @@ concept AvoidanceAlgorithm =
       { a.decide(situation, memory, context) } noexcept -> std::same_as<Command>;
     };
 
+/// An algorithm that has something to say: what it would say in its vehicle's next turn, as it stands in its
+/// memory. Its vehicle says that instead of telling where it is.
+template <class A>
+concept Speaks = requires(const A& a, const typename A::Memory& memory) {
+  { a.speech(memory) } noexcept -> std::same_as<Speech>;
+};
+
 class Avoider;
 
 /// A strategy around another avoider, such as stop-and-wait: it may ask the inner one, change what

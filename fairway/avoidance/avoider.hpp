@@ -45,6 +45,10 @@ class Avoider {
   /// unless the algorithm says otherwise (`most_tracks()`).
   std::size_t most_tracks() const { return self_->most_tracks(); }
 
+  /// Whether it has something to say of its own, and what it would say now; see `Speaks`.
+  bool speaks() const { return self_->speaks(); }
+  Speech speech() const { return self_->speech(); }
+
   /// Decides, then holds the decision to the limits, so that no algorithm has to. What the vehicle cannot
   /// carry out of it (see `shortfall`) stands in the note unless the method says something itself, and what
   /// was to avoid somebody so is Mode::infeasible. A situation that is not usable (NaN, no period) is
@@ -91,6 +95,8 @@ class Avoider {
     virtual void restore(const Interface& clone) = 0;  ///< to what the clone of this remembers
     virtual const AlgorithmInfo& info() const = 0;
     virtual std::size_t most_tracks() const { return std::numeric_limits<std::size_t>::max(); }
+    virtual bool speaks() const { return false; }
+    virtual Speech speech() const { return {}; }
     virtual bool decides_with(const Interface& /*other*/) const noexcept { return false; }
     virtual void decide_many(std::span<const Situation* const>, std::span<Command* const>) noexcept {}
   };
@@ -107,6 +113,11 @@ class Avoider {
     std::size_t most_tracks() const override {
       if constexpr (requires { algorithm.most_tracks(); }) return algorithm.most_tracks();
       return Interface::most_tracks();
+    }
+    bool speaks() const override { return Speaks<A>; }
+    Speech speech() const override {
+      if constexpr (Speaks<A>) return algorithm.speech(memory);
+      return {};
     }
     bool decides_with(const Interface& other) const noexcept override {
       if constexpr (requires { algorithm.decides_with(algorithm); })
@@ -148,6 +159,8 @@ struct Avoider::Wrapped final : Avoider::Interface {
     inner.rng_ = before.inner.rng_;
   }
   const AlgorithmInfo& info() const override { return W::info; }
+  bool speaks() const override { return inner.speaks(); }
+  Speech speech() const override { return inner.speech(); }
 
   W wrapper;
   Avoider inner;

@@ -9,6 +9,7 @@
 #include "fairway/avoidance/inflate/inflate.hpp"
 #include "fairway/avoidance/orca2d/orca2d.hpp"
 #include "fairway/avoidance/orca3d/orca3d.hpp"
+#include "fairway/avoidance/pledge/pledge.hpp"
 #include "fairway/avoidance/rvo/rvo.hpp"
 #include "fairway/avoidance/safety_filter/safety_filter.hpp"
 #include "fairway/avoidance/stop_and_wait/stop_and_wait.hpp"
@@ -25,6 +26,7 @@ Catalog builtin_avoiders() {
       .add<Apf>()
       .add<Orca3d>()
       .add<Orca2d>()
+      .add<Pledge>()
       .add<Vo>()
       .add<Rvo>()
       .add<Hrvo>()

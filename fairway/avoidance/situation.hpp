@@ -14,6 +14,7 @@
 #include "fairway/core/onboard_model.hpp"
 #include "fairway/core/record.hpp"
 #include "fairway/core/shapes.hpp"
+#include "fairway/core/speech.hpp"
 #include "fairway/core/vec.hpp"
 
 namespace fairway {
@@ -78,6 +79,7 @@ struct Track {
 struct Goal {
   Vec3 position = Vec3::Zero();
   double cruise_speed{};
+  double arrival{};
   std::optional<Vec3> velocity;
 
   static consteval auto members() {
@@ -85,10 +87,20 @@ struct Goal {
     return std::tuple{
         member<&R::position>("m", "[m, NED]").required(),
         member<&R::cruise_speed>("mps", "[m/s]").not_negative(),
+        member<&R::arrival>("m", "this near to the position the mission has arrived [m]").not_negative(),
         member<&R::velocity>("mps",
                              "wanted instead of heading straight for the position [m/s, NED], or none"),
     };
   }
+};
+
+/// What the mission does meanwhile. A method that speaks is asked before it sets out, and after it has
+/// arrived.
+enum class Attendance : std::uint8_t {
+  under_way,  ///< the answer is carried out
+  waiting,    ///< at a rendezvous; the goal is the next one, and the answer is not carried out
+  ready,      ///< the same, where the mission goes on as soon as the answer is none to hold
+  arrived,    ///< held for ever; the answer is not carried out
 };
 
 /// All that an avoider may know at one instant. Immutable; the spans are valid only during the call
@@ -101,8 +113,10 @@ struct Situation {
   Limits limits;                        ///< `Avoider` holds every command to these
   const OnboardModel* model{nullptr};   ///< null where nothing is known of forces
   const Envelope* envelope{nullptr};    ///< null unless a method asks for it (`needs_envelope`)
+  const Link* link{nullptr};            ///< null unless the method speaks and has somebody to hear
   std::span<const Track> tracks;        ///< nearest first; equal ranges by id
   std::span<const Obstacle> obstacles;  ///< what does not move
+  Attendance attendance{};
 
   /// The velocity that ignores everyone: as the mission wants it, or straight to the goal, slowing
   /// down to stop on it; never above the speed limit. [m/s, NED]

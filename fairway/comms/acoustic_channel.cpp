@@ -116,6 +116,21 @@ std::span<const Message> AcousticChannel::heard_by(std::size_t receiver) const {
   return std::span{heard_}.subspan(receiver * vehicle_count_, vehicle_count_);
 }
 
+double AcousticChannel::turn_period() const {
+  const double interval = interval_ * period_;
+  if (!params_.slots) return interval;
+  const double cycle = static_cast<double>(slot_ticks_) * static_cast<double>(vehicle_count_) * period_;
+  return cycle * std::ceil(interval / cycle - 1e-9);
+}
+
+double AcousticChannel::next_turn(std::size_t vehicle, Tick now) const {
+  const double due = std::max(transmitters_[vehicle].due, static_cast<double>(count(now)) + 1.0);
+  if (!params_.slots) return due * period_;
+  const double slot = static_cast<double>(slot_ticks_), cycle = slot * static_cast<double>(vehicle_count_);
+  const double first = slot * static_cast<double>(vehicle);
+  return (first + cycle * std::ceil((due - instant - first) / cycle)) * period_;
+}
+
 void AcousticChannel::add_under_way(std::vector<MessageFlight>& flights) const {
   for (const Flight& flight : std::span{flights_}.first(under_way_)) {
     flights.push_back({.from = static_cast<std::uint32_t>(flight.from),
@@ -177,7 +192,7 @@ AcousticChannel::Leg AcousticChannel::leg(std::size_t from, std::size_t to,
 }
 
 Message AcousticChannel::told(const Message& message, Tick now) const {
-  if (!params_.quantised) return message;
+  if (!params_.quantised || !message.speech.empty()) return message;
   Message read = decode(encode(message, period_), now, period_);
   read.from = message.from;  // the modem's address says it in full
   return read;

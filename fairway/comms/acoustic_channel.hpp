@@ -97,6 +97,8 @@ class AcousticChannel {
   void pass_on(Tick now, const Mailbox& said, std::span<const Vec3> places);
   std::span<const Message> heard_by(std::size_t receiver) const;
   void add_under_way(std::vector<MessageFlight>& flights) const;
+  double turn_period() const;
+  double next_turn(std::size_t vehicle, Tick now) const;
 
   const AcousticParams& params() const { return params_; }
   const AcousticCounts& counts() const { return counts_; }

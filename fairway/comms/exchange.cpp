@@ -7,7 +7,7 @@ namespace fairway {
 
 Exchange::Exchange(std::string_view kind, const ParamValues& params, std::size_t vehicle_count, double period,
                    Rng rng)
-    : way_{way_of(kind, params, vehicle_count, period, rng)} {}
+    : period_{period}, way_{way_of(kind, params, vehicle_count, period, rng)} {}
 
 Exchange::Way Exchange::way_of(std::string_view kind, const ParamValues& params, std::size_t vehicle_count,
                                double period, const Rng& rng) {
@@ -31,6 +31,16 @@ std::span<const Message> Exchange::heard_by(std::size_t receiver, std::span<cons
 
 void Exchange::add_under_way(std::vector<MessageFlight>& flights) const {
   if (const auto* channel = std::get_if<AcousticChannel>(&way_)) channel->add_under_way(flights);
+}
+
+double Exchange::turn_period() const {
+  const auto* channel = std::get_if<AcousticChannel>(&way_);
+  return channel != nullptr ? channel->turn_period() : period_;
+}
+
+double Exchange::next_turn(std::size_t vehicle, Tick now) const {
+  const auto* channel = std::get_if<AcousticChannel>(&way_);
+  return channel != nullptr ? channel->next_turn(vehicle, now) : seconds(next(now), period_);
 }
 
 double Exchange::unforeseen_acceleration() const {

@@ -44,6 +44,11 @@ class Exchange {
   /// False if nobody ever hears anything.
   bool carries_anything() const { return !std::holds_alternative<Silence>(way_); }
 
+  /// From one turn of a vehicle to speak to its next [s], and when the next one after `now` begins [s]. Where
+  /// telling takes no time every tick is a turn.
+  double turn_period() const;
+  double next_turn(std::size_t vehicle, Tick now) const;
+
   /// Standard deviation of what a sender does to its velocity between messages, which no prediction knows
   /// [m/s2].
   double unforeseen_acceleration() const;
@@ -56,6 +61,7 @@ class Exchange {
   static Way way_of(std::string_view kind, const ParamValues& params, std::size_t vehicle_count,
                     double period, const Rng& rng);
 
+  double period_;
   Way way_;
 };
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fairway/core/ids.hpp"
+#include "fairway/core/speech.hpp"
 #include "fairway/core/tick.hpp"
 #include "fairway/core/vec.hpp"
 
@@ -21,6 +22,10 @@ struct Message {
   std::int32_t priority{};          ///< the smaller number has the right of way
   std::optional<Vec3> destination;  ///< [m, NED]
   bool told{true};                  ///< false: the vehicle keeps silent, and nothing of this is known
+  Speech speech{};                  ///< what its method says instead of all that, if anything
+
+  /// False of whoever keeps silent, or says something else.
+  bool tells_place() const { return told && speech.empty(); }
 };
 
 /// What every vehicle would say at one instant, by vehicle index.

@@ -23,6 +23,12 @@ Mission::Mission(std::vector<Leg> legs, double stuck_after)
   }
 }
 
+const Leg* Mission::next_transit() const {
+  for (std::size_t i = index_; i < legs_.size(); ++i)
+    if (legs_[i].kind == LegKind::transit) return &legs_[i];
+  return nullptr;
+}
+
 int Mission::rendezvous_reached() const {
   if (index_ >= past_last_rendezvous_) return std::numeric_limits<int>::max();
   return rendezvous_passed_ + (legs_[index_].kind == LegKind::rendezvous ? 1 : 0);

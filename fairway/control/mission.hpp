@@ -22,6 +22,9 @@ class Mission {
   const Leg* leg() const { return index_ < legs_.size() ? &legs_[index_] : nullptr; }
   Phase phase() const { return phase_; }
 
+  /// The next transit from the present leg on, or null.
+  const Leg* next_transit() const;
+
   /// Rendezvous reached so far, the one it waits at included; past the last one, any number.
   int rendezvous_reached() const;
 

@@ -17,7 +17,7 @@ Ownship Pilot::own_ship(const VehicleState& x, bool has_arrived) const noexcept 
 
 Situation Pilot::situation(double time, const Ownship& own, const Leg& leg, std::span<const Track> tracks,
                            std::span<const Obstacle> obstacles) const noexcept {
-  Goal goal{.position = leg.position, .cruise_speed = leg.speed_mps};
+  Goal goal{.position = leg.position, .cruise_speed = leg.speed_mps, .arrival = leg.arrival_m};
   if (leg.kind == LegKind::section) goal.velocity = follow_section(leg, own).velocity;
   return {.time = time,
           .period = period_,

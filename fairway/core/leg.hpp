@@ -48,6 +48,7 @@ struct Leg {
   Vec3 box_m = Vec3::Zero();     ///< arrival when |error| <= box on every axis (go_to, section)
   double arrival_m{1.0};         ///< arrival when the distance is at most this (transit; others if no box)
   double duration_s{0.0};        ///< keep_position
+  bool agreed{false};            ///< rendezvous: waits for the vehicle's method too
 };
 
 }  // namespace fairway

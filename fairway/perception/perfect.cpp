@@ -59,7 +59,7 @@ void add_heard(const Scene& scene, const Viewpoint& own, const Reach& reach, std
     const Message& message = scene.heard[i];
     const TrackId id{number(message.from)};
     const double distance2 = (place_of(message, scene) - own.estimate.p_n).squaredNorm();
-    if (message.told && id != self && distance2 <= reach.vehicles * reach.vehicles)
+    if (message.tells_place() && id != self && distance2 <= reach.vehicles * reach.vehicles)
       near.push_back({distance2, id, i});
   }
 }
@@ -72,7 +72,7 @@ void add_places(const Scene& scene, const Viewpoint& own, const Reach& reach, st
   if (own.most_tracks < places.size() && farthest > places.sure_reach(scene.own_index, here))
     farthest = math::fmin(farthest, places.reach_of(own.most_tracks, scene.own_index, here));
   places.visit_others(scene.own_index, here, farthest, [&](std::size_t i, double distance2) {
-    if (scene.heard_at_once && scene.heard[i].told) {
+    if (scene.heard_at_once && scene.heard[i].tells_place()) {
       near.push_back({distance2, TrackId{number(scene.heard[i].from)}, i});
     } else {
       near.push_back({distance2, scene.movers[i].id, scene.heard.size() + i});

@@ -46,7 +46,11 @@ const Kinds<Leg>& leg_kinds() {
         key("to_m", &Leg::position, vector(anywhere), "Where it ends [n, e, d].", Needed::yes), speed, box,
         arrival()},
        check_arrival},
-      {"rendezvous", "Hold until every vehicle has come to its own rendezvous.", {}, {}},
+      {"rendezvous",
+       "Hold until every vehicle has come to its own rendezvous.",
+       {key("agreed", &Leg::agreed, unless(false, flag()),
+            "And until the vehicle's method sets out, if it is one that speaks.")},
+       {}},
       {"transit", "Go to a place under the vehicle's avoider.", {position, speed, arrival()}, {}},
   };
   return table;

@@ -57,7 +57,8 @@ Message message_of(const Agent& agent, Tick now) {
           .radius = agent.ship().radius,
           .priority = agent.own.priority,
           .destination = going ? std::optional{leg->position} : std::nullopt,
-          .told = agent.cooperative};
+          .told = agent.cooperative,
+          .speech = agent.avoider.speech()};
 }
 
 Viewpoint viewpoint_of(const Agent& agent) {
@@ -301,7 +302,7 @@ void Simulation::sort_places() {
   const bool told_at_once = exchange_.carries_at_once();
   found_at_.update(agents_.size(), [&](std::size_t i) -> Vec3 {
     if (movers_[i].silent) return places_[i];
-    return told_at_once ? mailbox_[i].position : nowhere;
+    return told_at_once && mailbox_[i].tells_place() ? mailbox_[i].position : nowhere;
   });
 }
 
@@ -319,8 +320,8 @@ Scene Simulation::scene_of(std::size_t index) const {
 
 void Simulation::perceive(std::size_t index, Hand& hand) {
   Agent& agent = agents_[index];
-  const bool everyone_ready = rendezvous_reached_ >= agent.mission.rendezvous_reached();
-  if (time() >= agent.start_delay) agent.mission.advance(agent.own, time(), everyone_ready);
+  const bool is_free = !waits_for_method(agent) || agent.agrees;
+  if (time() >= agent.start_delay) agent.mission.advance(agent.own, time(), everyone_is_at(agent) && is_free);
   if (agent.lookout.has_sensor()) agent.lookout.sense(scene_of(index), viewpoint_of(agent));
   if (keeping_ && is_deciding(agent)) look_round(index, hand.near, kept_[index]);
 }

@@ -122,6 +122,8 @@ class Simulation {
 
   /// Whoever goes through parts of the fleet: what it finds, and memory to work in.
   struct Hand {
+    std::vector<Heard> heard;  // by whoever decides, of those who speak
+    Link link;
     Sight passing;  // of whoever decides alone, where none is kept
     Company company;
     std::vector<Near> near;
@@ -160,6 +162,10 @@ class Simulation {
     std::optional<BodyRequest> request;
   };
 
+  bool everyone_is_at(const Agent& agent) const;
+  static bool waits_for_method(const Agent& agent);
+  void attend(std::size_t index, Hand& hand);
+  void listen(std::size_t index, Hand& hand);
   bool is_deciding(const Agent& agent) const;
   bool joins(std::size_t index) const;
   void join(std::size_t index, Hand& hand);

@@ -29,6 +29,45 @@ Command Simulation::decided(std::size_t index, Hand& hand) {
   return ask(index, hand);
 }
 
+/// Whether all have come to the rendezvous that it has come to, or will come to next.
+bool Simulation::everyone_is_at(const Agent& agent) const {
+  return rendezvous_reached_ >= agent.mission.rendezvous_reached();
+}
+
+bool Simulation::waits_for_method(const Agent& agent) {
+  const Leg* leg = agent.mission.leg();
+  return leg != nullptr && leg->kind == LegKind::rendezvous && leg->agreed && agent.avoider.speaks();
+}
+
+/// Has a method that speaks hear and say what it will while nothing of what it decides is carried out.
+void Simulation::attend(std::size_t index, Hand& hand) {
+  Agent& agent = agents_[index];
+  const Phase phase = agent.mission.phase();
+  if (!agent.avoider.speaks() || !exchange_.carries_anything() ||
+      (phase != Phase::waiting && phase != Phase::arrived))
+    return;
+  const Leg here{.kind = LegKind::transit, .position = agent.own.position};
+  const Leg* leg = phase == Phase::waiting ? agent.mission.next_transit() : &here;
+  if (leg == nullptr) return;
+  listen(index, hand);
+  Situation shown = agent.pilot.situation(time(), agent.own, *leg, {}, obstacles_.fixed());
+  shown.link = &hand.link;
+  shown.attendance = phase == Phase::arrived                            ? Attendance::arrived
+                     : waits_for_method(agent) && everyone_is_at(agent) ? Attendance::ready
+                                                                        : Attendance::waiting;
+  agent.agrees = agent.avoider.decide(shown).mode != Mode::hold && shown.attendance == Attendance::ready;
+}
+
+/// What of all that was said has come in, and when its own turns are.
+void Simulation::listen(std::size_t index, Hand& hand) {
+  hand.heard.clear();
+  for (const Message& message : exchange_.heard_by(index, mailbox_)) {
+    if (message.told && !message.speech.empty() && message.from != agents_[index].ship().id)
+      hand.heard.push_back({message.from, seconds(message.sent, period_), message.speech});
+  }
+  hand.link = {hand.heard, exchange_.turn_period(), exchange_.next_turn(index, tick_)};
+}
+
 Situation Simulation::situation(std::size_t index) const { return situation(index, kept_[index]); }
 
 Situation Simulation::situation(std::size_t index, const Sight& sight) const {
@@ -38,7 +77,11 @@ Situation Simulation::situation(std::size_t index, const Sight& sight) const {
 
 Command Simulation::ask(std::size_t index, Hand& hand) {
   Agent& agent = agents_[index];
-  const Situation shown = situation(index, keeping_ ? kept_[index] : hand.passing);
+  Situation shown = situation(index, keeping_ ? kept_[index] : hand.passing);
+  if (agent.avoider.speaks() && exchange_.carries_anything()) {
+    listen(index, hand);
+    shown.link = &hand.link;
+  }
   const Order* order = order_of(index);
   Command command = order != nullptr ? *order->command
                                      : agent.avoider.decide(shown, showing_ ? &drawings_[index] : nullptr);
@@ -53,6 +96,7 @@ void Simulation::decide(std::size_t index, Hand& hand) {
   drawings_[index].clear();
   if (deciding && joins(index)) return join(index, hand);
   if (!deciding) {
+    attend(index, hand);
     obey(agent, decided(index, hand));
     return agent.pilot.ask_at_once();
   }

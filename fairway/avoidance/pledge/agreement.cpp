@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/avoidance/pledge/agreement.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fairway::pledge {
+namespace {
+
+constexpr double codes_a_second = 1200.0;  // of the search
+constexpr double silent_turns = 3.0;       // after so many the next member may propose
+constexpr double least_patience =
+    1.1;  // turns from the word of a plan to its start, in which everybody speaks
+constexpr double most_patience = 9.0;
+
+std::uint8_t epoch_of(int round, std::size_t author) {
+  return static_cast<std::uint8_t>(round << 3U | author);
+}
+int round_of(std::uint8_t epoch) { return epoch >> 3U; }
+constexpr int most_rounds = 31;
+
+}  // namespace
+
+void Agreement::hold(const Member& member) noexcept {
+  const std::uint8_t version =
+      known_[self_] ? static_cast<std::uint8_t>((members_[self_].version + 1) % 16) : 0;
+  members_[self_] = as_told(member, terms_.datum);
+  members_[self_].version = version;
+  known_.set(self_);
+  heard_by_ = {};
+  status_ = statuses_[self_] = Status::held;
+}
+
+void Agreement::arrive(const Vec3& place) noexcept {
+  Member member = members_[self_];
+  member.anchor = place;
+  hold(member);
+  status_ = statuses_[self_] = Status::arrived;
+}
+
+void Agreement::hear(const Speech& speech, double now) noexcept {
+  const std::optional<Word> word = decode(speech, terms_.datum, now);
+  if (!word) return;
+  const auto& header = std::visit([](const auto& w) -> const Header& { return w.header; }, *word);
+  if (header.sender >= terms_.count || header.sender == self_ || header.sent > now + 1.0 ||
+      header.sent <= last_heard_[header.sender])
+    return;
+  if (const auto* state = std::get_if<StateWord>(&*word)) {
+    members_[header.sender] = state->member;
+    known_.set(header.sender);
+  } else {
+    learn(std::get<PlanWord>(*word));
+  }
+  learn(header);
+}
+
+void Agreement::learn(const Header& header) noexcept {
+  const std::size_t from = header.sender;
+  last_heard_[from] = header.sent;
+  statuses_[from] = header.status;
+  heard_by_[from] = header.heard;
+  newest_epoch_ = std::max(newest_epoch_, header.epoch);
+  if (header.epoch == plan_.epoch) {
+    acknowledged_ |= header.acknowledged;
+    departed_ |= header.departed;
+    left_ |= header.departed;
+  }
+  if (header.status != Status::held && header.sent > plan_.start) left_.set(from);
+}
+
+void Agreement::learn(const PlanWord& word) noexcept {
+  if (word.plan.epoch <= plan_.epoch) return;
+  plan_ = word.plan;
+  acknowledged_ = departed_ = {};
+  search_.reset();
+}
+
+void Agreement::go_on(double now, double period, const Link& link, double patience) noexcept {
+  stop_at_gate(now);
+  acknowledge(now);
+  depart(now);
+  propose(now, period, link, patience);
+}
+
+/// Those who are placed by the plan, own ship not among them.
+Clearance Agreement::scene_of(const Plan& plan) const noexcept {
+  Clearance scene{members_, plan.participants, terms_.tubes, plan.start};
+  const std::array<Reference, most_members> others = ways_of_others();
+  for (std::size_t i = 0; i < terms_.count; ++i) {
+    if (i == self_) continue;
+    if (plan.participants[i]) {
+      scene.place(i, reference_of(members_[i], plan, plan.codes[i]));
+    } else if (!others[i].knots().empty()) {
+      scene.place(i, others[i]);
+    }
+  }
+  return scene;
+}
+
+/// Rules 1 and 2.
+void Agreement::acknowledge(double now) noexcept {
+  if (plan_.epoch <= std::max(acknowledged_epoch_, refused_epoch_) || !is_pending(now)) return;
+  const bool knows_them = (plan_.participants & ~known_).none() &&
+                          digest_of(members_, plan_.participants, terms_.datum) == plan_.digest;
+  if (!knows_them || status_ == Status::arrived) return;
+  if (!is_clear()) {
+    refused_epoch_ = plan_.epoch;
+    return;
+  }
+  acknowledged_epoch_ = plan_.epoch;
+  acknowledged_.set(self_);
+}
+
+/// Whether all that own ship may do is clear of the plan. Who is moving may have to promise to stop at its
+/// next gate for that.
+bool Agreement::is_clear() noexcept {
+  const Clearance scene = scene_of(plan_);
+  if (plan_.participants[self_])
+    return status_ == Status::held &&
+           scene.accepts(self_, reference_of(members_[self_], plan_, plan_.codes[self_]));
+  if (status_ == Status::held) return scene.accepts(self_, Reference{members_[self_].anchor});
+  if (scene.accepts(self_, way_)) return true;
+  const double gate = next_gate();
+  if (gate == never || !scene.accepts(self_, way_.until(gate))) return false;
+  way_ = way_.until(gate);
+  return true;
+}
+
+/// Rule 3.
+void Agreement::depart(double now) noexcept {
+  if (status_ != Status::held || plan_.epoch == 0 || now < plan_.start ||
+      acknowledged_epoch_ != plan_.epoch || !plan_.participants[self_])
+    return;
+  acknowledged_epoch_ =
+      static_cast<std::uint8_t>(plan_.epoch | 7U);  // none of this round any more, whatever comes
+  Members needed = everyone();
+  for (std::size_t i = 0; i < terms_.count; ++i)
+    if (statuses_[i] == Status::arrived) needed.reset(i);
+  if ((needed & ~acknowledged_).any()) {
+    ++attempts_;
+    return;
+  }
+  Clearance scene = scene_of(plan_);
+  way_ = reference_of(members_[self_], plan_, plan_.codes[self_]);
+  scene.place(self_, way_);
+  for (std::size_t i = 0; i < most_members; ++i) gates_[i] = scene.gate(self_, i);
+  left_ = departed_;
+  departed_.set(self_);
+  status_ = statuses_[self_] = Status::moving;
+  attempts_ = 0;
+}
+
+double Agreement::next_gate() const noexcept {
+  double next = never;
+  for (std::size_t i = 0; i < terms_.count; ++i)
+    if (!left_[i]) next = std::min(next, gates_[i]);
+  return next;
+}
+
+/// Rule 4.
+void Agreement::stop_at_gate(double now) noexcept {
+  if (status_ != Status::moving) return;
+  const bool leads_there = first_within(way_, members_[self_].destination, members_[self_].arrival) < never;
+  const double stops = leads_there ? next_gate() : std::min(next_gate(), way_.end());
+  if (now < stops) return;
+  Member member = members_[self_];
+  member.anchor = way_.at(stops);
+  hold(member);
+}
+
+Members Agreement::held() const noexcept {
+  Members all;
+  for (std::size_t i = 0; i < terms_.count; ++i)
+    // of those who departed by the plan, only who has said since that it is held again
+    if (known_[i] && statuses_[i] == Status::held &&
+        (i == self_ || !departed_[i] || last_heard_[i] > plan_.start))
+      all.set(i);
+  return all;
+}
+
+std::array<Reference, most_members> Agreement::ways_of_others() const noexcept {
+  std::array<Reference, most_members> ways;
+  for (std::size_t i = 0; i < terms_.count; ++i) {
+    if (i != self_ && known_[i] && (statuses_[i] == Status::arrived || statuses_[i] == Status::lost))
+      ways[i] = Reference{members_[i].anchor};
+  }
+  return ways;
+}
+
+/// The smallest of the held that is not silent.
+bool Agreement::is_coordinator(double now, double turn_period) const noexcept {
+  const Members waiting = held();
+  for (std::size_t i = 0; i < self_; ++i)
+    if (waiting[i] && now - last_heard_[i] < silent_turns * turn_period) return false;
+  return true;
+}
+
+void Agreement::propose(double now, double period, const Link& link, double patience) noexcept {
+  const bool is_settling = plan_.epoch != 0 && now < plan_.start + link.turn_period;
+  if (status_ != Status::held || is_settling || known_ != everyone() ||
+      round_of(newest_epoch_) >= most_rounds || !is_coordinator(now, link.turn_period)) {
+    search_.reset();
+    return;
+  }
+  if (!search_) search_.emplace(members_, held(), ways_of_others(), terms_, searches_++);
+  if (!search_->go_on(static_cast<int>(std::ceil(codes_a_second * period)))) return;
+  if (search_->found()) {
+    const double turns = std::min(least_patience + patience + attempts_, most_patience);
+    plan_ = search_->best();
+    plan_.start = 0.1 * std::ceil(10.0 * (std::max(link.next_turn, now) + turns * link.turn_period));
+    plan_.epoch = epoch_of(round_of(newest_epoch_) + 1, self_);
+    plan_.digest = digest_of(members_, plan_.participants, terms_.datum);
+    newest_epoch_ = plan_.epoch;
+    acknowledged_ = departed_ = {};
+    acknowledge(now);
+  }
+  search_.reset();
+}
+
+Speech Agreement::say(double now, double turn_period) const noexcept {
+  const Header header{.sender = static_cast<std::uint8_t>(self_),
+                      .epoch = plan_.epoch,
+                      .sent = now,
+                      .status = status_,
+                      .acknowledged = acknowledged_,
+                      .departed = departed_,
+                      .heard = known_};
+  const bool tells_plan = is_pending(now) || (status_ == Status::moving && plan_.epoch != 0);
+  Members without_me;
+  for (std::size_t i = 0; i < terms_.count; ++i)
+    if (i != self_ && !heard_by_[i][self_]) without_me.set(i);
+  const bool is_odd_turn = std::fmod(std::floor(now / turn_period), 2.0) != 0.0;
+  if (tells_plan && (without_me.none() || is_odd_turn)) return encode(PlanWord{header, plan_}, terms_.datum);
+  return encode(StateWord{header, members_[self_]}, terms_.datum);
+}
+
+std::string_view Agreement::reason(double now) const noexcept {
+  if (status_ == Status::moving) return "goes by a plan that everybody has acknowledged";
+  if (status_ == Status::arrived) return "has arrived, and is held for ever";
+  if (known_ != everyone()) return "waits for the state of another member";
+  if (search_) return "looks for a plan";
+  if (is_pending(now))
+    return acknowledged_[self_] ? "waits for acknowledgements, and for the start"
+                                : "cannot acknowledge the plan";
+  return "waits for a plan";
+}
+
+}  // namespace fairway::pledge

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string_view>
+
+#include "fairway/avoidance/pledge/search.hpp"
+
+namespace fairway::pledge {
+
+/// One member's part of an agreement. It is held at its anchor until it has a plan that every member has
+/// acknowledged, and then keeps to its reference. The rules, on which the safety argument of the README
+/// rests:
+///
+/// 1. Acknowledgements go upwards: a member acknowledges no plan that is older than one that it has
+///    acknowledged before, and none whose start has passed.
+/// 2. It acknowledges a plan only if what it may do itself, whether or not it departs, is clear of what
+///    everybody does by the plan.
+/// 3. It departs at the plan's start, if by then it knows that every member has acknowledged, and if it has
+///    acknowledged no newer one. Otherwise it stays where it is, for ever or until another plan.
+/// 4. It passes a gate only if it knows that the one who stood there has departed; or else it stops there,
+///    and that is its anchor from then on.
+///
+/// Nothing here depends on when a word arrives, or whether. A value; nothing allocates or throws.
+class Agreement {
+ public:
+  Agreement() = default;
+  Agreement(std::size_t self, const Terms& terms) noexcept : self_{self}, terms_{terms} {}
+
+  /// Own ship is held at an anchor, to go to a destination. To be called once, before anything else.
+  void hold(const Member& member) noexcept;
+
+  /// A word that came in. What it says is believed if it was made by a member.
+  void hear(const Speech& speech, double now) noexcept;
+
+  /// Acknowledges, proposes, departs and stops as the rules say. To be called at every decision, `period` [s]
+  /// apart. `patience` is how many turns more than the least it gives acknowledgements to come in.
+  void go_on(double now, double period, const Link& link, double patience) noexcept;
+
+  /// Own ship is within its arrival of its destination, and stays at `place`.
+  void arrive(const Vec3& place) noexcept;
+
+  /// What to say in a turn at `now`.
+  Speech say(double now, double turn_period) const noexcept;
+
+  Status status() const { return status_; }
+  /// Own reference; null while it is held.
+  const Reference* way() const { return status_ == Status::moving ? &way_ : nullptr; }
+  const Member& member(std::size_t i) const { return members_[i]; }
+  const Plan& plan() const { return plan_; }
+  Members acknowledged() const { return acknowledged_; }
+  Members known() const { return known_; }
+  /// What it waits for, in a few words.
+  std::string_view reason(double now) const noexcept;
+
+ private:
+  static constexpr std::array<double, most_members> not_yet() {
+    std::array<double, most_members> times{};
+    times.fill(-std::numeric_limits<double>::infinity());
+    return times;
+  }
+
+  void learn(const Header& header) noexcept;
+  void learn(const PlanWord& word) noexcept;
+  void acknowledge(double now) noexcept;
+  void depart(double now) noexcept;
+  void stop_at_gate(double now) noexcept;
+  bool is_clear() noexcept;
+  void propose(double now, double period, const Link& link, double patience) noexcept;
+  bool is_coordinator(double now, double turn_period) const noexcept;
+  Members held() const noexcept;
+  std::array<Reference, most_members> ways_of_others() const noexcept;
+  Clearance scene_of(const Plan& plan) const noexcept;
+  double next_gate() const noexcept;
+  Members everyone() const noexcept { return Members{(1U << terms_.count) - 1U}; }
+  bool is_pending(double now) const noexcept { return plan_.epoch != 0 && now < plan_.start; }
+
+  std::size_t self_{};
+  Terms terms_{};
+  Status status_{Status::held};
+
+  // of everybody
+  std::array<Member, most_members> members_{};
+  Members known_{};                                          ///< whose states have been heard
+  std::array<Status, most_members> statuses_{};              ///< as last heard
+  std::array<double, most_members> last_heard_ = not_yet();  ///< when what was heard last was said [s]
+  std::array<Members, most_members> heard_by_{};             ///< whose states each of them has
+  std::uint8_t newest_epoch_{};                              ///< that anybody has spoken of
+
+  // the newest plan
+  Plan plan_{};
+  Members acknowledged_{};
+  Members departed_{};
+  std::uint8_t acknowledged_epoch_{};  ///< the newest that own ship has acknowledged
+  std::uint8_t refused_epoch_{};       ///< the newest that it has looked at and not acknowledged
+  int attempts_{};                     ///< plans that came to nothing
+
+  // own way
+  Reference way_{};
+  std::array<double, most_members> gates_{};  ///< by whom it has to know departed [s]
+  Members left_{};                            ///< who is known to have left the anchor that a gate is about
+
+  // a search under way
+  std::size_t searches_{0};  ///< that own ship has made
+  std::optional<Search> search_;
+};
+
+}  // namespace fairway::pledge

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+// The claims of README.md, over patterns of loss: all of them in small models, many at random in large ones.
+#include "fairway/avoidance/pledge/agreement.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <vector>
+
+#include "fairway/core/rng.hpp"
+
+namespace fairway::pledge {
+namespace {
+
+constexpr double step = 0.2;
+
+/// Members that keep to their references exactly, and a modem whose words get lost.
+struct Fleet {
+  std::vector<Agreement> members;
+  std::vector<Vec3> places;
+  double turn_period{};
+  double time{0.0};
+  double least{never};  ///< between two of them, so far
+
+  Fleet(const std::vector<Member>& all, double period) : turn_period{period} {
+    const Terms terms{.count = all.size(), .tubes = {.radius = 1.0, .told = 0.1}};
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      members.emplace_back(i, terms).hold(all[i]);
+      places.push_back(members[i].member(i).anchor);
+    }
+  }
+
+  double turn(std::size_t i, double after) const {
+    const double first = turn_period * static_cast<double>(i) / static_cast<double>(members.size());
+    return first + turn_period * std::ceil((after - first) / turn_period + 1e-9);
+  }
+
+  bool has_turn(std::size_t i) const { return turn(i, time - step) <= time + 1e-9; }
+
+  /// `gets_through(from, to)` says of each word whether it is heard.
+  void go_on(const std::function<bool(std::size_t, std::size_t)>& gets_through) {
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      if (!has_turn(i)) continue;
+      const Speech word = members[i].say(time, turn_period);
+      for (std::size_t j = 0; j < members.size(); ++j)
+        if (j != i && gets_through(i, j)) members[j].hear(word, time);
+    }
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      members[i].go_on(time, step, {{}, turn_period, turn(i, time)}, 0.0);
+      if (const Reference* way = members[i].way()) {
+        places[i] = way->at(time);
+        const Member& m = members[i].member(i);
+        if ((places[i] - m.destination).norm() <= m.arrival) members[i].arrive(places[i]);
+      }
+    }
+    for (std::size_t i = 0; i < members.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) least = std::min(least, (places[i] - places[j]).norm());
+    time += step;
+  }
+
+  bool is_done() const {
+    return std::ranges::all_of(members, [](const Agreement& m) { return m.status() == Status::arrived; });
+  }
+};
+
+Member crossing(const Vec3& from, const Vec3& to) {
+  return {.anchor = from,
+          .destination = to,
+          .arrival = 3.0,
+          .radius = 1.5,
+          .speed = 0.45,
+          .climb = 0.22,
+          .descent = 0.28,
+          .turn = 5.0};
+}
+
+std::vector<Member> three_in_a_plane() {
+  std::vector<Member> all;
+  for (int i = 0; i < 3; ++i) {
+    const double bearing = 2.0943951023931953 * i;
+    const Vec3 from{10.0 * std::cos(bearing), 10.0 * std::sin(bearing), 5.0};
+    all.push_back(crossing(from, {-from.x(), -from.y(), 5.0}));
+  }
+  return all;
+}
+
+std::vector<Member> cube(Rng& rng) {
+  std::vector<Member> all;
+  for (const auto& [n, e, upper] : {std::tuple{1, 1, true}, {-1, -1, true}, {1, -1, false}, {-1, 1, false},
+                                    {-1, -1, false}, {1, 1, false}, {-1, 1, true}, {1, -1, true}}) {
+    const auto out = [&] { return upper ? rng.uniform(5, 6.5) : rng.uniform(8.5, 10); };
+    all.push_back(crossing({n * out(), e * out(), upper ? rng.uniform(0, 0.5) : 15.0},
+                           {-10.0 * n, -10.0 * e, upper ? 20.0 : 0.0}));
+  }
+  return all;
+}
+
+TEST(Agreement, OfThreeNeverBringsTwoTogetherWhateverIsLostInTheTurnsThatDecide) {
+  // a clean start, so that all know all; from the proposal on every pattern of ten words lost or heard,
+  // and nothing is heard after them for a while
+  std::vector<Fleet> starts;
+  Fleet begins{three_in_a_plane(), 3.0};
+  while (begins.members[0].plan().epoch == 0 && begins.time < 60.0)
+    begins.go_on([](std::size_t, std::size_t) { return true; });
+  ASSERT_NE(begins.members[0].plan().epoch, 0) << "a plan was found";
+  constexpr unsigned words = 10;
+  int all_departed = 0, some_departed = 0;
+  for (unsigned pattern = 0; pattern < 1U << words; ++pattern) {
+    Fleet fleet = begins;
+    unsigned word = 0;
+    const auto by_pattern = [&](std::size_t, std::size_t) {
+      const bool heard = word >= words || ((pattern >> word) & 1U) != 0;
+      ++word;
+      return heard;
+    };
+    const auto silence = [](std::size_t, std::size_t) { return false; };
+    while (word < words) fleet.go_on(by_pattern);
+    for (int i = 0; i < 350; ++i) fleet.go_on(silence);
+    ASSERT_GE(fleet.least, 3.0 + 2.0) << pattern;
+    const auto moved = std::ranges::count_if(
+        fleet.members, [](const Agreement& m) { return m.status() != Status::held || m.member(0).version > 0; });
+    all_departed += moved == 3 ? 1 : 0;
+    some_departed += moved > 0 && moved < 3 ? 1 : 0;
+  }
+  EXPECT_GT(all_departed, 0);
+  EXPECT_GT(some_departed, 0) << "patterns that divide the group are among them";
+}
+
+TEST(Agreement, OfEightKeepsClearAndComesToItsEndAtAnyLoss) {
+  for (const double loss : {0.0, 0.1, 0.5}) {
+    double sum = 0.0;
+    constexpr int seeds = 6;
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+      Rng rng = Rng{seed}.stream("fleet");
+      Fleet fleet{cube(rng), 3.2};
+      while (!fleet.is_done() && fleet.time < 2000.0)
+        fleet.go_on([&](std::size_t, std::size_t) { return rng.uniform(0, 1) >= loss; });
+      EXPECT_TRUE(fleet.is_done()) << "loss " << loss << ", seed " << seed;
+      EXPECT_GE(fleet.least, 3.0 + 1.5) << "loss " << loss << ", seed " << seed;
+      sum += fleet.time;
+    }
+    if (loss == 0.0) {
+      EXPECT_LT(sum / seeds, 95.0);
+    }
+  }
+}
+
+TEST(Agreement, NobodyMovesWhileOneIsSilent) {
+  Rng rng = Rng{1}.stream("fleet");
+  Fleet fleet{cube(rng), 3.2};
+  for (int i = 0; i < 3000; ++i) fleet.go_on([](std::size_t from, std::size_t) { return from != 5; });
+  for (const Agreement& member : fleet.members) EXPECT_EQ(member.status(), Status::held);
+}
+
+TEST(Agreement, IsTheSameWheneverItIsCopied) {
+  Rng rng = Rng{2}.stream("fleet");
+  Fleet fleet{cube(rng), 3.2};
+  const auto always = [](std::size_t, std::size_t) { return true; };
+  for (int i = 0; i < 60; ++i) fleet.go_on(always);
+  Fleet copy = fleet;
+  for (int i = 0; i < 400; ++i) {
+    fleet.go_on(always);
+    copy.go_on(always);
+  }
+  EXPECT_EQ(fleet.places, copy.places);
+}
+
+}  // namespace
+}  // namespace fairway::pledge

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "fairway/avoidance/pledge/reference.hpp"
+
+namespace fairway::pledge {
+
+/// How far members may be off what they promised [m].
+struct Tubes {
+  double radius{};  ///< from the reference at its time, or from the anchor
+  double told{};    ///< of all that is rounded, and of clocks that differ, for a pair
+};
+
+/// Members with the references that they have been given, and whether these keep clear of each other whatever
+/// words are lost:
+///
+/// - V1: two references are never closer than both radii, both tubes and what is told roughly;
+/// - V2: a reference keeps as clear of every other anchor until its gate, the instant before which the member
+///   has to know that the other has departed, or else stops there;
+/// - V3: wherever a gate may stop a member, or it may have arrived, it is clear of all other references from
+///   then on.
+class Clearance {
+ public:
+  Clearance() = default;
+  Clearance(const std::array<Member, most_members>& members, const Members& participants, const Tubes& tubes,
+            double start)
+      : members_{members}, participants_{participants}, tubes_{tubes}, start_{start} {}
+
+  /// Whether the member may go so, as far as the others that have been placed are concerned. O(placed^2
+  /// knots) at worst, O(placed knots) where few gates bind.
+  bool accepts(std::size_t member, const Reference& reference) const noexcept;
+
+  void place(std::size_t member, const Reference& reference) noexcept;
+  void take_away(std::size_t member) noexcept { placed_.reset(member); }
+
+  const Members& placed() const { return placed_; }
+  const Reference& reference(std::size_t member) const { return references_[member]; }
+
+  /// When the member has to know that the other has departed [s]; infinity where it never comes near.
+  double gate(std::size_t member, std::size_t other) const noexcept { return gates_[member][other]; }
+
+ private:
+  using Gates = std::array<double, most_members>;
+
+  /// A place where a member may stay for ever from a time on.
+  struct Stop {
+    double time{};
+    Vec3 place = Vec3::Zero();
+  };
+  struct Stops {
+    std::array<Stop, most_members + 2> all{};
+    std::size_t count{0};
+    void add(double time, const Vec3& place) noexcept { all[count++] = {time, place}; }
+  };
+
+  double apart(std::size_t a, std::size_t b) const noexcept;
+  Gates gates_of(std::size_t member, const Reference& reference) const noexcept;
+  Stops stops_of(std::size_t member, const Reference& reference, const Gates& gates) const noexcept;
+  bool are_clear(std::size_t member, const Stops& stops, std::size_t other,
+                 const Reference& of_other) const noexcept;
+
+  std::array<Member, most_members> members_{};
+  Members participants_{};
+  Tubes tubes_{};
+  double start_{};
+  Members placed_{};
+  std::array<Reference, most_members> references_{};
+  std::array<Gates, most_members> gates_{};
+  std::array<Stops, most_members> stops_{};
+};
+
+}  // namespace fairway::pledge

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "fairway/avoidance/algorithm.hpp"
+#include "fairway/avoidance/pledge/agreement.hpp"
+
+namespace fairway {
+
+/// Acknowledged commitments over a modem: a group of up to eight stays where it is until a plan for all has
+/// every member's acknowledgement, and then each keeps to its reference in a tube. What is lost on the way
+/// delays it, and never brings two together (README.md, whose claims are the rules of `Agreement`). It avoids
+/// nobody outside its group. A decision is O(knots), and while a plan is sought 0.2 ms more.
+struct Pledge {
+  static constexpr AlgorithmInfo info{
+      .name = "pledge",
+      .title = "Acknowledged commitments: no collision, whatever the modem loses",
+      .source = "ours",
+      .isotropic = false,
+      .handed = true,
+      .ignores_obstacles = true,
+      .ignores_movers = true,
+      .needs_envelope = true,
+  };
+
+  struct Params {
+    int team_count = 8;
+    double tube_m = 1.0;
+    double speed_ratio = 0.95;
+    double gain_hz = 0.3;
+    double patience_count = 3.0;
+    double datum_north_m = 0.0;
+    double datum_east_m = 0.0;
+
+    static consteval auto fields() {
+      using P = Params;
+      return std::tuple{
+          field<&P::team_count>({2, 8}, "members of the group, whose ids are 0 to one less"),
+          field<&P::tube_m>({0.05, 100}, "a member is never farther than this from its promised place"),
+          field<&P::speed_ratio>({0.1, 1}, "of its greatest speed at which a member plans to go"),
+          field<&P::gain_hz>({0, 10}, "speed by which it returns to its reference, for each metre off it"),
+          field<&P::patience_count>(
+              {0, 20},
+              "turns more than the least that acknowledgements are waited for, where the "
+              "clock has not begun"),
+          field<&P::datum_north_m>({-1e6, 1e6}, "to which places are told; the same for all"),
+          field<&P::datum_east_m>({-1e6, 1e6}, "likewise"),
+      };
+    }
+  };
+
+  struct Memory {
+    bool begun{false};
+    double turn_period{};
+    double time{};
+    pledge::Agreement agreement{};
+  };
+
+  Params params;
+
+  Command decide(const Situation& s, Memory& memory, Context& context) const noexcept;
+  Speech speech(const Memory& memory) const noexcept;
+};
+
+static_assert(AvoidanceAlgorithm<Pledge>);
+static_assert(Speaks<Pledge>);
+
+}  // namespace fairway

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/avoidance/pledge/reference.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "fairway/core/math.hpp"
+
+namespace fairway::pledge {
+namespace {
+
+// of a ring, by one straight piece at most [rad]
+constexpr double piece = std::numbers::pi / 9.0;
+// within it of the destination a member may end, beyond what it is off its way when it arrives [m]
+constexpr double surely = 0.8;
+
+/// A horizontal way of straight pieces with the length up to each of its corners.
+struct Line {
+  std::array<Vec2, 24> corners{};
+  std::array<double, 24> upto{};
+  std::size_t count{0};
+
+  void add(const Vec2& corner) {
+    if (count == corners.size()) return;
+    corners[count] = corner;
+    upto[count] = count == 0 ? 0.0 : upto[count - 1] + (corner - corners[count - 1]).norm();
+    ++count;
+  }
+  double length() const { return upto[count - 1]; }
+
+  Vec2 at(double way) const {
+    std::size_t i = 1;
+    while (i + 1 < count && upto[i] < way) ++i;
+    if (count < 2 || upto[i] <= upto[i - 1]) return corners[count < 2 ? 0 : i];
+    const double share = std::clamp((way - upto[i - 1]) / (upto[i] - upto[i - 1]), 0.0, 1.0);
+    return corners[i - 1] + share * (corners[i] - corners[i - 1]);
+  }
+};
+
+/// Where on the ring the way from `from` meets it, as a bearing from the centre: by a tangent, or from within
+/// straight outwards. `side` is 1 if the ring is gone round with the centre to starboard.
+double contact(const Vec2& from, const Vec2& centre, double radius, double side) {
+  const Vec2 out = from - centre;
+  return math::atan2(out.y(), out.x()) +
+         side * math::acos(std::min(radius / math::fmax(out.norm(), 1e-9), 1.0));
+}
+
+/// Straight on, or by a ring; straight too where that stays clear of the ring on the side on which it is
+/// passed.
+Line line_of(const Vec2& from, const Vec2& to, const Plan& plan, double radius) {
+  Line line;
+  line.add(from);
+  const double side = plan.to_port ? -1.0 : 1.0;
+  if (radius > 0.0) {
+    // with the centre to starboard bearings from it grow
+    const double begins = contact(from, plan.centre, radius, side);
+    const double ends = contact(to, plan.centre, radius, -side);
+    double swept = side * (ends - begins);
+    swept -= 2.0 * std::numbers::pi * std::floor(swept / (2.0 * std::numbers::pi));
+    if (swept < 1.5 * std::numbers::pi) {
+      const int pieces = static_cast<int>(std::floor(swept / piece)) + 1;
+      for (int i = 0; i <= pieces; ++i)
+        line.add(plan.centre + radius * unit_at(begins + side * swept * (static_cast<double>(i) / pieces)));
+    }
+  }
+  line.add(to);
+  return line;
+}
+
+/// Up to where it is as near to the place as it needs to be.
+Reference ended_near(const Reference& whole, const Vec3& place, double distance) {
+  const double time = first_within(whole, place, distance);
+  return time < whole.end() ? whole.until(time) : whole;
+}
+
+/// When two that move evenly for `duration` are first within `distance`, from now; never if never.
+double time_within(const Vec3& apart, const Vec3& velocity, double duration, double distance) {
+  const double a = velocity.squaredNorm(), b = apart.dot(velocity);
+  const double c = apart.squaredNorm() - distance * distance;
+  if (c <= 0.0) return 0.0;
+  const double under = b * b - a * c;
+  if (a <= 0.0 || b >= 0.0 || under < 0.0) return never;
+  const double time = (-b - std::sqrt(under)) / a;
+  return time <= duration ? time : never;
+}
+
+/// The place at a time, where `after` is the number of the first knot behind it.
+Vec3 between(std::span<const Knot> knots, std::size_t after, double time) {
+  if (after == 0) return knots.front().position;
+  if (after == knots.size()) return knots.back().position;
+  const Knot &a = knots[after - 1], &b = knots[after];
+  return a.position + ((time - a.time) / (b.time - a.time)) * (b.position - a.position);
+}
+
+}  // namespace
+
+Vec3 Reference::at(double time) const noexcept {
+  std::size_t after = 0;
+  while (after < count_ && knots_[after].time <= time) ++after;
+  return between(knots(), after, time);
+}
+
+Vec3 Reference::velocity(double time) const noexcept {
+  const std::span<const Knot> all = knots();
+  for (std::size_t i = 1; i < all.size(); ++i) {
+    if (time >= all[i - 1].time && time < all[i].time)
+      return (all[i].position - all[i - 1].position) / (all[i].time - all[i - 1].time);
+  }
+  return Vec3::Zero();
+}
+
+Reference Reference::until(double time) const noexcept {
+  Reference shorter;
+  for (const Knot& knot : knots()) {
+    if (knot.time < time) shorter.add(knot);
+  }
+  shorter.add({time, at(time)});
+  return shorter;
+}
+
+Reference reference_of(const Member& member, const Plan& plan, const Code& code) noexcept {
+  const Vec2 from = member.anchor.head<2>(), to = member.destination.head<2>();
+  const Line line = line_of(from, to, plan, ring_radius[code.ring]);
+  const double leaves = plan.start + delay_step * code.delay;
+  const double speed = math::fmax(member.speed, 0.01);
+  const double down = member.destination.z() - member.anchor.z();
+  const double rate = math::fmax(down > 0.0 ? member.descent : member.climb, 0.01);
+  const double along = member.turn + line.length() / speed, vertical = std::fabs(down) / rate;
+  const double dives = leaves + math::fmax(along - vertical, 0.0) * code.dive / 3.0;
+
+  std::array<double, Reference::most_knots> times{};
+  std::size_t count = 0;
+  const auto mark = [&](double time) {
+    if (count < times.size()) times[count++] = time;
+  };
+  mark(leaves);
+  mark(dives);
+  mark(dives + vertical);
+  for (std::size_t i = 0; i < line.count; ++i) mark(leaves + member.turn + line.upto[i] / speed);
+  std::sort(times.begin(), times.begin() + static_cast<std::ptrdiff_t>(count));
+
+  Reference whole;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i > 0 && times[i] <= times[i - 1]) continue;
+    const Vec2 place = line.at((times[i] - leaves - member.turn) * speed);
+    const double share = vertical > 0.0 ? std::clamp((times[i] - dives) / vertical, 0.0, 1.0) : 1.0;
+    whole.add({times[i], {place.x(), place.y(), member.anchor.z() + share * down}});
+  }
+  return ended_near(whole, member.destination, math::fmax(member.arrival - surely, 0.0));
+}
+
+double least_distance(const Reference& a, const Reference& b, double from) noexcept {
+  double least = never;
+  double begins = from;
+  std::size_t i = 0, j = 0;
+  const std::span<const Knot> of_a = a.knots(), of_b = b.knots();
+  for (;;) {
+    while (i < of_a.size() && of_a[i].time <= begins) ++i;
+    while (j < of_b.size() && of_b[j].time <= begins) ++j;
+    const Vec3 apart = between(of_a, i, begins) - between(of_b, j, begins);
+    const double ends =
+        std::min(i < of_a.size() ? of_a[i].time : never, j < of_b.size() ? of_b[j].time : never);
+    if (ends == never) return std::min(least, apart.norm());
+    const Vec3 change = between(of_a, i, ends) - between(of_b, j, ends) - apart;
+    const double square = change.squaredNorm();
+    const double share = square > 0.0 ? std::clamp(-apart.dot(change) / square, 0.0, 1.0) : 0.0;
+    least = std::min(least, (apart + share * change).norm());
+    begins = ends;
+  }
+}
+
+double first_within(const Reference& reference, const Vec3& place, double distance) noexcept {
+  const std::span<const Knot> all = reference.knots();
+  for (std::size_t i = 0; i + 1 < all.size(); ++i) {
+    const double duration = all[i + 1].time - all[i].time;
+    const Vec3 velocity = (all[i + 1].position - all[i].position) / duration;
+    const double time = time_within(all[i].position - place, velocity, duration, distance);
+    if (time < never) return all[i].time + time;
+  }
+  return (all.back().position - place).norm() <= distance ? all.back().time : never;
+}
+
+}  // namespace fairway::pledge

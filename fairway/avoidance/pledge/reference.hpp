@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <span>
+
+#include "fairway/avoidance/pledge/words.hpp"
+
+namespace fairway::pledge {
+
+/// Of the rings by number [m]; 0 is straight on. Two neighbours of a kind are no closer than a vehicle's own
+/// length, and inner and outer ones as far apart as two that pass have to be.
+inline constexpr std::array<double, 8> ring_radius{0.0, 3.6, 4.2, 5.0, 6.0, 7.0, 8.0, 9.5};
+inline constexpr double never = std::numeric_limits<double>::infinity();  ///< as a time [s]
+inline constexpr double delay_step = 3.0;                                 ///< [s]
+
+struct Knot {
+  double time{};                 ///< [s]
+  Vec3 position = Vec3::Zero();  ///< [m, NED]
+};
+
+/// Where a member is at what time: held at the first knot before it, straight on from one to the next, and
+/// held at the last one for ever.
+class Reference {
+ public:
+  static constexpr std::size_t most_knots = 32;
+
+  Reference() = default;
+  /// Held at `place` for ever.
+  explicit Reference(const Vec3& place) : count_{1} { knots_[0] = {0.0, place}; }
+
+  void add(const Knot& knot) noexcept {
+    if (count_ < most_knots) knots_[count_++] = knot;
+  }
+  std::span<const Knot> knots() const { return {knots_.data(), count_}; }
+  bool is_full() const { return count_ == most_knots; }
+
+  Vec3 at(double time) const noexcept;
+  Vec3 velocity(double time) const noexcept;
+  double end() const { return knots_[count_ - 1].time; }
+
+  /// The same up to `time`, and held there for ever.
+  Reference until(double time) const noexcept;
+
+ private:
+  std::array<Knot, most_knots> knots_{};
+  std::size_t count_{0};
+};
+
+/// The way of one member by a plan: it waits for its delay, turns, and goes by the tangents of its ring,
+/// while it climbs or dives, each at its constant rate. It ends as far from the destination as the member
+/// arrives for certain. O(1).
+Reference reference_of(const Member& member, const Plan& plan, const Code& code) noexcept;
+
+/// How close the two ever come from `from` on [m]. O(knots), exact.
+double least_distance(const Reference& a, const Reference& b, double from) noexcept;
+
+/// The first time at which the reference comes within `distance` of a place, or never. O(knots), exact.
+double first_within(const Reference& reference, const Vec3& place, double distance) noexcept;
+
+}  // namespace fairway::pledge

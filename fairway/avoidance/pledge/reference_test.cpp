@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/avoidance/pledge/reference.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "fairway/avoidance/pledge/clearance.hpp"
+#include "fairway/core/rng.hpp"
+
+namespace fairway::pledge {
+namespace {
+
+Member drawn_member(Rng& rng) {
+  const auto place = [&] { return Vec3{rng.uniform(-15, 15), rng.uniform(-15, 15), rng.uniform(0, 20)}; };
+  return {.anchor = place(),
+          .destination = place(),
+          .arrival = 2.0,
+          .radius = 1.0,
+          .speed = 0.5,
+          .climb = 0.2,
+          .descent = 0.3,
+          .turn = 4.0};
+}
+
+Plan drawn_plan(Rng& rng) {
+  Plan plan{.start = 10.0, .centre = {rng.uniform(-3, 3), rng.uniform(-3, 3)}, .to_port = rng.uniform(0, 1) < 0.5};
+  for (Code& code : plan.codes) code = Code::of(static_cast<std::uint8_t>(rng.uniform(0, 256)));
+  return plan;
+}
+
+TEST(Reference, BeginsAtTheAnchorEndsNearTheDestinationAndKeepsItsSpeeds) {
+  Rng rng = Rng{1}.stream("reference");
+  for (int i = 0; i < 500; ++i) {
+    const Member member = drawn_member(rng);
+    const Plan plan = drawn_plan(rng);
+    const Reference way = reference_of(member, plan, plan.codes[0]);
+    ASSERT_FALSE(way.is_full());
+    EXPECT_EQ(way.at(plan.start + delay_step * plan.codes[0].delay), member.anchor);
+    EXPECT_LE((way.at(1e6) - member.destination).norm(), member.arrival - 0.79);
+    for (int k = 0; 0.37 * k < way.end(); ++k) {
+      const double time = 0.37 * k;
+      const Vec3 v = way.velocity(time);
+      EXPECT_LE(horizontal_norm(v), member.speed * (1.0 + 1e-9));
+      EXPECT_LE(v.z(), member.descent + 1e-9);
+      EXPECT_GE(v.z(), -member.climb - 1e-9);
+      EXPECT_LE((way.at(time + 0.1) - way.at(time)).norm(), 0.1 * 0.6) << "it never jumps";
+    }
+  }
+}
+
+TEST(Reference, LeastDistancesAndFirstTimesAreThoseOfManySamples) {
+  Rng rng = Rng{2}.stream("reference");
+  for (int i = 0; i < 200; ++i) {
+    const Plan plan = drawn_plan(rng);
+    const Member one = drawn_member(rng), two = drawn_member(rng);
+    const Reference a = reference_of(one, plan, plan.codes[0]), b = reference_of(two, plan, plan.codes[1]);
+    double sampled = never, first = never;
+    constexpr double step = 0.01;
+    const double begins = a.knots().front().time;
+    const auto samples = static_cast<int>((std::max(a.end(), b.end()) + 1.0 - begins) / step);
+    for (int k = 0; k < samples; ++k) {
+      const double time = begins + step * k;
+      sampled = std::min(sampled, (a.at(time) - b.at(time)).norm());
+      if (first == never && (a.at(time) - two.anchor).norm() <= 4.0) first = time;
+    }
+    const double least = least_distance(a, b, begins);
+    EXPECT_LE(least, sampled + 1e-9);
+    EXPECT_GE(least, sampled - 0.6 * 2.0 * step);
+    const double exact = first_within(a, two.anchor, 4.0);
+    if (first == never) {
+      EXPECT_TRUE(exact == never || std::fabs((a.at(exact) - two.anchor).norm() - 4.0) < 0.01);
+    } else {
+      EXPECT_LE(exact, first + 1e-9);
+      EXPECT_GE(exact, std::min(first - 2.0 * step, a.knots().front().time));
+    }
+  }
+}
+
+TEST(Clearance, WhatItAcceptsStaysClearWhoeverDepartsAndWhereverSomebodyStops) {
+  // every pattern of who departs and, of those who do not, of who waits at a gate for whom
+  Rng rng = Rng{3}.stream("clearance");
+  int placed = 0;
+  for (int i = 0; i < 4000; ++i) {
+    constexpr std::size_t count = 4;
+    std::array<Member, most_members> members;
+    for (std::size_t m = 0; m < count; ++m) members[m] = drawn_member(rng);
+    const Plan plan = drawn_plan(rng);
+    const Tubes tubes{.radius = 0.5, .told = 0.1};
+    Clearance scene{members, 0b1111, tubes, plan.start};
+    for (std::size_t m = 0; m < count; ++m) {
+      const Reference way = reference_of(members[m], plan, plan.codes[m]);
+      if (scene.accepts(m, way)) scene.place(m, way);
+    }
+    if (scene.placed().count() < count) continue;
+    ++placed;
+    for (unsigned departs = 0; departs < 16; ++departs) {
+      std::array<Reference, count> truth;
+      for (std::size_t m = 0; m < count; ++m) {
+        double stop = never;
+        for (std::size_t other = 0; other < count; ++other)
+          if (((departs >> other) & 1U) == 0) stop = std::min(stop, scene.gate(m, other));
+        truth[m] = ((departs >> m) & 1U) == 0 ? Reference{members[m].anchor}
+                   : stop < never             ? scene.reference(m).until(stop)
+                                              : scene.reference(m);
+      }
+      for (std::size_t a = 0; a < count; ++a)
+        for (std::size_t b = 0; b < a; ++b)
+          ASSERT_GE(least_distance(truth[a], truth[b], plan.start), 2.0 + 2.0 * tubes.radius)
+              << i << " " << departs << " " << a << " " << b;
+    }
+  }
+  EXPECT_GT(placed, 20);
+}
+
+}  // namespace
+}  // namespace fairway::pledge

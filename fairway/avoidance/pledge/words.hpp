@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <bitset>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <variant>
+
+#include "fairway/core/speech.hpp"
+#include "fairway/core/vec.hpp"
+
+namespace fairway::pledge {
+
+/// Members of a group are numbered by their vehicles' ids.
+inline constexpr std::size_t most_members = 8;
+using Members = std::bitset<most_members>;
+
+/// Where a member is held, where it is to go, and how it goes there. All that anybody reckons of its way
+/// rests on this and on the plan, so it is used as it comes out of its word, by the sender too.
+struct Member {
+  Vec3 anchor = Vec3::Zero();       ///< where it is held [m, NED]
+  Vec3 destination = Vec3::Zero();  ///< [m, NED]
+  double arrival{};                 ///< it has arrived this near to it [m]
+  double radius{};                  ///< of its sphere [m]
+  double speed{};                   ///< horizontal, along its way [m/s]
+  double climb{};                   ///< upwards [m/s]
+  double descent{};                 ///< downwards [m/s]
+  double turn{};                    ///< before it gets under way [s]
+  std::uint8_t version{};           ///< of all this, counted from 0 and modulo 16
+
+  friend bool operator==(const Member&, const Member&) = default;
+};
+
+enum class Status : std::uint8_t {
+  held,     ///< at its anchor, until a plan has every acknowledgement
+  moving,   ///< on its way by the plan
+  arrived,  ///< held for ever
+  lost,     ///< off its way, and held where that came out
+};
+
+/// What every word has.
+struct Header {
+  std::uint8_t sender{};  ///< a member
+  std::uint8_t epoch{};   ///< of the newest plan that it knows, 0 for none
+  double sent{};          ///< [s], to 0.1 s
+  Status status{};
+  Members acknowledged{};  ///< who has acknowledged that plan, as far as it knows
+  Members departed{};      ///< who has departed by it, likewise
+  Members heard{};         ///< whose states it knows
+};
+
+/// A member's state, "here I am held".
+struct StateWord {
+  Header header{};
+  Member member{};
+};
+
+/// How each member goes: three numbers of the codebook in one byte.
+struct Code {
+  std::uint8_t ring{};   ///< 0 to 7: straight, or by a ring about the centre (ring_radius)
+  std::uint8_t delay{};  ///< 0 to 7, in steps of delay_step
+  std::uint8_t
+      dive{};  ///< 0 to 3: how much of the time to spare goes by before it dives or climbs, in thirds
+
+  std::uint8_t packed() const { return static_cast<std::uint8_t>(ring << 5U | delay << 2U | dive); }
+  static Code of(std::uint8_t byte) {
+    return {static_cast<std::uint8_t>(byte >> 5U), static_cast<std::uint8_t>(byte >> 2U & 7U),
+            static_cast<std::uint8_t>(byte & 3U)};
+  }
+  friend bool operator==(const Code&, const Code&) = default;
+};
+
+/// By which way and when everybody goes that takes part.
+struct Plan {
+  std::uint8_t epoch{};  ///< round (5 bits) and author (3 bits); of two plans the later has the larger one
+  double start{};        ///< when all depart [s], to 0.1 s
+  Vec2 centre = Vec2::Zero();  ///< of the rings [m, north and east]
+  bool to_port{};              ///< the rings are gone round with the centre to starboard unless this is so
+  Members participants{};
+  std::array<Code, most_members> codes{};
+  std::uint32_t digest{};  ///< of the participants' states, 24 bits
+
+  friend bool operator==(const Plan&, const Plan&) = default;
+};
+
+/// A plan, whoever passes it on.
+struct PlanWord {
+  Header header{};
+  Plan plan{};
+};
+
+using Word = std::variant<StateWord, PlanWord>;
+
+/// At most 25 bytes. Positions are told relative to `datum`, +-163 m from it and down to 327 m, in steps of
+/// 2 cm; farther ones saturate (fits()). O(1).
+Speech encode(const StateWord& word, const Vec2& datum) noexcept;
+Speech encode(const PlanWord& word, const Vec2& datum) noexcept;
+
+/// The word that the bytes say, if it was sent within 204 s of `now` [s] and is none that was damaged or made
+/// by another version. O(1).
+std::optional<Word> decode(const Speech& speech, const Vec2& datum, double now) noexcept;
+
+/// The member as everybody comes to know it: encoded and decoded.
+Member as_told(const Member& member, const Vec2& datum) noexcept;
+
+/// The nearest centre of rings that can be told.
+Vec2 centre_as_told(const Vec2& centre, const Vec2& datum) noexcept;
+
+/// False if its places are too far from the datum to be told.
+bool fits(const Member& member, const Vec2& datum) noexcept;
+
+/// 24 bits of the states of those who take part, by which a receiver sees whether it reckons with the same.
+std::uint32_t digest_of(const std::array<Member, most_members>& members, const Members& participants,
+                        const Vec2& datum) noexcept;
+
+}  // namespace fairway::pledge

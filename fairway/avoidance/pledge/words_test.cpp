@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/avoidance/pledge/words.hpp"
+
+#include <gtest/gtest.h>
+
+#include "fairway/core/rng.hpp"
+
+namespace fairway::pledge {
+namespace {
+
+const Vec2 datum{100.0, -50.0};
+
+Member drawn_member(Rng& rng) {
+  const auto place = [&] {
+    return Vec3{datum.x() + rng.uniform(-160, 160), datum.y() + rng.uniform(-160, 160), rng.uniform(0, 300)};
+  };
+  return {.anchor = place(),
+          .destination = place(),
+          .arrival = rng.uniform(0, 7),
+          .radius = rng.uniform(0.1, 10),
+          .speed = rng.uniform(0.1, 1.2),
+          .climb = rng.uniform(0.05, 0.6),
+          .descent = rng.uniform(0.05, 0.6),
+          .turn = rng.uniform(0, 15)};
+}
+
+Header drawn_header(Rng& rng, double now) {
+  return {.sender = static_cast<std::uint8_t>(rng.uniform(0, 8)),
+          .epoch = static_cast<std::uint8_t>(rng.uniform(8, 256)),
+          .sent = now - rng.uniform(0, 200),
+          .status = Status::moving,
+          .acknowledged = static_cast<unsigned>(rng.uniform(0, 256)),
+          .departed = static_cast<unsigned>(rng.uniform(0, 256)),
+          .heard = static_cast<unsigned>(rng.uniform(0, 256))};
+}
+
+void expect_same(const Header& a, const Header& b) {
+  EXPECT_EQ(a.sender, b.sender);
+  EXPECT_EQ(a.epoch, b.epoch);
+  EXPECT_NEAR(a.sent, b.sent, 0.0501);
+  EXPECT_EQ(a.status, b.status);
+  EXPECT_EQ(a.acknowledged, b.acknowledged);
+  EXPECT_EQ(a.departed, b.departed);
+  EXPECT_EQ(a.heard, b.heard);
+}
+
+TEST(Words, AStateComesOutAsItWentInUpToItsSteps) {
+  Rng rng = Rng{1}.stream("words");
+  for (int i = 0; i < 1000; ++i) {
+    const double now = rng.uniform(0, 5000);
+    const StateWord said{drawn_header(rng, now), drawn_member(rng)};
+    const Speech speech = encode(said, datum);
+    EXPECT_LE(speech.size, Speech::most_bytes);
+    const std::optional<Word> heard = decode(speech, datum, now);
+    ASSERT_TRUE(heard && std::holds_alternative<StateWord>(*heard));
+    const auto& word = std::get<StateWord>(*heard);
+    expect_same(word.header, said.header);
+    EXPECT_LT((word.member.anchor - said.member.anchor).norm(), 0.018);
+    EXPECT_LT((word.member.destination - said.member.destination).norm(), 0.09);
+    EXPECT_NEAR(word.member.speed, said.member.speed, 0.0101);
+    EXPECT_NEAR(word.member.radius, said.member.radius, 0.1251);
+    EXPECT_EQ(as_told(word.member, datum), word.member) << "what was told once is told alike for ever";
+  }
+}
+
+TEST(Words, APlanComesOutAsItWentIn) {
+  Rng rng = Rng{2}.stream("words");
+  for (int i = 0; i < 1000; ++i) {
+    const double now = rng.uniform(0, 5000);
+    PlanWord said{drawn_header(rng, now), {.start = now + rng.uniform(-100, 100), .to_port = i % 2 == 0}};
+    said.plan.epoch = said.header.epoch;
+    said.plan.centre = centre_as_told(datum + Vec2{rng.uniform(-150, 150), rng.uniform(-150, 150)}, datum);
+    said.plan.participants = static_cast<unsigned>(rng.uniform(0, 256));
+    for (Code& code : said.plan.codes) code = Code::of(static_cast<std::uint8_t>(rng.uniform(0, 256)));
+    said.plan.digest = static_cast<std::uint32_t>(rng.uniform(0, 0x1000000));
+    said.plan.start = 0.1 * std::floor(10.0 * said.plan.start + 0.5);
+    const std::optional<Word> heard = decode(encode(said, datum), datum, now);
+    ASSERT_TRUE(heard && std::holds_alternative<PlanWord>(*heard));
+    const auto& word = std::get<PlanWord>(*heard);
+    expect_same(word.header, said.header);
+    EXPECT_NEAR(word.plan.start, said.plan.start, 1e-6);
+    EXPECT_LT((word.plan.centre - said.plan.centre).norm(), 1e-9);
+    Plan plan = word.plan;
+    plan.start = said.plan.start;
+    plan.centre = said.plan.centre;
+    EXPECT_EQ(plan, said.plan);
+  }
+}
+
+TEST(Words, WhatWasDamagedOrIsNoneIsRefused) {
+  Rng rng = Rng{3}.stream("words");
+  const StateWord said{drawn_header(rng, 10.0), drawn_member(rng)};
+  const Speech whole = encode(said, datum);
+  for (std::size_t bit = 0; bit < 8 * Speech::most_bytes; ++bit) {
+    Speech damaged = whole;
+    damaged.bytes[bit / 8] ^= static_cast<std::uint8_t>(1U << bit % 8);
+    EXPECT_FALSE(decode(damaged, datum, 10.0)) << bit;
+  }
+  Speech shorter = whole;
+  --shorter.size;
+  EXPECT_FALSE(decode(shorter, datum, 10.0));
+  EXPECT_FALSE(decode(Speech{}, datum, 10.0));
+  int taken = 0;
+  for (int i = 0; i < 100'000; ++i) {
+    Speech noise{.size = Speech::most_bytes};
+    for (std::uint8_t& byte : noise.bytes) byte = static_cast<std::uint8_t>(rng.uniform(0, 256));
+    taken += decode(noise, datum, 10.0) ? 1 : 0;
+  }
+  EXPECT_LT(taken, 100) << "of bytes at random, 2 in 16 are of a kind and of them 1 in 256 has the right sum";
+}
+
+TEST(Words, TooFarFromTheDatumDoesNotFit) {
+  Member member{.anchor = {datum.x(), datum.y(), 10}, .destination = {datum.x() + 50, datum.y(), 10}};
+  EXPECT_TRUE(fits(member, datum));
+  member.anchor.x() += 200;
+  EXPECT_FALSE(fits(member, datum));
+}
+
+}  // namespace
+}  // namespace fairway::pledge
