@@ -55,6 +55,7 @@ OwnedSituation alone(OwnedSituation e) {
 
 TEST_P(Laws, AloneItGoesWhereItWasGoing) {
   if (has(&AlgorithmInfo::allocates)) GTEST_SKIP() << "a plan begins at rest";
+  if (has(&AlgorithmInfo::needs_link)) GTEST_SKIP() << "goes nowhere without the others";
   everywhere([&](Avoider avoider, OwnedSituation e) {
     e = alone(e);
     const Vec3 preferred = e.situation.preferred_velocity();
@@ -112,6 +113,7 @@ TEST_P(Laws, LookingDoesNotChangeACommandForEver) {
 }
 
 TEST_P(Laws, InACongestedSceneItDrawsSomethingThatMakesSense) {
+  if (has(&AlgorithmInfo::needs_link)) GTEST_SKIP() << "thinks of nothing without the others";
   for (std::uint64_t i = 0; i < 40; ++i) {
     const OwnedSituation e = suited(encounters::congested(6, Rng{42}.stream("congested", i)));
     Drawing drawing;

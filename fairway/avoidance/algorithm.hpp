@@ -40,6 +40,7 @@ struct AlgorithmInfo {
   bool needs_sway = false;      ///< moves a point that goes any way at once
   bool needs_stopping = false;  ///< waits, or ends at rest
   bool needs_chart = false;     ///< of what stands it avoids only what is charted
+  bool needs_link = false;      ///< decides nothing without hearing from the others
 
   // of wrappers
   bool follows = false;     ///< asks of a vehicle that must turn only what it can follow: sway is not needed
@@ -60,7 +61,8 @@ struct Need {
 };
 inline constexpr std::array all_needs{
     Need{&AlgorithmInfo::needs_sway, "sway"}, Need{&AlgorithmInfo::needs_stopping, "stopping"},
-    Need{&AlgorithmInfo::needs_chart, "chart"}, Need{&AlgorithmInfo::planar, "plane"}};
+    Need{&AlgorithmInfo::needs_chart, "chart"}, Need{&AlgorithmInfo::needs_link, "link"},
+    Need{&AlgorithmInfo::planar, "plane"}};
 
 /// For algorithms that remember nothing.
 struct NoMemory {

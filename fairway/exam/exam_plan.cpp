@@ -106,6 +106,8 @@ class Planner {
                         .overrides = family.set};
       cell.overrides.emplace_back(family.keep_named_avoiders ? "defaults.avoider" : "vehicles[*].avoider",
                                   entrant.method.avoider);
+      // whatever a method needs around it is written in its name, so that none is given more than another
+      cell.overrides.emplace_back("vehicles[*].tracking", "raw");
       cell.overrides.insert(cell.overrides.end(), condition.set.begin(), condition.set.end());
       for (std::size_t seed = ground; seed < question_.seeds; seed += grounds) {
         plan_.campaign.specs.push_back(

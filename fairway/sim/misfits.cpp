@@ -16,9 +16,11 @@ struct Ground {
   std::string uncharted, drifter;  ///< the first such obstacle, as a path; empty for none
   bool has_obstacles = false;
   bool has_others = false;
+  bool is_silent = false;  ///< nobody tells anything
   double shallowest = Limits::none, deepest = -Limits::none;  ///< [m]
 
-  explicit Ground(const Scenario& scenario) : has_others{scenario.vehicles.size() > 1} {
+  explicit Ground(const Scenario& scenario)
+      : has_others{scenario.vehicles.size() > 1}, is_silent{scenario.exchange.name == "none"} {
     for (std::size_t i = 0; i < scenario.obstacles.size(); ++i) {
       const ObstacleSpec& obstacle = scenario.obstacles[i];
       const std::string path = "obstacles[" + std::to_string(i) + "]";
@@ -64,6 +66,8 @@ std::vector<std::string> amiss(const VehicleSpec& spec, const Limits& limits, co
     if (is_alone && !ground.has_others && !ground.drifter.empty())
       clauses.push_back("ignores whatever moves, and " + ground.drifter + " drifts");
   }
+  if (any(&AlgorithmInfo::needs_link) && ground.is_silent)
+    clauses.emplace_back("waits for the words of others, and the exchange is none");
   const auto sees_no_more = [](const Catalog::Entry* layer) {
     return layer->info.needs_chart || layer->info.ignores_obstacles;
   };

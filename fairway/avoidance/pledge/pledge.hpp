@@ -20,6 +20,8 @@ struct Pledge {
       .ignores_obstacles = true,
       .ignores_movers = true,
       .needs_envelope = true,
+      .needs_stopping = true,
+      .needs_link = true,
   };
 
   struct Params {

@@ -10,7 +10,7 @@ namespace {
 
 const Vec2 datum{100.0, -50.0};
 
-Member drawn_member(Rng& rng) {
+Member any_member(Rng& rng) {
   const auto place = [&] {
     return Vec3{datum.x() + rng.uniform(-160, 160), datum.y() + rng.uniform(-160, 160), rng.uniform(0, 300)};
   };
@@ -24,7 +24,7 @@ Member drawn_member(Rng& rng) {
           .turn = rng.uniform(0, 15)};
 }
 
-Header drawn_header(Rng& rng, double now) {
+Header any_header(Rng& rng, double now) {
   return {.sender = static_cast<std::uint8_t>(rng.uniform(0, 8)),
           .epoch = static_cast<std::uint8_t>(rng.uniform(8, 256)),
           .sent = now - rng.uniform(0, 200),
@@ -48,7 +48,7 @@ TEST(Words, AStateComesOutAsItWentInUpToItsSteps) {
   Rng rng = Rng{1}.stream("words");
   for (int i = 0; i < 1000; ++i) {
     const double now = rng.uniform(0, 5000);
-    const StateWord said{drawn_header(rng, now), drawn_member(rng)};
+    const StateWord said{any_header(rng, now), any_member(rng)};
     const Speech speech = encode(said, datum);
     EXPECT_LE(speech.size, Speech::most_bytes);
     const std::optional<Word> heard = decode(speech, datum, now);
@@ -67,7 +67,7 @@ TEST(Words, APlanComesOutAsItWentIn) {
   Rng rng = Rng{2}.stream("words");
   for (int i = 0; i < 1000; ++i) {
     const double now = rng.uniform(0, 5000);
-    PlanWord said{drawn_header(rng, now), {.start = now + rng.uniform(-100, 100), .to_port = i % 2 == 0}};
+    PlanWord said{any_header(rng, now), {.start = now + rng.uniform(-100, 100), .to_port = i % 2 == 0}};
     said.plan.epoch = said.header.epoch;
     said.plan.centre = centre_as_told(datum + Vec2{rng.uniform(-150, 150), rng.uniform(-150, 150)}, datum);
     said.plan.participants = static_cast<unsigned>(rng.uniform(0, 256));
@@ -89,7 +89,7 @@ TEST(Words, APlanComesOutAsItWentIn) {
 
 TEST(Words, WhatWasDamagedOrIsNoneIsRefused) {
   Rng rng = Rng{3}.stream("words");
-  const StateWord said{drawn_header(rng, 10.0), drawn_member(rng)};
+  const StateWord said{any_header(rng, 10.0), any_member(rng)};
   const Speech whole = encode(said, datum);
   for (std::size_t bit = 0; bit < 8 * Speech::most_bytes; ++bit) {
     Speech damaged = whole;
