@@ -87,8 +87,14 @@ std::vector<Member> three_in_a_plane() {
 
 std::vector<Member> cube(Rng& rng) {
   std::vector<Member> all;
-  for (const auto& [n, e, upper] : {std::tuple{1, 1, true}, {-1, -1, true}, {1, -1, false}, {-1, 1, false},
-                                    {-1, -1, false}, {1, 1, false}, {-1, 1, true}, {1, -1, true}}) {
+  for (const auto& [n, e, upper] : {std::tuple{1, 1, true},
+                                    {-1, -1, true},
+                                    {1, -1, false},
+                                    {-1, 1, false},
+                                    {-1, -1, false},
+                                    {1, 1, false},
+                                    {-1, 1, true},
+                                    {1, -1, true}}) {
     const auto out = [&] { return upper ? rng.uniform(5, 6.5) : rng.uniform(8.5, 10); };
     all.push_back(crossing({n * out(), e * out(), upper ? rng.uniform(0, 0.5) : 15.0},
                            {-10.0 * n, -10.0 * e, upper ? 20.0 : 0.0}));
@@ -118,8 +124,9 @@ TEST(Agreement, OfThreeNeverBringsTwoTogetherWhateverIsLostInTheTurnsThatDecide)
     while (word < words) fleet.go_on(by_pattern);
     for (int i = 0; i < 350; ++i) fleet.go_on(silence);
     ASSERT_GE(fleet.least, 3.0 + 2.0) << pattern;
-    const auto moved = std::ranges::count_if(
-        fleet.members, [](const Agreement& m) { return m.status() != Status::held || m.member(0).version > 0; });
+    const auto moved = std::ranges::count_if(fleet.members, [](const Agreement& m) {
+      return m.status() != Status::held || m.member(0).version > 0;
+    });
     all_departed += moved == 3 ? 1 : 0;
     some_departed += moved > 0 && moved < 3 ? 1 : 0;
   }

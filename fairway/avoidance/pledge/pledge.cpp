@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "fairway/core/angles.hpp"
 #include "fairway/core/math.hpp"
 
 namespace fairway {
@@ -14,7 +16,11 @@ using pledge::Member;
 using pledge::Reference;
 
 constexpr double look_ahead = 0.5;    // of the reference's velocity, for the vehicle's lag [s]
-constexpr double half_turn_at = 0.3;  // where nothing is known of the vehicle's turning [rad/s]
+constexpr double at_rest = 0.05;      // slower than this a member is held [m/s]
+constexpr double settling = 4.0;      // for so long, since it may be on its way back [s]
+constexpr double drifted = 0.2;       // farther than this from its anchor it takes another, if it may [m]
+constexpr double turn_gain = 1.0;     // [1/s]
+constexpr double fastest_turn = 0.8;  // [rad/s]
 
 /// How it goes with all of it at once within its greatest speed: what is left of that beside climbing.
 Member member_of(const Situation& s, double speed_ratio) noexcept {
@@ -26,7 +32,7 @@ Member member_of(const Situation& s, double speed_ratio) noexcept {
   const double ahead = is_known ? math::fmin(speed_ratio * s.envelope->ahead, all) : all;
   const double beside = std::sqrt(math::fmax(all * all - vertical * vertical, 0.25 * all * all));
   const double turn_rate =
-      is_known && s.envelope->turn_rates[0] > 0.0 ? s.envelope->turn_rates[0] : half_turn_at;
+      is_known && s.envelope->turn_rates[0] > 0.0 ? std::min(s.envelope->turn_rates[0], fastest_turn) : 0.3;
   return {.anchor = s.own.position,
           .destination = s.goal.position,
           .arrival = s.goal.arrival,
@@ -34,16 +40,29 @@ Member member_of(const Situation& s, double speed_ratio) noexcept {
           .speed = math::fmin(ahead, beside),
           .climb = up,
           .descent = down,
-          .turn = 2.2 / turn_rate};
+          .turn = 1.5 + std::numbers::pi / turn_rate};
 }
 
-/// To where the reference goes next, over ground, as a heading; nothing where it goes no more.
-std::optional<double> next_heading(const Reference& way, double time) noexcept {
-  for (double ahead = 0.0; ahead <= 20.0; ahead += 1.0) {
+/// The course on which the reference goes, or will go next; nothing where it goes no more.
+std::optional<double> next_course(const Reference& way, double time) noexcept {
+  constexpr int longest = 20;  // a member waits for its turn [s]
+  for (int ahead = 0; ahead <= longest; ++ahead) {
     const Vec3 v = way.velocity(time + ahead);
     if (horizontal_norm(v) > 0.02) return math::atan2(v.y(), v.x());
   }
   return {};
+}
+
+/// What of a velocity a vehicle makes that goes ahead and up or down, and turns meanwhile.
+Vec3 along_heading(const Vec3& velocity, double yaw) noexcept {
+  const Vec2 ahead = unit_at(yaw);
+  const Vec2 made = math::fmax(velocity.head<2>().dot(ahead), 0.0) * ahead;
+  return {made.x(), made.y(), velocity.z()};
+}
+
+/// Of the vehicle's turning, whatever the steering of its scenario: towards where it is to go.
+double turn_rate_to(const std::optional<double>& course, double yaw) noexcept {
+  return course ? std::clamp(turn_gain * wrap_angle(*course - yaw), -fastest_turn, fastest_turn) : 0.0;
 }
 
 }  // namespace
@@ -56,6 +75,8 @@ Command Pledge::decide(const Situation& s, Memory& memory, Context& context) con
     return {.mode = Mode::infeasible, .note = "its id is beyond those of the group (team_count)"};
   Agreement& agreement = memory.agreement;
   if (!memory.begun) {
+    if (s.own.velocity.norm() > at_rest) memory.moved = s.time;
+    if (s.time < memory.moved + settling) return {.mode = Mode::hold, .note = "comes to rest"};
     agreement = Agreement{self,
                           {.count = static_cast<std::size_t>(params.team_count),
                            .datum = {params.datum_north_m, params.datum_east_m},
@@ -66,13 +87,17 @@ Command Pledge::decide(const Situation& s, Memory& memory, Context& context) con
     agreement.hold(member);
     memory.begun = true;
   }
+  // a vehicle that cannot go sideways drifts on for a while, little as it is
+  if (agreement.is_free() && (agreement.member(self).anchor - s.own.position).norm() > drifted)
+    agreement.hold(member_of(s, params.speed_ratio));
   memory.time = s.time;
   memory.turn_period = s.link->turn_period;
   for (const Heard& heard : s.link->heard) agreement.hear(heard.speech, s.time);
   if (s.attendance == Attendance::arrived && agreement.status() != pledge::Status::arrived)
     agreement.arrive(s.own.position);
   if (s.attendance == Attendance::ready || s.attendance == Attendance::under_way)
-    agreement.go_on(s.time, s.period, *s.link, s.attendance == Attendance::ready ? params.patience_count : 0.0);
+    agreement.go_on(s.time, s.period, *s.link,
+                    s.attendance == Attendance::ready ? params.patience_count : 0.0);
 
   const Reference* way = agreement.way();
   if (way == nullptr) return {.mode = Mode::hold, .note = agreement.reason(s.time)};
@@ -85,8 +110,13 @@ Command Pledge::decide(const Situation& s, Memory& memory, Context& context) con
   }
   const Vec3 off = way->at(s.time) - s.own.position;
   const Vec3 velocity = way->velocity(s.time + look_ahead) + params.gain_hz * off;
-  Command command{.velocity = clamp_norm(velocity, s.limits.max_speed), .mode = Mode::avoid};
-  if (horizontal_norm(velocity) < 0.05) command.heading = next_heading(*way, s.time);
+  // while the reference turns on the spot, so does the vehicle
+  const bool goes = horizontal_norm(way->velocity(s.time + look_ahead)) > 0.02;
+  const std::optional<double> course =
+      goes ? std::optional{math::atan2(velocity.y(), velocity.x())} : next_course(*way, s.time);
+  Command command{.velocity = along_heading(clamp_norm(velocity, s.limits.max_speed), s.own.yaw),
+                  .mode = Mode::avoid,
+                  .turn_rate = turn_rate_to(course, s.own.yaw)};
   if (off.norm() > params.tube_m) {
     command.mode = Mode::infeasible;
     command.note = "is farther from its promised place than its tube";

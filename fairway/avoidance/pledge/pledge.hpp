@@ -52,6 +52,7 @@ struct Pledge {
 
   struct Memory {
     bool begun{false};
+    double moved{};  ///< when it was not at rest, before it began [s]
     double turn_period{};
     double time{};
     pledge::Agreement agreement{};

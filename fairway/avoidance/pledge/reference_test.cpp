@@ -25,7 +25,8 @@ Member drawn_member(Rng& rng) {
 }
 
 Plan drawn_plan(Rng& rng) {
-  Plan plan{.start = 10.0, .centre = {rng.uniform(-3, 3), rng.uniform(-3, 3)}, .to_port = rng.uniform(0, 1) < 0.5};
+  Plan plan{
+      .start = 10.0, .centre = {rng.uniform(-3, 3), rng.uniform(-3, 3)}, .to_port = rng.uniform(0, 1) < 0.5};
   for (Code& code : plan.codes) code = Code::of(static_cast<std::uint8_t>(rng.uniform(0, 256)));
   return plan;
 }
