@@ -260,7 +260,7 @@ int submit(const SubmitFlags& flags, const Outputs& outputs, const Program& prog
     return ok;
   }
   make_folders(s);
-  for (const std::uint32_t shard : shards) note_another_attempt(s.log(shard));
+  for (const std::uint32_t shard : shards) note_another_attempt(s.said(shard));
   s.submitted_s = std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
   write_file(s.folder + "/shards.sh", shards_script(s, shards));
   if (const std::string script = merge_script(s); !script.empty()) write_file(s.folder + "/merge.sh", script);

@@ -110,7 +110,7 @@ std::string Submission::part(std::uint32_t shard) const {
   return engine == "mpi" ? merged() : folder + "/parts/" + std::to_string(shard) + ".db";
 }
 
-std::string Submission::log(std::uint32_t shard) const {
+std::string Submission::said(std::uint32_t shard) const {
   return folder + "/logs/" + (engine == "mpi" ? "mpi" : std::to_string(shard)) + ".log";
 }
 
@@ -193,7 +193,7 @@ std::vector<ShardProgress> progress_of(const Submission& submission) {
 std::string error_of(const Submission& submission, std::uint32_t shard) {
   constexpr std::string_view says = "fairway: ", warns = "fairway: warning: ",
                              was_told_to_stop = "the same command goes on from here";
-  std::ifstream log{submission.log(shard)};
+  std::ifstream log{submission.said(shard)};
   std::string last;
   for (std::string line; std::getline(log, line);) last = line;
   if (!last.starts_with(says) || last.starts_with(warns) || last.ends_with(was_told_to_stop)) return "";

@@ -32,7 +32,7 @@ struct Submission {
 
   std::uint32_t shards() const { return static_cast<std::uint32_t>(runs.size()); }
   std::string part(std::uint32_t shard) const;  ///< its store
-  std::string log(std::uint32_t shard) const;   ///< what its process said
+  std::string said(std::uint32_t shard) const;  ///< what its process said, a file
   std::string merged() const { return folder + "/all.db"; }
 };
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Submission, campaign, file, digest, folder, engine, program, options,

@@ -64,7 +64,7 @@ TEST(Submission, KnowsTheErrorOfAShardByTheLastLineOfItsLog) {
   std::filesystem::create_directories(s.folder + "/logs");
   EXPECT_EQ(error_of(s, 0), "");
   const auto after = [&](const std::string& line) {
-    std::ofstream{s.log(0), std::ios::app} << line << "\n";
+    std::ofstream{s.said(0), std::ios::app} << line << "\n";
     return error_of(s, 0);
   };
   EXPECT_EQ(after("c, shard 0/1: 4 of 4 runs; 4 made, 0 of them failed, 0 were there"), "");

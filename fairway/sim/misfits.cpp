@@ -16,7 +16,7 @@ struct Ground {
   std::string uncharted, drifter;  ///< the first such obstacle, as a path; empty for none
   bool has_obstacles = false;
   bool has_others = false;
-  bool is_silent = false;  ///< nobody tells anything
+  bool is_silent = false;                                     ///< nobody tells anything
   double shallowest = Limits::none, deepest = -Limits::none;  ///< [m]
 
   explicit Ground(const Scenario& scenario)
