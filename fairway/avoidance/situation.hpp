@@ -98,9 +98,9 @@ struct Goal {
 /// arrived.
 enum class Attendance : std::uint8_t {
   under_way,  ///< the answer is carried out
-  waiting,    ///< at a rendezvous; the goal is the next one, and the answer is not carried out
+  waiting,    ///< at a rendezvous; the goal is the next one, and of the answer only a hold is carried out
   ready,      ///< the same, where the mission goes on as soon as the answer is none to hold
-  arrived,    ///< held for ever; the answer is not carried out
+  arrived,    ///< held for ever; of the answer only a hold is carried out
 };
 
 /// All that an avoider may know at one instant. Immutable; the spans are valid only during the call

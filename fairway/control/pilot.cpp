@@ -36,7 +36,7 @@ bool Pilot::is_due(double now, double interval) const noexcept {
 
 void Pilot::obey(const Command& command, const HoldPoint& here) noexcept {
   command_ = command;
-  const bool hold = command.mode == Mode::hold;
+  const bool hold = command.mode == Mode::hold && !command.turn_rate;
   if (hold && !holding_) hold_ = here;
   holding_ = hold;
 }

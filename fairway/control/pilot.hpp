@@ -59,7 +59,8 @@ class Pilot {
   /// The next decision is due as soon as there is something to decide.
   void ask_at_once() noexcept { next_decision_ = -std::numeric_limits<double>::infinity(); }
 
-  /// Puts `command` in force. A hold begins at `here` unless one is under way; any other command ends it.
+  /// Puts `command` in force. A hold begins at `here` unless one is under way; any other command ends it, and
+  /// so does a hold with a turn rate, which says itself how to stay.
   void obey(const Command& command, const HoldPoint& here) noexcept;
   /// Ends a hold, so that the next one begins at another place.
   void end_hold() noexcept { holding_ = false; }

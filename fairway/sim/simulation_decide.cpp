@@ -39,23 +39,27 @@ bool Simulation::waits_for_method(const Agent& agent) {
   return leg != nullptr && leg->kind == LegKind::rendezvous && leg->agreed && agent.avoider.speaks();
 }
 
-/// Has a method that speaks hear and say what it will while nothing of what it decides is carried out.
-void Simulation::attend(std::size_t index, Hand& hand) {
+/// Has a method that speaks hear and say what it will while its mission waits, or is over. Nothing of what it
+/// decides is carried out then but how to stay.
+std::optional<Command> Simulation::attend(std::size_t index, Hand& hand) {
   Agent& agent = agents_[index];
   const Phase phase = agent.mission.phase();
   if (!agent.avoider.speaks() || !exchange_.carries_anything() ||
       (phase != Phase::waiting && phase != Phase::arrived))
-    return;
+    return {};
   const Leg here{.kind = LegKind::transit, .position = agent.own.position};
   const Leg* leg = phase == Phase::waiting ? agent.mission.next_transit() : &here;
-  if (leg == nullptr) return;
+  if (leg == nullptr) return {};
   listen(index, hand);
   Situation shown = agent.pilot.situation(time(), agent.own, *leg, {}, obstacles_.fixed());
   shown.link = &hand.link;
   shown.attendance = phase == Phase::arrived                            ? Attendance::arrived
                      : waits_for_method(agent) && everyone_is_at(agent) ? Attendance::ready
                                                                         : Attendance::waiting;
-  agent.agrees = agent.avoider.decide(shown).mode != Mode::hold && shown.attendance == Attendance::ready;
+  const Command command = agent.avoider.decide(shown);
+  const bool stays = command.mode == Mode::hold;
+  agent.agrees = !stays && shown.attendance == Attendance::ready;
+  return stays ? std::optional{command} : std::nullopt;
 }
 
 /// What of all that was said has come in, and when its own turns are.
@@ -96,8 +100,8 @@ void Simulation::decide(std::size_t index, Hand& hand) {
   drawings_[index].clear();
   if (deciding && joins(index)) return join(index, hand);
   if (!deciding) {
-    attend(index, hand);
-    obey(agent, decided(index, hand));
+    const std::optional<Command> stay = attend(index, hand);
+    obey(agent, stay ? *stay : decided(index, hand));
     return agent.pilot.ask_at_once();
   }
   if (!keeping_) look_round(index, hand.near, hand.passing);

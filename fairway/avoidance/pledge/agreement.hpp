@@ -30,14 +30,8 @@ class Agreement {
   Agreement() = default;
   Agreement(std::size_t self, const Terms& terms) noexcept : self_{self}, terms_{terms} {}
 
-  /// Own ship is held at an anchor, to go to a destination. To be called before anything else.
+  /// Own ship is held at an anchor, to go to a destination. To be called once, before anything else.
   void hold(const Member& member) noexcept;
-
-  /// Whether nobody can rest anything on its anchor yet, so that hold() may be called again with another: it
-  /// has acknowledged nothing, and does not know all the others.
-  bool is_free() const noexcept {
-    return status_ == Status::held && acknowledged_epoch_ == 0 && known_ != everyone();
-  }
 
   /// A word that came in. What it says is believed if it was made by a member.
   void hear(const Speech& speech, double now) noexcept;

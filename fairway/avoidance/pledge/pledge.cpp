@@ -15,11 +15,11 @@ using pledge::Agreement;
 using pledge::Member;
 using pledge::Reference;
 
-constexpr double look_ahead = 0.5;    // of the reference's velocity, for the vehicle's lag [s]
+constexpr double look_ahead = 2.0;    // of the reference's velocity, for the vehicle's lag and slip [s]
 constexpr double at_rest = 0.05;      // slower than this a member is held [m/s]
 constexpr double settling = 4.0;      // for so long, since it may be on its way back [s]
-constexpr double drifted = 0.2;       // farther than this from its anchor it takes another, if it may [m]
-constexpr double turn_gain = 1.0;     // [1/s]
+constexpr double near = 0.25;         // to its anchor a member does not turn towards it [m]
+constexpr double turn_gain = 0.5;     // [1/s]
 constexpr double fastest_turn = 0.8;  // [rad/s]
 
 /// How it goes with all of it at once within its greatest speed: what is left of that beside climbing.
@@ -65,6 +65,18 @@ double turn_rate_to(const std::optional<double>& course, double yaw) noexcept {
   return course ? std::clamp(turn_gain * wrap_angle(*course - yaw), -fastest_turn, fastest_turn) : 0.0;
 }
 
+/// Back to the anchor, ahead: who only stops where it is drifts sideways for long.
+Command held(const Situation& s, const Vec3& anchor, std::string_view why) noexcept {
+  const Vec3 off = anchor - s.own.position;
+  const bool is_near = horizontal_norm(off) < near;
+  const auto course = is_near ? std::nullopt : std::optional{math::atan2(off.y(), off.x())};
+  const Vec3 velocity = clamp_norm(0.3 * off, 0.3);
+  return {.velocity = along_heading(velocity, s.own.yaw),
+          .mode = Mode::hold,
+          .turn_rate = turn_rate_to(course, s.own.yaw),
+          .note = why};
+}
+
 }  // namespace
 
 Command Pledge::decide(const Situation& s, Memory& memory, Context& context) const noexcept {
@@ -87,9 +99,6 @@ Command Pledge::decide(const Situation& s, Memory& memory, Context& context) con
     agreement.hold(member);
     memory.begun = true;
   }
-  // a vehicle that cannot go sideways drifts on for a while, little as it is
-  if (agreement.is_free() && (agreement.member(self).anchor - s.own.position).norm() > drifted)
-    agreement.hold(member_of(s, params.speed_ratio));
   memory.time = s.time;
   memory.turn_period = s.link->turn_period;
   for (const Heard& heard : s.link->heard) agreement.hear(heard.speech, s.time);
@@ -100,7 +109,7 @@ Command Pledge::decide(const Situation& s, Memory& memory, Context& context) con
                     s.attendance == Attendance::ready ? params.patience_count : 0.0);
 
   const Reference* way = agreement.way();
-  if (way == nullptr) return {.mode = Mode::hold, .note = agreement.reason(s.time)};
+  if (way == nullptr) return held(s, agreement.member(self).anchor, agreement.reason(s.time));
   if (context.sketch != nullptr) {
     std::array<Vec3, Reference::most_knots> points;
     std::size_t count = 0;

@@ -15,27 +15,56 @@ constexpr double piece = std::numbers::pi / 9.0;
 // within it of the destination a member may end, beyond what it is off its way when it arrives [m]
 constexpr double surely = 0.8;
 
-/// A horizontal way of straight pieces with the length up to each of its corners.
+/// The corners of a horizontal way.
 struct Line {
-  std::array<Vec2, 24> corners{};
-  std::array<double, 24> upto{};
+  std::array<Vec2, 20> corners{};
   std::size_t count{0};
 
   void add(const Vec2& corner) {
-    if (count == corners.size()) return;
-    corners[count] = corner;
-    upto[count] = count == 0 ? 0.0 : upto[count - 1] + (corner - corners[count - 1]).norm();
-    ++count;
+    if (count < corners.size()) corners[count++] = corner;
   }
-  double length() const { return upto[count - 1]; }
+};
 
-  Vec2 at(double way) const {
-    std::size_t i = 1;
-    while (i + 1 < count && upto[i] < way) ++i;
-    if (count < 2 || upto[i] <= upto[i - 1]) return corners[count < 2 ? 0 : i];
-    const double share = std::clamp((way - upto[i - 1]) / (upto[i] - upto[i - 1]), 0.0, 1.0);
-    return corners[i - 1] + share * (corners[i] - corners[i - 1]);
+/// A horizontal way in time, from 0 on: straight on at a constant speed, and at sharp corners a halt in which
+/// a member turns.
+class Passage {
+ public:
+  Passage(const Line& line, double speed, double turn) {
+    double time = 0.0;
+    for (std::size_t i = 0; i < line.count; ++i) {
+      const Vec2& corner = line.corners[i];
+      if (i > 0) time += (corner - line.corners[i - 1]).norm() / speed;
+      add(time, corner);
+      if (i == 0 || i + 1 == line.count) continue;
+      const Vec2 before = corner - line.corners[i - 1], after = line.corners[i + 1] - corner;
+      const double angle = std::fabs(math::atan2(cross(before, after), before.dot(after)));
+      if (angle > sharp) add(time += turn * angle / std::numbers::pi, corner);
+    }
   }
+
+  std::span<const double> times() const { return {times_.data(), count_}; }
+  double duration() const { return times_[count_ - 1]; }
+
+  Vec2 at(double time) const {
+    std::size_t i = 1;
+    while (i + 1 < count_ && times_[i] < time) ++i;
+    if (count_ < 2 || times_[i] <= times_[i - 1]) return places_[count_ < 2 ? 0 : i];
+    const double share = std::clamp((time - times_[i - 1]) / (times_[i] - times_[i - 1]), 0.0, 1.0);
+    return places_[i - 1] + share * (places_[i] - places_[i - 1]);
+  }
+
+ private:
+  static constexpr double sharp = 0.5;  // [rad]; the corners of a ring are 0.35
+
+  void add(double time, const Vec2& place) {
+    if (count_ == times_.size()) return;
+    times_[count_] = time;
+    places_[count_++] = place;
+  }
+
+  std::array<double, 24> times_{};
+  std::array<Vec2, 24> places_{};
+  std::size_t count_{0};
 };
 
 /// Where on the ring the way from `from` meets it, as a bearing from the centre: by a tangent, or from within
@@ -121,29 +150,23 @@ Reference Reference::until(double time) const noexcept {
 
 Reference reference_of(const Member& member, const Plan& plan, const Code& code) noexcept {
   const Vec2 from = member.anchor.head<2>(), to = member.destination.head<2>();
-  const Line line = line_of(from, to, plan, ring_radius[code.ring]);
-  const double leaves = plan.start + delay_step * code.delay;
   const double speed = math::fmax(member.speed, 0.01);
+  const Passage passage{line_of(from, to, plan, ring_radius[code.ring]), speed, member.turn};
+  const double leaves = plan.start + delay_step * code.delay, goes = leaves + member.turn;
   const double down = member.destination.z() - member.anchor.z();
   const double rate = math::fmax(down > 0.0 ? member.descent : member.climb, 0.01);
-  const double along = member.turn + line.length() / speed, vertical = std::fabs(down) / rate;
+  const double along = member.turn + passage.duration(), vertical = std::fabs(down) / rate;
   const double dives = leaves + math::fmax(along - vertical, 0.0) * code.dive / 3.0;
 
-  std::array<double, Reference::most_knots> times{};
-  std::size_t count = 0;
-  const auto mark = [&](double time) {
-    if (count < times.size()) times[count++] = time;
-  };
-  mark(leaves);
-  mark(dives);
-  mark(dives + vertical);
-  for (std::size_t i = 0; i < line.count; ++i) mark(leaves + member.turn + line.upto[i] / speed);
+  std::array<double, Reference::most_knots> times{leaves, dives, dives + vertical};
+  std::size_t count = 3;
+  for (const double time : passage.times()) times[count++] = goes + time;
   std::sort(times.begin(), times.begin() + static_cast<std::ptrdiff_t>(count));
 
   Reference whole;
   for (std::size_t i = 0; i < count; ++i) {
     if (i > 0 && times[i] <= times[i - 1]) continue;
-    const Vec2 place = line.at((times[i] - leaves - member.turn) * speed);
+    const Vec2 place = passage.at(times[i] - goes);
     const double share = vertical > 0.0 ? std::clamp((times[i] - dives) / vertical, 0.0, 1.0) : 1.0;
     whole.add({times[i], {place.x(), place.y(), member.anchor.z() + share * down}});
   }

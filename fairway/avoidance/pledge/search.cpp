@@ -6,6 +6,7 @@ namespace {
 
 constexpr int rings = static_cast<int>(ring_radius.size());
 constexpr int carousels = 2 * rings * rings;  // either way round, a ring for each class
+constexpr int carousel_cost = 4;              // of one carousel, in codes
 constexpr int codes = 256;
 
 /// First where the straight ways cross, in the mean; then the middle of where all are, to go round each other
@@ -47,6 +48,7 @@ void Search::begin() noexcept {
 bool Search::go_on(int count) noexcept {
   for (; count > 0 && stage_ != Stage::done; --count) {
     if (stage_ == Stage::carousel) {
+      count -= carousel_cost - 1;
       try_carousel(number_++);
       if (number_ < carousels) continue;
       number_ = 0;
