@@ -40,7 +40,7 @@ class Agreement {
   /// apart. `patience` is how many turns more than the least it gives acknowledgements to come in.
   void go_on(double now, double period, const Link& link, double patience) noexcept;
 
-  /// Own ship is within its arrival of its destination, and stays at `place`.
+  /// Own ship is within its arrival of its destination, and stays at `place`, the end of its reference.
   void arrive(const Vec3& place) noexcept;
 
   /// What to say in a turn at `now`.

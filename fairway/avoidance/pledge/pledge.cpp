@@ -102,8 +102,10 @@ Command Pledge::decide(const Situation& s, Memory& memory, Context& context) con
   memory.time = s.time;
   memory.turn_period = s.link->turn_period;
   for (const Heard& heard : s.link->heard) agreement.hear(heard.speech, s.time);
-  if (s.attendance == Attendance::arrived && agreement.status() != pledge::Status::arrived)
-    agreement.arrive(s.own.position);
+  if (s.attendance == Attendance::arrived && agreement.status() != pledge::Status::arrived) {
+    const Reference* gone = agreement.way();
+    agreement.arrive(gone != nullptr ? gone->knots().back().position : s.own.position);
+  }
   if (s.attendance == Attendance::ready || s.attendance == Attendance::under_way)
     agreement.go_on(s.time, s.period, *s.link,
                     s.attendance == Attendance::ready ? params.patience_count : 0.0);
