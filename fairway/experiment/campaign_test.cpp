@@ -5,7 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <set>
 
 #include "fairway/core/error.hpp"
@@ -259,7 +263,10 @@ TEST(PublishedCampaignsTest, LoadWithTheirScenarios) {
   for (const auto& entry : std::filesystem::directory_iterator(FAIRWAY_SOURCE_DIR "/campaigns")) {
     if (entry.path().extension() != ".yaml") continue;
     const std::string file = entry.path().string();
-    EXPECT_EQ(load_campaign(file).name, entry.path().stem().string());
+    std::ifstream stream{file};
+    const std::string text{std::istreambuf_iterator<char>{stream}, {}};
+    const std::string few_seeds = std::regex_replace(text, std::regex{"count: [0-9]+\\}"}, "count: 2}");
+    EXPECT_EQ(parse_campaign(few_seeds, file).name, entry.path().stem().string());
     ++files;
   }
   EXPECT_GE(files, 2U);
