@@ -271,7 +271,7 @@ Command Teb::decide(const Situation& s, Memory& memory, Context& context) const 
     }
     const Band& band = memory.bands.front();
     if (is_feasible(task, band)) {
-      const Command command =
+      Command command =
           s.envelope != nullptr ? command_ahead(task, band, *s.envelope) : first_command(task, band);
       if (context.sketch != nullptr) context.sketch->velocity(command.velocity, "chosen");
       return command;
