@@ -151,7 +151,7 @@ std::string compressed(std::string_view text) {
 }
 
 std::string read_maybe_compressed(const std::string& file) {
-  const std::string bytes = text_of_file(file);
+  std::string bytes = text_of_file(file);
   if (!bytes.starts_with(reference_file.begins)) return bytes;
   const unsigned long long size = ZSTD_getFrameContentSize(bytes.data(), bytes.size());
   if (size == ZSTD_CONTENTSIZE_ERROR || size == ZSTD_CONTENTSIZE_UNKNOWN || size > max_bytes)
