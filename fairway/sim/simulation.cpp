@@ -242,20 +242,6 @@ void Simulation::refuse_divergence() const {
   if (divergence_) throw RunDiverged{*divergence_, agents_[divergence_->vehicle].ship().name};
 }
 
-void Simulation::order(std::size_t index, const Command& command, const std::optional<BodyRequest>& request) {
-  orders_.resize(agents_.size());
-  orders_[index] = {command, request};
-}
-
-void Simulation::release(std::size_t index) {
-  if (!orders_.empty()) orders_[index] = {};
-}
-
-/// In force; null where the vehicle goes by itself.
-const Simulation::Order* Simulation::order_of(std::size_t index) const {
-  return !orders_.empty() && orders_[index].command ? &orders_[index] : nullptr;
-}
-
 void Simulation::run(std::span<FrameSink* const> sinks) {
   while (!is_done()) step(sinks);
   refuse_divergence();

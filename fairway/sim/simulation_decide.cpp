@@ -1,11 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
-// How vehicles decide: those whose method can decide for many together, the others one by one.
+// How vehicles decide: as they are told from outside, those whose method can decide for many together, the
+// others one by one.
 #include <chrono>
 
 #include "fairway/core/math.hpp"
 #include "fairway/sim/simulation.hpp"
 
 namespace fairway {
+
+void Simulation::order(std::size_t index, const Command& command, const std::optional<BodyRequest>& request) {
+  orders_.resize(agents_.size());
+  orders_[index] = {command, request};
+}
+
+void Simulation::release(std::size_t index) {
+  if (!orders_.empty()) orders_[index] = {};
+}
+
+/// In force; null where the vehicle goes by itself.
+const Simulation::Order* Simulation::order_of(std::size_t index) const {
+  return !orders_.empty() && orders_[index].command ? &orders_[index] : nullptr;
+}
 
 bool Simulation::is_deciding(const Agent& agent) const {
   return is_avoiding(agent.mission.phase()) && agent.pilot.is_due(time(), period_);

@@ -9,8 +9,7 @@ namespace {
 
 constexpr double codes_a_second = 1200.0;  // of the search
 constexpr double silent_turns = 3.0;       // after so many the next member may propose
-constexpr double least_patience =
-    1.1;  // turns from the word of a plan to its start, in which everybody speaks
+constexpr double least_patience = 1.1;     // turns from a plan's word to its start, in which everybody speaks
 constexpr double most_patience = 9.0;
 
 std::uint8_t epoch_of(int round, std::size_t author) {
@@ -181,8 +180,7 @@ Members Agreement::held() const noexcept {
 std::array<Reference, most_members> Agreement::ways_of_others() const noexcept {
   std::array<Reference, most_members> ways;
   for (std::size_t i = 0; i < terms_.count; ++i) {
-    if (i != self_ && known_[i] && (statuses_[i] == Status::arrived || statuses_[i] == Status::lost))
-      ways[i] = Reference{members_[i].anchor};
+    if (i != self_ && known_[i] && statuses_[i] == Status::arrived) ways[i] = Reference{members_[i].anchor};
   }
   return ways;
 }

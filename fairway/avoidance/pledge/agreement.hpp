@@ -51,8 +51,6 @@ class Agreement {
   const Reference* way() const { return status_ == Status::moving ? &way_ : nullptr; }
   const Member& member(std::size_t i) const { return members_[i]; }
   const Plan& plan() const { return plan_; }
-  Members acknowledged() const { return acknowledged_; }
-  Members known() const { return known_; }
   /// What it waits for, in a few words.
   std::string_view reason(double now) const noexcept;
 

@@ -16,7 +16,6 @@ struct Scale {
   double lowest;
 
   constexpr std::uint32_t last() const { return (1U << static_cast<unsigned>(bits)) - 1U; }
-  double highest() const { return lowest + step * last(); }
 
   /// The code of the nearest value that fits; NaN is told as the lowest.
   std::uint32_t code(double value) const noexcept {
@@ -41,7 +40,6 @@ class BitWriter {
     }
   }
   void put(double value, const Scale& scale) noexcept { put(scale.code(value), scale.bits); }
-  std::size_t bits() const { return at_; }
 
  private:
   std::span<std::uint8_t> bytes_;

@@ -77,28 +77,66 @@ Command held(const Situation& s, const Vec3& anchor, std::string_view why) noexc
           .note = why};
 }
 
+/// The command that keeps to the reference.
+Command followed(const Situation& s, const Reference& way, const Pledge::Params& params) noexcept {
+  const Vec3 off = way.at(s.time) - s.own.position;
+  const Vec3 ahead = way.velocity(s.time + look_ahead);
+  const Vec3 velocity = ahead + params.gain_hz * off;
+  // while the reference turns on the spot, so does the vehicle
+  const std::optional<double> course = horizontal_norm(ahead) > 0.02
+                                           ? std::optional{math::atan2(velocity.y(), velocity.x())}
+                                           : next_course(way, s.time);
+  const bool keeps_tube = off.norm() <= params.tube_m;
+  return {.velocity = along_heading(clamp_norm(velocity, s.limits.max_speed), s.own.yaw),
+          .mode = keeps_tube ? Mode::avoid : Mode::infeasible,
+          .turn_rate = turn_rate_to(course, s.own.yaw),
+          .note = keeps_tube ? "" : "is farther from its promised place than its tube"};
+}
+
+void draw(const Reference& way, double time, double tube, Sketch& sketch) noexcept {
+  std::array<Vec3, Reference::most_knots> points;
+  std::size_t count = 0;
+  for (const pledge::Knot& knot : way.knots()) points[count++] = knot.position;
+  sketch.path(std::span{points}.first(count), "promised way");
+  sketch.sphere(way.at(time), tube, "tube");
+}
+
 }  // namespace
 
 Command Pledge::decide(const Situation& s, Memory& memory, Context& context) const noexcept {
-  if (s.link == nullptr)
-    return {.mode = Mode::infeasible, .note = "pledge hears nobody: it needs an exchange"};
-  const std::size_t self = number(s.own.id);
-  if (self >= static_cast<std::size_t>(params.team_count))
-    return {.mode = Mode::infeasible, .note = "its id is beyond those of the group (team_count)"};
-  Agreement& agreement = memory.agreement;
+  const auto refused = [](std::string_view why) { return Command{.mode = Mode::infeasible, .note = why}; };
+  if (s.link == nullptr) return refused("pledge hears nobody: it needs an exchange");
+  if (number(s.own.id) >= static_cast<std::uint32_t>(params.team_count))
+    return refused("its id is beyond those of the group (team_count)");
   if (!memory.begun) {
     if (s.own.velocity.norm() > at_rest) memory.moved = s.time;
     if (s.time < memory.moved + settling) return {.mode = Mode::hold, .note = "comes to rest"};
-    agreement = Agreement{self,
-                          {.count = static_cast<std::size_t>(params.team_count),
-                           .datum = {params.datum_north_m, params.datum_east_m},
-                           .tubes = {.radius = params.tube_m, .told = 0.1}}};
-    const Member member = member_of(s, params.speed_ratio);
-    if (!pledge::fits(member, {params.datum_north_m, params.datum_east_m}))
-      return {.mode = Mode::infeasible, .note = "it is too far from the datum for its words"};
-    agreement.hold(member);
-    memory.begun = true;
+    if (!begin(s, memory)) return refused("it is too far from the datum for its words");
   }
+  take_part(s, memory);
+  const Agreement& agreement = memory.agreement;
+  const Reference* way = agreement.way();
+  if (way == nullptr) return held(s, agreement.member(number(s.own.id)).anchor, agreement.reason(s.time));
+  if (context.sketch != nullptr) draw(*way, s.time, params.tube_m, *context.sketch);
+  return followed(s, *way, params);
+}
+
+/// Enters the group where it lies. False if that is too far away to be told.
+bool Pledge::begin(const Situation& s, Memory& memory) const noexcept {
+  const Vec2 datum{params.datum_north_m, params.datum_east_m};
+  const Member member = member_of(s, params.speed_ratio);
+  if (!pledge::fits(member, datum)) return false;
+  memory.agreement = Agreement{number(s.own.id),
+                               {.count = static_cast<std::size_t>(params.team_count),
+                                .datum = datum,
+                                .tubes = {.radius = params.tube_m, .told = 0.1}}};
+  memory.agreement.hold(member);
+  return memory.begun = true;
+}
+
+/// Hears what has come in, and goes on with the agreement as far as its mission lets it.
+void Pledge::take_part(const Situation& s, Memory& memory) const noexcept {
+  Agreement& agreement = memory.agreement;
   memory.time = s.time;
   memory.turn_period = s.link->turn_period;
   for (const Heard& heard : s.link->heard) agreement.hear(heard.speech, s.time);
@@ -106,33 +144,9 @@ Command Pledge::decide(const Situation& s, Memory& memory, Context& context) con
     const Reference* gone = agreement.way();
     agreement.arrive(gone != nullptr ? gone->knots().back().position : s.own.position);
   }
-  if (s.attendance == Attendance::ready || s.attendance == Attendance::under_way)
-    agreement.go_on(s.time, s.period, *s.link,
-                    s.attendance == Attendance::ready ? params.patience_count : 0.0);
-
-  const Reference* way = agreement.way();
-  if (way == nullptr) return held(s, agreement.member(self).anchor, agreement.reason(s.time));
-  if (context.sketch != nullptr) {
-    std::array<Vec3, Reference::most_knots> points;
-    std::size_t count = 0;
-    for (const pledge::Knot& knot : way->knots()) points[count++] = knot.position;
-    context.sketch->path(std::span{points}.first(count), "promised way");
-    context.sketch->sphere(way->at(s.time), params.tube_m, "tube");
-  }
-  const Vec3 off = way->at(s.time) - s.own.position;
-  const Vec3 velocity = way->velocity(s.time + look_ahead) + params.gain_hz * off;
-  // while the reference turns on the spot, so does the vehicle
-  const bool goes = horizontal_norm(way->velocity(s.time + look_ahead)) > 0.02;
-  const std::optional<double> course =
-      goes ? std::optional{math::atan2(velocity.y(), velocity.x())} : next_course(*way, s.time);
-  Command command{.velocity = along_heading(clamp_norm(velocity, s.limits.max_speed), s.own.yaw),
-                  .mode = Mode::avoid,
-                  .turn_rate = turn_rate_to(course, s.own.yaw)};
-  if (off.norm() > params.tube_m) {
-    command.mode = Mode::infeasible;
-    command.note = "is farther from its promised place than its tube";
-  }
-  return command;
+  // where the clock has not begun there is time
+  if (s.attendance == Attendance::ready) agreement.go_on(s.time, s.period, *s.link, params.patience_count);
+  if (s.attendance == Attendance::under_way) agreement.go_on(s.time, s.period, *s.link, 0.0);
 }
 
 Speech Pledge::speech(const Memory& memory) const noexcept {

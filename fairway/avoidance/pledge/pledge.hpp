@@ -62,6 +62,10 @@ struct Pledge {
 
   Command decide(const Situation& s, Memory& memory, Context& context) const noexcept;
   Speech speech(const Memory& memory) const noexcept;
+
+ private:
+  bool begin(const Situation& s, Memory& memory) const noexcept;
+  void take_part(const Situation& s, Memory& memory) const noexcept;
 };
 
 static_assert(AvoidanceAlgorithm<Pledge>);

@@ -35,7 +35,6 @@ class Reference {
     if (count_ < most_knots) knots_[count_++] = knot;
   }
   std::span<const Knot> knots() const { return {knots_.data(), count_}; }
-  bool is_full() const { return count_ == most_knots; }
 
   Vec3 at(double time) const noexcept;
   Vec3 velocity(double time) const noexcept;

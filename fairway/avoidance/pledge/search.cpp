@@ -50,18 +50,7 @@ bool Search::go_on(int count) noexcept {
     if (stage_ == Stage::carousel) {
       count -= carousel_cost - 1;
       try_carousel(number_++);
-      if (number_ < carousels) continue;
-      number_ = 0;
-      turn_ = 0;
-      member_ = numbered(0);
-      soonest_ = never;
-      stage_ = found() ? Stage::improve : Stage::one_by_one;
-      scene_ = empty();
-      plan_ = found() ? best_ : Plan{.centre = centre_};
-      if (found()) {
-        for (std::size_t i = 0; i < most_members; ++i)
-          if (participants_[i]) scene_.place(i, reference_of(members_[i], plan_, plan_.codes[i]));
-      }
+      if (number_ == carousels) end_carousels();
     } else if (stage_ == Stage::one_by_one) {
       try_next_code();
     } else {
@@ -93,7 +82,7 @@ bool Search::next_member() noexcept {
   return true;
 }
 
-bool Search::try_carousel(int number) noexcept {
+void Search::try_carousel(int number) noexcept {
   const Code down{static_cast<std::uint8_t>(number % rings)},
       up{static_cast<std::uint8_t>(number / rings % rings)};
   Plan plan{.centre = centre_, .to_port = number >= rings * rings, .participants = participants_};
@@ -102,11 +91,23 @@ bool Search::try_carousel(int number) noexcept {
     if (!participants_[i]) continue;
     plan.codes[i] = dives(members_[i]) ? down : up;
     const Reference reference = reference_of(members_[i], plan, plan.codes[i]);
-    if (!scene.accepts(i, reference)) return false;
+    if (!scene.accepts(i, reference)) return;
     scene.place(i, reference);
   }
   keep(scene, plan);
-  return true;
+}
+
+/// The best carousel is improved; without one the members go one by one.
+void Search::end_carousels() noexcept {
+  number_ = 0;
+  turn_ = 0;
+  member_ = numbered(0);
+  soonest_ = never;
+  stage_ = found() ? Stage::improve : Stage::one_by_one;
+  plan_ = found() ? best_ : Plan{.centre = centre_};
+  scene_ = empty();
+  for (std::size_t i = 0; i < most_members; ++i)
+    if (plan_.participants[i]) scene_.place(i, reference_of(members_[i], plan_, plan_.codes[i]));
 }
 
 /// One code of the member whose turn it is; when all were tried it takes the soonest, or stays.

@@ -36,14 +36,14 @@ class Search {
   /// Whether somebody can go. Those who cannot are left out of the participants.
   bool found() const { return best_.participants.any(); }
   const Plan& best() const { return best_; }
-  double mean_time() const { return best_time_; }  ///< until they are at their ends, of those who go [s]
 
  private:
   enum class Stage { carousel, one_by_one, improve, done };
 
   void begin() noexcept;
   Clearance empty() const noexcept;
-  bool try_carousel(int number) noexcept;
+  void try_carousel(int number) noexcept;
+  void end_carousels() noexcept;
   void try_next_code() noexcept;
   void improve_next() noexcept;
   void keep(const Clearance& scene, const Plan& plan) noexcept;
@@ -68,7 +68,7 @@ class Search {
   Code code_{};
 
   Plan best_{};
-  double best_time_{};
+  double best_time_{};  ///< until they are at their ends, in the mean [s]
 };
 
 }  // namespace fairway::pledge

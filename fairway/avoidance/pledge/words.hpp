@@ -37,7 +37,6 @@ enum class Status : std::uint8_t {
   held,     ///< at its anchor, until a plan has every acknowledgement
   moving,   ///< on its way by the plan
   arrived,  ///< held for ever
-  lost,     ///< off its way, and held where that came out
 };
 
 /// What every word has.
