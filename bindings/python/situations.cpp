@@ -161,6 +161,19 @@ void bind_command(py::module_& m) {
       .finish();
 }
 
+void bind_link(py::module_& m) {
+  ValueClass<HeardSpeech>(m, "Heard", "What the method of another vehicle said.\n")
+      .required("sender", &HeardSpeech::from, "id of its vehicle")
+      .required("sent", &HeardSpeech::sent, "when it was said [s], by the mission's time")
+      .required("speech", &HeardSpeech::speech, "25 bytes at most")
+      .finish();
+  ValueClass<OwnedLink>(m, "Link", "What a vehicle's modem offers a method that speaks.\n")
+      .field("heard", &OwnedLink::heard, "of Heard: the last speech of each of the others, by vehicle")
+      .field("turn_period", &OwnedLink::turn_period, "from one own turn to the next [s]")
+      .field("next_turn", &OwnedLink::next_turn, "when the next one begins [s], by the mission's time")
+      .finish();
+}
+
 void bind_situation(py::module_& m) {
   const auto settle = [](OwnedSituation& s, const py::dict&) {
     std::ranges::sort(s.tracks, {}, [&](const Track& t) {
@@ -179,6 +192,11 @@ void bind_situation(py::module_& m) {
       .field("tracks", &OwnedSituation::tracks, "of Track, nearest first, whatever order they are given in")
       .field("obstacles", &OwnedSituation::obstacles, "of Obstacle: what does not move")
       .field("model", &OwnedSituation::model, "OnboardModel, or None where nothing is known of forces")
+      .field("link", &OwnedSituation::link,
+             "Link, or None unless the method speaks, has somebody to hear and is written in Python")
+      .field(
+          "attendance", &OwnedSituation::attendance,
+          "of a method that speaks: \"waiting\" and \"ready\" at a rendezvous, \"arrived\" after the mission")
       .finish(settle)
       .def_property_readonly(
           "preferred_velocity",
@@ -199,6 +217,12 @@ void bind_situation(py::module_& m) {
           "Of all tracks [m]. No copy.");
 }
 
+OwnedLink owned(const Link& link) {
+  OwnedLink own{.turn_period = link.turn_period, .next_turn = link.next_turn};
+  for (const Heard& each : link.heard) own.heard.push_back({each.from, each.sent, each.speech});
+  return own;
+}
+
 }  // namespace
 
 OwnedSituation::OwnedSituation(const Situation& s)
@@ -208,6 +232,8 @@ OwnedSituation::OwnedSituation(const Situation& s)
       goal{s.goal},
       limits{s.limits},
       model{s.model == nullptr ? std::nullopt : std::optional{*s.model}},
+      link{s.link == nullptr ? std::nullopt : std::optional{owned(*s.link)}},
+      attendance{s.attendance},
       tracks{s.tracks.begin(), s.tracks.end()} {
   obstacles.reserve(s.obstacles.size());
   for (const Obstacle& o : s.obstacles) {
@@ -231,7 +257,8 @@ Situation OwnedSituation::view(std::vector<Obstacle>& solids) const {
           .limits = limits,
           .model = model ? &*model : nullptr,
           .tracks = tracks,
-          .obstacles = solids};
+          .obstacles = solids,
+          .attendance = attendance};
 }
 
 Command command_of(py::handle answer, const std::string& who) {
@@ -246,6 +273,7 @@ void bind_situations(py::module_& m) {
   bind_obstacle(m);
   bind_goal_and_limits(m);
   bind_command(m);
+  bind_link(m);
   bind_situation(m);
 }
 

@@ -3,6 +3,7 @@
 
 #include <pybind11/pybind11.h>
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -10,7 +11,30 @@
 #include "fairway/avoidance/situation.hpp"
 #include "fairway/scenario/scenario.hpp"
 
+namespace fairway {
+
+template <>
+struct EnumNames<Attendance> {
+  static constexpr std::array names{"under_way", "waiting", "ready", "arrived"};
+};
+
+}  // namespace fairway
+
 namespace fairway::python {
+
+/// `fairway.Heard`: what another vehicle's method said.
+struct HeardSpeech {
+  VehicleId from{};
+  double sent{};
+  Speech speech;
+};
+
+/// `fairway.Link`: owns what was heard.
+struct OwnedLink {
+  std::vector<HeardSpeech> heard;
+  double turn_period{};
+  double next_turn{};
+};
 
 /// `fairway.Situation`: owns its tracks, its obstacles and their vertices, so that it may be kept.
 struct OwnedSituation {
@@ -20,6 +44,8 @@ struct OwnedSituation {
   Goal goal;
   Limits limits;
   std::optional<OnboardModel> model;
+  std::optional<OwnedLink> link;  ///< for who decides in Python; view() leaves it out
+  Attendance attendance{};
   std::vector<Track> tracks;            ///< nearest first; equal ranges by id
   std::vector<ObstacleSpec> obstacles;  ///< `velocity` means nothing here
 

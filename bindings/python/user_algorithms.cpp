@@ -12,6 +12,7 @@
 
 #include "bindings/python/situations.hpp"
 #include "bindings/python/user_constructor.hpp"
+#include "bindings/python/values.hpp"
 
 namespace fairway::python {
 namespace {
@@ -119,19 +120,35 @@ class UserAlgorithm {
     try {
       return command_by(*name_, object_->attr("decide")(OwnedSituation{situation}));
     } catch (py::error_already_set& error) {
-      keep(error, situation);
+      keep(error, " of the vehicle " + std::to_string(number(situation.own.id)) + " at " +
+                      std::to_string(situation.time) + " s");
     } catch (const std::exception& error) {
       failure_->keep(*name_, std::current_exception(), error.what());
     }
     return {.mode = Mode::infeasible};
   }
 
- private:
-  void keep(py::error_already_set& error, const Situation& situation) const noexcept {
+ protected:
+  /// What its speech() gives: bytes, or None.
+  Speech spoken() const noexcept {
+    if (failure_ == nullptr || failure_->raised) return {};
+    const py::gil_scoped_acquire lock;
     try {
-      add_note(error, "in the algorithm \"" + *name_ + "\" of the vehicle " +
-                          std::to_string(number(situation.own.id)) + " at " + std::to_string(situation.time) +
-                          " s");
+      const py::object said = object_->attr("speech")();
+      return said.is_none() ? Speech{}
+                            : Read<Speech>::from(said, "speech() of the algorithm \"" + *name_ + "\"");
+    } catch (py::error_already_set& error) {
+      keep(error, ", asked for its speech");
+    } catch (const std::exception& error) {
+      failure_->keep(*name_, std::current_exception(), error.what());
+    }
+    return {};
+  }
+
+ private:
+  void keep(py::error_already_set& error, const std::string& when) const noexcept {
+    try {
+      add_note(error, "in the algorithm \"" + *name_ + "\"" + when);
     } catch (const std::exception&) {  // the exception stands without a note
     }
     failure_->keep(*name_, std::current_exception(), first_line(error));
@@ -153,7 +170,15 @@ class UserAlgorithm {
   Held object_;
 };
 
-static_assert(AvoidanceAlgorithm<UserAlgorithm>);
+/// One with a method speech().
+class SpeakingUserAlgorithm : public UserAlgorithm {
+ public:
+  using UserAlgorithm::UserAlgorithm;
+  Speech speech(const NoMemory&) const noexcept { return spoken(); }
+};
+
+static_assert(AvoidanceAlgorithm<UserAlgorithm> && !Speaks<UserAlgorithm>);
+static_assert(AvoidanceAlgorithm<SpeakingUserAlgorithm> && Speaks<SpeakingUserAlgorithm>);
 
 }  // namespace
 
@@ -165,7 +190,9 @@ struct UserAlgorithms::Self {
   Avoider make(const UserConstructor& constructor, const ParamValues& values, Rng rng) {
     const py::gil_scoped_acquire lock;
     try {
-      return Avoider{UserAlgorithm{constructor, failure, constructor(values, rng)}, rng};
+      const py::object made = constructor(values, rng);
+      if (py::hasattr(made, "speech")) return Avoider{SpeakingUserAlgorithm{constructor, failure, made}, rng};
+      return Avoider{UserAlgorithm{constructor, failure, made}, rng};
     } catch (py::error_already_set& error) {
       failure.keep(constructor.name(), std::current_exception(), first_line(error));
       throw AlgorithmRaised(failure.summary);

@@ -7,6 +7,7 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -18,6 +19,7 @@
 #include "fairway/core/ids.hpp"
 #include "fairway/core/names.hpp"
 #include "fairway/core/params.hpp"
+#include "fairway/core/speech.hpp"
 #include "fairway/core/vec.hpp"
 
 namespace fairway::python {
@@ -100,6 +102,19 @@ struct Read<E> {
   }
 };
 
+template <>
+struct Read<Speech> {
+  static Speech from(py::handle given, const std::string& path) {
+    const std::string expected = "bytes, " + std::to_string(Speech::most_bytes) + " at most";
+    if (!py::isinstance<py::bytes>(given)) refuse(path, expected, given);
+    const std::string_view bytes = py::reinterpret_borrow<py::bytes>(given);
+    if (bytes.size() > Speech::most_bytes) refuse(path, expected, given);
+    Speech speech{.size = static_cast<std::uint8_t>(bytes.size())};
+    std::ranges::copy(bytes, speech.bytes.begin());
+    return speech;
+  }
+};
+
 template <class Id>
 struct ReadId {
   static Id from(py::handle given, const std::string& path) {
@@ -163,6 +178,8 @@ Hint hint_of() {
     return {"int", "int"};
   } else if constexpr (std::is_same_v<V, double>) {
     return {"float", "float"};
+  } else if constexpr (std::is_same_v<V, Speech>) {
+    return {"bytes", "bytes"};
   } else if constexpr (std::is_same_v<V, Mode>) {
     return {"Mode | str", "Mode"};
   } else if constexpr (std::is_enum_v<V> || std::is_convertible_v<V, std::string_view>) {
@@ -187,6 +204,8 @@ template <class V>
 py::object show(const V& value, py::handle self) {
   if constexpr (std::is_same_v<V, VehicleId> || std::is_same_v<V, TrackId>) {
     return py::int_(number(value));
+  } else if constexpr (std::is_same_v<V, Speech>) {
+    return py::bytes(reinterpret_cast<const char*>(value.bytes.data()), value.size);
   } else if constexpr (std::is_same_v<V, Mode> || std::is_arithmetic_v<V> || std::is_same_v<V, std::string> ||
                        std::is_same_v<V, std::string_view>) {
     return py::cast(value);

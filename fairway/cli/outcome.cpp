@@ -82,6 +82,10 @@ json document_of(const Scenario& scenario, const RunOutcome& outcome,
     }
   }
   for (const auto& [vehicle, note] : outcome.notes) document["notes"][vehicle] = note;
+  if (outcome.messages) {
+    for_each_member<AcousticCounts>(
+        [&](const auto& m) { document["messages"][std::string(m.name)] = *outcome.messages.*m.at; });
+  }
   document["no_progress"] = json::array();
   for (const NoProgress& one : outcome.no_progress) {
     document["no_progress"].push_back({{"vehicle", one.name},
@@ -109,6 +113,12 @@ void print(const Scenario& scenario, const RunOutcome& outcome, const std::vecto
   for (const auto& [vehicle, note] : outcome.notes) out << "  " << vehicle << ": " << note << "\n";
   for (const auto& [name, report, with] : outcome.no_progress)
     out << "  " << name << ": " << text_of(report, with) << "\n";
+  if (const auto& messages = outcome.messages) {
+    out << fmt::format(
+        "  messages: {} sent; {} received, {} lost, {} out of range, {} drowned, {} collided\n",
+        messages->sent, messages->received, messages->lost, messages->out_of_range, messages->drowned,
+        messages->collided);
+  }
   if (outcome.decisions.count > 0) {
     out << fmt::format("  decisions: {}, mean {:.2f} us, worst {:.1f} us (on this machine)\n",
                        outcome.decisions.count,

@@ -107,6 +107,7 @@ RunOutcome run_scenario(const Scenario& scenario, const RecordingChoice& recordi
   outcome.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   if (!outcome.divergence) outcome.measures = metrics.measures();
   outcome.decisions = simulation.decision_times();
+  outcome.messages = simulation.message_counts();
   for (const Agent& agent : simulation.agents()) {
     if (!agent.note.empty()) outcome.notes.emplace_back(agent.ship().name, std::string(agent.note));
   }

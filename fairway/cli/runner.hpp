@@ -28,6 +28,7 @@ struct RunOutcome {
   DecisionTimes decisions;
   std::vector<std::pair<std::string, std::string>> notes;  ///< what an avoider said last, by vehicle
   std::vector<NoProgress> no_progress;                     ///< whoever made no progress at the end
+  std::optional<AcousticCounts> messages;                  ///< what became of them, where telling takes time
   double simulated_s{};
   double wall_s{};
   bool complete{true};                   ///< false if stopped

@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 
+#include "fairway/comms/sound.hpp"
 #include "fairway/comms/team_record.hpp"
+#include "fairway/core/math.hpp"
 
 namespace fairway {
 namespace {
@@ -33,6 +36,15 @@ const AcousticParams& checked(const AcousticParams& params, std::size_t vehicle_
   if (params.relay && !params.slots)
     throw InputError({}, "slots",
                      "a relay repeats each message in the sender's slot; slots: false leaves it none");
+  if (params.carrier_sense && params.slots)
+    throw InputError({}, "carrier_sense", "in slots nobody waits for others; slots: false goes with it");
+  // so many in a row at least, where every run of losses is followed by one message that gets through
+  const double shortest = std::max(1.0, params.loss_ratio / (1.0 - params.loss_ratio));
+  if (params.loss_run_count > 0.0 && params.loss_run_count < shortest) {
+    throw InputError({}, "loss_run_count",
+                     "a link that loses " + number(params.loss_ratio) + " of its messages loses at least " +
+                         number(shortest) + " in a row in the mean; 0: each is lost by itself");
+  }
   constexpr std::size_t most = AcousticChannel::max_vehicles;
   if (vehicle_count > most) {
     throw InputError(
@@ -55,6 +67,26 @@ double way_of_sound(const AcousticParams& params, double distance, double period
 
 /// On the surface [m, NED].
 Vec3 relay_of(const AcousticParams& params) { return {params.relay_north_m, params.relay_east_m, 0.0}; }
+
+/// True if the straight way from `a` to `b` comes within a centimetre of what is solid.
+bool is_between(const Obstacle& obstacle, const Vec3& a, const Vec3& b) {
+  constexpr double touching = 0.01;
+  const double length = (b - a).norm();
+  const Vec3 direction = length > 0.0 ? Vec3{(b - a) / length} : Vec3{Vec3::Zero()};
+  double gone = 0.0;
+  while (gone < length) {  // nothing is nearer than the nearest point
+    const double free = nearest_point(obstacle, a + gone * direction).distance;
+    if (free < touching) return true;
+    gone += free;
+  }
+  return false;
+}
+
+/// Of a ratio of powers [dB].
+double decibels(double ratio) { return 10.0 * math::log(ratio) / std::numbers::ln10; }
+
+/// The level of 1 W of sound, 1 m from a source that sends it everywhere [dB re 1 uPa].
+constexpr double one_watt = 170.8;
 
 /// Whole ticks that are not over before `time` [ticks].
 double whole(double time) { return std::ceil(time - instant); }
@@ -93,11 +125,15 @@ AcousticChannel::AcousticChannel(const AcousticParams& params, std::size_t vehic
       slot_ticks_{std::max<std::int64_t>(
           1, std::llround(whole((params.relay ? 2 : 1) *
                                 (transmission_ + way_of_sound(params, params.range_m, period)))))},
-      transmitters_(vehicle_count),
+      ray_{ray_of(params)},
       flights_(most_under_way(params, vehicle_count, period, interval_)),
       heard_(vehicle_count * vehicle_count, Message{.told = false}) {
   const double count = static_cast<double>(vehicle_count);
   for (std::size_t i = 0; i < vehicle_count; ++i) {
+    Rng clock = rng.stream("clock", i);
+    transmitters_.push_back({.backoff = rng.stream("backoff", i),
+                             .clock_ahead = params.clock_offset_s * clock.normal() / period,
+                             .clock_drift = params.clock_drift_ratio * clock.normal()});
     if (!params.slots)
       transmitters_[i].due = std::floor(interval_ * static_cast<double>(i) / count + instant);
     const Rng sender = rng.stream("sender", i);
@@ -105,9 +141,20 @@ AcousticChannel::AcousticChannel(const AcousticParams& params, std::size_t vehic
   }
 }
 
-void AcousticChannel::pass_on(Tick now, const Mailbox& said, std::span<const Vec3> places) {
+AcousticChannel::Ray AcousticChannel::ray_of(const AcousticParams& params) {
+  const double frequency = 1e-3 * params.frequency_hz;
+  const double level = one_watt + decibels(params.source_power_w);
+  const double noise = ambient_noise(frequency, params.shipping_ratio, params.wind_mps);
+  return {
+      .absorption = francois_garrison_absorption(frequency, {}),
+      .bit_energy_at_1m = level - noise - decibels(params.bit_rate_bps) - decibels(params.echo_loss_ratio)};
+}
+
+void AcousticChannel::pass_on(Tick now, const Mailbox& said, std::span<const Vec3> places,
+                              std::span<const Obstacle> obstacles) {
   for (std::size_t i = 0; i < vehicle_count_; ++i) {
-    if (said[i].told && may_transmit(i, now)) transmit(i, now, said, places);
+    if (said[i].told && may_transmit(i, now) && !waits_for_silence(i, now))
+      transmit(i, now, said, places, obstacles);
   }
   hand_over(now);
 }
@@ -133,12 +180,13 @@ double AcousticChannel::next_turn(std::size_t vehicle, Tick now) const {
 
 void AcousticChannel::add_under_way(std::vector<MessageFlight>& flights) const {
   for (const Flight& flight : std::span{flights_}.first(under_way_)) {
+    if (flight.is_noise) continue;
     flights.push_back({.from = static_cast<std::uint32_t>(flight.from),
                        .to = static_cast<std::uint32_t>(flight.to),
                        .sent = flight.sent * period_,
                        .begins = flight.begins * period_,
                        .arrives = flight.ends * period_,
-                       .drowned = flight.drowned});
+                       .drowned = flight.drowned || flight.collided});
   }
 }
 
@@ -150,14 +198,35 @@ bool AcousticChannel::may_transmit(std::size_t vehicle, Tick now) const {
   return begins && slot % static_cast<std::int64_t>(vehicle_count_) == static_cast<std::int64_t>(vehicle);
 }
 
-void AcousticChannel::transmit(std::size_t from, Tick now, const Mailbox& said,
-                               std::span<const Vec3> places) {
+bool AcousticChannel::waits_for_silence(std::size_t vehicle, Tick now) {
+  if (!params_.carrier_sense) return false;
+  const double begin = static_cast<double>(count(now));
+  double busy_until = 0.0;
+  for (const Flight& flight : std::span{flights_}.first(under_way_)) {
+    if (flight.to == vehicle && flight.begins <= begin + instant)
+      busy_until = std::max(busy_until, flight.ends);
+  }
+  Transmitter& transmitter = transmitters_[vehicle];
+  if (busy_until <= begin + instant) {
+    transmitter.waits = 0;
+    return false;
+  }
+  const double window = math::power(2.0, std::min(++transmitter.waits, 5));
+  transmitter.due = busy_until + transmitter.backoff.uniform(0.0, window) * transmission_;
+  return true;
+}
+
+void AcousticChannel::transmit(std::size_t from, Tick now, const Mailbox& said, std::span<const Vec3> places,
+                               std::span<const Obstacle> obstacles) {
   const double begin = static_cast<double>(count(now));
   Transmitter& transmitter = transmitters_[from];
   const double waited = begin - transmitter.began.value_or(begin);
   transmitter.began = begin;
   transmitter.due += interval_;
   if (transmitter.due <= begin) transmitter.due = begin + interval_;  // what was missed is not made up for
+  if (params_.carrier_sense) {  // else two that once began together would do so for ever
+    transmitter.due += transmitter.backoff.uniform(0.0, 1.0) * transmission_;
+  }
   ++counts_.sent;
   drown_what_reaches(from);
 
@@ -167,28 +236,59 @@ void AcousticChannel::transmit(std::size_t from, Tick now, const Mailbox& said,
   const Message message = told(said[from], now);
   for (std::size_t to = 0; to < vehicle_count_; ++to) {
     if (to == from) continue;
-    const Leg last = leg(from, to, places);
+    const Leg last = leg(from, to, places, obstacles);
     const bool is_through = gets_through(links_[from * vehicle_count_ + to], last.distance, waited);
     if (!last.reaches || last.distance > params_.range_m) {
       ++counts_.out_of_range;
-    } else if (!is_through || !is_repeated) {
-      ++counts_.lost;
-    } else {
-      const double begins = begin + last.before + way_of_sound(params_, last.distance, period_);
-      Flight& flight = flights_[under_way_++];
-      flight = {message, from, to, begin, begins, begins + transmission_};
-      flight.drowned = is_deaf(to, flight);
+      continue;
     }
+    const double begins = begin + last.before + way_of_sound(params_, last.distance, period_);
+    send({.message = message,
+          .from = from,
+          .to = to,
+          .sent = begin,
+          .begins = begins,
+          .ends = begins + transmission_,
+          .strength = math::exp(-loss_on(last.distance) / 10.0 * std::numbers::ln10),
+          .is_noise = !is_through || !is_repeated});
   }
 }
 
-AcousticChannel::Leg AcousticChannel::leg(std::size_t from, std::size_t to,
-                                          std::span<const Vec3> places) const {
-  if (!params_.relay) return {(places[to] - places[from]).norm(), 0.0, true};
+void AcousticChannel::send(Flight flight) {
+  if (flight.is_noise) {
+    ++counts_.lost;
+    if (!params_.interference && !params_.carrier_sense) return;
+  }
+  flight.drowned = is_deaf(flight.to, flight);
+  if (params_.interference) collide(flight);
+  flights_[under_way_++] = flight;
+}
+
+void AcousticChannel::collide(Flight& flight) {
+  for (Flight& other : std::span{flights_}.first(under_way_)) {
+    const bool overlap =
+        other.to == flight.to && other.ends > flight.begins + instant && flight.ends > other.begins + instant;
+    if (!overlap) continue;
+    if (other.strength < params_.capture_ratio * flight.strength) other.collided = true;
+    if (flight.strength < params_.capture_ratio * other.strength) flight.collided = true;
+  }
+}
+
+AcousticChannel::Leg AcousticChannel::leg(std::size_t from, std::size_t to, std::span<const Vec3> places,
+                                          std::span<const Obstacle> obstacles) const {
+  const auto is_clear = [&](const Vec3& a, const Vec3& b) {
+    return !params_.shadow ||
+           std::ranges::none_of(obstacles, [&](const Obstacle& each) { return is_between(each, a, b); });
+  };
+  if (!params_.relay) return {(places[to] - places[from]).norm(), 0.0, is_clear(places[from], places[to])};
   const Vec3 relay = relay_of(params_);
   const double up = (relay - places[from]).norm();
   return {(places[to] - relay).norm(), transmission_ + way_of_sound(params_, up, period_),
-          up <= params_.range_m};
+          up <= params_.range_m && is_clear(places[from], relay) && is_clear(relay, places[to])};
+}
+
+double AcousticChannel::loss_on(double distance) const {
+  return transmission_loss(distance, params_.spreading_ratio, ray_.absorption);
 }
 
 Message AcousticChannel::told(const Message& message, Tick now) const {
@@ -199,8 +299,7 @@ Message AcousticChannel::told(const Message& message, Tick now) const {
 }
 
 bool AcousticChannel::gets_through(Link& link, double distance, double waited) {
-  // drawn in any case, so that nobody's place decides about later draws
-  const bool lucky = link.rng.uniform(0.0, 1.0) >= params_.loss_ratio;
+  const bool lucky = is_lucky(link, distance);
   if (params_.rate_law == RateLaw::constant) return lucky;
 
   // at most one message is saved up
@@ -208,6 +307,23 @@ bool AcousticChannel::gets_through(Link& link, double distance, double waited) {
   if (link.allowance < 1.0) return false;
   link.allowance -= 1.0;
   return lucky;
+}
+
+bool AcousticChannel::is_lucky(Link& link, double distance) const {
+  // drawn in any case, so that nobody's place decides about later draws
+  const double draw = link.rng.uniform(0.0, 1.0);
+  bool lucky = draw >= params_.loss_ratio;
+  if (params_.loss_run_count > 0.0 && link.is_losing) {  // Gilbert (1960): two states, one loses all
+    const double ends = 1.0 / params_.loss_run_count;
+    const double begins = ends * params_.loss_ratio / (1.0 - params_.loss_ratio);
+    lucky = *link.is_losing ? draw < ends : draw >= begins;
+  }
+  link.is_losing = !lucky;
+  if (params_.propagation == Propagation::disc) return lucky;
+
+  const int bits = 8 * (params_.message_bytes_count + params_.overhead_bytes_count);
+  const double error = packet_error_ratio(ray_.bit_energy_at_1m - loss_on(distance), bits);
+  return link.rng.uniform(0.0, 1.0) >= error && lucky;
 }
 
 bool AcousticChannel::is_deaf(std::size_t vehicle, const Flight& flight) const {
@@ -228,15 +344,27 @@ void AcousticChannel::hand_over(Tick now) {
     const Flight& flight = flights_[i];
     if (flight.ends > end) {
       flights_[left++] = flight;
-    } else if (flight.drowned) {
-      ++counts_.drowned;
-    } else {
-      ++counts_.received;
+    } else if (!flight.is_noise) {
+      ++(flight.drowned ? counts_.drowned : flight.collided ? counts_.collided : counts_.received);
+      if (flight.drowned || flight.collided) continue;
+      const Message message = as_read(flight, now);
       Message& known = heard_[flight.to * vehicle_count_ + flight.from];
-      if (!known.told || known.sent < flight.message.sent) known = flight.message;
+      if (!known.told || known.sent < message.sent) known = message;
     }
   }
   under_way_ = left;
+}
+
+Message AcousticChannel::as_read(const Flight& flight, Tick now) const {
+  Message read = flight.message;
+  if (params_.clock_offset_s == 0.0 && params_.clock_drift_ratio == 0.0) return read;
+  const auto ahead = [](const Transmitter& its, Tick at) {
+    return its.clock_ahead + its.clock_drift * static_cast<double>(count(at));
+  };
+  const double wrong = ahead(transmitters_[flight.from], read.sent) - ahead(transmitters_[flight.to], now);
+  read.sent =
+      std::min(now, Tick{count(read.sent) + std::llround(wrong)});  // nothing is taken to be of the future
+  return read;
 }
 
 }  // namespace fairway

@@ -10,7 +10,9 @@
 #include "fairway/comms/message.hpp"
 #include "fairway/core/message_flight.hpp"
 #include "fairway/core/params.hpp"
+#include "fairway/core/record.hpp"
 #include "fairway/core/rng.hpp"
+#include "fairway/core/shapes.hpp"
 
 namespace fairway {
 
@@ -20,6 +22,14 @@ enum class RateLaw { constant, measured };
 template <>
 struct EnumNames<RateLaw> {
   static constexpr std::array names{"constant", "measured"};
+};
+
+/// How far sound carries: as far as a range, or as the sonar equation says.
+enum class Propagation { disc, sonar };
+
+template <>
+struct EnumNames<Propagation> {
+  static constexpr std::array names{"disc", "sonar"};
 };
 
 /// An acoustic modem on every vehicle, and the water between them. docs/exchange.md has the reasons.
@@ -32,6 +42,20 @@ struct AcousticParams {
   double relay_east_m = 0.0;
   double range_m = 80.0;
   double loss_ratio = 0.0;
+  double loss_run_count = 0.0;
+  Propagation propagation = Propagation::disc;
+  double source_power_w = 1.4;
+  double frequency_hz = 26000.0;
+  double spreading_ratio = 1.5;
+  double wind_mps = 5.0;
+  double shipping_ratio = 0.5;
+  double echo_loss_ratio = 10.0;
+  bool shadow = false;
+  bool interference = false;
+  double capture_ratio = 10.0;
+  bool carrier_sense = false;
+  double clock_offset_s = 0.0;
+  double clock_drift_ratio = 0.0;
   double sound_speed_mps = 1500.0;
   double bit_rate_bps = 1600.0;
   int message_bytes_count = 25;
@@ -56,6 +80,28 @@ struct AcousticParams {
         field<&P::relay_east_m>({-1e7, 1e7}, "likewise"),
         field<&P::range_m>({0.1, 1e5}, "nobody farther away hears a message"),
         field<&P::loss_ratio>({0, 1}, "share of messages that are lost, each link by itself"),
+        field<&P::loss_run_count>(
+            {0, 1e6}, "mean number of messages that a link loses in a row; 0: each is lost by itself"),
+        field<&P::propagation>(
+            "disc: whoever is within range_m hears; sonar: as likely as the sonar equation says"),
+        field<&P::source_power_w>({1e-6, 1e6}, "sonar, interference: of the sound that a modem sends"),
+        field<&P::frequency_hz>({400, 1e6}, "sonar, interference: in the middle of the band"),
+        field<&P::spreading_ratio>({1, 2},
+                                   "sonar, interference: 1 between surface and bottom, 2 in the open"),
+        field<&P::wind_mps>({0, 50}, "sonar: makes noise"),
+        field<&P::shipping_ratio>({0, 1}, "sonar: makes noise; 0 far from all ships, 1 in a busy lane"),
+        field<&P::echo_loss_ratio>(
+            {1, 1e6},
+            "sonar: how many times less of a bit's energy counts, for echoes and an imperfect modem"),
+        field<&P::shadow>("nobody hears through a fixed obstacle"),
+        field<&P::interference>("messages that overlap at a receiver spoil each other"),
+        field<&P::capture_ratio>(
+            {1, 1e9}, "interference: a message as many times as strong as another is heard in spite of it"),
+        field<&P::carrier_sense>(
+            "without slots: a vehicle that hears a message waits until it is over, and a random time more"),
+        field<&P::clock_offset_s>({0, 1000}, "standard deviation of the vehicles' clocks as a run begins"),
+        field<&P::clock_drift_ratio>({0, 0.1},
+                                     "standard deviation of how much too fast they go; 1e-6 is 1 ppm"),
         field<&P::sound_speed_mps>({100, 1e9}, "in water"),
         field<&P::bit_rate_bps>({1, 1e12}, "of the modem"),
         field<&P::message_bytes_count>({1, 65536}, "of what is told; the team record takes 25"),
@@ -77,9 +123,22 @@ double measured_rate(double distance);
 struct AcousticCounts {
   std::int64_t sent{};
   std::int64_t received{};
-  std::int64_t lost{};          ///< by chance, or because the measured rate was used up
-  std::int64_t out_of_range{};  ///< when sent
+  std::int64_t lost{};          ///< by chance, by noise, or because the measured rate was used up
+  std::int64_t out_of_range{};  ///< when sent, or hidden
   std::int64_t drowned{};       ///< the receiver was transmitting while they arrived
+  std::int64_t collided{};      ///< with another message at the receiver
+
+  static consteval auto members() {
+    using R = AcousticCounts;
+    return std::tuple{
+        member<&R::sent>("", "transmissions"),
+        member<&R::received>("", "receptions, one for each receiver"),
+        member<&R::lost>("", "by chance, by noise, or because the measured rate was used up"),
+        member<&R::out_of_range>("", "too far or hidden when sent"),
+        member<&R::drowned>("", "the receiver was transmitting while they arrived"),
+        member<&R::collided>("", "with another message at the receiver"),
+    };
+  }
 };
 
 /// Underwater modems on all vehicles of a team: messages are few, take their time, get lost, and are not
@@ -94,7 +153,8 @@ class AcousticChannel {
   AcousticChannel(const AcousticParams& params, std::size_t vehicle_count, double period, const Rng& rng);
 
   /// As Exchange.
-  void pass_on(Tick now, const Mailbox& said, std::span<const Vec3> places);
+  void pass_on(Tick now, const Mailbox& said, std::span<const Vec3> places,
+               std::span<const Obstacle> obstacles = {});
   std::span<const Message> heard_by(std::size_t receiver) const;
   void add_under_way(std::vector<MessageFlight>& flights) const;
   double turn_period() const;
@@ -113,11 +173,22 @@ class AcousticChannel {
   struct Transmitter {
     double due{};                 // [ticks]
     std::optional<double> began;  // to transmit, last [ticks]
+    Rng backoff;
+    int waits{};           // in a row, for others to be silent
+    double clock_ahead{};  // as the run begins [ticks]
+    double clock_drift{};  // by which it goes too fast
   };
 
   struct Link {
     Rng rng;
-    double allowance{1.0};  // of messages that the measured rate lets through
+    double allowance{1.0};            // of messages that the measured rate lets through
+    std::optional<bool> is_losing{};  // in a run of losses
+  };
+
+  /// A ray of sound from one modem to another: what the sonar equation has that does not change.
+  struct Ray {
+    double absorption{};        // [dB/km]
+    double bit_energy_at_1m{};  // over noise, echoes included [dB]
   };
 
   /// A message on its way to one receiver; times in ticks.
@@ -128,7 +199,10 @@ class AcousticChannel {
     double sent{};
     double begins{};  // to be heard
     double ends{};
+    double strength{};  // by the receiver's place, of 1 at 1 m
+    bool is_noise{};    // lost, and yet in the others' way
     bool drowned{};
+    bool collided{};
   };
 
   /// The way of a message to a receiver: its last part, and what of it is over by then.
@@ -138,14 +212,23 @@ class AcousticChannel {
     bool reaches{};     // what sends it
   };
 
+  static Ray ray_of(const AcousticParams& params);
   bool may_transmit(std::size_t vehicle, Tick now) const;
-  void transmit(std::size_t from, Tick now, const Mailbox& said, std::span<const Vec3> places);
+  bool waits_for_silence(std::size_t vehicle, Tick now);
+  void transmit(std::size_t from, Tick now, const Mailbox& said, std::span<const Vec3> places,
+                std::span<const Obstacle> obstacles);
+  void send(Flight flight);
+  void collide(Flight& flight);
   bool is_deaf(std::size_t vehicle, const Flight& flight) const;
   bool gets_through(Link& link, double distance, double waited);
-  Leg leg(std::size_t from, std::size_t to, std::span<const Vec3> places) const;
+  bool is_lucky(Link& link, double distance) const;
+  double loss_on(double distance) const;
+  Leg leg(std::size_t from, std::size_t to, std::span<const Vec3> places,
+          std::span<const Obstacle> obstacles) const;
   void drown_what_reaches(std::size_t vehicle);
   void hand_over(Tick now);
   Message told(const Message& message, Tick now) const;
+  Message as_read(const Flight& flight, Tick now) const;
 
   AcousticParams params_;
   std::size_t vehicle_count_;
@@ -153,6 +236,7 @@ class AcousticChannel {
   double transmission_;      // [ticks]
   double interval_;          // between the times when a vehicle is due [ticks]
   std::int64_t slot_ticks_;  // [ticks]
+  Ray ray_;
 
   std::vector<Transmitter> transmitters_;
   std::vector<Link> links_;      // by sender, then receiver

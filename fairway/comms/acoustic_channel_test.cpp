@@ -90,7 +90,8 @@ TEST(AcousticChannel, WhoKeepsSilentIsNotHeard) {
 TEST(AcousticChannel, MessagesAreLostAsOftenAsAskedFor) {
   Sea sea{{.update_rate_hz = 1000, .slots = false, .loss_ratio = 0.3, .bit_rate_bps = 1e12}, pair(10)};
   sea.run(1000);
-  const auto [sent, received, lost, out_of_range, drowned] = sea.counts();
+  const auto [sent, received, lost, out_of_range, drowned, collided] = sea.counts();
+  EXPECT_EQ(collided, 0);
   EXPECT_EQ(sent, 40'000);  // 20 a second each
   // 4 standard deviations of the binomial: 4 sqrt(40000 0.3 0.7) = 367
   EXPECT_NEAR(static_cast<double>(lost), 12'000, 367);
@@ -293,7 +294,8 @@ TEST(AcousticChannel, EveryMessageIsAccountedFor) {
   sea.run(600);
   for (Message& message : sea.said) message.told = false;
   sea.run(2);  // nothing is left under way
-  const auto [sent, received, lost, out_of_range, drowned] = sea.counts();
+  const auto [sent, received, lost, out_of_range, drowned, collided] = sea.counts();
+  EXPECT_EQ(collided, 0);
   for (const std::int64_t some : {received, lost, out_of_range, drowned}) EXPECT_GT(some, 0);
   EXPECT_EQ(3 * sent, received + lost + out_of_range + drowned);
 }

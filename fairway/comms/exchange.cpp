@@ -20,8 +20,14 @@ Exchange::Way Exchange::way_of(std::string_view kind, const ParamValues& params,
   return Everywhere{};
 }
 
-void Exchange::pass_on(Tick now, const Mailbox& said, std::span<const Vec3> places) {
-  if (auto* channel = std::get_if<AcousticChannel>(&way_)) channel->pass_on(now, said, places);
+void Exchange::pass_on(Tick now, const Mailbox& said, std::span<const Vec3> places,
+                       std::span<const Obstacle> obstacles) {
+  if (auto* channel = std::get_if<AcousticChannel>(&way_)) channel->pass_on(now, said, places, obstacles);
+}
+
+std::optional<AcousticCounts> Exchange::counts() const {
+  const auto* channel = std::get_if<AcousticChannel>(&way_);
+  return channel != nullptr ? std::optional{channel->counts()} : std::nullopt;
 }
 
 std::span<const Message> Exchange::heard_by(std::size_t receiver, std::span<const Message> said) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <variant>
@@ -25,9 +26,10 @@ class Exchange {
            Rng rng);
 
   /// One tick: takes what everyone would say now and hands over what has arrived by now. `places` is where
-  /// the vehicles truly are [m, NED], since sound travels there. Called once a tick, with ticks in order.
-  /// Does not allocate after the first tick.
-  void pass_on(Tick now, const Mailbox& said, std::span<const Vec3> places);
+  /// the vehicles truly are [m, NED], since sound travels there, and `obstacles` what may be in its way.
+  /// Called once a tick, with ticks in order. Does not allocate after the first tick.
+  void pass_on(Tick now, const Mailbox& said, std::span<const Vec3> places,
+               std::span<const Obstacle> obstacles = {});
 
   /// The last message that `receiver` has heard of each vehicle, `said` being what was passed on last; its
   /// own may be among them, and so may vehicles that never told anything (`told` is false). Valid until the
@@ -37,6 +39,9 @@ class Exchange {
   /// Adds the messages that are under way, in the order in which they were sent; none where telling takes no
   /// time.
   void add_under_way(std::vector<MessageFlight>& flights) const;
+
+  /// What became of all that was sent so far; nothing where telling takes no time.
+  std::optional<AcousticCounts> counts() const;
 
   /// True if everyone hears what everyone says, at once: heard_by() is then what is said, by vehicle.
   bool carries_at_once() const { return std::holds_alternative<Everywhere>(way_); }

@@ -276,7 +276,7 @@ void Simulation::deliver() {
   rendezvous_reached_ = std::numeric_limits<int>::max();
   for (const Hand& hand : hands_)
     rendezvous_reached_ = std::min(rendezvous_reached_, hand.rendezvous_reached);
-  exchange_.pass_on(tick_, mailbox_, places_);
+  exchange_.pass_on(tick_, mailbox_, places_, obstacles_.fixed());
   sort_places();
   obstacles_.move_to(time());
   std::ranges::transform(obstacles_.drifters(), movers_.begin() + static_cast<std::ptrdiff_t>(agents_.size()),

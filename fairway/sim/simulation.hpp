@@ -91,6 +91,9 @@ class Simulation {
   void time_decisions() { timing_ = true; }
   DecisionTimes decision_times() const;
 
+  /// What became of the messages that were sent, where telling takes time.
+  std::optional<AcousticCounts> message_counts() const { return exchange_.counts(); }
+
   /// Measures the stages of each step from now on; two clock readings a part of the fleet. Threads add up.
   void time_stages() { timing_stages_ = true; }
   StageTimes stage_times() const;

@@ -305,3 +305,72 @@ def test_an_exception_ends_only_its_own_run_of_a_batch():
     assert isinstance(failure, LookupError)
     assert "raise LookupError" in "".join(traceback.format_exception(failure))
     assert np.isfinite(batch.fleet["makespan_s"][[0, 1, 3]]).all()
+
+
+class Counts(Straight):
+    """Says how often it was asked for its word, and keeps what it hears."""
+
+    heard = {}
+
+    def __init__(self):
+        self.asked = 0
+
+    def speech(self):
+        self.asked += 1
+        return bytes([7, self.asked % 256])
+
+    def decide(self, situation):
+        self.link = situation.link
+        if self.link is not None:
+            for each in self.link.heard:
+                Counts.heard[situation.own.id, each.sender] = (each.sent, each.speech)
+            Counts.next_turn = (situation.time, self.link.next_turn, self.link.turn_period)
+        Counts.tracks = len(situation.tracks)
+        return super().decide(situation)
+
+
+def speaking(kind=Counts):
+    slots = {"exchange.update_rate_hz": 1, "duration_s": 20}
+    return fairway.run(fairway.Scenario.load(ROOT / "scenarios" / "acoustic_pair.yaml", overrides=slots).with_algorithm("mine"),
+                       algorithms={"mine": kind})
+
+
+def test_it_may_speak_and_hears_what_the_others_say():
+    Counts.heard = {}
+    speaking()
+    assert set(Counts.heard) == {(0, 1), (1, 0)}
+    for sent, speech in Counts.heard.values():
+        assert 0 <= sent < 20
+        assert len(speech) == 2 and speech[0] == 7
+    now, following, period = Counts.next_turn
+    assert now < following <= now + period
+    assert Counts.tracks == 0, "its words stand in the place of the record that tells where it is"
+
+
+def test_who_says_nothing_tells_where_it_is():
+    class Mute(Counts):
+        def speech(self):
+            return None
+
+    Counts.heard = {}
+    speaking(Mute)
+    assert Counts.heard == {}
+    assert Counts.tracks == 1
+
+
+def test_more_than_a_modem_takes_is_refused():
+    class Babbler(Straight):
+        def speech(self):
+            return bytes(26)
+
+    with pytest.raises(fairway.InputError, match=r'speech\(\) of the algorithm "mine": expected bytes, 25 at most'):
+        speaking(Babbler)
+
+
+def test_what_goes_wrong_in_a_speech_ends_the_run():
+    class Broken(Straight):
+        def speech(self):
+            return 1 / 0
+
+    with pytest.raises(ZeroDivisionError):
+        speaking(Broken)
