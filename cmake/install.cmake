@@ -18,7 +18,7 @@ foreach(name IN LISTS fairway_made)
 endforeach()
 if(TARGET fairway)
   install(TARGETS fairway RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT command)
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/scenarios DESTINATION ${CMAKE_INSTALL_DATADIR}/fairway COMPONENT command)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/scenarios ${PROJECT_SOURCE_DIR}/campaigns DESTINATION ${CMAKE_INSTALL_DATADIR}/fairway COMPONENT command)
 endif()
 if(TARGET fairway_mpi)  # in no package, as it would have every user of fairway install MPI
   install(TARGETS fairway_mpi RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT mpi EXCLUDE_FROM_ALL)

@@ -30,7 +30,7 @@ namespace fairway::cli {
 namespace {
 
 struct ExamFlags {
-  std::string grounds{"campaigns/exam/exam.yaml"};
+  std::string grounds = shipped("campaigns/exam/exam.yaml");
   std::vector<std::string> methods;
   std::vector<std::string> families;
   std::vector<std::string> conditions;
@@ -370,7 +370,9 @@ void add_exam(CLI::App& app, Program& program) {
       ->type_name("NAMES");
   verb->add_option("--seeds", flags->seeds, "test seeds of each family; default 20, or as --against has")
       ->transform(whole_number<std::size_t>(1, 1'000'000));
-  verb->add_option("--against", flags->against, "stored results, reference.csv.zst of another exam")
+  verb->add_option(
+          "--against", flags->against,
+          "stored results: \"stored\", those that come with fairway, or reference.csv.zst of another exam")
       ->type_name("STORED");
   verb->add_option("--tuned", flags->tuned, "what tune found: best.yaml, or a folder of such")
       ->type_name("PATH");
@@ -386,7 +388,10 @@ void add_exam(CLI::App& app, Program& program) {
   verb->add_flag("--as-it-is", flags->as_it_is,
                  "make no run: the table is of the cells that are stored whole");
   verb->add_flag("--json", flags->json, "print the results as JSON");
-  program.on(*verb, [=, &program] { return hold_exam(*flags, *outputs, program); });
+  program.on(*verb, [=, &program] {
+    if (flags->against == "stored") flags->against = shipped("campaigns/exam/reference.csv.zst");
+    return hold_exam(*flags, *outputs, program);
+  });
 }
 
 }  // namespace fairway::cli

@@ -104,7 +104,7 @@ void add_list(CLI::App& app, Program& program) {
       "metrics");
   verb->footer("Example: fairway list algorithms");
   auto kind = std::make_shared<std::string>();
-  auto directory = std::make_shared<std::string>("scenarios");
+  auto directory = std::make_shared<std::string>(shipped("scenarios"));
   auto json = std::make_shared<bool>(false);
   std::vector<std::string> kinds;
   for (const auto& [name, items] : lists(program.catalogs, *directory)) kinds.push_back(name);

@@ -152,6 +152,15 @@ Overrides overrides_of(const std::vector<std::string>& texts) {
   return overrides;
 }
 
+std::string shipped(const std::string& path) {
+  namespace fs = std::filesystem;
+  std::error_code none;
+  if (fs::exists(path, none)) return path;
+  const fs::path program = fs::read_symlink("/proc/self/exe", none);
+  const fs::path installed = program.parent_path().parent_path() / "share/fairway" / path;
+  return fs::exists(installed, none) ? installed.string() : path;
+}
+
 std::string read_text(const std::string& file) {
   std::ostringstream text;
   if (file == "-") {

@@ -66,6 +66,10 @@ ParamValues settings_of(const std::vector<std::string>& texts);
 /// `--set path=value` as overrides of a scenario.
 Overrides overrides_of(const std::vector<std::string>& texts);
 
+/// Where `path` of what comes with fairway is, such as "scenarios": in the folder that one is in, else where
+/// the command is installed. As it is where there is none.
+std::string shipped(const std::string& path);
+
 /// Opens a file for reading, "-" being standard input; throws InputError naming the file.
 std::string read_text(const std::string& file);
 

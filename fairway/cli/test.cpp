@@ -61,7 +61,7 @@ int test(const std::string& directory, bool as_json, const Program& program) {
 void add_test(CLI::App& app, Program& program) {
   CLI::App* verb = app.add_subcommand("test", "Run every scenario of a folder and hold it to its `expect:`");
   verb->footer("Example: fairway test scenarios");
-  auto directory = std::make_shared<std::string>("scenarios");
+  auto directory = std::make_shared<std::string>(shipped("scenarios"));
   auto as_json = std::make_shared<bool>(false);
   verb->add_option("directory", *directory, "folder")->capture_default_str();
   verb->add_flag("--json", *as_json, "print JSON");
