@@ -28,13 +28,15 @@ void print_merged(const MergeFlags& flags, const MergeReport& report) {
                                   {"failed", report.failed},
                                   {"missing", report.missing()},
                                   {"makers", report.origin.makers},
-                                  {"warning", warning_about(report.origin.makers)}};
+                                  {"remark", remark_on(report.origin.makers)}};
     std::cout << document.dump(2) << "\n";
     return;
   }
   std::cout << fmt::format("{}: {} runs from {} stores, {} of them failed, {} missing\n", flags.out,
                            report.runs, flags.stores.size(), report.failed, report.missing());
   for (const std::string& kind : kinds_of(report.origin.makers)) std::cout << "made by " << kind << "\n";
+  if (const std::string remark = remark_on(report.origin.makers); !remark.empty())
+    std::cout << remark << "\n";
   if (report.missing() > 0)
     std::cout << fmt::format("fairway sweep CAMPAIGN --missing {0} --out {0} makes what is missing\n",
                              flags.out);
@@ -52,8 +54,6 @@ int merge(const MergeFlags& flags, const Outputs& outputs) {
   const MergeReport report = merge_into(merged.store(), flags.out, flags.stores);
   merged.publish();
   print_merged(flags, report);
-  const std::string warning = warning_about(report.origin.makers);
-  if (!warning.empty()) std::cerr << "fairway: warning: " << flags.out << ": " << warning << "\n";
   return ok;
 }
 

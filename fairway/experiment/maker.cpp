@@ -72,13 +72,12 @@ std::vector<std::string> kinds_of(std::span<const Maker> makers) {
   return lines;
 }
 
-std::string warning_about(std::span<const Maker> makers) {
+std::string remark_on(std::span<const Maker> makers) {
   const std::size_t kinds = kinds_of(makers).size();
-  if (same_bits_everywhere || kinds < 2) return "";
+  if (kinds < 2) return "";
   return "made by " + std::to_string(kinds) +
-         " kinds of program or machine, which may differ in last bits: a run made again need not come to the "
-         "same "
-         "numbers";
+         " kinds of program or machine, which come to the same bits but where OMPL plans: rrt_star, blend, "
+         "teb";
 }
 
 }  // namespace fairway

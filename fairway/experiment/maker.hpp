@@ -33,8 +33,7 @@ void add_maker(std::vector<Maker>& makers, const Maker& maker);
 /// g++ 12.2.0, glibc 2.36, x86_64, AMD EPYC 7B13: n1, n2".
 std::vector<std::string> kinds_of(std::span<const Maker> makers);
 
-/// What is to be known of results that several kinds made, in one line without an end; empty if one kind did,
-/// or if all kinds come to the same bits (same_bits_everywhere).
-std::string warning_about(std::span<const Maker> makers);
+/// What is to be known of results that several kinds made, in one line without an end; empty if one kind did.
+std::string remark_on(std::span<const Maker> makers);
 
 }  // namespace fairway

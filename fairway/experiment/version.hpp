@@ -9,10 +9,6 @@ namespace fairway {
 /// stores then run those cases again instead of mixing old results with new ones.
 inline constexpr int results_epoch = 7;
 
-/// True where every build on every machine comes to the same bits, so that results of several may be mixed.
-/// Until then a store of several kinds of machine says so (maker.hpp).
-inline constexpr bool same_bits_everywhere = false;
-
 /// The commit that this was built from, "-dirty" behind it where files had been changed; "unknown" outside of
 /// git.
 std::string_view fairway_commit();
