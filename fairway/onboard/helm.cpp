@@ -38,6 +38,7 @@ Helm::Helm(Pilot pilot, HelmSetup setup, Avoider avoider)
   near_.reserve(neighbours_.size());
   tracks_.reserve(neighbours_.size());
   bystanders_.reserve(neighbours_.size());
+  heard_.reserve(neighbours_.size());
 }
 
 void Helm::see_clock(double now) noexcept {
@@ -56,6 +57,8 @@ void Helm::begin_again() noexcept {
   own_watch_ = {};
   for (std::size_t i = 0; i < neighbours_.size(); ++i)
     neighbours_[i] = {.radius = setup_.team[i].radius, .priority = setup_.team[i].priority};
+  heard_.clear();
+  next_turn_ = 0.0;
   current_ = Vec3::Zero();
   current_time_.reset();
   progress_watch_ = ProgressWatch{setup_.policy.progress_window_s};
@@ -121,7 +124,7 @@ const HelmOrder& Helm::update(double now, Sketch* sketch) noexcept {
                                          ? "own navigation is stale"
                                          : "own navigation was stale and has not been good for long enough");
   } else if (arrived_) {
-    hold_because(HelmState::arrived);
+    hold_because(HelmState::arrived, {}, how_to_stay());
   } else if (task_ == Task::keep) {
     hold_because(HelmState::keeping);
   } else if (waits_for_neighbour()) {
@@ -149,13 +152,31 @@ void Helm::let_go(HelmState state, std::string_view reason) noexcept {
   pilot_.ask_at_once();
 }
 
-void Helm::hold_because(HelmState state, std::string_view reason) noexcept {
+void Helm::hold_because(HelmState state, std::string_view reason, const Command& how) noexcept {
   order_.state = state;
   order_.reason = reason;
   order_.in_charge = true;
-  pilot_.obey({.mode = Mode::hold}, here());
+  pilot_.obey(how, here());
   if (is_blind()) pilot_.end_hold();
   pilot_.ask_at_once();
+}
+
+/// A method that speaks goes on speaking where it has arrived, and may say how to hold there.
+Command Helm::how_to_stay() noexcept {
+  const Command hold{.mode = Mode::hold};
+  if (!avoider_.speaks()) return hold;
+  Situation situation =
+      pilot_.situation(now_, own_, {.kind = LegKind::transit, .position = own_.position}, {}, setup_.chart);
+  situation.attendance = Attendance::arrived;
+  show_link(situation);
+  const Command command = avoider_.decide(situation);
+  return command.mode == Mode::hold ? command : hold;
+}
+
+void Helm::show_link(Situation& situation) noexcept {
+  if (!avoider_.speaks()) return;
+  link_ = {heard_, turn_period_, next_turn_ > now_ ? next_turn_ : now_ + turn_period_};
+  situation.link = &link_;
 }
 
 void Helm::see_health() noexcept {
@@ -254,7 +275,8 @@ void Helm::look_round() noexcept {
 
 void Helm::decide(Sketch* sketch) noexcept {
   look_round();
-  const Situation situation = pilot_.situation(now_, own_, leg_, tracks_, setup_.chart);
+  Situation situation = pilot_.situation(now_, own_, leg_, tracks_, setup_.chart);
+  show_link(situation);
   Command command = avoider_.decide(situation, sketch);
   lead_back(command);
   pilot_.obey(command, here());

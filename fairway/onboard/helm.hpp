@@ -118,6 +118,11 @@ class Helm {
   /// A neighbour's own words; its radius, priority and goal replace what was known. `invalid` for a length
   /// that is not a record's or a sender that is not of the team.
   FixVerdict team_record(std::span<const std::uint8_t> bytes, double now) noexcept;
+  /// What the method of a neighbour said at `sent` [s], for a method that speaks. False for somebody who is
+  /// not of the team, and for more bytes than a speech has.
+  bool speech(VehicleId from, std::span<const std::uint8_t> bytes, double sent, double now) noexcept;
+  /// When this vehicle's next turn to speak begins and how far apart its turns are [s].
+  void turns(double next, double period) noexcept;
 
   // what it shall do
 
@@ -140,6 +145,8 @@ class Helm {
   const Pilot& pilot() const { return pilot_; }
   const HelmSetup& setup() const { return setup_; }
   const AlgorithmInfo& algorithm() const { return avoider_.info(); }
+  /// Whether its method may say something of its own.
+  bool speaks() const { return avoider_.speaks(); }
   /// Where it goes [m, NED]; none while it goes nowhere.
   std::optional<Vec3> goal() const noexcept;
   /// Where it was taken to be at the last update [m, NED].
@@ -150,6 +157,9 @@ class Helm {
   /// What this vehicle tells the team: its last fix, stamped with that fix's time. Nothing before the first
   /// one, and nothing of one that is lost by now.
   std::optional<TeamRecord> own_record(double now) const noexcept;
+  /// What its method says in this vehicle's turn, instead of that; empty unless the method speaks and was
+  /// asked at the last update.
+  Speech own_speech() const noexcept;
   /// Allocates: for reporting, now and then.
   HelmReport report(double now) const;
 
@@ -196,7 +206,10 @@ class Helm {
   bool is_blind() const noexcept;
   bool waits_for_neighbour() const noexcept;
   void let_go(HelmState state, std::string_view reason = {}) noexcept;
-  void hold_because(HelmState state, std::string_view reason = {}) noexcept;
+  void hold_because(HelmState state, std::string_view reason = {},
+                    const Command& how = {.mode = Mode::hold}) noexcept;
+  Command how_to_stay() noexcept;
+  void show_link(Situation& situation) noexcept;
   HoldPoint here() const noexcept;
   const Limits& limits() const noexcept { return pilot_.ship().limits; }
 
@@ -209,6 +222,10 @@ class Helm {
   std::vector<Near> near_;
   std::vector<Track> tracks_;
   std::vector<Bystander> bystanders_;
+  std::vector<Heard> heard_;  ///< by vehicle; room for all
+  Link link_;
+  double next_turn_{};       // [s]
+  double turn_period_{1.0};  // [s]
   ProgressWatch progress_watch_;
 
   Leg leg_;

@@ -73,6 +73,36 @@ void Helm::neighbour_goal(VehicleId id, const std::optional<Vec3>& goal) noexcep
   neighbour.goal = told;
 }
 
+bool Helm::speech(VehicleId from, std::span<const std::uint8_t> bytes, double sent, double now) noexcept {
+  see_clock(now);
+  if (!index_of(number(from), 0) || bytes.size() > Speech::most_bytes || !std::isfinite(sent)) {
+    ++records_refused_;
+    return false;
+  }
+  const auto place =
+      std::ranges::lower_bound(heard_, number(from), {}, [](const Heard& h) { return number(h.from); });
+  const bool is_known = place != heard_.end() && place->from == from;
+  if (is_known && place->sent > sent) return true;  // it comes too late
+  Heard heard{.from = from, .sent = sent, .speech = {.size = static_cast<std::uint8_t>(bytes.size())}};
+  std::ranges::copy(bytes, heard.speech.bytes.begin());
+  if (is_known) {
+    *place = heard;
+  } else {
+    heard_.insert(place, heard);
+  }
+  return true;
+}
+
+void Helm::turns(double next, double period) noexcept {
+  next_turn_ = next;
+  turn_period_ = period;
+}
+
+Speech Helm::own_speech() const noexcept {
+  const bool was_asked = order_.state == HelmState::under_way || order_.state == HelmState::arrived;
+  return was_asked && avoider_.speaks() ? avoider_.speech() : Speech{};
+}
+
 FixVerdict Helm::team_record(std::span<const std::uint8_t> bytes, double now) noexcept {
   see_clock(now);
   TeamRecord record{};

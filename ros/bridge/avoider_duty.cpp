@@ -88,6 +88,11 @@ void AvoiderDuty::hear_record(const std::uint8_t* bytes, std::size_t size, doubl
   judge("a team record", host_.team_record(bytes, size, clock_at(clock)));
 }
 
+void AvoiderDuty::hear_speech(std::size_t mate, const std::uint8_t* bytes, std::size_t size, double clock) {
+  const bool is_heard = host_.speech(mate, bytes, size, clock_at(clock));
+  judge("what " + host_.team()[mate] + " says", is_heard ? "accepted" : "invalid");
+}
+
 void AvoiderDuty::judge(const std::string& whose, const char* verdict) {
   if (std::string_view{verdict} == "accepted") return;
   ++refused_;
@@ -189,7 +194,11 @@ void AvoiderDuty::answer(double now, double stamp) {
 void AvoiderDuty::tell_team(double now) {
   constexpr double long_ago = 100.0;  // [s]: the clock has begun again
   if (settings_.record_rate_hz <= 0.0 || (now < next_record_ && next_record_ - now < long_ago)) return;
-  next_record_ = now + 1.0 / settings_.record_rate_hz;
+  const double period = 1.0 / settings_.record_rate_hz;
+  next_record_ = now + period;
+  host_.turns(next_record_, period);
+  const std::vector<std::uint8_t> speech = host_.own_speech();
+  if (!speech.empty()) return outlet_.send_speech(speech);
   const std::vector<std::uint8_t> record = host_.own_record(now);
   if (!record.empty()) outlet_.send_record(record);
 }

@@ -23,6 +23,8 @@ class AvoiderOutlet {
   /// [s].
   virtual void send_command(const BodyVelocity& velocity, double time) = 0;
   virtual void send_record(const std::vector<std::uint8_t>& bytes) = 0;
+  /// What the method says, in the place of the record.
+  virtual void send_speech(const std::vector<std::uint8_t>& bytes) = 0;
   virtual void send_status(const std::string& json) = 0;
   virtual void send_diagnosis(const Diagnosis& diagnosis, double time) = 0;
   virtual void send_marks(const std::vector<Mark>& marks, double time) = 0;
@@ -45,6 +47,7 @@ class AvoiderDuty {
   void hear_mate(std::size_t mate, const Motion& motion, double clock);
   void hear_mate_goal(std::size_t mate, const Triple& place, double stamp);
   void hear_record(const std::uint8_t* bytes, std::size_t size, double clock);
+  void hear_speech(std::size_t mate, const std::uint8_t* bytes, std::size_t size, double clock);
 
   // What it shall do; in lockstep from the instant on that it is stamped with, be that still to come or just
   // answered; stamped 0, at once. Each says why it is refused, which warns too; empty if it is accepted.

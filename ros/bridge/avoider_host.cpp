@@ -70,6 +70,7 @@ const std::vector<std::string>& AvoiderHost::team() const { return self_->team; 
 double AvoiderHost::period() const { return self_->helm.pilot().period(); }
 double AvoiderHost::watchdog_period() const { return self_->helm.setup().policy.watchdog_s; }
 std::string AvoiderHost::algorithm() const { return self_->algorithm; }
+bool AvoiderHost::speaks() const { return self_->helm.speaks(); }
 
 const char* AvoiderHost::own_motion(const Motion& motion, double now) {
   return enum_name(self_->helm.own_fix(fix_of(motion), now));
@@ -88,6 +89,12 @@ void AvoiderHost::neighbour_goal(std::size_t mate, const std::optional<Triple>& 
 const char* AvoiderHost::team_record(const std::uint8_t* bytes, std::size_t size, double now) {
   return enum_name(self_->helm.team_record({bytes, size}, now));
 }
+
+bool AvoiderHost::speech(std::size_t mate, const std::uint8_t* bytes, std::size_t size, double now) {
+  return mate < self_->team.size() && self_->helm.speech(self_->mate(mate).id, {bytes, size}, now, now);
+}
+
+void AvoiderHost::turns(double next, double period) { self_->helm.turns(next, period); }
 
 bool AvoiderHost::go_to(const Triple& position_n, double speed_mps) {
   if (!self_->helm.go_to(vec_of(position_n), speed_mps)) return false;
@@ -157,6 +164,11 @@ const Order& AvoiderHost::order() const { return self_->order; }
 std::vector<std::uint8_t> AvoiderHost::own_record(double now) const {
   const std::optional<TeamRecord> record = self_->helm.own_record(now);
   return record ? std::vector<std::uint8_t>(record->begin(), record->end()) : std::vector<std::uint8_t>{};
+}
+
+std::vector<std::uint8_t> AvoiderHost::own_speech() const {
+  const Speech speech = self_->helm.own_speech();
+  return {speech.view().begin(), speech.view().end()};
 }
 
 Diagnosis AvoiderHost::diagnosis(double now) const { return diagnosis_of(self_->helm, now); }

@@ -59,12 +59,15 @@ class AvoiderHost {
   double period() const;                         ///< between decisions [s]
   double watchdog_period() const;                ///< [s]
   std::string algorithm() const;
+  bool speaks() const;  ///< whether its method may
 
   // as of Helm; the verdict's name comes back
   const char* own_motion(const Motion& motion, double now);
   const char* neighbour_motion(std::size_t mate, const Motion& motion, double now);
   void neighbour_goal(std::size_t mate, const std::optional<Triple>& goal);
   const char* team_record(const std::uint8_t* bytes, std::size_t size, double now);
+  bool speech(std::size_t mate, const std::uint8_t* bytes, std::size_t size, double now);
+  void turns(double next, double period);
 
   bool go_to(const Triple& position_n, double speed_mps);
   bool follow(const Triple& from_n, const Triple& to_n, double speed_mps);
@@ -78,6 +81,7 @@ class AvoiderHost {
   const Order& update(double now, bool draw = false);
   const Order& order() const;
   std::vector<std::uint8_t> own_record(double now) const;  ///< empty before the first motion
+  std::vector<std::uint8_t> own_speech() const;  ///< empty unless its method has something to say instead
   Diagnosis diagnosis(double now) const;
   std::vector<Mark> marks() const;  ///< what the last decision drew; empty unless `draw`
   /// Where it goes; none while it goes nowhere. [m, NED]

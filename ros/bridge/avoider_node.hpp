@@ -48,6 +48,7 @@ class AvoiderNode : public AvoiderOutlet {
     diagnostics_ = graph_.template advertise<DiagnosticArray>("/diagnostics");
     status_ = graph_.template advertise<String>("status");
     record_ = graph_.template advertise<UInt8MultiArray>("team_record");
+    if (duty_.host().speaks()) speech_ = graph_.template advertise<UInt8MultiArray>("speech");
     if (settings.draw) sketch_ = graph_.template advertise<MarkerArray>("sketch", Keep::newest);
   }
 
@@ -122,6 +123,13 @@ class AvoiderNode : public AvoiderOutlet {
       };
       graph_.template subscribe<UInt8MultiArray>(topics + "/team_record", Keep::few, on_record, wakes);
     }
+    if (duty_.host().speaks()) {
+      const auto on_speech = [this, mate](const UInt8MultiArray& m) {
+        const auto& bytes = Middleware::elements(m.data);
+        if (const auto clock = now()) duty_.hear_speech(mate, bytes.data(), bytes.size(), *clock);
+      };
+      graph_.template subscribe<UInt8MultiArray>(topics + "/speech", Keep::few, on_speech, wakes);
+    }
   }
 
   /// The watchdog's thread sends commands and diagnoses too: what they are made of does not change.
@@ -134,6 +142,7 @@ class AvoiderNode : public AvoiderOutlet {
     command_.publish(command);
   }
   void send_record(const std::vector<std::uint8_t>& bytes) final { record_.publish(writer().record(bytes)); }
+  void send_speech(const std::vector<std::uint8_t>& bytes) final { speech_.publish(writer().record(bytes)); }
   void send_status(const std::string& json) final { status_.publish(writer().text(json)); }
   void send_diagnosis(const Diagnosis& diagnosis, double time) final {
     diagnostics_.publish(writer().diagnosis(diagnosis, duty_.vehicle(), time));
@@ -146,6 +155,7 @@ class AvoiderNode : public AvoiderOutlet {
   Publisher<DiagnosticArray> diagnostics_;
   Publisher<String> status_;
   Publisher<UInt8MultiArray> record_;
+  Publisher<UInt8MultiArray> speech_;
   Publisher<MarkerArray> sketch_;
   std::string world_{"world"};              // of the own odometry, as soon as it is known
   std::atomic<std::int64_t> own_stamp_{0};  // of the own odometry [ns]

@@ -39,7 +39,8 @@ class Pilot final : public AvoiderOutlet {
     ++commands;
     if (fleet != nullptr) fleet->command(index, velocity, nanoseconds_of(time));
   }
-  void send_record(const std::vector<std::uint8_t>&) override {}
+  void send_record(const std::vector<std::uint8_t>&) override { ++records; }
+  void send_speech(const std::vector<std::uint8_t>& bytes) override { said.push_back(bytes); }
   void send_status(const std::string& json) override { status = json; }
   void send_diagnosis(const Diagnosis& diagnosis, double) override { summary = diagnosis.summary; }
   void send_marks(const std::vector<Mark>&, double) override {}
@@ -49,6 +50,8 @@ class Pilot final : public AvoiderOutlet {
   FleetDuty* fleet{};
   std::size_t index{};
   int commands{};
+  int records{};
+  std::vector<std::vector<std::uint8_t>> said;
   std::string status, summary, warnings;
 };
 
@@ -180,6 +183,50 @@ TEST(AvoiderDuty, NewNavigationIsAnsweredAtOnceWithItsOwnTime) {
   EXPECT_EQ(pilot.commands, 1) << "nothing is new";
   pilot.duty.come_round(10.2);
   EXPECT_EQ(pilot.commands, 2) << "it answers at least ten times a second";
+}
+
+TEST(AvoiderDuty, AMethodThatSpeaksSaysItsOwnWordsInThePlaceOfTheRecordAndHearsThoseOfMates) {
+  const auto settings = [](const char* name, const char* id, const char* mate, const char* mates_id) {
+    return avoider_node_settings({{"algorithm", "pledge"},
+                                  {"params.team_count", "2"},
+                                  {"max_speed_mps", "0.5"},
+                                  {"id", id},
+                                  {"team", mate},
+                                  {std::string{"team."} + mate + ".id", mates_id},
+                                  {"record_rate_hz", "0.5"}},
+                                 name);
+  };
+  Pilot one{settings("one", "0", "other", "1")};
+  Pilot other{settings("other", "1", "one", "0")};
+  const auto tell = [](Pilot& from, Pilot& to, double now) {
+    for (const std::vector<std::uint8_t>& words : from.said) {
+      EXPECT_LE(words.size(), 25U);
+      to.duty.hear_speech(0, words.data(), words.size(), now);
+    }
+    const bool spoke = !from.said.empty();
+    from.said.clear();
+    return spoke;
+  };
+  int spoken = 0;
+  for (int i = 0; i < 300; ++i) {
+    const double now = 0.1 * i;
+    one.duty.hear_own(at(now, 0), "world", now);
+    other.duty.hear_own(at(now, 40), "world", now);
+    if (i == 0) {
+      one.duty.go_to({40, 0, 5}, "world", 0.0);
+      other.duty.go_to({0, 0, 5}, "world", 0.0);
+    }
+    for (Pilot* pilot : {&one, &other}) {
+      pilot->duty.settle(now);
+      pilot->duty.come_round(now);
+    }
+    spoken += tell(one, other, now) + tell(other, one, now);
+  }
+  EXPECT_GT(spoken, 20) << "of 30 turns";
+  EXPECT_EQ(one.records + other.records, 0);
+  EXPECT_EQ(one.duty.host().order().mode, "infeasible") << "they agreed, and the navigation that is told here stays";
+  one.duty.hear_speech(0, nullptr, 26, 30.0);
+  EXPECT_THAT(one.warnings, HasSubstr("what other says is refused: invalid"));
 }
 
 TEST(AvoiderDuty, NavigationThatIsRefusedIsCountedAndSaid) {

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// A method that speaks, on board.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <limits>
+
+#include "fairway/onboard/testing/fixes.hpp"
+
+namespace fairway {
+namespace {
+
+using fixes::h;
+
+/// Two that swap places by `pledge`, and tell each other nothing but its words.
+class Swap {
+ public:
+  Swap() {
+    for (std::size_t i = 0; i < 2; ++i) {
+      fixes::Parts setup = fixes::setup();
+      setup.ship.id = id(i);
+      setup.team = {{.id = id(1 - i), .name = "other", .radius = 1.5}};
+      helms_.push_back(fixes::helm_of(setup, "pledge", {{"team_count", 2.0}}));
+    }
+    states_[0].p_n = {0, 0, 10};
+    states_[1].p_n = {40, 0.5, 10};
+    states_[1].q_nb = quaternion_of({.yaw = pi});
+    helms_[0].go_to({40, 0, 10}, 0.5);
+    helms_[1].go_to({0, 0.5, 10}, 0.5);
+  }
+
+  void step() {
+    for (std::size_t i = 0; i < 2; ++i) helms_[i].own_fix({.time = now_, .state = states_[i]}, now_);
+    for (std::size_t i = 0; i < 2; ++i) {
+      VehicleState& x = states_[i];
+      const BodyRequest request = helms_[i].update(now_).request;
+      x.v_b = {request.surge_mps, request.sway_mps, request.heave_mps};
+      x.p_n += h * x.v_n();
+      x.q_nb = quaternion_of({.yaw = yaw_of(x.q_nb) + h * request.yaw_rate_radps});
+      if (now_ >= next_[i]) speak(i);
+    }
+    least_ = std::fmin(least_, (states_[0].p_n - states_[1].p_n).norm());
+    now_ += h;
+  }
+
+  const Helm& helm(std::size_t i) const { return helms_[i]; }
+  double now() const { return now_; }
+  double least() const { return least_; }
+  int said() const { return said_; }
+  bool deaf{};  ///< nothing that is said arrives
+
+ private:
+  static VehicleId id(std::size_t i) { return VehicleId{static_cast<std::uint32_t>(i)}; }
+
+  void speak(std::size_t i) {
+    constexpr double cycle = 4.0;
+    next_[i] += cycle;
+    helms_[i].turns(next_[i], cycle);
+    const Speech words = helms_[i].own_speech();
+    if (words.empty()) return;
+    ++said_;
+    if (!deaf) helms_[1 - i].speech(id(i), words.view(), now_, now_);
+  }
+
+  std::vector<Helm> helms_;
+  std::array<VehicleState, 2> states_{};
+  std::array<double, 2> next_{0.0, 2.0};
+  double now_{};
+  double least_{std::numeric_limits<double>::infinity()};
+  int said_{};
+};
+
+TEST(HelmSpeech, TwoAgreeByTheirWordsAloneAndSwapPlaces) {
+  Swap swap;
+  const auto has_arrived = [&](std::size_t i) { return swap.helm(i).order().state == HelmState::arrived; };
+  while (swap.now() < 400.0 && !(has_arrived(0) && has_arrived(1))) swap.step();
+  EXPECT_TRUE(has_arrived(0));
+  EXPECT_TRUE(has_arrived(1));
+  EXPECT_GT(swap.least(), 3.0) << "the radii together";
+  const int said = swap.said();
+  for (int i = 0; i < 200; ++i) swap.step();
+  EXPECT_GT(swap.said(), said) << "who has arrived goes on speaking";
+}
+
+TEST(HelmSpeech, WhoHearsNobodyStaysWhereItIs) {
+  Swap swap;
+  swap.deaf = true;
+  while (swap.now() < 200.0) swap.step();
+  EXPECT_GT(swap.said(), 50);
+  EXPECT_GT(swap.least(), 39.0);
+}
+
+TEST(HelmSpeech, WhatIsNoSpeechOfTheTeamIsRefused) {
+  fixes::Parts setup = fixes::setup();
+  setup.team = {{.id = VehicleId{1}, .name = "other"}};
+  Helm helm = fixes::helm_of(setup);
+  const std::array<std::uint8_t, 26> bytes{};
+  EXPECT_TRUE(helm.speech(VehicleId{1}, std::span{bytes}.first(25), 0.0, 0.0));
+  EXPECT_FALSE(helm.speech(VehicleId{1}, bytes, 0.0, 0.0));
+  EXPECT_FALSE(helm.speech(VehicleId{9}, std::span{bytes}.first(3), 0.0, 0.0));
+  EXPECT_EQ(helm.report(0.0).records_refused, 2);
+  EXPECT_TRUE(helm.own_speech().empty()) << "its method has nothing to say";
+}
+
+}  // namespace
+}  // namespace fairway
