@@ -195,7 +195,10 @@ class Page {
       this.clock.seek(explanation.time_s);
     }
     const placed = this.link.go();
-    if (this.live !== null && !placed) this.clock.follow();
+    if (this.live !== null && !placed) {
+      if (this.live.plays) this.clock.play();
+      else this.clock.follow();
+    }
     this.show();
     if (matchMedia(roomy).matches) setTimeout(() => this.toggle_charts());
   }
