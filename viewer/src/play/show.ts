@@ -19,7 +19,8 @@ export class Show {
   constructor(private readonly simulator: RemoteSimulator, page: string, document: object, label: string, private over: () => void) {
     const json = JSON.stringify({ ...document, live: 'page' }).replaceAll('</', '<\\/').replaceAll('<!', '\\u003c!');
     this.element = h('iframe', { title: label });
-    this.element.srcdoc = page.replace('__FAIRWAY_DATA__', () => json);
+    // Written so that the marker of the data, which is searched for in this page as well, is not in it.
+    this.element.srcdoc = page.replace(/__FAIRWAY_[A-Z]+__/, () => json);
     window.addEventListener('message', this.listen);
   }
 
