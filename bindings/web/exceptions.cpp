@@ -14,10 +14,10 @@ namespace {
 struct alignas(16) Thrown {
   const std::type_info* type;
   void* (*destroy)(void*);  // here a destructor returns what it destroyed
-  void* seen;      // what was thrown, as its handler sees it
-  int handlers;    // that hold it
-  bool rethrown;   // by one of them
-  Thrown* before;  // caught before this one and not yet let go
+  void* seen;               // what was thrown, as its handler sees it
+  int handlers;             // that hold it
+  bool rethrown;            // by one of them
+  Thrown* before;           // caught before this one and not yet let go
 };
 
 Thrown* caught = nullptr;  // the last one

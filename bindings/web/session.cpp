@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "bindings/web/absent.hpp"
+#include "fairway/comms/exchange.hpp"
 #include "fairway/core/angles.hpp"
 #include "fairway/core/names.hpp"
 #include "fairway/core/text.hpp"
@@ -128,12 +129,14 @@ const std::vector<double>& Session::states() {
 }
 
 json names() {
-  json all{{"algorithms", json::array()}, {"vehicles", json::array()}};
+  json all{{"algorithms", json::array()}, {"vehicles", json::array()}, {"exchanges", json::array()}};
   for (const Catalog::Entry& entry : catalogs().avoiders.entries())
     all["algorithms"].push_back(
         {{"name", entry.info.name}, {"title", entry.info.title}, {"wraps", entry.wraps}});
   for (const VehicleCatalog::Entry& entry : catalogs().vehicles.entries())
     all["vehicles"].push_back({{"name", entry.info.name}, {"title", entry.info.title}});
+  for (const KindInfo& kind : exchange_kinds())
+    all["exchanges"].push_back({{"name", kind.name}, {"title", kind.title}});
   return all;
 }
 

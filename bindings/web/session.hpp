@@ -78,7 +78,7 @@ class Session final : private FrameSink {
 };
 
 /// The names that a scenario may choose from: {"algorithms": [{"name", "title", "wraps"}], "vehicles":
-/// [{"name", "title"}]}.
+/// [{"name", "title"}], "exchanges": [{"name", "title"}]}.
 nlohmann::json names();
 
 /// What `fairway describe NAME --json` says of a method, vehicle, metric or kind of exchange, perception or

@@ -11,7 +11,7 @@ const desk = { width: 1280, height: 860, scheme: 'light' };
 const phone = { width: 390, height: 844, scheme: 'dark' };
 
 const keep = async (page, name) => {
-  if (screenshots !== null) await page.screenshot({ path: join(screenshots, `play-${name}.png`) });
+  if (screenshots !== null) await page.screenshot({ path: join(screenshots, `play-${name}.png`), timeout: 120_000 });
 };
 /** The playback inside, of the run or of the one beside it, once it has a film. */
 async function playback(page, index = 0) {
@@ -23,6 +23,8 @@ async function playback(page, index = 0) {
 const choose = (page, label, value) => page.getByLabel(label, { exact: true }).first().selectOption(value);
 const ended = (page) => page.waitForSelector('.measures');
 const measure = (page, name, column = 1) => page.locator('.measures tr', { hasText: name }).locator('td').nth(column).textContent();
+/** When the page shows the run of this command. */
+const commanded = (page, text) => page.waitForFunction((part) => document.querySelector('.command')?.textContent.includes(part), text);
 const complaint = async (page) => {
   await page.waitForSelector('.note.problem:not([hidden])');
   return page.locator('.note.problem p').textContent();
@@ -33,10 +35,10 @@ async function first_minute(page, expect) {
   const seconds = await page.evaluate(() => performance.now() / 1000);
   console.log(`the first picture after ${seconds.toFixed(2)} s`);
   await ended(page);
-  expect(Number(await measure(page, 'arrived_ratio')) === 1, 'all eight vehicles of cube20_8 arrive');
+  expect(Number(await measure(page, 'arrived_ratio')) === 1, 'all eight vehicles of swap_8 arrive');
   await frame.waitForFunction(() => window.fairway.state().time > 1);
-  await frame.evaluate(() => { window.fairway.pause(); window.fairway.seek(60); });
-  expect(Math.abs(await frame.evaluate(() => window.fairway.state().time) - 60) < 0.06, 'it goes to an instant');
+  await frame.evaluate(() => { window.fairway.pause(); window.fairway.seek(40); });
+  expect(Math.abs(await frame.evaluate(() => window.fairway.state().time) - 40) < 0.06, 'it goes to an instant');
   await keep(page, 'desk');
 }
 
@@ -49,7 +51,7 @@ async function another_method(page, expect) {
     const row = [...document.querySelectorAll('.measures tr')].find((tr) => tr.textContent.startsWith('min_separation_m'));
     return row !== undefined && row.lastChild.textContent !== text;
   }, before);
-  expect(await page.locator('.command').textContent() === "fairway run scenarios/cube20_8.yaml --set 'vehicles[*].avoider=apf'", 'the command is that of the run');
+  expect(await page.locator('.command').textContent() === "fairway run scenarios/swap_8.yaml --set 'vehicles[*].avoider=apf'", 'the command is that of the run');
   await page.getByText('Parameters of the method').click();
   const count = await page.locator('.parameter').count();
   expect(count > 3, `apf has parameters: ${count}`);
@@ -63,6 +65,9 @@ async function beside(page, expect) {
   await playback(page, 1);
   await page.waitForFunction(() => document.querySelector('.results').textContent.includes('They part at'));
   expect(/They part at \d+\.\d{3} s/.test(await page.locator('.results').textContent()), 'it says when they part');
+  const [first, second] = [await playback(page, 0), await playback(page, 1)];
+  await first.evaluate(() => { window.fairway.pause(); window.fairway.seek(30); });
+  await second.waitForFunction(() => Math.abs(window.fairway.state().time - 30) < 0.06);
   await keep(page, 'beside');
 }
 
@@ -82,15 +87,34 @@ async function broken_yaml(page, expect) {
 
 async function without_ompl(page, expect) {
   await playback(page);
-  await choose(page, 'Scenario', 'scenarios/blend_crossing.yaml');
+  await choose(page, 'Scenario', 'scenarios/transport_planned.yaml');
+  await commanded(page, 'transport_planned');
   const frame = await playback(page);
   await frame.waitForFunction(() => document.querySelector('.live-status')?.textContent.includes('OMPL'));
-  expect(true, '');
+  expect((await frame.locator('.live-status').textContent()).includes('fairway run scenarios/transport_planned.yaml'), 'it says how to run it');
+}
+
+async function for_all(page, expect) {
+  await playback(page);
+  await choose(page, 'Vehicles', 'kinematic');
+  await commanded(page, 'kinematic');
+  await choose(page, 'How they hear each other', 'none');
+  await commanded(page, 'exchange=none');
+  await page.getByLabel('Seed', { exact: true }).fill('7');
+  await page.getByLabel('Seed', { exact: true }).blur();
+  await commanded(page, '--seed 7');
+  const command = "fairway run scenarios/swap_8.yaml --set 'vehicles[*].model=kinematic' --set exchange=none --seed 7";
+  expect(await page.locator('.command').textContent() === command, 'the command has every change');
 }
 
 async function old_link(page, expect) {
   await playback(page);
   expect((await complaint(page)).includes('version 7'), 'a link of another version is told so');
+}
+
+async function without_webassembly(page, expect) {
+  const text = await page.locator('.note.problem p').textContent();
+  expect(text.includes('has no WebAssembly'), `it says what is missing: ${text}`);
 }
 
 async function small(page, expect) {
@@ -103,15 +127,10 @@ async function small(page, expect) {
 const packed = async (state) => Buffer.from(await new Response(new Blob([JSON.stringify(state)]).stream()
   .pipeThrough(new CompressionStream('deflate-raw'))).arrayBuffer()).toString('base64url');
 
-for (const [check, options] of [[first_minute, desk], [another_method, desk], [beside, desk], [broken_yaml, desk], [without_ompl, desk],
-  [old_link, { ...desk, fragment: `#play=${await packed({ version: 7 })}` }], [small, phone]]) {
+for (const [check, options] of [[first_minute, desk], [another_method, desk], [beside, desk], [broken_yaml, desk], [without_ompl, desk], [for_all, desk],
+  [old_link, { ...desk, fragment: `#play=${await packed({ version: 7 })}` }], [without_webassembly, { ...desk, missing: 'WebAssembly' }],
+  [small, phone]]) {
   if (process.env.CHECKS !== undefined && !check.name.includes(process.env.CHECKS)) continue;
   await browser.open(page_file, check.name, options, check);
 }
-const bare = new Browser('out/play.html', ['--js-flags=--noexpose_wasm']);
-await bare.open(page_file, 'without WebAssembly', desk, async (page, expect) => {
-  expect((await page.locator('.note.problem p').textContent()).includes('has no WebAssembly'), 'it says what is missing');
-});
-browser.held += bare.held;
-browser.failures.push(...bare.failures);
 browser.finish();

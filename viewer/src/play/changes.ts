@@ -5,14 +5,16 @@ import type { State } from './state';
 export type Changes = State['set'];
 
 const avoider = 'vehicles[*].avoider';
-const model = 'vehicles[*].model';
+/** What is chosen by a name alone. */
+export const chosen_paths = { model: 'vehicles[*].model', exchange: 'exchange' } as const;
+export type Chosen = keyof typeof chosen_paths;
 
 const value_of = (changes: Changes, path: string): string | null => changes.find(([at]) => at === path)?.[1] ?? null;
 const without = (changes: Changes, gone: (path: string) => boolean): Changes => changes.filter(([path]) => !gone(path));
 
 /** Null: as the scenario says. */
 export const method_of = (changes: Changes): string | null => value_of(changes, avoider);
-export const model_of = (changes: Changes): string | null => value_of(changes, model);
+export const chosen_of = (changes: Changes, what: Chosen): string | null => value_of(changes, chosen_paths[what]);
 
 /** The parameters of another method are not this one's. */
 export function with_method(changes: Changes, name: string | null): Changes {
@@ -20,9 +22,9 @@ export function with_method(changes: Changes, name: string | null): Changes {
   return name === null ? rest : [...rest, [avoider, name]];
 }
 
-export function with_model(changes: Changes, name: string | null): Changes {
-  const rest = without(changes, (path) => path === model);
-  return name === null ? rest : [...rest, [model, name]];
+export function with_chosen(changes: Changes, what: Chosen, name: string | null): Changes {
+  const rest = without(changes, (path) => path === chosen_paths[what]);
+  return name === null ? rest : [...rest, [chosen_paths[what], name]];
 }
 
 /** Null: the default again. */

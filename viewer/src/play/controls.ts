@@ -4,7 +4,7 @@ import { buoy } from '../common/buoy';
 import { h } from '../common/dom';
 import { action_button, copy_text } from '../common/save';
 import { theme_toggle } from '../common/theme';
-import { method_of, model_of, parameters_in, with_method, with_model, with_parameter, type Changes } from './changes';
+import { chosen_of, method_of, parameters_in, with_chosen, with_method, with_parameter, type Changes, type Chosen } from './changes';
 import type { Held } from './data';
 import type { Names, Parameter } from './module';
 import { make_parameters } from './parameters';
@@ -80,11 +80,8 @@ export class Controls {
         (name) => change({ set: with_method(state.set, name === '' ? null : name) })),
       chooser('Beside it, under the same seed', [['', 'nothing'], ...methods], state.beside === null ? '' : method_of(state.beside) ?? '',
         (name) => change({ beside: name === '' ? null : with_method(state.set, name) })),
-      chooser('Vehicles', [['', as_given], ...this.names.vehicles.map(({ name, title }): Choice => [name, `${name}: ${title}`])],
-        model_of(state.set) ?? '', (name) => change({
-          set: with_model(state.set, name === '' ? null : name),
-          beside: state.beside === null ? null : with_model(state.beside, name === '' ? null : name),
-        })),
+      this.chosen_for_all('Vehicles', 'model', this.names.vehicles),
+      this.chosen_for_all('How they hear each other', 'exchange', this.names.exchanges),
       h('label', {}, 'Seed', seed));
     void this.show_parameters(state.set);
   }
@@ -110,6 +107,18 @@ export class Controls {
     this.yaml.focus();
     const end = this.yaml.value.indexOf('\n', from);
     this.yaml.setSelectionRange(from, end < 0 ? this.yaml.value.length : end);
+  }
+
+  /** Chosen by name for both runs. */
+  private chosen_for_all(label: string, what: Chosen, kinds: readonly { name: string; title: string }[]): HTMLElement {
+    const state = this.hands.state();
+    const choices = kinds.map(({ name, title }): Choice => [name, `${name}: ${title}`]);
+    return chooser(label, [['', as_given], ...choices], chosen_of(state.set, what) ?? '', (chosen) => {
+      const name = chosen === '' ? null : chosen;
+      this.hands.set({
+        ...state, set: with_chosen(state.set, what, name), beside: state.beside === null ? null : with_chosen(state.beside, what, name),
+      });
+    });
   }
 
   private method_choices(): Choice[] {

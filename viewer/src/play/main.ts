@@ -61,6 +61,7 @@ class Player {
       this.runs.splice(orders.length).forEach((run) => run.end());
       const shown = this.runs.map((run) => run.element);
       if (shown.some((element, i) => this.shows.children[i] !== element)) this.shows.replaceChildren(...shown);
+      if (this.runs[1] !== undefined) this.runs[0]!.lead(this.runs[1]);
       this.controls.show_command(commands.join('\n'));
       void this.show_results();
       history.replaceState(null, '', await address_of(state));

@@ -33,6 +33,7 @@ export interface Parameter {
 export interface Names {
   algorithms: { name: string; title: string; wraps: boolean }[];
   vehicles: { name: string; title: string }[];
+  exchanges: { name: string; title: string }[];
 }
 
 /** What can be asked of the Worker, and what it answers. */

@@ -15,6 +15,11 @@ export class Run {
   period_s = 0;
   private show: Show | null = null;
 
+  /** From now on the other run shows the times that this one shows. */
+  lead(other: Run): void {
+    if (this.show !== null) this.show.beside = other.show;
+  }
+
   constructor(private readonly held: Held, private readonly label: string, private readonly changed: () => void) {
     this.simulator = new RemoteSimulator(held.module);
   }

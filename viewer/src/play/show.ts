@@ -4,14 +4,18 @@ import { h } from '../common/dom';
 import type { RemoteSimulator } from './simulator';
 
 /** What the page in the frame sends (src/playback/source.ts). */
-type Asked = { fairway: 'ask'; id: number; first: number; generation: number } | { fairway: 'order'; what: 'pause' | 'resume' | 'step' };
+type Asked = { fairway: 'ask'; id: number; first: number; generation: number } | { fairway: 'order'; what: 'pause' | 'resume' | 'step' }
+  | { fairway: 'shown'; time_s: number };
 
 export class Show {
   readonly element: HTMLIFrameElement;
+  /** Another that shows the times that this one shows. */
+  beside: Show | null = null;
   private readonly listen = (event: MessageEvent<Asked | undefined>): void => {
     if (event.source !== this.element.contentWindow || event.data === undefined) return;
     const { data } = event;
     if (data.fairway === 'order') void this.simulator.ask('order', data.what);
+    if (data.fairway === 'shown') this.beside?.go(data.time_s);
     if (data.fairway === 'ask') void this.answer(data.id, data.first, data.generation);
   };
 
@@ -27,6 +31,10 @@ export class Show {
   end(): void {
     window.removeEventListener('message', this.listen);
     this.element.remove();
+  }
+
+  private go(time_s: number): void {
+    this.element.contentWindow?.postMessage({ fairway: 'go', time_s }, '*');
   }
 
   private async answer(id: number, first: number, generation: number): Promise<void> {

@@ -20,7 +20,7 @@ const state = record({
 });
 export type State = Of<typeof state>;
 
-export const first_state: State = { version, scenario: 'scenarios/cube20_8.yaml', yaml: null, seed: null, set: [], beside: null };
+export const first_state: State = { version, scenario: 'scenarios/swap_8.yaml', yaml: null, seed: null, set: [], beside: null };
 
 async function through(bytes: BufferSource, stream: GenericTransformStream): Promise<Uint8Array> {
   return new Uint8Array(await new Response(new Blob([bytes]).stream().pipeThrough(stream as ReadableWritablePair)).arrayBuffer());

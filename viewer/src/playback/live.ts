@@ -26,12 +26,7 @@ export class LiveRun {
   trouble = '';
   private readonly listeners: ((grown: boolean) => void)[] = [];
 
-  constructor(private readonly film: Film, private readonly source: Source) {}
-
-  /** Whether it is played from the beginning rather than shown as it comes. */
-  get plays(): boolean {
-    return this.source.plays;
-  }
+  constructor(private readonly film: Film, readonly source: Source) {}
 
   /** Hears of every answer, and whether the film has grown by it. */
   on_answer(listener: (grown: boolean) => void): void {

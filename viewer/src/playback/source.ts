@@ -10,7 +10,13 @@ export interface Source {
   readonly lost: string;
   /** Whether the page plays from the beginning, because the run is quicker than the clock. */
   readonly plays: boolean;
+  /** Tells what time is shown [s]: somebody may show another run beside this one. */
+  shown(time_s: number): void;
+  /** Hears what time is to be shown. */
+  on_go(go: (time_s: number) => void): void;
 }
+
+type Told = { fairway: 'answer'; id: number; answer: unknown } | { fairway: 'go'; time_s: number };
 
 export function server(): Source {
   return {
@@ -27,16 +33,24 @@ export function server(): Source {
     },
     lost: 'The run has ended, or its server is gone. What has come in so far stays here.',
     plays: false,
+    shown() {},
+    on_go() {},
   };
 }
 
-/** By messages {fairway: 'ask', id, first, generation} or {fairway: 'order', what} to the page around, which answers {fairway: 'answer', id, answer}. */
+/**
+ * By messages to the page around: {fairway: 'ask', id, first, generation}, which it answers by {fairway: 'answer', id, answer};
+ * {fairway: 'order', what}; and {fairway: 'shown', time_s}. It may send {fairway: 'go', time_s}.
+ */
 export function page_around(): Source {
   const waiting = new Map<number, (answer: unknown) => void>();
   let asked = 0;
   const tell = (message: object): void => window.parent.postMessage(message, '*');
-  window.addEventListener('message', ({ source, data }: MessageEvent<{ fairway?: string; id: number; answer: unknown }>) => {
-    if (source !== window.parent || data?.fairway !== 'answer') return;
+  let go: (time_s: number) => void = () => {};
+  window.addEventListener('message', ({ source, data }: MessageEvent<Told | undefined>) => {
+    if (source !== window.parent || data === undefined) return;
+    if (data.fairway === 'go') go(data.time_s);
+    if (data.fairway !== 'answer') return;
     waiting.get(data.id)?.(data.answer);
     waiting.delete(data.id);
   });
@@ -51,5 +65,7 @@ export function page_around(): Source {
     order: (what) => tell({ fairway: 'order', what }),
     lost: 'The page around this one does not answer.',
     plays: true,
+    shown: (time_s) => tell({ fairway: 'shown', time_s }),
+    on_go: (then) => { go = then; },
   };
 }
