@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a page calls. Texts go in through room() and come out where text() points; both are UTF-8. Nothing
 // that is thrown leaves the module: what failed returns 0 or less, and its reason is the text.
+#include <charconv>
 #include <cstdint>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 
 #include "bindings/web/session.hpp"
 #include "fairway/core/error.hpp"
@@ -36,15 +38,23 @@ int told(const json& document) {
   return 1;
 }
 
+std::uint64_t seed_in(const std::string& text) {
+  std::uint64_t seed = 0;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
+  if (error != std::errc{} || stop != text.data() + text.size())
+    throw InputError("seed: expected a whole number from 0, got " + text);
+  return seed;
+}
+
 Order order_of(const json& asked) {
   Order order{.yaml = asked.at("yaml"),
               .file = asked.at("file"),
               .set = {},
               .seed = {},
+              .recording = nullptr,
               .filmed = asked.value("filmed", true)};
   for (const json& one : asked.value("set", json::array())) order.set.emplace_back(one.at(0), one.at(1));
-  if (asked.contains("seed") && !asked["seed"].is_null())
-    order.seed = std::stoull(asked["seed"].get<std::string>());
+  if (asked.contains("seed") && !asked["seed"].is_null()) order.seed = seed_in(asked["seed"]);
   return order;
 }
 
@@ -69,6 +79,26 @@ FAIRWAY_EXPORT(load) int fairway_load() {
   session.reset();
   return tried([] {
     session = std::make_unique<Session>(order_of(json::parse(input)));
+    return 1;
+  });
+}
+
+/// Begins the run of the recording whose bytes are the input, to be compared with it; `name_size` of these,
+/// at the end, are its name.
+FAIRWAY_EXPORT(load_recording) int fairway_load_recording(std::size_t name_size) {
+  session.reset();
+  return tried([name_size] {
+    const std::string name = input.substr(input.size() - name_size);
+    input.resize(input.size() - name_size);
+    session = std::make_unique<Session>(order_of_recording(std::exchange(input, {}), name));
+    return 1;
+  });
+}
+
+/// The bytes of this run's recording, as the text.
+FAIRWAY_EXPORT(recording) int fairway_recording() {
+  return tried([] {
+    output = session->recording();
     return 1;
   });
 }

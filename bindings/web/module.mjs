@@ -31,18 +31,31 @@ export class Simulator {
   #exports;
   #last_words = '';
 
-  /** `compiled` is a WebAssembly.Module of fairway.wasm. */
-  constructor(compiled) {
+  constructor(compiled, unzstd) {
     const calls = host(() => this.#exports.memory, (text) => { this.#last_words += text; });
-    const imports = {};
-    for (const { module, name } of WebAssembly.Module.imports(compiled)) (imports[module] ??= {})[name] = calls[name];
+    const imports = { fairway: { unzstd: (out, capacity, frame, size) => this.#unpack(unzstd, out, capacity, frame, size) } };
+    for (const { module, name } of WebAssembly.Module.imports(compiled)) if (module !== 'fairway') (imports[module] ??= {})[name] = calls[name];
     this.#exports = new WebAssembly.Instance(compiled, imports).exports;
     this.#exports._initialize();
   }
 
-  #text() {
+  #unpack(unzstd, out, capacity, frame, size) {
+    try {
+      const bytes = unzstd(new Uint8Array(this.#exports.memory.buffer, frame, size).slice());
+      if (bytes.length <= capacity) new Uint8Array(this.#exports.memory.buffer).set(bytes, out);
+      return bytes.length;
+    } catch {
+      return -1;  // more than any capacity
+    }
+  }
+
+  #bytes() {
     const { memory, text, text_size } = this.#exports;
-    return new TextDecoder().decode(new Uint8Array(memory.buffer, text(), text_size()));
+    return new Uint8Array(memory.buffer, text(), text_size());
+  }
+
+  #text() {
+    return new TextDecoder().decode(this.#bytes());
   }
 
   #checked(result) {
@@ -56,7 +69,10 @@ export class Simulator {
   }
 
   #say(text) {
-    const bytes = new TextEncoder().encode(text);
+    this.#give(new TextEncoder().encode(text));
+  }
+
+  #give(bytes) {
     const at = this.#exports.room(bytes.length);
     new Uint8Array(this.#exports.memory.buffer).set(bytes, at);
   }
@@ -64,6 +80,20 @@ export class Simulator {
   load(order) {
     this.#say(JSON.stringify(order));
     this.#checked(this.#exports.load());
+  }
+
+  load_recording(bytes, file) {
+    const name = new TextEncoder().encode(file);
+    const both = new Uint8Array(bytes.length + name.length);
+    both.set(bytes);
+    both.set(name, bytes.length);
+    this.#give(both);
+    this.#checked(this.#exports.load_recording(name.length));
+  }
+
+  recording() {
+    this.#checked(this.#exports.recording());
+    return this.#bytes().slice();
   }
 
   run(steps) { return this.#checked(this.#exports.run(steps)); }

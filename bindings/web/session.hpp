@@ -2,12 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "fairway/metrics/run_metrics.hpp"
+#include "fairway/record/hash_checker.hpp"
 #include "fairway/scenario/load.hpp"
 #include "fairway/sim/simulation.hpp"
 #include "fairway/view/film.hpp"
@@ -20,8 +22,14 @@ struct Order {
   std::string file;  ///< its name in messages and in the command
   Overrides set;
   std::optional<std::uint64_t> seed;
+  std::shared_ptr<const Recording>
+      recording;      ///< of which the scenario is, and with which its run is compared; or none
   bool filmed{true};  ///< with what vehicles think, to be shown; otherwise for its numbers alone
 };
+
+/// The run that a recording in these bytes is of, which is compared with it. Throws InputError for what is no
+/// whole recording.
+Order order_of_recording(std::string_view bytes, const std::string& file);
 
 /// A running simulation with what a page shows of it, and the hash of all frames so far.
 class Session final : private FrameSink {
@@ -44,6 +52,10 @@ class Session final : private FrameSink {
   /// "vehicles"}.
   nlohmann::json outcome() const;
 
+  /// The bytes of the recording that `fairway run --out` writes of this run, simulated once more for it.
+  /// O(run).
+  std::string recording() const;
+
   /// Of all frames so far, as a recording has it.
   std::uint64_t run_hash() const { return run_hash_; }
 
@@ -62,13 +74,15 @@ class Session final : private FrameSink {
  private:
   void write(const Frame& frame) override;
   bool wants_tracks() const override { return false; }
-  std::string divergence_text() const;
+  std::string divergence_text(const Simulation& simulation) const;
+  void refuse_absent() const;
 
   Order order_;
   Scenario scenario_;
   Simulation simulation_;
   RunMetrics metrics_;
   std::optional<Film> film_;
+  std::optional<HashChecker> checker_;
   std::vector<FrameSink*> sinks_;
   std::vector<double> states_;
   std::vector<std::uint64_t> frame_hashes_;

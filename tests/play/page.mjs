@@ -85,6 +85,22 @@ async function broken_yaml(page, expect) {
   await page.waitForSelector('.note.problem[hidden]', { state: 'attached' });
 }
 
+async function recordings(page, expect) {
+  await playback(page);
+  await ended(page);
+  const waiting = page.waitForEvent('download');
+  await page.getByRole('button', { name: 'Save the run as MCAP' }).click();
+  const saved = join(browser.folder, 'saved.mcap');
+  await (await waiting).saveAs(saved);
+  await page.getByText('A recording or scenario of yours').click();
+  await page.getByLabel('A recording or a scenario').setInputFiles(saved);
+  await page.waitForSelector('.verdict');
+  const verdict = await page.locator('.verdict').textContent();
+  expect(/same/.test(verdict), `the page verifies what it saved: ${verdict}`);
+  expect(await page.locator('.command').textContent() === 'fairway replay saved.mcap --verify', 'the command is that of a replay');
+  await playback(page);
+}
+
 async function without_ompl(page, expect) {
   await playback(page);
   await choose(page, 'Scenario', 'scenarios/transport_planned.yaml');
@@ -127,7 +143,7 @@ async function small(page, expect) {
 const packed = async (state) => Buffer.from(await new Response(new Blob([JSON.stringify(state)]).stream()
   .pipeThrough(new CompressionStream('deflate-raw'))).arrayBuffer()).toString('base64url');
 
-for (const [check, options] of [[first_minute, desk], [another_method, desk], [beside, desk], [broken_yaml, desk], [without_ompl, desk], [for_all, desk],
+for (const [check, options] of [[first_minute, desk], [another_method, desk], [beside, desk], [broken_yaml, desk], [recordings, desk], [without_ompl, desk], [for_all, desk],
   [old_link, { ...desk, fragment: `#play=${await packed({ version: 7 })}` }], [without_webassembly, { ...desk, missing: 'WebAssembly' }],
   [small, phone]]) {
   if (process.env.CHECKS !== undefined && !check.name.includes(process.env.CHECKS)) continue;

@@ -2,7 +2,7 @@
 // What can be chosen and changed. Every change begins the run anew.
 import { buoy } from '../common/buoy';
 import { h } from '../common/dom';
-import { action_button, copy_text } from '../common/save';
+import { action_button, copy_text, save_blob } from '../common/save';
 import { theme_toggle } from '../common/theme';
 import { chosen_of, method_of, parameters_in, with_chosen, with_method, with_parameter, type Changes, type Chosen } from './changes';
 import type { Held } from './data';
@@ -34,6 +34,10 @@ export interface Hands {
   set(state: State): void;
   describe(method: string): Promise<{ parameters: Parameter[] }>;
   link(): Promise<string>;
+  /** Simulates a recording again and compares. */
+  verify(bytes: Uint8Array, file: string): Promise<void>;
+  /** MCAP, of the run that is shown. */
+  recording(): Promise<Blob>;
 }
 
 export class Controls {
@@ -48,8 +52,13 @@ export class Controls {
   constructor(private readonly held: Held, private readonly names: Names, private readonly hands: Hands) {
     const use = h('button', { type: 'button', click: () => this.use_yaml(this.yaml.value) }, 'Run this YAML');
     const shipped = h('button', { type: 'button', click: () => this.use_yaml(null) }, 'As shipped');
-    this.yaml.addEventListener('dragover', (event) => event.preventDefault());
-    this.yaml.addEventListener('drop', (event) => void this.take_dropped(event));
+    this.element.addEventListener('dragover', (event) => event.preventDefault());
+    this.element.addEventListener('drop', (event) => {
+      event.preventDefault();
+      void this.take(event.dataTransfer?.files[0]);
+    });
+    const opened = h('input', { type: 'file', accept: '.mcap,.yaml', 'aria-label': 'A recording or a scenario' });
+    opened.addEventListener('change', () => void this.take(opened.files?.[0]));
     this.element.append(
       h('header', {}, h('span', { class: 'brand' }, buoy(), 'Fairway'), theme_toggle()),
       h('h1', {}, 'Play a scenario'),
@@ -61,7 +70,10 @@ export class Controls {
         action_button('Copy', 'Copy the YAML', 'Copied', () => copy_text(this.yaml.value)))),
       h('details', { open: true }, h('summary', {}, 'The same run elsewhere'), this.command, h('div', { class: 'buttons' },
         action_button('Copy command', 'Copy the command that makes the same run', 'Copied', () => copy_text(this.command.textContent ?? '')),
-        action_button('Copy link', 'Copy a link to this page as it is set', 'Copied', async () => copy_text(await hands.link())))));
+        action_button('Copy link', 'Copy a link to this page as it is set', 'Copied', async () => copy_text(await hands.link())),
+        action_button('Save recording', 'Save the run as MCAP', 'Saved', async () => save_blob('run.mcap', await hands.recording())))),
+      h('details', {}, h('summary', {}, 'A recording or scenario of yours'),
+        h('p', {}, 'A recording (MCAP) is simulated again here, compared frame by frame, and played. A scenario (YAML) is run. Either can be dropped here as well.'), opened));
   }
 
   /** Shows how the run is set. */
@@ -146,10 +158,9 @@ export class Controls {
     this.hands.set({ ...this.hands.state(), yaml });
   }
 
-  private async take_dropped(event: DragEvent): Promise<void> {
-    const file = event.dataTransfer?.files[0];
+  private async take(file: File | undefined): Promise<void> {
     if (file === undefined) return;
-    event.preventDefault();
-    this.use_yaml(await file.text());
+    if (file.name.endsWith('.mcap')) await this.hands.verify(new Uint8Array(await file.arrayBuffer()), file.name);
+    else this.use_yaml(await file.text());
   }
 }

@@ -30,6 +30,8 @@ class Player {
       set: (state) => void this.play(state),
       describe: (method) => first.simulator.ask('describe', method),
       link: async () => location.href.replace(/#.*$/, '') + await address_of(this.state),
+      verify: (bytes, file) => this.verify(bytes, file),
+      recording: async () => new Blob([await first.simulator.ask('recording')], { type: 'application/octet-stream' }),
     });
     into.replaceChildren(h('div', { class: 'play' }, this.controls.element, this.shows));
     await this.play(this.state);
@@ -67,6 +69,19 @@ class Player {
       history.replaceState(null, '', await address_of(state));
     } catch (error) {
       if (mine === this.turn) this.controls.complain(text_of(error));
+    }
+  }
+
+  private async verify(bytes: Uint8Array, file: string): Promise<void> {
+    ++this.turn;
+    this.controls.complain('');
+    try {
+      const command = await this.runs[0]!.verify(bytes, file);
+      this.runs.splice(1).forEach((run) => run.end());
+      this.controls.show_command(command);
+      void this.show_results();
+    } catch (error) {
+      this.controls.complain(text_of(error));
     }
   }
 

@@ -18,6 +18,8 @@ export interface Outcome {
   diverged?: string;
   simulated_s: number;
   fleet: Record<string, number | null>;
+  /** Of a run that is compared with a recording. */
+  verdict?: string;
 }
 
 export interface Parameter {
@@ -42,6 +44,10 @@ export interface Calls {
   describe(name: string): { parameters: Parameter[] };
   /** Begins a run, which goes on by itself, and answers with the playback's document. */
   begin(order: Order): Record<string, unknown>;
+  /** Likewise of the run of a recording, with which it is compared. */
+  verify(bytes: Uint8Array, file: string): Record<string, unknown>;
+  /** MCAP, of the run that has begun. */
+  recording(): Uint8Array<ArrayBuffer>;
   /** {"part", "state"} of the live page. */
   part(first: number, generation: number): { part: unknown; state: { done: boolean } };
   outcome(): Outcome;

@@ -12,6 +12,8 @@ const digits = (value: number | null | undefined): string =>
 export function results_table(outcomes: readonly (Outcome | null)[]): HTMLElement {
   const known = outcomes.filter((outcome) => outcome !== null);
   if (known.length === 0) return h('p', {}, 'The run goes on.');
+  const verdict = known.find((outcome) => outcome.verdict !== undefined)?.verdict;
+  if (verdict !== undefined) return h('p', { class: 'verdict' }, `Simulated again here: ${verdict}.`);
   const broken = known.find((outcome) => outcome.outcome === 'diverged');
   if (broken !== undefined) return h('p', {}, `The run ${broken.diverged ?? 'diverged'}.`);
   const names = shown.filter((name) => known.some(({ fleet }) => name in fleet));

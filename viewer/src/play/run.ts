@@ -25,20 +25,29 @@ export class Run {
   }
 
   /** Begins anew; what was shown before is gone. Answers with the command that makes the same run, rejects with what is wrong with the order. */
-  async begin(order: Order): Promise<string> {
-    this.outcome = null;
-    const document = await this.simulator.ask('begin', order);
-    this.period_s = Number(document['period_s']);
-    this.show?.end();
-    this.show = new Show(this.simulator, this.held.playback, document, this.label, () => void this.end_run());
-    this.element.replaceChildren(this.show.element);
-    return String(document['command']);
+  begin(order: Order): Promise<string> {
+    return this.show_run(this.simulator.ask('begin', order));
+  }
+
+  /** Likewise the run of a recording. */
+  verify(bytes: Uint8Array, file: string): Promise<string> {
+    return this.show_run(this.simulator.ask('verify', bytes, file));
   }
 
   end(): void {
     this.show?.end();
     this.simulator.end();
     this.element.remove();
+  }
+
+  private async show_run(begun: Promise<Record<string, unknown>>): Promise<string> {
+    const document = await begun;
+    this.outcome = null;
+    this.period_s = Number(document['period_s']);
+    this.show?.end();
+    this.show = new Show(this.simulator, this.held.playback, document, this.label, () => void this.end_run());
+    this.element.replaceChildren(this.show.element);
+    return String(document['command']);
   }
 
   private async end_run(): Promise<void> {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The simulator beside the page: it goes on in slices, between which it answers.
+import { decompress } from 'fzstd';
 import { Simulator } from '../../../bindings/web/module.mjs';
-import type { Answer, Calls, Order, Question } from './module';
+import type { Answer, Calls, Question } from './module';
 
 const slice_ms = 12;
 
@@ -19,7 +20,7 @@ function tried<T>(work: () => T): T {
   } catch (error) {
     if (error instanceof WebAssembly.RuntimeError) {
       const words = simulator.last_words;
-      simulator = new Simulator(compiled);
+      simulator = new Simulator(compiled, decompress);
       begun = false;
       throw new Error(`the simulator broke off: ${words === '' ? error.message : words}`);
     }
@@ -42,21 +43,24 @@ function go_on(mine: number): void {
   if (trouble === '' && !simulator.done) setTimeout(() => go_on(mine));
 }
 
+/** A run that `load` begins, and that goes on by itself. */
+function begin(load: () => void): Record<string, unknown> {
+  const mine = ++turn;
+  trouble = '';
+  paused = false;
+  begun = false;
+  tried(load);
+  begun = true;
+  setTimeout(() => go_on(mine));
+  return simulator.document();
+}
+
 const calls: { [K in keyof Calls]: (...args: Parameters<Calls[K]>) => unknown } = {
   names: () => simulator.names(),
   describe: (name) => simulator.describe(name),
-  begin(order: Order) {
-    ++turn;
-    trouble = '';
-    paused = false;
-    begun = false;
-    tried(() => simulator.load(order));
-    begun = true;
-    const document = simulator.document();
-    const mine = turn;
-    setTimeout(() => go_on(mine));
-    return document;
-  },
+  begin: (order) => begin(() => simulator.load(order)),
+  verify: (bytes, file) => begin(() => simulator.load_recording(bytes, file)),
+  recording: () => simulator.recording(),
   part(first, generation) {
     if (!begun) throw new Error(trouble === '' ? 'no run has begun' : trouble);
     const answer = simulator.part(first, generation);
@@ -79,7 +83,7 @@ const calls: { [K in keyof Calls]: (...args: Parameters<Calls[K]>) => unknown } 
 self.addEventListener('message', ({ data }: MessageEvent<Question>) => {
   if ('module' in data) {
     compiled = data.module;
-    simulator = new Simulator(compiled);
+    simulator = new Simulator(compiled, decompress);
     return;
   }
   let answer: Answer;
