@@ -4,6 +4,7 @@
     deps GROUP                  of scripts/deps
     build TARGET
     program TARGET FILTER       a program of tests, and which of them, as --gtest_filter has it
+    page play                   scripts/web
     suite NAME                  tests/NAME/run
 
 A name is a library (fairway/<name>), a folder in one, a program of tests of CMakeLists.txt, a test suite of GoogleTest, or a folder of
@@ -19,6 +20,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 SUITE_NEEDS = {  # of scripts/deps, and what is built beside the command
     "package": ("arm", "all"), "python": ("python", "fairway_python"), "ros1": ("ros1", "all"), "ros2": ("ros2", "all"),
     "web": ("web", ""), "mcap": ("web", ""), "live": ("web", ""), "cluster": ("cluster", "fairway_mpi"), "cli": ("", ""), "replay": ("", ""), "docs": ("", ""),
+    "play": ("web wasm", ""),
 }
 
 
@@ -56,7 +58,7 @@ def known_names():
             program = "laws" if library == "avoidance" else library
             known[folder.name].append(f"program {program}_test */{folder.name}:*/{folder.name}_*:*_{folder.name}")
     for suite, (deps, target) in SUITE_NEEDS.items():
-        lines = [f"deps {deps}"] * bool(deps) + ["build fairway"] + [f"build {target}"] * bool(target) + [f"suite {suite}"]
+        lines = [f"deps {group}" for group in deps.split()] + ["page play"] * (suite == "play") + ["build fairway"] + [f"build {target}"] * bool(target) + [f"suite {suite}"]
         known.setdefault(suite, []).extend(lines)
     return known
 

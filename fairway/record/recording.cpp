@@ -2,9 +2,6 @@
 #include "fairway/record/recording.hpp"
 
 #include <charconv>
-#include <cstdio>
-#include <filesystem>
-#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "fairway/core/error.hpp"
@@ -103,21 +100,6 @@ Recording Recording::parse(ByteView bytes, const std::string& file) {
   } catch (const nlohmann::json::exception& error) {
     throw InputError{{.file = file}, "", std::string("damaged recording: list of vehicles: ") + error.what()};
   }
-}
-
-Recording Recording::read(const std::string& file) {
-  const auto refuse = [&](const std::string& reason) {
-    throw InputError{{.file = file}, "", "cannot be read: " + reason + "; expected a recording (MCAP)"};
-  };
-  std::error_code error;
-  const auto size = std::filesystem::file_size(file, error);
-  if (error) refuse(error.message());
-  Bytes bytes(static_cast<std::size_t>(size));
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream{std::fopen(file.c_str(), "rb"), std::fclose};
-  if (!stream || std::fread(bytes.data(), 1, bytes.size(), stream.get()) != bytes.size()) {
-    refuse(std::generic_category().message(errno));
-  }
-  return parse(bytes, file);
 }
 
 Frame Recording::frame(std::size_t i) const {

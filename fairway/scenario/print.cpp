@@ -11,7 +11,7 @@
 namespace fairway::yaml {
 namespace {
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   std::string line = "\"";
   for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);
@@ -41,11 +41,11 @@ bool is_plain_word(std::string_view text) {
              text, [&](char c) { return is_word(c) || c == ' ' || c == '-' || c == '+' || c == '.'; });
 }
 
-std::string key_text(std::string_view key) { return is_plain_word(key) ? std::string(key) : quoted(key); }
+std::string key_text(std::string_view key) { return is_plain_word(key) ? std::string(key) : in_quotes(key); }
 
 std::string scalar_text(const Tree& tree) {
   if (tree.is_null()) return "null";
-  return tree.plain || is_plain_word(tree.text) ? tree.text : quoted(tree.text);
+  return tree.plain || is_plain_word(tree.text) ? tree.text : in_quotes(tree.text);
 }
 
 bool is_leaf(const Tree& tree) { return tree.is_null() || tree.is_scalar() || tree.items.empty(); }
@@ -95,14 +95,14 @@ void append_json(const Tree& tree, std::size_t indent, std::string& out) {
   if (tree.is_null()) {
     out += "null";
   } else if (tree.is_scalar()) {
-    out += tree.plain ? tree.text : quoted(tree.text);
+    out += tree.plain ? tree.text : in_quotes(tree.text);
   } else {
     const bool one_line = is_leaf(tree) || (tree.is_list() && std::ranges::all_of(tree.items, is_leaf));
     out += tree.is_map() ? '{' : '[';
     for (std::size_t i = 0; i < tree.items.size(); ++i) {
       if (i > 0) out += one_line ? ", " : ",";
       if (!one_line) out.append("\n").append(indent + 2, ' ');
-      if (tree.is_map()) out.append(quoted(tree.keys[i])).append(": ");
+      if (tree.is_map()) out.append(in_quotes(tree.keys[i])).append(": ");
       append_json(tree.items[i], indent + 2, out);
     }
     if (!one_line) out.append("\n").append(indent, ' ');

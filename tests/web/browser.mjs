@@ -49,8 +49,9 @@ export class Browser {
     };
   }
 
-  /** Opens a path or an address and hands the page to `look`; only an address may ask for more, from where it came. */
-  async open(target, name, { width, height = 900, scheme, fragment = '', harmless = this.harmless }, look) {
+  /** Opens a path or an address and hands the page to `look`; only an address may ask for more, from where it came. A browser without `missing` is one
+   *  whose window has nothing of that name. */
+  async open(target, name, { width, height = 900, scheme, fragment = '', harmless = this.harmless, missing = '' }, look) {
     const url = target.startsWith('http:') ? target : pathToFileURL(target).href + fragment;
     const allowed = target.startsWith('http:') ? [new URL(target).origin] : [];
     const profile = mkdtempSync(join(this.folder, 'profile-'));
@@ -75,6 +76,7 @@ export class Browser {
       });
       page.setDefaultTimeout(30_000);  // of a machine that is half as fast and busy besides
       page.setDefaultNavigationTimeout(60_000);
+      if (missing !== '') await page.addInitScript((name) => { delete window[name]; }, missing);
       await page.goto(url);
       await page.waitForSelector('main');
       await page.evaluate(() => document.fonts.ready);

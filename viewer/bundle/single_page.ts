@@ -9,8 +9,11 @@ export const marker = '__FAIRWAY_DATA__';
 const policy =
   "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:; font-src data:";
 
-/** Writes the built page to `target` with everything inlined; there is no other output. */
-export function single_page(target: string): Plugin {
+// A page that is given its data here simulates, in a Worker that is inside it as well.
+const simulating = policy.replace("script-src 'unsafe-inline'", "script-src 'unsafe-inline' 'wasm-unsafe-eval'; worker-src blob:");
+
+/** Writes the built page to `target` with everything inlined, and with `data`, if it is there, in place of the marker; there is no other output. */
+export function single_page(target: string, data?: string): Plugin {
   return {
     name: 'fairway-single-page',
     apply: 'build',
@@ -35,14 +38,15 @@ export function single_page(target: string): Plugin {
         const html = String(page.source)
           .replace(/\s*<link rel="(stylesheet|modulepreload)"[^>]*>/g, '')
           .replace(/\s*<script type="module"[^>]*src=[^>]*><\/script>/g, '')
-          .replace('<head>', () => `<head>\n  <meta http-equiv="Content-Security-Policy" content="${policy}">`)
+          .replace('<head>', () => `<head>\n  <meta http-equiv="Content-Security-Policy" content="${data === undefined ? policy : simulating}">`)
           .replace('</head>', () => `  <style>${styles.trim()}</style>\n</head>`)
           .replace('</body>', () => {
             const code = scripts.trim().replaceAll('</script', '<\\/script').replaceAll('<!--', '\\x3C!--');
             return `<script type="module">${code}</script>\n</body>`;
           });
         if (html.split(marker).length !== 2) throw new Error(`the page needs ${marker} once`);
-        writeFileSync(target, html.endsWith('\n') ? html : html + '\n');
+        const filled = data === undefined ? html : html.replace(marker, () => data.replaceAll('</', '<\\/').replaceAll('<!', '\\u003c!'));
+        writeFileSync(target, filled.endsWith('\n') ? filled : filled + '\n');
         this.info(`${target}: ${(html.length / 1000).toFixed(1)} kB`);
       },
     },

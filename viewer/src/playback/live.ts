@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// A run that is still going on: asks the server that this page came from for what is new, and may tell it to
-// pause, go on or step. It asks for nothing else.
+// A run that is still going on: asks whoever makes it for what is new, and may tell it to pause, go on or step. It asks for
+// nothing else.
 import { flag, number, optional, or_null, record, text, type Of } from '../common/read';
 import type { Film } from './film';
 import { part } from './model';
+import type { Order, Source } from './source';
 
 const run_state = record({
   paused: flag,
@@ -14,7 +15,6 @@ const run_state = record({
   divergence: optional(text, ''),
 });
 export type RunState = Of<typeof run_state>;
-export type Order = 'pause' | 'resume' | 'step';
 
 const least_gap_ms = 50;
 const gap_without_answer_ms = 2000;
@@ -26,7 +26,7 @@ export class LiveRun {
   trouble = '';
   private readonly listeners: ((grown: boolean) => void)[] = [];
 
-  constructor(private readonly film: Film) {}
+  constructor(private readonly film: Film, readonly source: Source) {}
 
   /** Hears of every answer, and whether the film has grown by it. */
   on_answer(listener: (grown: boolean) => void): void {
@@ -46,20 +46,15 @@ export class LiveRun {
   }
 
   order(what: Order): void {
-    // The header is what a page from elsewhere could not send without being asked whether it may.
-    fetch(what, { method: 'POST', headers: { 'X-Fairway': '1' } }).catch(() => {
-      // The next question finds out that nobody is there.
-    });
+    this.source.order(what);
   }
 
   private async ask(): Promise<boolean> {
     let answer: unknown;
     try {
-      const response = await fetch(`part?from=${this.film.count}&generation=${this.film.generation}`, { cache: 'no-store' });
-      if (!response.ok) throw new Error(`it answers ${response.status}`);
-      answer = await response.json();
+      answer = await this.source.ask(this.film.count, this.film.generation);
     } catch {
-      this.trouble = 'The run has ended, or its server is gone. What has come in so far stays here.';
+      this.trouble = this.source.lost;
       return false;
     }
     try {

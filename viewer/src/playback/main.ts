@@ -12,6 +12,7 @@ import { Film } from './film';
 import { LiveRun } from './live';
 import { decode, type Document, type Part } from './model';
 import { show_page } from './page';
+import { page_around, server } from './source';
 
 const into = document.getElementById('page')!;
 
@@ -31,7 +32,7 @@ function recorded(film: Film, part: Part): void {
 /** The page appears with the first frame. */
 function watch(playback: Document, film: Film): void {
   into.replaceChildren(h('p', { class: 'waiting', role: 'status' }, 'Waiting for the first frame of the run.'));
-  const live = new LiveRun(film);
+  const live = new LiveRun(film, playback.live === 'page' ? page_around() : server());
   let shown = false;
   live.on_answer(() => {
     if (!shown && film.count > 0) {

@@ -142,6 +142,8 @@ const document = ({ vehicles, current_depths_m: depths }: Scene) => record({
   columns: columns(depths.length),
   /** Null on a live page, which asks for parts. */
   film: or_null(part(vehicles.length)),
+  /** Whom a live page asks: the server that it came from, or the page around it. */
+  live: optional(one_of(['server', 'page']), 'server'),
   notice: optional(text, ''),
   /** How the run broke behind its last frame, in a line; empty if it is whole. */
   divergence: optional(text, ''),

@@ -99,6 +99,7 @@ class Page {
     this.stage.show(moment);
     for (const panel of this.panels) panel.show?.(moment);
     this.link.update();
+    this.live?.source.shown(moment.time);
   }
 
   /** Keeps the panel in step from now on. */
@@ -131,6 +132,10 @@ class Page {
     this.frame.stage_area.append(make_camera_bar(this.choice, this.stage));
     this.frame.stage_area.after(transport.element);
     // An answer that brings frames shows everything anew; any other one only tells how the run stands.
+    live?.source.on_go((time) => {
+      clock.pause();
+      clock.seek(time);
+    });
     live?.on_answer((grown) => (grown ? this.grow() : live_controls?.show()));
   }
 
@@ -195,7 +200,10 @@ class Page {
       this.clock.seek(explanation.time_s);
     }
     const placed = this.link.go();
-    if (this.live !== null && !placed) this.clock.follow();
+    if (this.live !== null && !placed) {
+      if (this.live.source.plays) this.clock.play();
+      else this.clock.follow();
+    }
     this.show();
     if (matchMedia(roomy).matches) setTimeout(() => this.toggle_charts());
   }

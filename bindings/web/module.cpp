@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a page calls. Texts go in through room() and come out where text() points; both are UTF-8. Nothing
+// that is thrown leaves the module: what failed returns 0 or less, and its reason is the text.
+#include <charconv>
+#include <cstdint>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+
+#include "bindings/web/session.hpp"
+#include "fairway/core/error.hpp"
+
+#define FAIRWAY_EXPORT(name) extern "C" __attribute__((export_name(#name)))
+
+namespace fairway::web {
+namespace {
+
+using nlohmann::json;
+
+std::string input;
+std::string output;
+std::unique_ptr<Session> session;
+
+/// Calls `work`, which returns a number, and tells what went wrong.
+template <class Work>
+int tried(const Work& work) {
+  try {
+    return work();
+  } catch (const std::exception& error) {
+    output = error.what();
+    return -1;
+  }
+}
+
+int told(const json& document) {
+  output = document.dump(-1, ' ', false, json::error_handler_t::replace);
+  return 1;
+}
+
+std::uint64_t seed_in(const std::string& text) {
+  std::uint64_t seed = 0;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
+  if (error != std::errc{} || stop != text.data() + text.size())
+    throw InputError("seed: expected a whole number from 0, got " + text);
+  return seed;
+}
+
+Order order_of(const json& asked) {
+  Order order{.yaml = asked.at("yaml"),
+              .file = asked.at("file"),
+              .set = {},
+              .seed = {},
+              .recording = nullptr,
+              .filmed = asked.value("filmed", true)};
+  for (const json& one : asked.value("set", json::array())) order.set.emplace_back(one.at(0), one.at(1));
+  if (asked.contains("seed") && !asked["seed"].is_null()) order.seed = seed_in(asked["seed"]);
+  return order;
+}
+
+}  // namespace
+}  // namespace fairway::web
+
+using namespace fairway::web;
+
+/// Where `size` bytes of the next input are to be written.
+FAIRWAY_EXPORT(room) char* fairway_room(std::size_t size) {
+  input.assign(size, '\0');
+  return input.data();
+}
+
+/// The last text, and how long it is.
+FAIRWAY_EXPORT(text) const char* fairway_text() { return output.data(); }
+FAIRWAY_EXPORT(text_size) std::size_t fairway_text_size() { return output.size(); }
+
+/// Begins the run that the input asks for: {"yaml", "file", "set": [[path, value]], "seed": text or null,
+/// "filmed"}.
+FAIRWAY_EXPORT(load) int fairway_load() {
+  session.reset();
+  return tried([] {
+    session = std::make_unique<Session>(order_of(json::parse(input)));
+    return 1;
+  });
+}
+
+/// Begins the run of the recording whose bytes are the input, to be compared with it; `name_size` of these,
+/// at the end, are its name.
+FAIRWAY_EXPORT(load_recording) int fairway_load_recording(std::size_t name_size) {
+  session.reset();
+  return tried([name_size] {
+    const std::string name = input.substr(input.size() - name_size);
+    input.resize(input.size() - name_size);
+    session = std::make_unique<Session>(order_of_recording(std::exchange(input, {}), name));
+    return 1;
+  });
+}
+
+/// The bytes of this run's recording, as the text.
+FAIRWAY_EXPORT(recording) int fairway_recording() {
+  return tried([] {
+    output = session->recording();
+    return 1;
+  });
+}
+
+/// So many steps more, or up to the end: how many were made. Afterwards done() says whether it is over.
+FAIRWAY_EXPORT(run) int fairway_run(int steps) {
+  return tried([steps] { return static_cast<int>(session->run(static_cast<std::size_t>(steps))); });
+}
+FAIRWAY_EXPORT(done) int fairway_done() { return session->is_done() ? 1 : 0; }
+FAIRWAY_EXPORT(time) double fairway_time() { return session->time(); }
+
+/// The playback's document, a part of its film, what was measured, the names of methods and vehicles: as
+/// JSON.
+FAIRWAY_EXPORT(document) int fairway_document() {
+  return tried([] { return told(session->document()); });
+}
+FAIRWAY_EXPORT(part) int fairway_part(std::size_t first, std::size_t generation) {
+  return tried([=] { return told(session->part(first, generation)); });
+}
+FAIRWAY_EXPORT(outcome) int fairway_outcome() {
+  return tried([] { return told(session->outcome()); });
+}
+FAIRWAY_EXPORT(names) int fairway_names() {
+  return tried([] { return told(names()); });
+}
+
+/// Of the name that is the input, as `fairway describe --json`.
+FAIRWAY_EXPORT(describe) int fairway_describe() {
+  return tried([] { return told(described(input)); });
+}
+
+/// Of all frames so far.
+FAIRWAY_EXPORT(run_hash) std::uint64_t fairway_run_hash() { return session->run_hash(); }
+
+/// Of each frame so far, and how many frames there are.
+FAIRWAY_EXPORT(hashes) const std::uint64_t* fairway_hashes() { return session->frame_hashes().data(); }
+FAIRWAY_EXPORT(hash_count) std::size_t fairway_hash_count() { return session->frame_hashes().size(); }
+
+/// Six numbers a vehicle (Session::states), and how many numbers there are.
+FAIRWAY_EXPORT(states) const double* fairway_states() { return session->states().data(); }
+FAIRWAY_EXPORT(state_count) std::size_t fairway_state_count() { return session->states().size(); }

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+/** The simulator in fairway.wasm. What fails throws an Error whose message is the module's line. */
+export class Simulator {
+  /** `compiled` is fairway.wasm; `unzstd` unpacks a frame of zstd, as fzstd's decompress, for whoever reads recordings. */
+  constructor(compiled: WebAssembly.Module, unzstd?: (frame: Uint8Array) => Uint8Array);
+  /** Begins a run; the one before it is gone. */
+  load(order: object): void;
+  /** Begins the run of a recording, which is compared with it; the outcome has `same` and `verdict` then. */
+  load_recording(bytes: Uint8Array, file: string): void;
+  /** The recording of this run, MCAP. */
+  recording(): Uint8Array;
+  /** At most so many steps; how many were made. */
+  run(steps: number): number;
+  readonly done: boolean;
+  readonly time_s: number;
+  /** Of all frames so far, as a recording has it: 16 hexadecimal digits. */
+  readonly hash: string;
+  readonly memory_bytes: number;
+  /** What was written where a program has its standard error. */
+  readonly last_words: string;
+  /** The playback's document, without a film. */
+  document(): Record<string, unknown>;
+  part(first: number, generation: number): { part: unknown; state: Record<string, unknown> };
+  outcome(): unknown;
+  names(): unknown;
+  describe(name: string): unknown;
+  /** Of each frame so far, likewise. */
+  hashes(): string[];
+  /** Of each vehicle north, east, down [m], roll, pitch, yaw [rad]. */
+  states(): Float64Array;
+}

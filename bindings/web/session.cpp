@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bindings/web/session.hpp"
+
+#include <cmath>
+
+#include "bindings/web/absent.hpp"
+#include "bindings/web/output_file.hpp"
+#include "fairway/comms/exchange.hpp"
+#include "fairway/core/angles.hpp"
+#include "fairway/core/names.hpp"
+#include "fairway/core/text.hpp"
+#include "fairway/experiment/measure_run.hpp"
+#include "fairway/experiment/recording_info.hpp"
+#include "fairway/record/frame_hash.hpp"
+#include "fairway/record/recording_writer.hpp"
+#include "fairway/view/description.hpp"
+#include "fairway/view/playback.hpp"
+
+namespace fairway::web {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t most_frames = 500;  // of a part
+
+const Catalogs& catalogs() {
+  static const Catalogs all = builtin_catalogs();
+  return all;
+}
+
+json finite(double value) { return std::isfinite(value) ? json(value) : json(); }
+
+}  // namespace
+
+Order order_of_recording(std::string_view bytes, const std::string& file) {
+  auto recording = std::make_shared<const Recording>(Recording::parse(std::as_bytes(std::span{bytes}), file));
+  check_methods(*recording, recorded_scenario(*recording, file), catalogs(), file);
+  return {.yaml = {}, .file = file, .set = {}, .seed = {}, .recording = recording};
+}
+
+Session::Session(Order order)
+    : order_{std::move(order)},
+      scenario_{order_.recording ? recorded_scenario(*order_.recording, order_.file)
+                                 : parse_scenario(order_.yaml, order_.file, order_.set, order_.seed)},
+      simulation_{scenario_, catalogs()},
+      metrics_{metrics_for(scenario_, catalogs().vehicles)},
+      sinks_{this, &metrics_} {
+  simulation_.show_thoughts(order_.filmed);
+  if (order_.filmed) sinks_.push_back(&film_.emplace(scenario_));
+  if (order_.recording) {
+    sinks_.push_back(&checker_.emplace(*order_.recording));
+    simulation_.show_thoughts(order_.filmed || order_.recording->info().sketches);
+  }
+  absent_library_was_wanted();
+}
+
+std::string Session::recording() const {
+  RecordingWriter writer{"run.mcap", recording_info(scenario_)};
+  Simulation again{scenario_, catalogs()};
+  FrameSink* sink = &writer;
+  while (!again.is_done()) again.step({&sink, 1});
+  refuse_absent();
+  writer.close({.divergence = divergence_text(again), .stopped = false});
+  return taken_file();
+}
+
+std::string Session::command() const {
+  if (order_.recording) return "fairway replay " + shell_word(order_.file) + " --verify";
+  std::string text = "fairway run " + shell_word(order_.file);
+  for (const auto& [path, value] : order_.set) text += " --set " + shell_word(path + "=" + value);
+  if (order_.seed) text += " --seed " + std::to_string(*order_.seed);
+  return text;
+}
+
+json Session::document() const {
+  return playback_document(
+      scenario_,
+      {.version = FAIRWAY_VERSION, .command = command(), .period = scenario_.step_s, .explanation = {}},
+      nullptr);
+}
+
+void Session::write(const Frame& frame) {
+  frame_hashes_.push_back(frame_hash(frame));
+  run_hash_ = mix_hash(run_hash_, frame_hashes_.back());
+  last_time_ = frame.time;
+}
+
+void Session::refuse_absent() const {
+  if (!absent_library_was_wanted()) return;
+  throw InputError(
+      "a method of this run searches a path by OMPL, which is not in the browser; natively it is: " +
+      command());
+}
+
+std::size_t Session::run(std::size_t steps) {
+  std::size_t made = 0;
+  const auto is_over = [this] { return simulation_.is_done() || (checker_ && checker_->is_over()); };
+  for (; made < steps && !is_over(); ++made) simulation_.step(sinks_);
+  refuse_absent();
+  if (is_over() && !done_) {
+    done_ = true;
+    if (film_) film_->finish(divergence_text(simulation_));
+  }
+  return made;
+}
+
+std::string Session::divergence_text(const Simulation& simulation) const {
+  const auto& broke = simulation.divergence();
+  return broke ? text_of(*broke, scenario_.vehicles[broke->vehicle].name) : "";
+}
+
+json Session::part(std::size_t first, std::size_t generation) const {
+  json part;
+  if (film_) {
+    if (generation != film_->generation() || first > film_->size()) first = 0;
+    if (first < film_->size()) part = film_->part(first, most_frames, false);
+  }
+  return {{"part", std::move(part)},
+          {"state",
+           {{"paused", false},
+            {"done", done_},
+            {"time_s", last_time_},
+            {"speed", 0},
+            {"divergence", divergence_text(simulation_)}}}};
+}
+
+json Session::outcome() const {
+  json document{
+      {"scenario", scenario_.name},        {"seed", std::to_string(scenario_.seed)},
+      {"simulated_s", simulation_.time()}, {"outcome", simulation_.divergence() ? "diverged" : "finished"},
+      {"fleet", json::object()},           {"vehicles", json::array()}};
+  for (const VehicleSpec& vehicle : scenario_.vehicles)
+    document["vehicles"].push_back({{"name", vehicle.name}});
+  if (checker_) {
+    document["same"] = checker_->same();
+    document["verdict"] = checker_->describe();
+  }
+  if (simulation_.divergence()) {
+    document["diverged"] = divergence_text(simulation_);
+    return document;
+  }
+  for (const Measure& measure : metrics_.measures()) {
+    json& of = measure.vehicle == Measure::fleet
+                   ? document["fleet"]
+                   : document["vehicles"][static_cast<std::size_t>(measure.vehicle)];
+    of[measure.quantity] = finite(measure.value);
+  }
+  return document;
+}
+
+const std::vector<double>& Session::states() {
+  states_.clear();
+  for (const Agent& agent : simulation_.agents()) {
+    const VehicleState& state = agent.vehicle.state();
+    const auto angles = euler_of(state.q_nb);
+    for (const double value :
+         {state.p_n.x(), state.p_n.y(), state.p_n.z(), angles.roll, angles.pitch, angles.yaw})
+      states_.push_back(value);
+  }
+  return states_;
+}
+
+json names() {
+  json all{{"algorithms", json::array()}, {"vehicles", json::array()}, {"exchanges", json::array()}};
+  for (const Catalog::Entry& entry : catalogs().avoiders.entries())
+    all["algorithms"].push_back(
+        {{"name", entry.info.name}, {"title", entry.info.title}, {"wraps", entry.wraps}});
+  for (const VehicleCatalog::Entry& entry : catalogs().vehicles.entries())
+    all["vehicles"].push_back({{"name", entry.info.name}, {"title", entry.info.title}});
+  for (const KindInfo& kind : exchange_kinds())
+    all["exchanges"].push_back({{"name", kind.name}, {"title", kind.title}});
+  return all;
+}
+
+json described(const std::string& name) {
+  std::vector<std::string_view> known;
+  if (std::optional<json> found = description(name, catalogs(), known)) return *std::move(found);
+  throw InputError("nothing is called \"" + name + "\"" + suggestion(name, known));
+}
+
+}  // namespace fairway::web

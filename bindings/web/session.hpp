@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fairway/metrics/run_metrics.hpp"
+#include "fairway/record/hash_checker.hpp"
+#include "fairway/scenario/load.hpp"
+#include "fairway/sim/simulation.hpp"
+#include "fairway/view/film.hpp"
+
+namespace fairway::web {
+
+/// What a page has of a scenario, and changes in it.
+struct Order {
+  std::string yaml;
+  std::string file;  ///< its name in messages and in the command
+  Overrides set;
+  std::optional<std::uint64_t> seed;
+  std::shared_ptr<const Recording>
+      recording;      ///< of which the scenario is, and with which its run is compared; or none
+  bool filmed{true};  ///< with what vehicles think, to be shown; otherwise for its numbers alone
+};
+
+/// The run that a recording in these bytes is of, which is compared with it. Throws InputError for what is no
+/// whole recording.
+Order order_of_recording(std::string_view bytes, const std::string& file);
+
+/// A running simulation with what a page shows of it, and the hash of all frames so far.
+class Session final : private FrameSink {
+ public:
+  /// Throws InputError, with its place in the YAML, for what cannot be simulated.
+  explicit Session(Order order);
+
+  /// The playback's document of this run, without a film (viewer/README.md).
+  nlohmann::json document() const;
+
+  /// At most `steps`; fewer where the run ends. How many were made. O(steps). Throws InputError where a
+  /// method searches by a library that is not here.
+  std::size_t run(std::size_t steps);
+
+  /// {"part", "state"} as the live page's server answers: at most 500 frames from `first` on, or null where
+  /// there are none.
+  nlohmann::json part(std::size_t first, std::size_t generation) const;
+
+  /// What was measured so far, as `fairway run --json` prints it: {"outcome", "diverged", "fleet",
+  /// "vehicles"}.
+  nlohmann::json outcome() const;
+
+  /// The bytes of the recording that `fairway run --out` writes of this run, simulated once more for it.
+  /// O(run).
+  std::string recording() const;
+
+  /// Of all frames so far, as a recording has it.
+  std::uint64_t run_hash() const { return run_hash_; }
+
+  /// frame_hash() of each frame so far.
+  const std::vector<std::uint64_t>& frame_hashes() const { return frame_hashes_; }
+
+  /// Of each vehicle, in their order: north, east, down [m], roll, pitch, yaw [rad].
+  const std::vector<double>& states();
+
+  bool is_done() const { return done_; }
+  double time() const { return simulation_.time(); }
+
+  /// The command line that makes this run natively.
+  std::string command() const;
+
+ private:
+  void write(const Frame& frame) override;
+  bool wants_tracks() const override { return false; }
+  std::string divergence_text(const Simulation& simulation) const;
+  void refuse_absent() const;
+
+  Order order_;
+  Scenario scenario_;
+  Simulation simulation_;
+  RunMetrics metrics_;
+  std::optional<Film> film_;
+  std::optional<HashChecker> checker_;
+  std::vector<FrameSink*> sinks_;
+  std::vector<double> states_;
+  std::vector<std::uint64_t> frame_hashes_;
+  std::uint64_t run_hash_{};
+  double last_time_{};  // of the newest frame [s]
+  bool done_{false};
+};
+
+/// The names that a scenario may choose from: {"algorithms": [{"name", "title", "wraps"}], "vehicles":
+/// [{"name", "title"}], "exchanges": [{"name", "title"}]}.
+nlohmann::json names();
+
+/// What `fairway describe NAME --json` says of a method, vehicle, metric or kind of exchange, perception or
+/// navigation. Throws InputError for a name that there is not, with the nearest one.
+nlohmann::json described(const std::string& name);
+
+}  // namespace fairway::web

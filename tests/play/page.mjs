@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+// out/play.html in a real browser from file://, driven as a visitor would. tests/play/page.mjs [--screenshots DIR]
+// Ends with 0 when every check held, else with 1 and a list of those that did not.
+import { join } from 'node:path';
+import { Browser, command_line, root } from '../web/browser.mjs';
+
+const { screenshots } = command_line();
+const browser = new Browser('out/play.html', ['--use-angle=swiftshader', '--enable-unsafe-swiftshader'], /GPU stall|GL Driver Message/);
+const page_file = join(root, 'out/play.html');
+const desk = { width: 1280, height: 860, scheme: 'light' };
+const phone = { width: 390, height: 844, scheme: 'dark' };
+
+const keep = async (page, name) => {
+  if (screenshots !== null) await page.screenshot({ path: join(screenshots, `play-${name}.png`), timeout: 120_000 });
+};
+/** The playback inside, of the run or of the one beside it, once it has a film. */
+async function playback(page, index = 0) {
+  await page.waitForFunction((i) => document.querySelectorAll('iframe')[i] !== undefined, index);
+  const frame = await (await page.locator('iframe').nth(index).elementHandle()).contentFrame();
+  await frame.waitForFunction(() => window.fairway?.film.count > 0);
+  return frame;
+}
+const choose = (page, label, value) => page.getByLabel(label, { exact: true }).first().selectOption(value);
+const ended = (page) => page.waitForSelector('.measures');
+const measure = (page, name, column = 1) => page.locator('.measures tr', { hasText: name }).locator('td').nth(column).textContent();
+/** When the page shows the run of this command. */
+const commanded = (page, text) => page.waitForFunction((part) => document.querySelector('.command')?.textContent.includes(part), text);
+const complaint = async (page) => {
+  await page.waitForSelector('.note.problem:not([hidden])');
+  return page.locator('.note.problem p').textContent();
+};
+
+async function first_minute(page, expect) {
+  const frame = await playback(page);
+  const seconds = await page.evaluate(() => performance.now() / 1000);
+  console.log(`the first picture after ${seconds.toFixed(2)} s`);
+  await ended(page);
+  expect(Number(await measure(page, 'arrived_ratio')) === 1, 'all eight vehicles of swap_8 arrive');
+  await frame.waitForFunction(() => window.fairway.state().time > 1);
+  await frame.evaluate(() => { window.fairway.pause(); window.fairway.seek(40); });
+  expect(Math.abs(await frame.evaluate(() => window.fairway.state().time) - 40) < 0.06, 'it goes to an instant');
+  await keep(page, 'desk');
+}
+
+async function another_method(page, expect) {
+  await playback(page);
+  await ended(page);
+  const before = await measure(page, 'min_separation_m');
+  await choose(page, 'Method', 'apf');
+  await page.waitForFunction((text) => {
+    const row = [...document.querySelectorAll('.measures tr')].find((tr) => tr.textContent.startsWith('min_separation_m'));
+    return row !== undefined && row.lastChild.textContent !== text;
+  }, before);
+  expect(await page.locator('.command').textContent() === "fairway run scenarios/swap_8.yaml --set 'vehicles[*].avoider=apf'", 'the command is that of the run');
+  await page.getByText('Parameters of the method').click();
+  const count = await page.locator('.parameter').count();
+  expect(count > 3, `apf has parameters: ${count}`);
+  const address = await page.evaluate(() => location.hash);
+  expect(address.startsWith('#play='), `the address says what is played: ${address}`);
+}
+
+async function beside(page, expect) {
+  await playback(page);
+  await choose(page, 'Beside it, under the same seed', 'apf');
+  await playback(page, 1);
+  await page.waitForFunction(() => document.querySelector('.results').textContent.includes('They part at'));
+  expect(/They part at \d+\.\d{3} s/.test(await page.locator('.results').textContent()), 'it says when they part');
+  const [first, second] = [await playback(page, 0), await playback(page, 1)];
+  await first.evaluate(() => { window.fairway.pause(); window.fairway.seek(30); });
+  await second.waitForFunction(() => Math.abs(window.fairway.state().time - 30) < 0.06);
+  await keep(page, 'beside');
+}
+
+async function broken_yaml(page, expect) {
+  await playback(page);
+  await page.getByText('The scenario as YAML').click();
+  const area = page.getByLabel('The scenario as YAML');
+  await area.fill((await area.inputValue()).replace('vehicles:', 'vehiclez:'));
+  await page.getByRole('button', { name: 'Run this YAML' }).click();
+  const line = await complaint(page);
+  expect(/^scenario\.yaml:\d+:1: vehiclez: unknown key; did you mean vehicles\?/.test(line), `the message has a place: ${line}`);
+  const selected = await area.evaluate((text) => text.value.slice(text.selectionStart, text.selectionEnd));
+  expect(selected.startsWith('vehiclez:'), `the place is selected: ${selected}`);
+  await page.getByRole('button', { name: 'As shipped' }).click();
+  await page.waitForSelector('.note.problem[hidden]', { state: 'attached' });
+}
+
+async function recordings(page, expect) {
+  await playback(page);
+  await ended(page);
+  const waiting = page.waitForEvent('download');
+  await page.getByRole('button', { name: 'Save the run as MCAP' }).click();
+  const saved = join(browser.folder, 'saved.mcap');
+  await (await waiting).saveAs(saved);
+  await page.getByText('A recording or scenario of yours').click();
+  await page.getByLabel('A recording or a scenario').setInputFiles(saved);
+  await page.waitForSelector('.verdict');
+  const verdict = await page.locator('.verdict').textContent();
+  expect(/same/.test(verdict), `the page verifies what it saved: ${verdict}`);
+  expect(await page.locator('.command').textContent() === 'fairway replay saved.mcap --verify', 'the command is that of a replay');
+  await playback(page);
+}
+
+async function without_ompl(page, expect) {
+  await playback(page);
+  await choose(page, 'Scenario', 'scenarios/transport_planned.yaml');
+  await commanded(page, 'transport_planned');
+  const frame = await playback(page);
+  await frame.waitForFunction(() => document.querySelector('.live-status')?.textContent.includes('OMPL'));
+  expect((await frame.locator('.live-status').textContent()).includes('fairway run scenarios/transport_planned.yaml'), 'it says how to run it');
+}
+
+async function for_all(page, expect) {
+  await playback(page);
+  await choose(page, 'Vehicles', 'kinematic');
+  await commanded(page, 'kinematic');
+  await choose(page, 'How they hear each other', 'none');
+  await commanded(page, 'exchange=none');
+  await page.getByLabel('Seed', { exact: true }).fill('7');
+  await page.getByLabel('Seed', { exact: true }).blur();
+  await commanded(page, '--seed 7');
+  const command = "fairway run scenarios/swap_8.yaml --set 'vehicles[*].model=kinematic' --set exchange=none --seed 7";
+  expect(await page.locator('.command').textContent() === command, 'the command has every change');
+}
+
+async function old_link(page, expect) {
+  await playback(page);
+  expect((await complaint(page)).includes('version 7'), 'a link of another version is told so');
+}
+
+async function without_webassembly(page, expect) {
+  const text = await page.locator('.note.problem p').textContent();
+  expect(text.includes('has no WebAssembly'), `it says what is missing: ${text}`);
+}
+
+async function small(page, expect) {
+  await playback(page);
+  const { scroll, inner } = await page.evaluate(() => ({ scroll: document.documentElement.scrollWidth, inner: innerWidth }));
+  expect(scroll <= inner, `nothing is wider than the screen: ${scroll} of ${inner} px`);
+  await keep(page, 'phone');
+}
+
+const packed = async (state) => Buffer.from(await new Response(new Blob([JSON.stringify(state)]).stream()
+  .pipeThrough(new CompressionStream('deflate-raw'))).arrayBuffer()).toString('base64url');
+
+for (const [check, options] of [[first_minute, desk], [another_method, desk], [beside, desk], [broken_yaml, desk], [recordings, desk], [without_ompl, desk], [for_all, desk],
+  [old_link, { ...desk, fragment: `#play=${await packed({ version: 7 })}` }], [without_webassembly, { ...desk, missing: 'WebAssembly' }],
+  [small, phone]]) {
+  if (process.env.CHECKS !== undefined && !check.name.includes(process.env.CHECKS)) continue;
+  await browser.open(page_file, check.name, options, check);
+}
+browser.finish();

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// One of the runs of the page: its simulator, and what is shown of it.
+import { h } from '../common/dom';
+import type { Held } from './data';
+import type { Order, Outcome } from './module';
+import { Show } from './show';
+import { RemoteSimulator } from './simulator';
+
+export class Run {
+  readonly simulator: RemoteSimulator;
+  readonly element = h('div', { class: 'one' });
+  /** How it ended; null while it goes on. */
+  outcome: Outcome | null = null;
+  /** Between frames [s]. */
+  period_s = 0;
+  private show: Show | null = null;
+
+  /** From now on the other run shows the times that this one shows. */
+  lead(other: Run): void {
+    if (this.show !== null) this.show.beside = other.show;
+  }
+
+  constructor(private readonly held: Held, private readonly label: string, private readonly changed: () => void) {
+    this.simulator = new RemoteSimulator(held.module);
+  }
+
+  /** Begins anew; what was shown before is gone. Answers with the command that makes the same run, rejects with what is wrong with the order. */
+  begin(order: Order): Promise<string> {
+    return this.show_run(this.simulator.ask('begin', order));
+  }
+
+  /** Likewise the run of a recording. */
+  verify(bytes: Uint8Array, file: string): Promise<string> {
+    return this.show_run(this.simulator.ask('verify', bytes, file));
+  }
+
+  end(): void {
+    this.show?.end();
+    this.simulator.end();
+    this.element.remove();
+  }
+
+  private async show_run(begun: Promise<Record<string, unknown>>): Promise<string> {
+    const document = await begun;
+    this.outcome = null;
+    this.period_s = Number(document['period_s']);
+    this.show?.end();
+    this.show = new Show(this.simulator, this.held.playback, document, this.label, () => void this.end_run());
+    this.element.replaceChildren(this.show.element);
+    return String(document['command']);
+  }
+
+  private async end_run(): Promise<void> {
+    this.outcome = await this.simulator.ask('outcome');
+    this.changed();
+  }
+}
