@@ -114,6 +114,7 @@ struct Situation {
   const OnboardModel* model{nullptr};   ///< null where nothing is known of forces
   const Envelope* envelope{nullptr};    ///< null unless a method asks for it (`needs_envelope`)
   const Link* link{nullptr};            ///< null unless the method speaks and has somebody to hear
+  Vec3 current = Vec3::Zero();          ///< of the water, as estimated on board, 0 if unknown [m/s, NED]
   std::span<const Track> tracks;        ///< nearest first; equal ranges by id
   std::span<const Obstacle> obstacles;  ///< what does not move
   Attendance attendance{};

@@ -254,7 +254,8 @@ void Helm::look_round() noexcept {
 
 void Helm::decide(Sketch* sketch) noexcept {
   look_round();
-  const Situation situation = pilot_.situation(now_, own_, leg_, tracks_, setup_.chart);
+  Situation situation = pilot_.situation(now_, own_, leg_, tracks_, setup_.chart);
+  situation.current = current_;
   Command command = avoider_.decide(situation, sketch);
   lead_back(command);
   pilot_.obey(command, here());
