@@ -3,22 +3,12 @@
 
 #include <pybind11/pybind11.h>
 
-#include <array>
 #include <optional>
 #include <vector>
 
 #include "fairway/avoidance/command.hpp"
 #include "fairway/avoidance/situation.hpp"
 #include "fairway/scenario/scenario.hpp"
-
-namespace fairway {
-
-template <>
-struct EnumNames<Attendance> {
-  static constexpr std::array names{"under_way", "waiting", "ready", "arrived"};
-};
-
-}  // namespace fairway
 
 namespace fairway::python {
 

@@ -49,6 +49,7 @@ std::string_view why_unusable(const Situation& s) noexcept {
   if (!(s.period > 0.0) || !std::isfinite(s.period)) return "the period is not a positive number";
   if (!is_finite(s.own.position)) return "the own position is not finite";
   if (!is_finite(s.own.velocity)) return "the own velocity is not finite";
+  if (!is_finite(s.current)) return "the current is not finite";
   if (!std::isfinite(s.own.yaw) || !std::isfinite(s.own.yaw_rate))
     return "the own yaw or its rate is not finite";
   if (!is_length(s.own.radius)) return "the own radius is not a length";

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -103,6 +104,11 @@ enum class Attendance : std::uint8_t {
   arrived,    ///< held for ever; of the answer only a hold is carried out
 };
 
+template <>
+struct EnumNames<Attendance> {
+  static constexpr std::array names{"under_way", "waiting", "ready", "arrived"};
+};
+
 /// All that an avoider may know at one instant. Immutable; the spans are valid only during the call
 /// to decide().
 struct Situation {
@@ -114,6 +120,7 @@ struct Situation {
   const OnboardModel* model{nullptr};   ///< null where nothing is known of forces
   const Envelope* envelope{nullptr};    ///< null unless a method asks for it (`needs_envelope`)
   const Link* link{nullptr};            ///< null unless the method speaks and has somebody to hear
+  Vec3 current = Vec3::Zero();          ///< of the water, as estimated on board, 0 if unknown [m/s, NED]
   std::span<const Track> tracks;        ///< nearest first; equal ranges by id
   std::span<const Obstacle> obstacles;  ///< what does not move
   Attendance attendance{};

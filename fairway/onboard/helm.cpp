@@ -168,6 +168,7 @@ Command Helm::how_to_stay() noexcept {
   Situation situation =
       pilot_.situation(now_, own_, {.kind = LegKind::transit, .position = own_.position}, {}, setup_.chart);
   situation.attendance = Attendance::arrived;
+  situation.current = current_;
   show_link(situation);
   const Command command = avoider_.decide(situation);
   return command.mode == Mode::hold ? command : hold;
@@ -276,6 +277,7 @@ void Helm::look_round() noexcept {
 void Helm::decide(Sketch* sketch) noexcept {
   look_round();
   Situation situation = pilot_.situation(now_, own_, leg_, tracks_, setup_.chart);
+  situation.current = current_;
   show_link(situation);
   Command command = avoider_.decide(situation, sketch);
   lead_back(command);

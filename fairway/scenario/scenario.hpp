@@ -39,6 +39,26 @@ struct EnumNames<Tracking> {
   static constexpr std::array names{"auto", "raw", "trackable"};
 };
 
+/// What breaks on board of a vehicle that has set out.
+enum class FailureKind : std::uint8_t {
+  none,
+  silent,  ///< it tells nobody anything any more, and knows nothing of that
+  stops,   ///< its actuators get nothing any more
+  leaves,  ///< it goes on as it went, whatever its method commands
+};
+
+template <>
+struct EnumNames<FailureKind> {
+  static constexpr std::array names{"none", "silent", "stops", "leaves"};
+};
+
+struct FailureSpec {
+  FailureKind kind{};
+  double under_way_s{};  ///< so long after it set out on its first transit
+
+  friend bool operator==(const FailureSpec&, const FailureSpec&) = default;
+};
+
 /// An obstacle that owns its vertices. A sphere may drift: then it is perceived as a track, not as an
 /// obstacle.
 struct ObstacleSpec {
@@ -73,6 +93,7 @@ struct VehicleSpec {
   double radius_m{1.0};          ///< of the sphere that others keep clear of
   std::int32_t priority{};       ///< the smaller number has the right of way; the id unless given
   bool cooperative{true};        ///< false: it tells nobody anything, and nobody may count on it to give way
+  FailureSpec failure;
   Limits limits;
   std::vector<Leg> mission;
 

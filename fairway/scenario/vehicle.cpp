@@ -56,6 +56,15 @@ Block<Limits> limits_block() {
         key("sway", &Limits::sway, unless(true, flag()), "Whether it can go sideways; likewise.")}});
 }
 
+Block<FailureSpec> failure_block() {
+  return {key("kind", &FailureSpec::kind, enumeration<FailureKind>("failure"),
+              "silent: it tells nobody anything any more. stops: its actuators get nothing any more. leaves: "
+              "it goes on as it went, whatever its avoider commands.",
+              Needed::yes),
+          key("under_way_s", &FailureSpec::under_way_s, number(from_to(0.0, 1e7)),
+              "So long after it set out on its first transit. Default {}.")};
+}
+
 Form<Limits> limits() {
   Form<Limits> form = block_form(limits_block());
   form.read = [read = form.read](const Value& value) {
@@ -105,6 +114,8 @@ const Block<VehicleSpec>& vehicle_block() {
           "The smaller number has the right of way. Default: its id."),
       key("cooperative", &VehicleSpec::cooperative, unless(true, flag()),
           "false: it tells nobody anything, and nobody may count on it to give way. Default true."),
+      key("failure", &VehicleSpec::failure, unless({}, block_form(failure_block())),
+          "What breaks on board under way. Default: nothing."),
       placed(key("limits", &VehicleSpec::limits, limits(),
                  "What it may do. A limit that is not given does not bind."),
              [](const Value& value, VehicleSpec& v) { v.limits_where = value.tree().where.location(); }),

@@ -211,6 +211,7 @@ Agent make_agent(const VehicleSpec& spec, const Scenario& scenario, const Catalo
   return {
       .start_delay = spec.start_delay_s,
       .cooperative = spec.cooperative,
+      .failure = spec.failure,
       .vehicle = vehicle,
       .pilot = Pilot{std::move(ship), scenario.steps_per_decision * scenario.step_s},
       .autopilot = std::move(autopilot),

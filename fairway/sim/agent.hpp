@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,6 +22,9 @@ namespace fairway {
 struct Agent {
   double start_delay{};
   bool cooperative{true};
+  bool beyond_control{false};  ///< it goes on as it went
+  FailureSpec failure;
+  double set_out{std::numeric_limits<double>::infinity()};  ///< on its first transit [s]
 
   // what moves and remembers
   Vehicle vehicle;
@@ -41,6 +45,11 @@ struct Agent {
   Eigen::VectorXd demand;  ///< of the actuators
 
   const Particulars& ship() const { return pilot.ship(); }
+
+  /// Whether this has broken on board by `time` [s].
+  bool has_failed(FailureKind kind, double time) const {
+    return failure.kind == kind && time >= set_out + failure.under_way_s;
+  }
 };
 
 /// The name of the avoider that a vehicle with these limits has: that of its spec, with the wrapper that

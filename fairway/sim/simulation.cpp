@@ -45,7 +45,7 @@ Mover mover_of(const Drifter& drifter) {
 }
 
 /// What a vehicle says of itself, as it believes to be.
-Message message_of(const Agent& agent, Tick now) {
+Message message_of(const Agent& agent, Tick now, bool is_silent) {
   const Leg* leg = agent.mission.leg();
   const bool going =
       leg != nullptr && leg->kind != LegKind::rendezvous && leg->kind != LegKind::keep_position;
@@ -57,7 +57,7 @@ Message message_of(const Agent& agent, Tick now) {
           .radius = agent.ship().radius,
           .priority = agent.own.priority,
           .destination = going ? std::optional{leg->position} : std::nullopt,
-          .told = agent.cooperative,
+          .told = agent.cooperative && !is_silent,
           .speech = agent.avoider.speech()};
 }
 
@@ -266,7 +266,10 @@ void Simulation::locate(std::size_t index, Hand& /*hand*/) {
 
 void Simulation::tell(std::size_t index, Hand& hand) {
   const Agent& agent = agents_[index];
-  mailbox_[index] = message_of(agent, tick_);
+  const bool is_silent = agent.has_failed(FailureKind::silent, time());
+  mailbox_[index] = message_of(agent, tick_, is_silent);
+  // of who told all at once nothing is left to go by but what is seen
+  if (is_silent && exchange_.carries_at_once()) movers_[index].silent = true;
   places_[index] = agent.vehicle.state().p_n;
   if (looked_at_ || movers_[index].silent) move_to(agent, movers_[index]);
   hand.rendezvous_reached = std::min(hand.rendezvous_reached, agent.mission.rendezvous_reached());
@@ -308,6 +311,7 @@ void Simulation::perceive(std::size_t index, Hand& hand) {
   Agent& agent = agents_[index];
   const bool is_free = !waits_for_method(agent) || agent.agrees;
   if (time() >= agent.start_delay) agent.mission.advance(agent.own, time(), everyone_is_at(agent) && is_free);
+  if (agent.mission.phase() == Phase::under_way) agent.set_out = math::fmin(agent.set_out, time());
   if (agent.lookout.has_sensor()) agent.lookout.sense(scene_of(index), viewpoint_of(agent));
   if (keeping_ && is_deciding(agent)) look_round(index, hand.near, kept_[index]);
 }
@@ -325,6 +329,7 @@ void Simulation::control(std::size_t index, Hand& hand) {
   const ActuatorValues demand = demanded(index, hand);
   notice(index, why_impossible(demand), tick_, hand);
   agent.demand = demand;
+  if (agent.has_failed(FailureKind::stops, time())) agent.demand.setZero();
 }
 
 ActuatorValues Simulation::demanded(std::size_t index, Hand& hand) {

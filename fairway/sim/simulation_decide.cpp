@@ -68,6 +68,7 @@ std::optional<Command> Simulation::attend(std::size_t index, Hand& hand) {
   listen(index, hand);
   Situation shown = agent.pilot.situation(time(), agent.own, *leg, {}, obstacles_.fixed());
   shown.link = &hand.link;
+  shown.current = agent.estimated_current;
   shown.attendance = phase == Phase::arrived                            ? Attendance::arrived
                      : waits_for_method(agent) && everyone_is_at(agent) ? Attendance::ready
                                                                         : Attendance::waiting;
@@ -91,7 +92,10 @@ Situation Simulation::situation(std::size_t index) const { return situation(inde
 
 Situation Simulation::situation(std::size_t index, const Sight& sight) const {
   const Agent& agent = agents_[index];
-  return agent.pilot.situation(time(), agent.own, *agent.mission.leg(), sight.tracks, sight.obstacles);
+  Situation shown =
+      agent.pilot.situation(time(), agent.own, *agent.mission.leg(), sight.tracks, sight.obstacles);
+  shown.current = agent.estimated_current;
+  return shown;
 }
 
 Command Simulation::ask(std::size_t index, Hand& hand) {
@@ -172,8 +176,12 @@ void Simulation::timed(std::size_t count, Hand& hand, const Decide& decide) {
            math::fmax(times.worst_s, took / static_cast<double>(count))};
 }
 
+/// Who is beyond control goes on as it went when that began.
 void Simulation::obey(Agent& agent, const Command& command) {
-  agent.pilot.obey(command, {agent.own.position, agent.own.yaw});
+  if (agent.beyond_control) return;
+  agent.beyond_control = agent.has_failed(FailureKind::leaves, time());
+  agent.pilot.obey(agent.beyond_control ? Command{.velocity = agent.own.velocity} : command,
+                   {agent.own.position, agent.own.yaw});
 }
 
 }  // namespace fairway

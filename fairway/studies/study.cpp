@@ -9,6 +9,7 @@
 #include "fairway/core/names.hpp"
 #include "fairway/studies/cubes/cubes.hpp"
 #include "fairway/studies/page_blocks.hpp"
+#include "fairway/studies/pledge/pledge.hpp"
 #include "fairway/studies/surface/surface.hpp"
 #include "fairway/studies/transport/transport.hpp"
 #include "fairway/studies/uuv/uuv.hpp"
@@ -49,7 +50,8 @@ void judge(StudyRow& row, bool is_count) {
 }
 
 std::span<const Study> builtin_studies() {
-  static const std::array all{cubes::study(), transport::study(), surface::study(), uuv::study()};
+  static const std::array all{cubes::study(), transport::study(), surface::study(), uuv::study(),
+                              pledges::study()};
   return all;
 }
 

@@ -179,6 +179,10 @@ class RandomScenario {
     if (chance(0.3)) text += ", speed_mps: " + number(chance(0.1) ? -50 : 0, chance(0.1) ? 50 : 2);
     text += "}\n    radius_m: " + number(0, 3) + "\n";
     if (chance(0.1)) text += "    cooperative: false\n";
+    if (chance(0.1)) {
+      text += "    failure: {kind: " + one_of<std::string>({"silent", "stops", "leaves"}) +
+              ", under_way_s: " + number(0, 30) + "}\n";
+    }
     if (chance(0.7)) {
       text += "    limits: {max_speed_mps: " + number(0.1, chance(0.1) ? 50 : 2) +
               ", max_climb_rate_mps: " + number(0, 0.5) +

@@ -11,6 +11,11 @@ constexpr double codes_a_second = 1200.0;  // of the search
 constexpr double silent_turns = 3.0;       // after so many the next member may propose
 constexpr double least_patience = 1.1;     // turns from a plan's word to its start, in which everybody speaks
 constexpr double most_patience = 9.0;
+constexpr double silent_for_good = 8.0;  // turns after which, of who has gone, the way is assumed
+constexpr double wandering = 1.0;        // of who is lost, beyond what it foretold [m]
+constexpr double turning_away = 0.1;     // likewise, for each second since [m/s]
+constexpr double longest_drift = 120.0;  // for which it is foretold [s]
+constexpr double most_late = 2.0;        // who looks at its clock so long after a start has missed it [s]
 
 std::uint8_t epoch_of(int round, std::size_t author) {
   return static_cast<std::uint8_t>(round << 3U | author);
@@ -37,6 +42,56 @@ void Agreement::arrive(const Vec3& place) noexcept {
   status_ = statuses_[self_] = Status::arrived;
 }
 
+void Agreement::lose(const Vec3& place, const Vec3& velocity) noexcept {
+  Member member = members_[self_];
+  member.anchor = place;
+  member.destination = place + foretold * velocity;
+  hold(member);
+  status_ = statuses_[self_] = Status::lost;
+}
+
+/// As it said: straight on.
+Reference Agreement::adrift(std::size_t i) const noexcept {
+  const Member& m = members_[i];
+  Reference way;
+  way.add({last_heard_[i], m.anchor});
+  way.add(
+      {last_heard_[i] + longest_drift, m.anchor + (longest_drift / foretold) * (m.destination - m.anchor)});
+  return way;
+}
+
+Reference Agreement::whereabouts(std::size_t i) const noexcept {
+  if (!known_[i]) return {};
+  if (is_lost(i)) return adrift(i);
+  if (statuses_[i] == Status::moving)
+    return departed_[i] && plan_.participants[i] ? reference_of(members_[i], plan_, plan_.codes[i])
+                                                 : Reference{};
+  return Reference{members_[i].anchor};
+}
+
+/// Of somebody who is where it says.
+double Agreement::clear_of(std::size_t i) const noexcept {
+  return members_[self_].radius + members_[i].radius + terms_.tubes.radius + terms_.tubes.told;
+}
+
+bool Agreement::meets_lost(const Reference& own, double now, double time) const noexcept {
+  for (std::size_t i = 0; i < terms_.count; ++i) {
+    if (i != self_ && is_lost(i) &&
+        least_distance(own, adrift(i), now, time) < clear_of(i) + turning_away * (now - last_heard_[i]))
+      return true;
+  }
+  return false;
+}
+
+bool Agreement::meets_held(const Reference& own, double now, double time) const noexcept {
+  for (std::size_t i = 0; i < terms_.count; ++i) {
+    const bool is_there =
+        i != self_ && statuses_[i] == Status::held && (!left_[i] || last_heard_[i] > started_);
+    if (is_there && least_distance(own, Reference{members_[i].anchor}, now, time) < clear_of(i)) return true;
+  }
+  return false;
+}
+
 void Agreement::hear(const Speech& speech, double now) noexcept {
   const std::optional<Word> word = decode(speech, terms_.datum, now);
   if (!word) return;
@@ -46,7 +101,9 @@ void Agreement::hear(const Speech& speech, double now) noexcept {
     return;
   if (const auto* state = std::get_if<StateWord>(&*word)) {
     members_[header.sender] = state->member;
+    if (header.status == Status::lost) members_[header.sender].radius += wandering;
     known_.set(header.sender);
+    settled_[header.sender] = header.status == Status::arrived;
   } else {
     learn(std::get<PlanWord>(*word));
   }
@@ -64,7 +121,16 @@ void Agreement::learn(const Header& header) noexcept {
     departed_ |= header.departed;
     left_ |= header.departed;
   }
-  if (header.status != Status::held && header.sent > plan_.start) left_.set(from);
+  const bool has_gone = header.status == Status::moving || header.status == Status::arrived;
+  if (has_gone && header.sent > plan_.start) left_.set(from);
+  if (header.status == Status::held || header.status == Status::lost) ends_[from].reset();
+  if (header.status != Status::moving || !departed_[from] || !plan_.participants[from] || ends_[from]) return;
+  // nothing but a gate can stop it any more
+  Clearance scene = scene_of(plan_);
+  const Reference& way = scene.reference(from);
+  double gate = never;
+  for (std::size_t i = 0; i < terms_.count; ++i) gate = std::min(gate, scene.gate(from, i));
+  if (gate == never) ends_[from] = way.knots().back();
 }
 
 void Agreement::learn(const PlanWord& word) noexcept {
@@ -75,10 +141,33 @@ void Agreement::learn(const PlanWord& word) noexcept {
 }
 
 void Agreement::go_on(double now, double period, const Link& link, double patience) noexcept {
+  assume(now, link.turn_period);
   stop_at_gate(now);
   acknowledge(now);
-  depart(now);
+  depart(now, link.turn_period);
   propose(now, period, link, patience);
+}
+
+/// Who has departed by a way without gates and is silent for good has arrived at its end for all that anybody
+/// knows.
+void Agreement::assume(double now, double turn_period) noexcept {
+  for (std::size_t i = 0; i < terms_.count; ++i) {
+    const double silent_since = now - silent_for_good * turn_period;
+    if (!ends_[i] || statuses_[i] != Status::moving || ends_[i]->time > silent_since ||
+        last_heard_[i] > silent_since)
+      continue;
+    members_[i].anchor = ends_[i]->position;
+    statuses_[i] = Status::arrived;
+    settled_.set(i);
+  }
+}
+
+/// Whose acknowledgement does not matter, since it is known where they are.
+Members Agreement::unneeded(double now, double turn_period) const noexcept {
+  Members all = settled_;
+  for (std::size_t i = 0; i < terms_.count; ++i)
+    if (is_lost(i) && now - last_heard_[i] < turn_period) all.set(i);
+  return all;
 }
 
 /// Those who are placed by the plan, own ship not among them.
@@ -101,7 +190,7 @@ void Agreement::acknowledge(double now) noexcept {
   if (plan_.epoch <= std::max(acknowledged_epoch_, refused_epoch_) || !is_pending(now)) return;
   const bool knows_them = (plan_.participants & ~known_).none() &&
                           digest_of(members_, plan_.participants, terms_.datum) == plan_.digest;
-  if (!knows_them || status_ == Status::arrived) return;
+  if (!knows_them || status_ == Status::lost) return;
   if (!is_clear()) {
     refused_epoch_ = plan_.epoch;
     return;
@@ -117,7 +206,7 @@ bool Agreement::is_clear() noexcept {
   if (plan_.participants[self_])
     return status_ == Status::held &&
            scene.accepts(self_, reference_of(members_[self_], plan_, plan_.codes[self_]));
-  if (status_ == Status::held) return scene.accepts(self_, Reference{members_[self_].anchor});
+  if (status_ != Status::moving) return scene.accepts(self_, Reference{members_[self_].anchor});
   if (scene.accepts(self_, way_)) return true;
   const double gate = next_gate();
   if (gate == never || !scene.accepts(self_, way_.until(gate))) return false;
@@ -126,21 +215,22 @@ bool Agreement::is_clear() noexcept {
 }
 
 /// Rule 3.
-void Agreement::depart(double now) noexcept {
+void Agreement::depart(double now, double turn_period) noexcept {
   if (status_ != Status::held || plan_.epoch == 0 || now < plan_.start ||
       acknowledged_epoch_ != plan_.epoch || !plan_.participants[self_])
     return;
   acknowledged_epoch_ =
       static_cast<std::uint8_t>(plan_.epoch | 7U);  // none of this round any more, whatever comes
-  Members needed = everyone();
-  for (std::size_t i = 0; i < terms_.count; ++i)
-    if (statuses_[i] == Status::arrived) needed.reset(i);
-  if ((needed & ~acknowledged_).any()) {
+  Clearance scene = scene_of(plan_);
+  const Reference way = reference_of(members_[self_], plan_, plan_.codes[self_]);
+  const bool is_as_told = digest_of(members_, plan_.participants, terms_.datum) == plan_.digest;
+  const bool has_all = is_as_told && (everyone() & ~unneeded(now, turn_period) & ~acknowledged_).none();
+  if (!has_all || now > plan_.start + most_late || !scene.accepts(self_, way)) {
     ++attempts_;
     return;
   }
-  Clearance scene = scene_of(plan_);
-  way_ = reference_of(members_[self_], plan_, plan_.codes[self_]);
+  way_ = way;
+  started_ = plan_.start;
   scene.place(self_, way_);
   for (std::size_t i = 0; i < most_members; ++i) gates_[i] = scene.gate(self_, i);
   left_ = departed_;
@@ -180,7 +270,8 @@ Members Agreement::held() const noexcept {
 std::array<Reference, most_members> Agreement::ways_of_others() const noexcept {
   std::array<Reference, most_members> ways;
   for (std::size_t i = 0; i < terms_.count; ++i) {
-    if (i != self_ && known_[i] && statuses_[i] == Status::arrived) ways[i] = Reference{members_[i].anchor};
+    if (i != self_ && settled_[i]) ways[i] = Reference{members_[i].anchor};
+    if (i != self_ && is_lost(i)) ways[i] = adrift(i);
   }
   return ways;
 }
@@ -200,7 +291,12 @@ void Agreement::propose(double now, double period, const Link& link, double pati
     search_.reset();
     return;
   }
-  if (!search_) search_.emplace(members_, held(), ways_of_others(), terms_, searches_++);
+  if (!search_) {
+    // it plans from time 0 on
+    std::array<Reference, most_members> others = ways_of_others();
+    for (Reference& other : others) other = other.later(-(now + 2.0 * link.turn_period));
+    search_.emplace(members_, held(), others, terms_, searches_++);
+  }
   if (!search_->go_on(static_cast<int>(std::ceil(codes_a_second * period)))) return;
   if (search_->found()) {
     const double turns = std::min(least_patience + patience + attempts_, most_patience);
@@ -223,7 +319,8 @@ Speech Agreement::say(double now, double turn_period) const noexcept {
                       .acknowledged = acknowledged_,
                       .departed = departed_,
                       .heard = known_};
-  const bool tells_plan = is_pending(now) || (status_ == Status::moving && plan_.epoch != 0);
+  const bool tells_plan =
+      status_ != Status::lost && (is_pending(now) || (status_ == Status::moving && plan_.epoch != 0));
   Members without_me;
   for (std::size_t i = 0; i < terms_.count; ++i)
     if (i != self_ && !heard_by_[i][self_]) without_me.set(i);
@@ -235,6 +332,7 @@ Speech Agreement::say(double now, double turn_period) const noexcept {
 std::string_view Agreement::reason(double now) const noexcept {
   if (status_ == Status::moving) return "goes by a plan that everybody has acknowledged";
   if (status_ == Status::arrived) return "has arrived, and is held for ever";
+  if (status_ == Status::lost) return "is off its promised way, holds and says so";
   if (known_ != everyone()) return "waits for the state of another member";
   if (search_) return "looks for a plan";
   if (is_pending(now))

@@ -20,7 +20,11 @@ namespace fairway::pledge {
 /// 2. It acknowledges a plan only if what it may do itself, whether or not it departs, is clear of what
 ///    everybody does by the plan.
 /// 3. It departs at the plan's start, if by then it knows that every member has acknowledged, and if it has
-///    acknowledged no newer one. Otherwise it stays where it is, for ever or until another plan.
+///    acknowledged no newer one. Of who has told where it has arrived, it is enough that its own way is clear
+///    of that place. Otherwise, and if it looks at its clock too late, it stays where it is, for ever or
+///    until another plan.
+///    Of who is lost and has said so within the last turn, its own way has to be clear likewise; nobody who
+///    was lost departs sooner than a turn after it is held again.
 /// 4. It passes a gate only if it knows that the one who stood there has departed; or else it stops there,
 ///    and that is its anchor from then on.
 ///
@@ -43,6 +47,20 @@ class Agreement {
   /// Own ship is within its arrival of its destination, and stays at `place`, the end of its reference.
   void arrive(const Vec3& place) noexcept;
 
+  /// Own ship is off what it promised, at `place`, and moves with `velocity` over ground. It takes part in
+  /// nothing until it is held again.
+  void lose(const Vec3& place, const Vec3& velocity) noexcept;
+
+  /// Whether somebody who is lost comes too near to own ship by `time`, if that goes so.
+  bool meets_lost(const Reference& own, double now, double time) const noexcept;
+  /// Whether own ship comes too near by `time` to somebody who is held, as nobody does who only keeps to
+  /// plans.
+  bool meets_held(const Reference& own, double now, double time) const noexcept;
+
+  /// Where a member is at what time, as far as is known here; without knots if it is not.
+  Reference whereabouts(std::size_t i) const noexcept;
+  bool is_lost(std::size_t i) const { return statuses_[i] == Status::lost; }
+
   /// What to say in a turn at `now`.
   Speech say(double now, double turn_period) const noexcept;
 
@@ -64,11 +82,15 @@ class Agreement {
   void learn(const Header& header) noexcept;
   void learn(const PlanWord& word) noexcept;
   void acknowledge(double now) noexcept;
-  void depart(double now) noexcept;
+  void depart(double now, double turn_period) noexcept;
   void stop_at_gate(double now) noexcept;
   bool is_clear() noexcept;
   void propose(double now, double period, const Link& link, double patience) noexcept;
   bool is_coordinator(double now, double turn_period) const noexcept;
+  double clear_of(std::size_t i) const noexcept;
+  void assume(double now, double turn_period) noexcept;
+  Members unneeded(double now, double turn_period) const noexcept;
+  Reference adrift(std::size_t i) const noexcept;
   Members held() const noexcept;
   std::array<Reference, most_members> ways_of_others() const noexcept;
   Clearance scene_of(const Plan& plan) const noexcept;
@@ -84,6 +106,8 @@ class Agreement {
   std::array<Member, most_members> members_{};
   Members known_{};                                          ///< whose states have been heard
   std::array<Status, most_members> statuses_{};              ///< as last heard
+  Members settled_{};                                        ///< who have told where they have arrived
+  std::array<std::optional<Knot>, most_members> ends_{};     ///< of who departed by a way without gates
   std::array<double, most_members> last_heard_ = not_yet();  ///< when what was heard last was said [s]
   std::array<Members, most_members> heard_by_{};             ///< whose states each of them has
   std::uint8_t newest_epoch_{};                              ///< that anybody has spoken of
@@ -98,6 +122,7 @@ class Agreement {
 
   // own way
   Reference way_{};
+  double started_{};                          ///< when the plan began by which it goes [s]
   std::array<double, most_members> gates_{};  ///< by whom it has to know departed [s]
   Members left_{};                            ///< who is known to have left the anchor that a gate is about
 

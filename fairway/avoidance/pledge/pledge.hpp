@@ -55,6 +55,10 @@ struct Pledge {
     double moved{};  ///< when it was not at rest, before it began [s]
     double turn_period{};
     double time{};
+    double kept{};             ///< when it last was in its tube [s]
+    Vec3 stay = Vec3::Zero();  ///< where a lost member holds [m, NED]
+    int losses{};              ///< how often it was lost
+    bool gives_way{false};     ///< to somebody who is lost
     pledge::Agreement agreement{};
   };
 
@@ -66,6 +70,9 @@ struct Pledge {
  private:
   bool begin(const Situation& s, Memory& memory) const noexcept;
   void take_part(const Situation& s, Memory& memory) const noexcept;
+  void watch(const Situation& s, Memory& memory) const noexcept;
+  void stay_at(const Situation& s, const Vec3& place, pledge::Agreement& agreement) const noexcept;
+  void recover(const Situation& s, Memory& memory) const noexcept;
 };
 
 static_assert(AvoidanceAlgorithm<Pledge>);

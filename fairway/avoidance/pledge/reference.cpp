@@ -148,6 +148,12 @@ Reference Reference::until(double time) const noexcept {
   return shorter;
 }
 
+Reference Reference::later(double seconds) const noexcept {
+  Reference moved = *this;
+  for (std::size_t i = 0; i < count_; ++i) moved.knots_[i].time += seconds;
+  return moved;
+}
+
 Reference reference_of(const Member& member, const Plan& plan, const Code& code) noexcept {
   const Vec2 from = member.anchor.head<2>(), to = member.destination.head<2>();
   const double speed = math::fmax(member.speed, 0.01);
@@ -173,7 +179,7 @@ Reference reference_of(const Member& member, const Plan& plan, const Code& code)
   return ended_near(whole, member.destination, math::fmax(member.arrival - surely, 0.0));
 }
 
-double least_distance(const Reference& a, const Reference& b, double from) noexcept {
+double least_distance(const Reference& a, const Reference& b, double from, double to) noexcept {
   double least = never;
   double begins = from;
   std::size_t i = 0, j = 0;
@@ -183,12 +189,13 @@ double least_distance(const Reference& a, const Reference& b, double from) noexc
     while (j < of_b.size() && of_b[j].time <= begins) ++j;
     const Vec3 apart = between(of_a, i, begins) - between(of_b, j, begins);
     const double ends =
-        std::min(i < of_a.size() ? of_a[i].time : never, j < of_b.size() ? of_b[j].time : never);
+        std::min({i < of_a.size() ? of_a[i].time : never, j < of_b.size() ? of_b[j].time : never, to});
     if (ends == never) return std::min(least, apart.norm());
     const Vec3 change = between(of_a, i, ends) - between(of_b, j, ends) - apart;
     const double square = change.squaredNorm();
     const double share = square > 0.0 ? std::clamp(-apart.dot(change) / square, 0.0, 1.0) : 0.0;
     least = std::min(least, (apart + share * change).norm());
+    if (ends >= to) return least;
     begins = ends;
   }
 }

@@ -39,9 +39,12 @@ class Reference {
   Vec3 at(double time) const noexcept;
   Vec3 velocity(double time) const noexcept;
   double end() const { return knots_[count_ - 1].time; }
+  bool empty() const { return count_ == 0; }
 
   /// The same up to `time`, and held there for ever.
   Reference until(double time) const noexcept;
+  /// The same so much later [s].
+  Reference later(double seconds) const noexcept;
 
  private:
   std::array<Knot, most_knots> knots_{};
@@ -53,8 +56,8 @@ class Reference {
 /// arrives for certain. O(1).
 Reference reference_of(const Member& member, const Plan& plan, const Code& code) noexcept;
 
-/// How close the two ever come from `from` on [m]. O(knots), exact.
-double least_distance(const Reference& a, const Reference& b, double from) noexcept;
+/// How close the two ever come between two times [m]. O(knots), exact.
+double least_distance(const Reference& a, const Reference& b, double from, double to = never) noexcept;
 
 /// The first time at which the reference comes within `distance` of a place, or never. O(knots), exact.
 double first_within(const Reference& reference, const Vec3& place, double distance) noexcept;

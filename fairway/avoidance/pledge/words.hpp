@@ -37,7 +37,10 @@ enum class Status : std::uint8_t {
   held,     ///< at its anchor, until a plan has every acknowledgement
   moving,   ///< on its way by the plan
   arrived,  ///< held for ever
+  lost,     ///< off what it promised: it holds if it can; its anchor is where it is, its destination where it
+            ///< will be `foretold` later if it goes on so
 };
+inline constexpr double foretold = 10.0;  ///< [s]
 
 /// What every word has.
 struct Header {
