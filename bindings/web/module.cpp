@@ -103,6 +103,11 @@ FAIRWAY_EXPORT(recording) int fairway_recording() {
   });
 }
 
+/// Why the vehicle that the input names decided as it did at `time` [s].
+FAIRWAY_EXPORT(explain) int fairway_explain(double time) {
+  return tried([time] { return told(session->explanation(input, time)); });
+}
+
 /// So many steps more, or up to the end: how many were made. Afterwards done() says whether it is over.
 FAIRWAY_EXPORT(run) int fairway_run(int steps) {
   return tried([steps] { return static_cast<int>(session->run(static_cast<std::size_t>(steps))); });

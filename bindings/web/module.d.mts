@@ -23,6 +23,8 @@ export class Simulator {
   part(first: number, generation: number): { part: unknown; state: Record<string, unknown> };
   outcome(): unknown;
   names(): unknown;
+  /** Why a vehicle, by name, id or index, decided as it did: the `explanation` of the playback's document. */
+  explanation(vehicle: string, time_s: number): unknown;
   describe(name: string): unknown;
   /** Of each frame so far, likewise. */
   hashes(): string[];

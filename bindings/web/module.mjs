@@ -108,6 +108,11 @@ export class Simulator {
   outcome() { return this.#json(this.#exports.outcome()); }
   names() { return this.#json(this.#exports.names()); }
 
+  explanation(vehicle, time_s) {
+    this.#say(vehicle);
+    return this.#json(this.#exports.explain(time_s));
+  }
+
   describe(name) {
     this.#say(name);
     return this.#json(this.#exports.describe());

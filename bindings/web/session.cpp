@@ -14,6 +14,8 @@
 #include "fairway/record/frame_hash.hpp"
 #include "fairway/record/recording_writer.hpp"
 #include "fairway/view/description.hpp"
+#include "fairway/view/explain/explanation.hpp"
+#include "fairway/view/explain/instant.hpp"
 #include "fairway/view/playback.hpp"
 
 namespace fairway::web {
@@ -62,6 +64,18 @@ std::string Session::recording() const {
   refuse_absent();
   writer.close({.divergence = divergence_text(again), .stopped = false});
   return taken_file();
+}
+
+json Session::explanation(std::string_view vehicle, double time) const {
+  std::optional<Recording> made;
+  if (!order_.recording) {
+    const std::string bytes = recording();
+    made = Recording::parse(std::as_bytes(std::span{bytes}), order_.file);
+  }
+  const Recording& run = made ? *made : *order_.recording;
+  const Instant instant{vehicle_called(run.info(), vehicle), frame_at(run, time)};
+  return page_json(explain(scenario_, *find_decision(run, scenario_, catalogs(), instant, {}, nullptr),
+                           catalogs().avoiders));
 }
 
 std::string Session::command() const {

@@ -56,6 +56,10 @@ class Session final : private FrameSink {
   /// O(run).
   std::string recording() const;
 
+  /// Why a vehicle, by name, id or index, decided as it did at `time` [s]: the explanation of the playback's
+  /// document. O(run). Throws InputError for a vehicle or time that there is not.
+  nlohmann::json explanation(std::string_view vehicle, double time) const;
+
   /// Of all frames so far, as a recording has it.
   std::uint64_t run_hash() const { return run_hash_; }
 

@@ -101,6 +101,21 @@ async function recordings(page, expect) {
   await playback(page);
 }
 
+async function why(page, expect) {
+  const frame = await playback(page);
+  await ended(page);
+  await frame.evaluate(() => { window.fairway.pause(); window.fairway.seek(30); });
+  await frame.locator('#vehicles').getByText('robot3', { exact: true }).click();
+  await frame.waitForFunction(() => window.fairway.state().chosen.includes(3));
+  await page.getByText('Why it did so').click();
+  await page.getByRole('button', { name: 'Explain this instant' }).click();
+  const headline = await page.locator('.explanation h2').textContent();
+  expect(/^robot3 .*: /.test(headline), `it explains the vehicle that is chosen: ${headline}`);
+  expect((await page.locator('.explanation .who').textContent()).includes('t = 30.00 s'), 'at the instant that is shown');
+  await page.locator('.explanation').evaluate((element) => element.closest('details').scrollIntoView());
+  await keep(page, 'why');
+}
+
 async function without_ompl(page, expect) {
   await playback(page);
   await choose(page, 'Scenario', 'scenarios/transport_planned.yaml');
@@ -143,7 +158,7 @@ async function small(page, expect) {
 const packed = async (state) => Buffer.from(await new Response(new Blob([JSON.stringify(state)]).stream()
   .pipeThrough(new CompressionStream('deflate-raw'))).arrayBuffer()).toString('base64url');
 
-for (const [check, options] of [[first_minute, desk], [another_method, desk], [beside, desk], [broken_yaml, desk], [recordings, desk], [without_ompl, desk], [for_all, desk],
+for (const [check, options] of [[first_minute, desk], [another_method, desk], [beside, desk], [broken_yaml, desk], [recordings, desk], [why, desk], [without_ompl, desk], [for_all, desk],
   [old_link, { ...desk, fragment: `#play=${await packed({ version: 7 })}` }], [without_webassembly, { ...desk, missing: 'WebAssembly' }],
   [small, phone]]) {
   if (process.env.CHECKS !== undefined && !check.name.includes(process.env.CHECKS)) continue;

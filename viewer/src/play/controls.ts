@@ -36,6 +36,8 @@ export interface Hands {
   link(): Promise<string>;
   /** Simulates a recording again and compares. */
   verify(bytes: Uint8Array, file: string): Promise<void>;
+  /** Why the vehicle that is chosen in the picture did so, at the time that is shown. */
+  explain(): Promise<HTMLElement>;
   /** MCAP, of the run that is shown. */
   recording(): Promise<Blob>;
 }
@@ -47,6 +49,7 @@ export class Controls {
   private readonly parameters = h('div');
   private readonly yaml = h('textarea', { spellcheck: 'false', 'aria-label': 'The scenario as YAML' });
   private readonly command = h('code', { class: 'command' });
+  private readonly why = h('div', { 'aria-live': 'polite' });
   private readonly results = h('div', { class: 'results' });
 
   constructor(private readonly held: Held, private readonly names: Names, private readonly hands: Hands) {
@@ -65,6 +68,9 @@ export class Controls {
       h('p', {}, 'The simulator itself runs in this page, and comes to the same bits as the command. Nothing is sent anywhere.'),
       this.trouble, this.choices,
       h('details', { open: true }, h('summary', {}, 'What it came to'), this.results),
+      h('details', {}, h('summary', {}, 'Why it did so'),
+        h('p', {}, 'Choose a vehicle in the picture and go to an instant.'),
+        h('div', { class: 'buttons' }, h('button', { type: 'button', click: () => void this.explain() }, 'Explain this instant')), this.why),
       h('details', {}, h('summary', {}, 'Parameters of the method'), this.parameters),
       h('details', {}, h('summary', {}, 'The scenario as YAML'), this.yaml, h('div', { class: 'buttons' }, use, shipped,
         action_button('Copy', 'Copy the YAML', 'Copied', () => copy_text(this.yaml.value)))),
@@ -79,6 +85,7 @@ export class Controls {
   /** Shows how the run is set. */
   show(): void {
     const state = this.hands.state();
+    this.why.replaceChildren();
     this.yaml.value = state.yaml ?? this.held.scenarios[state.scenario] ?? '';
     const change = (changed: Partial<State>): void => this.hands.set({ ...state, ...changed });
     const seed = h('input', { type: 'number', min: '0', step: '1', value: state.seed ?? '', placeholder: as_given, 'aria-label': 'Seed' });
@@ -119,6 +126,14 @@ export class Controls {
     this.yaml.focus();
     const end = this.yaml.value.indexOf('\n', from);
     this.yaml.setSelectionRange(from, end < 0 ? this.yaml.value.length : end);
+  }
+
+  private async explain(): Promise<void> {
+    try {
+      this.why.replaceChildren(await this.hands.explain());
+    } catch (error) {
+      this.why.replaceChildren(h('p', {}, error instanceof Error ? error.message : String(error)));
+    }
   }
 
   /** Chosen by name for both runs. */

@@ -31,6 +31,7 @@ class Player {
       describe: (method) => first.simulator.ask('describe', method),
       link: async () => location.href.replace(/#.*$/, '') + await address_of(this.state),
       verify: (bytes, file) => this.verify(bytes, file),
+      explain: () => first.explain(),
       recording: async () => new Blob([await first.simulator.ask('recording')], { type: 'application/octet-stream' }),
     });
     into.replaceChildren(h('div', { class: 'play' }, this.controls.element, this.shows));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What this page and its Worker say to each other about the simulator in fairway.wasm.
 
+import type { Explanation } from '../playback/model';
+
 /** A run to be begun: a scenario, and changes in it as --set makes them. */
 export interface Order {
   yaml: string;
@@ -51,6 +53,8 @@ export interface Calls {
   /** {"part", "state"} of the live page. */
   part(first: number, generation: number): { part: unknown; state: { done: boolean } };
   outcome(): Outcome;
+  /** Of the vehicle of this index and the decision in force at this time. */
+  explanation(vehicle: string, time_s: number): Explanation;
   /** Of each frame so far, 16 hexadecimal digits. */
   hashes(): string[];
   order(what: 'pause' | 'resume' | 'step'): void;

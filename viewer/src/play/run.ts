@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // One of the runs of the page: its simulator, and what is shown of it.
 import { h } from '../common/dom';
+import { make_explanation } from '../playback/explanation/explanation';
+import type { Scene } from '../playback/model';
 import type { Held } from './data';
 import type { Order, Outcome } from './module';
 import { Show } from './show';
@@ -14,6 +16,7 @@ export class Run {
   /** Between frames [s]. */
   period_s = 0;
   private show: Show | null = null;
+  private scene: Scene | null = null;
 
   /** From now on the other run shows the times that this one shows. */
   lead(other: Run): void {
@@ -34,6 +37,14 @@ export class Run {
     return this.show_run(this.simulator.ask('verify', bytes, file));
   }
 
+  /** Why the vehicle that is chosen in the picture decided as it did by the time that is shown. */
+  async explain(): Promise<HTMLElement> {
+    const { show, scene } = this;
+    if (show === null || scene === null) throw new Error('no run has begun');
+    const { vehicle, time_s } = show.moment;
+    return make_explanation(await this.simulator.ask('explanation', String(vehicle), time_s), scene, (time) => show.go(time));
+  }
+
   end(): void {
     this.show?.end();
     this.simulator.end();
@@ -44,6 +55,7 @@ export class Run {
     const document = await begun;
     this.outcome = null;
     this.period_s = Number(document['period_s']);
+    this.scene = document['scene'] as Scene;
     this.show?.end();
     this.show = new Show(this.simulator, this.held.playback, document, this.label, () => void this.end_run());
     this.element.replaceChildren(this.show.element);

@@ -5,17 +5,22 @@ import type { RemoteSimulator } from './simulator';
 
 /** What the page in the frame sends (src/playback/source.ts). */
 type Asked = { fairway: 'ask'; id: number; first: number; generation: number } | { fairway: 'order'; what: 'pause' | 'resume' | 'step' }
-  | { fairway: 'shown'; time_s: number };
+  | { fairway: 'shown'; time_s: number; chosen: number[] };
 
 export class Show {
   readonly element: HTMLIFrameElement;
   /** Another that shows the times that this one shows. */
   beside: Show | null = null;
+  /** What it shows, and the vehicle that was chosen first there. */
+  moment = { time_s: 0, vehicle: 0 };
   private readonly listen = (event: MessageEvent<Asked | undefined>): void => {
     if (event.source !== this.element.contentWindow || event.data === undefined) return;
     const { data } = event;
     if (data.fairway === 'order') void this.simulator.ask('order', data.what);
-    if (data.fairway === 'shown') this.beside?.go(data.time_s);
+    if (data.fairway === 'shown') {
+      this.moment = { time_s: data.time_s, vehicle: data.chosen[0] ?? 0 };
+      this.beside?.go(data.time_s);
+    }
     if (data.fairway === 'ask') void this.answer(data.id, data.first, data.generation);
   };
 
@@ -33,7 +38,8 @@ export class Show {
     this.element.remove();
   }
 
-  private go(time_s: number): void {
+  /** Shows this time. */
+  go(time_s: number): void {
     this.element.contentWindow?.postMessage({ fairway: 'go', time_s }, '*');
   }
 

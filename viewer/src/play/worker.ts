@@ -69,6 +69,7 @@ const calls: { [K in keyof Calls]: (...args: Parameters<Calls[K]>) => unknown } 
     return answer;
   },
   outcome: () => simulator.outcome(),
+  explanation: (vehicle, time_s) => simulator.explanation(vehicle, time_s),
   hashes: () => simulator.hashes(),
   order(what) {
     if (what === 'step' && paused && !simulator.done) run(1);

@@ -99,7 +99,7 @@ class Page {
     this.stage.show(moment);
     for (const panel of this.panels) panel.show?.(moment);
     this.link.update();
-    this.live?.source.shown(moment.time);
+    this.live?.source.shown(moment.time, [...this.choice.chosen]);
   }
 
   /** Keeps the panel in step from now on. */

@@ -10,8 +10,8 @@ export interface Source {
   readonly lost: string;
   /** Whether the page plays from the beginning, because the run is quicker than the clock. */
   readonly plays: boolean;
-  /** Tells what time is shown [s]: somebody may show another run beside this one. */
-  shown(time_s: number): void;
+  /** Tells what time is shown [s], and which vehicles are chosen: somebody may show another run beside this one, or explain it. */
+  shown(time_s: number, chosen: readonly number[]): void;
   /** Hears what time is to be shown. */
   on_go(go: (time_s: number) => void): void;
 }
@@ -40,7 +40,7 @@ export function server(): Source {
 
 /**
  * By messages to the page around: {fairway: 'ask', id, first, generation}, which it answers by {fairway: 'answer', id, answer};
- * {fairway: 'order', what}; and {fairway: 'shown', time_s}. It may send {fairway: 'go', time_s}.
+ * {fairway: 'order', what}; and {fairway: 'shown', time_s, chosen}. It may send {fairway: 'go', time_s}.
  */
 export function page_around(): Source {
   const waiting = new Map<number, (answer: unknown) => void>();
@@ -65,7 +65,7 @@ export function page_around(): Source {
     order: (what) => tell({ fairway: 'order', what }),
     lost: 'The page around this one does not answer.',
     plays: true,
-    shown: (time_s) => tell({ fairway: 'shown', time_s }),
+    shown: (time_s, chosen) => tell({ fairway: 'shown', time_s, chosen }),
     on_go: (then) => { go = then; },
   };
 }
