@@ -170,6 +170,12 @@ TEST(RefusalTest, DefaultsAreCheckedEvenIfNobodyTakesThem) {
               HasSubstr("f.yaml:9:22: defaults.radius_m: expected a number in [0, 1000], got -1"));
 }
 
+TEST(RefusalTest, AFailureIsOfAKindThatIsKnown) {
+  EXPECT_THAT(refusal(with("defaults: {failure: {kind: stop}}")),
+              testing::AllOf(HasSubstr("f.yaml:9:"), HasSubstr("did you mean stops?")));
+  EXPECT_THAT(refusal(with("defaults: {failure: {under_way_s: 3}}")), HasSubstr("kind is missing"));
+}
+
 TEST(RefusalTest, VehiclesMustBeAbleToStart) {
   EXPECT_THAT(refusal("{fairway: 1, name: a, vehicles: []}"),
               HasSubstr("vehicles: zero vehicles; a scenario has 1 to 10000"));

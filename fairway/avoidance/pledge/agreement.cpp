@@ -8,6 +8,7 @@ namespace fairway::pledge {
 namespace {
 
 constexpr double codes_a_second = 1200.0;  // of the search
+constexpr double codes_at_once = 250.0;    // at most in one decision, for its 1 ms
 constexpr double silent_turns = 3.0;       // after so many the next member may propose
 constexpr double least_patience = 1.1;     // turns from a plan's word to its start, in which everybody speaks
 constexpr double most_patience = 9.0;
@@ -297,7 +298,7 @@ void Agreement::propose(double now, double period, const Link& link, double pati
     for (Reference& other : others) other = other.later(-(now + 2.0 * link.turn_period));
     search_.emplace(members_, held(), others, terms_, searches_++);
   }
-  if (!search_->go_on(static_cast<int>(std::ceil(codes_a_second * period)))) return;
+  if (!search_->go_on(static_cast<int>(std::ceil(std::min(codes_a_second * period, codes_at_once))))) return;
   if (search_->found()) {
     const double turns = std::min(least_patience + patience + attempts_, most_patience);
     plan_ = search_->best();

@@ -160,10 +160,90 @@ TEST(Agreement, NobodyMovesWhileOneIsSilent) {
   for (const Agreement& member : fleet.members) EXPECT_EQ(member.status(), Status::held);
 }
 
+/// Two of three that cross, and a third that is where the ways lead.
+Fleet two_and_one_between() {
+  std::vector<Member> all = three_in_a_plane();
+  all[2].anchor = {-5.0, 14.0, 5.0};
+  return Fleet{all, 3.0};
+}
+
+const auto always = [](std::size_t, std::size_t) { return true; };
+
+/// The least distance of the two to a place on what they do until `time`.
+double least_to(Fleet& fleet, const Vec3& place, double time) {
+  double nearest = never;
+  while (fleet.time < time) {
+    fleet.go_on(always);
+    for (std::size_t i = 0; i < 2; ++i) nearest = std::min(nearest, (fleet.places[i] - place).norm());
+  }
+  return nearest;
+}
+
+TEST(Agreement, WhoHasArrivedNeedNotAcknowledgeAndIsKeptClearOf) {
+  Fleet fleet = two_and_one_between();
+  const Vec3 place{0.0, 1.0, 5.0};
+  fleet.members[2].arrive(place);
+  fleet.places[2] = fleet.members[2].member(2).anchor;
+  EXPECT_GE(least_to(fleet, place, 200.0), 5.0);
+  EXPECT_EQ(fleet.members[0].status(), Status::arrived);
+  EXPECT_EQ(fleet.members[1].status(), Status::arrived);
+}
+
+TEST(Agreement, WhoIsLostDoesNotHoldTheOthersAndIsKeptClearOf) {
+  Fleet fleet = two_and_one_between();
+  const Vec3 place{0.0, 1.0, 5.0};
+  fleet.members[2].lose(place, Vec3::Zero());
+  EXPECT_GE(least_to(fleet, place, 200.0), 6.0) << "a metre more, since it promises nothing";
+  EXPECT_EQ(fleet.members[0].status(), Status::arrived);
+  EXPECT_EQ(fleet.members[1].status(), Status::arrived);
+  EXPECT_EQ(fleet.members[2].status(), Status::lost);
+}
+
+TEST(Agreement, WhereALostMemberDriftsIsForetold) {
+  Fleet fleet = two_and_one_between();
+  const Vec3 here = fleet.members[0].member(0).anchor;
+  fleet.members[2].lose(here + Vec3{0, 20, 0}, {0, -0.5, 0});
+  for (int i = 0; i < 20; ++i) fleet.go_on(always);
+  const Agreement& member = fleet.members[0];
+  ASSERT_TRUE(member.is_lost(2));
+  const Reference own{here};
+  EXPECT_FALSE(member.meets_lost(own, fleet.time, fleet.time + 10.0));
+  EXPECT_TRUE(member.meets_lost(own, fleet.time, fleet.time + 40.0));
+}
+
+TEST(Agreement, AClockThatJumpsOverAStartHoldsItsMember) {
+  Fleet fleet{three_in_a_plane(), 3.0};
+  while (fleet.members[0].plan().epoch == 0) fleet.go_on(always);
+  const double start = fleet.members[0].plan().start;
+  while (fleet.time < start - 0.5) fleet.go_on(always);
+  Agreement jumped = fleet.members[0], punctual = fleet.members[0];
+  punctual.go_on(start + 0.1, step, {{}, 3.0, start + 1.0}, 0.0);
+  EXPECT_EQ(punctual.status(), Status::moving);
+  jumped.go_on(start + 5.0, step, {{}, 3.0, start + 6.0}, 0.0);
+  EXPECT_EQ(jumped.status(), Status::held);
+}
+
+TEST(Agreement, WhoIsSilentAfterItHasGoneIsTakenToHaveArrivedWhereItsWayEnds) {
+  Fleet fleet{three_in_a_plane(), 3.0};
+  const auto without_2 = [&](std::size_t from, std::size_t) {
+    return from != 2 || fleet.members[2].status() != Status::arrived;
+  };
+  while (!fleet.is_done() && fleet.time < 300.0) fleet.go_on(without_2);
+  ASSERT_TRUE(fleet.is_done());
+  for (int i = 0; i < 200; ++i) fleet.go_on(without_2);
+  const Reference known = fleet.members[0].whereabouts(2);
+  ASSERT_FALSE(known.empty());
+  EXPECT_LT((known.at(fleet.time) - fleet.places[2]).norm(), 0.9) << "it arrives that long before its end";
+  // and nobody waits for its acknowledgement any more
+  const Vec3 down = fleet.places[0] + Vec3{0, 0, 10};
+  fleet.members[0].hold(crossing(fleet.places[0], down));
+  for (int i = 0; i < 500; ++i) fleet.go_on(without_2);
+  EXPECT_LT((fleet.places[0] - down).norm(), 3.1);
+}
+
 TEST(Agreement, IsTheSameWheneverItIsCopied) {
   Rng rng = Rng{2}.stream("fleet");
   Fleet fleet{cube(rng), 3.2};
-  const auto always = [](std::size_t, std::size_t) { return true; };
   for (int i = 0; i < 60; ++i) fleet.go_on(always);
   Fleet copy = fleet;
   for (int i = 0; i < 400; ++i) {

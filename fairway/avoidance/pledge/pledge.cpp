@@ -222,6 +222,7 @@ void Pledge::watch(const Situation& s, Memory& memory) const noexcept {
   if (agreement.status() == pledge::Status::lost) return recover(s, memory);
   const Reference* way = agreement.way();
   if (way == nullptr) {
+    memory.kept = s.time;
     memory.gives_way = agreement.meets_lost(Reference{s.own.position}, s.time, s.time + threatened);
     const Vec3 anchor = agreement.member(number(s.own.id)).anchor;
     const bool has_gone = memory.gives_way && (anchor - s.own.position).norm() > 0.5 * params.tube_m;

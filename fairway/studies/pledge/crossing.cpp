@@ -11,8 +11,8 @@
 namespace fairway::pledges {
 namespace {
 
-constexpr FailureKind failures[] = {FailureKind::silent, FailureKind::stops, FailureKind::leaves};
-constexpr double drifts_m[] = {0.25, 0.5, 1.0};
+constexpr std::array failures{FailureKind::silent, FailureKind::stops, FailureKind::leaves};
+constexpr std::array drifts_m{0.25, 0.5, 1.0};
 constexpr double latest_failure = 60.0;   // after a vehicle set out [s]
 constexpr double collision_radius = 1.5;  // half of what counts as a collision [m]
 

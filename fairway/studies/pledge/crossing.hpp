@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -24,9 +25,9 @@ struct Condition {
   std::string name() const;   ///< "current 0.2, stops"
 };
 
-inline constexpr double cycles_s[] = {3.2, 8.0, 10.0};
-inline constexpr double loss_ratios[] = {0.0, 0.1, 0.5};
-inline constexpr double currents_mps[] = {0.0, 0.1, 0.2};
+inline constexpr std::array cycles_s{3.2, 8.0, 10.0};
+inline constexpr std::array loss_ratios{0.0, 0.1, 0.5};
+inline constexpr std::array currents_mps{0.0, 0.1, 0.2};
 
 /// `pledge`, who it is compared with, and `direct`, which is in nobody's way and in everybody's.
 std::span<const Method> methods();

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/studies/pledge/crossing.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "fairway/sim/simulation.hpp"
+
+namespace fairway::pledges {
+namespace {
+
+TEST(PledgeStudy, EveryCellIsNamedOnceAndHasDirectInItsCurrent) {
+  const std::vector<Cell> cells = crossing_cells(10);
+  std::set<std::string> names;
+  for (const Cell& cell : cells) {
+    EXPECT_TRUE(names.insert(cell.place + cell.method + cell.mode).second) << cell.place << cell.mode;
+    const Cell& straight = straight_cell(cells, cell);
+    EXPECT_EQ(straight.method, "direct");
+    EXPECT_TRUE(cell.mode.starts_with(straight.mode));
+  }
+}
+
+TEST(PledgeStudy, WhoeverAvoidsMeetsTheSame) {
+  const Condition condition{
+      .cycle_s = 8.0, .loss_ratio = 0.1, .current_mps = 0.2, .failure = FailureKind::stops};
+  const Scenario first = crossing_scenario(condition, methods()[0], 3);
+  for (const Method& method : methods()) {
+    const Scenario other = crossing_scenario(condition, method, 3);
+    EXPECT_EQ(other.water.current_n, Vec3(0.2, 0, 0));
+    for (std::size_t i = 0; i < 8; ++i) {
+      EXPECT_EQ(other.vehicles[i].yaw, first.vehicles[i].yaw);
+      EXPECT_EQ(other.vehicles[i].failure, first.vehicles[i].failure);
+    }
+    EXPECT_NO_THROW((Simulation{other, builtin_catalogs()})) << method.name;
+  }
+}
+
+TEST(PledgeStudy, ACycleIsWhatItsModemMakesOfEightSlots) {
+  for (const double cycle : cycles_s) {
+    const Scenario scenario = crossing_scenario({.cycle_s = cycle}, methods()[0], 1);
+    EXPECT_NEAR(make_exchange(scenario).turn_period(), cycle, 1e-9);
+  }
+}
+
+}  // namespace
+}  // namespace fairway::pledges
