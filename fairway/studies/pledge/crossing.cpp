@@ -13,16 +13,19 @@ namespace {
 
 constexpr std::array failures{FailureKind::silent, FailureKind::stops, FailureKind::leaves};
 constexpr std::array drifts_m{0.25, 0.5, 1.0};
+constexpr double losses_in_a_row = 4.0;
 constexpr double latest_failure = 60.0;   // after a vehicle set out [s]
 constexpr double collision_radius = 1.5;  // half of what counts as a collision [m]
 
 /// Slots of eight that come round so often: of modems that are so slow.
 Choice modem_of(const Condition& condition) {
   const double bit_rate = condition.cycle_s < 4.0 ? 1600.0 : condition.cycle_s < 9.0 ? 550.0 : 428.0;
-  return {
-      .name = "acoustic",
-      .params = {{"update_rate_hz", 1.0}, {"loss_ratio", condition.loss_ratio}, {"bit_rate_bps", bit_rate}},
-      .path = "exchange"};
+  return {.name = "acoustic",
+          .params = {{"update_rate_hz", 1.0},
+                     {"loss_ratio", condition.loss_ratio},
+                     {"loss_run_count", condition.loss_run_count},
+                     {"bit_rate_bps", bit_rate}},
+          .path = "exchange"};
 }
 
 Cell cell_of(const Condition& condition, const Method& method, int seeds) {
@@ -43,6 +46,9 @@ void add_pledge(std::vector<Cell>& cells, const Method& pledge, int seeds) {
       }
     }
     cells.push_back(cell_of({.cycle_s = cycle, .agreed_beforehand = false}, pledge, seeds));
+    for (const double loss : {0.1, 0.5})
+      cells.push_back(
+          cell_of({.cycle_s = cycle, .loss_ratio = loss, .loss_run_count = losses_in_a_row}, pledge, seeds));
   }
   for (const double drift : drifts_m)
     cells.push_back(cell_of({.cycle_s = 3.2, .loss_ratio = 0.1, .drift_sigma_m = drift}, pledge, seeds));
@@ -60,7 +66,11 @@ void add_other(std::vector<Cell>& cells, const Method& method, int seeds) {
 
 }  // namespace
 
-std::string Condition::place() const { return fmt::format("{} s, loss {}", cycle_s, loss_ratio); }
+std::string Condition::place() const {
+  std::string text = fmt::format("{} s, loss {}", cycle_s, loss_ratio);
+  if (loss_run_count > 0.0) text += fmt::format(" in runs of {}", loss_run_count);
+  return text;
+}
 
 std::string Condition::name() const {
   std::string text = fmt::format("current {}", current_mps);
