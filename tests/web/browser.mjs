@@ -56,7 +56,7 @@ export class Browser {
     const allowed = target.startsWith('http:') ? [new URL(target).origin] : [];
     const profile = mkdtempSync(join(this.folder, 'profile-'));
     const context = await chromium.launchPersistentContext(profile, {
-      executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', headless: true,
+      executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', headless: true, timeout: 120_000,
       viewport: { width, height }, colorScheme: scheme, acceptDownloads: true,
       args: ['--no-sandbox', '--disable-dev-shm-usage', '--disable-background-networking',
         '--disable-component-update', '--disable-sync', '--no-first-run', ...this.flags],
@@ -74,8 +74,8 @@ export class Browser {
         const address = request.url();
         if (!/^(file|data|blob):/.test(address) && !allowed.includes(new URL(address).origin)) complain(`network request: ${address}`);
       });
-      page.setDefaultTimeout(30_000);  // of a machine that is half as fast and busy besides
-      page.setDefaultNavigationTimeout(60_000);
+      page.setDefaultTimeout(120_000);  // of a machine that is half as fast and busy besides
+      page.setDefaultNavigationTimeout(120_000);
       if (missing !== '') await page.addInitScript((name) => { delete window[name]; }, missing);
       await page.goto(url);
       await page.waitForSelector('main');
