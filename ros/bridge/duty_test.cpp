@@ -224,7 +224,8 @@ TEST(AvoiderDuty, AMethodThatSpeaksSaysItsOwnWordsInThePlaceOfTheRecordAndHearsT
   }
   EXPECT_GT(spoken, 20) << "of 30 turns";
   EXPECT_LE(one.records + other.records, 4) << "while it comes to rest it has no word of its own";
-  EXPECT_EQ(one.duty.host().order().mode, "infeasible") << "they agreed, and the navigation that is told here stays";
+  EXPECT_EQ(one.duty.host().order().mode, "infeasible")
+      << "they agreed, and the navigation that is told here stays";
   one.duty.hear_speech(0, nullptr, 26, 30.0);
   EXPECT_THAT(one.warnings, HasSubstr("what other says is refused: invalid"));
 }
