@@ -9,6 +9,7 @@
 #include "fairway/comms/sound.hpp"
 #include "fairway/comms/team_record.hpp"
 #include "fairway/core/math.hpp"
+#include "fairway/core/text.hpp"
 
 namespace fairway {
 namespace {
@@ -19,7 +20,7 @@ constexpr double instant = 1e-5;
 /// The parameters, if they go together.
 const AcousticParams& checked(const AcousticParams& params, std::size_t vehicle_count) {
   check_params(params);
-  const auto number = [](auto value) { return std::to_string(value); };
+  const auto number = [](auto value) { return number_text(static_cast<double>(value)); };
   const int packet = params.message_bytes_count + params.overhead_bytes_count;
   if (packet > params.modem_max_bytes_count) {
     throw InputError({}, "message_bytes_count",
