@@ -110,12 +110,12 @@ class Agreement {
   std::array<std::optional<Knot>, most_members> ends_{};     ///< of who departed by a way without gates
   std::array<double, most_members> last_heard_ = not_yet();  ///< when what was heard last was said [s]
   std::array<Members, most_members> heard_by_{};             ///< whose states each of them has
-  std::uint8_t newest_epoch_{};                              ///< that anybody has spoken of
 
   // the newest plan
   Plan plan_{};
   Members acknowledged_{};
   Members departed_{};
+  std::uint8_t newest_epoch_{};        ///< that anybody has spoken of
   std::uint8_t acknowledged_epoch_{};  ///< the newest that own ship has acknowledged
   std::uint8_t refused_epoch_{};       ///< the newest that it has looked at and not acknowledged
   int attempts_{};                     ///< plans that came to nothing
