@@ -34,7 +34,7 @@ struct Heard {
 /// What a vehicle's modem offers a method that speaks.
 struct Link {
   std::span<const Heard> heard;  ///< the last speech of each of the others that was heard, by vehicle
-  double turn_period{};          ///< from one own turn to the next [s]
+  double turn_period{};          ///< at most, from one own turn to the next [s]
   double next_turn{};            ///< when the next one begins [s], by the mission's time
 };
 
