@@ -49,8 +49,8 @@ class Exchange {
   /// False if nobody ever hears anything.
   bool carries_anything() const { return !std::holds_alternative<Silence>(way_); }
 
-  /// From one turn of a vehicle to speak to its next at most [s], and when the next one after `now` begins [s]. Where
-  /// telling takes no time every tick is a turn.
+  /// From one turn of a vehicle to speak to its next at most [s], and when the next one after `now` begins
+  /// [s]. Where telling takes no time every tick is a turn.
   double turn_period() const;
   double next_turn(std::size_t vehicle, Tick now) const;
 
