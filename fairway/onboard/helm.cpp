@@ -163,15 +163,15 @@ void Helm::hold_because(HelmState state, std::string_view reason, const Command&
 
 /// A method that speaks goes on speaking where it has arrived, and may say how to hold there.
 Command Helm::how_to_stay() noexcept {
-  const Command hold{.mode = Mode::hold};
-  if (!avoider_.speaks()) return hold;
+  if (!avoider_.speaks()) return {.mode = Mode::hold};
   Situation situation =
       pilot_.situation(now_, own_, {.kind = LegKind::transit, .position = own_.position}, {}, setup_.chart);
   situation.attendance = Attendance::arrived;
   situation.current = current_;
   show_link(situation);
-  const Command command = avoider_.decide(situation);
-  return command.mode == Mode::hold ? command : hold;
+  Command command = avoider_.decide(situation);
+  if (command.mode != Mode::hold) return {.mode = Mode::hold};
+  return command;
 }
 
 void Helm::show_link(Situation& situation) noexcept {

@@ -142,8 +142,8 @@ std::optional<json> description(const std::string& name, const Catalogs& catalog
                   {"censored_by_time_limit", !quantity.complete_at_1.empty()}};
     }
   }
-  if (const auto kind = described_kind("exchange", exchange_kinds(), name, known)) return kind;
-  if (const auto kind = described_kind("perception", perception_kinds(), name, known)) return kind;
+  if (auto kind = described_kind("exchange", exchange_kinds(), name, known)) return kind;
+  if (auto kind = described_kind("perception", perception_kinds(), name, known)) return kind;
   return described_kind("navigation", navigation_kinds(), name, known);
 }
 

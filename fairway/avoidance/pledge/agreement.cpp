@@ -215,6 +215,11 @@ bool Agreement::is_clear() noexcept {
   return true;
 }
 
+Reference Agreement::promised(double now) const noexcept {
+  const bool is_mine = is_pending(now) && acknowledged_epoch_ == plan_.epoch && plan_.participants[self_];
+  return is_mine ? reference_of(members_[self_], plan_, plan_.codes[self_]) : Reference{};
+}
+
 /// Rule 3.
 void Agreement::depart(double now, double turn_period) noexcept {
   if (status_ != Status::held || plan_.epoch == 0 || now < plan_.start ||

@@ -67,6 +67,9 @@ class Agreement {
   Status status() const { return status_; }
   /// Own reference; null while it is held.
   const Reference* way() const { return status_ == Status::moving ? &way_ : nullptr; }
+  /// By which own ship departs at the start of the newest plan if nothing comes between: without knots unless
+  /// it has acknowledged that and its start is to come.
+  Reference promised(double now) const noexcept;
   const Member& member(std::size_t i) const { return members_[i]; }
   const Plan& plan() const { return plan_; }
   /// What it waits for, in a few words.

@@ -20,7 +20,6 @@ constexpr double look_ahead = 2.0;    // of the reference's velocity, for the ve
 constexpr double stopping = 2.0;      // from a member's speed, with its lag [s]
 constexpr double soon = 8.0;          // within it nobody who is lost may come near a promised way [s]
 constexpr double threatened = 12.0;   // likewise a member that is held [s]
-constexpr double longest_off = 8.0;   // its tube before a member is lost [s]
 constexpr int most_losses = 1;        // after which a member that is lost again is so for good
 constexpr double at_rest = 0.05;      // slower than this a member is held [m/s]
 constexpr double settling = 4.0;      // for so long, since it may be on its way back [s]
@@ -62,10 +61,8 @@ bool is_in_current(const Situation& s) noexcept { return horizontal_norm(s.curre
 /// slowly, so abeam what counts is how it drifts, not how the water does.
 double course_of(const Situation& s, const Vec3& over_ground) noexcept {
   Vec2 w = over_ground.head<2>() - s.current.head<2>();
-  if (is_in_current(s)) {
-    const Vec2 abeam = starboard_of(unit_at(s.own.yaw));
-    w -= (s.own.velocity - s.current).head<2>().dot(abeam) * abeam;
-  }
+  const Vec2 abeam = starboard_of(unit_at(s.own.yaw));
+  w -= (s.own.velocity - s.current).head<2>().dot(abeam) * abeam;
   return math::atan2(w.y(), w.x());
 }
 
@@ -109,9 +106,19 @@ Command driven(const Situation& s, const Vec3& wanted, std::optional<double> cou
 }
 
 /// Back to the anchor, ahead: who only stops where it is drifts sideways for long. In a current it lies with
-/// its bow against it.
-Command held(const Situation& s, const Vec3& anchor, std::string_view why) noexcept {
-  return driven(s, clamp_norm(return_gain * (anchor - s.own.position), 0.3), {}, Mode::hold, why);
+/// its bow against it. On `course`, if there is one.
+Command held(const Situation& s, const Vec3& anchor, std::string_view why,
+             std::optional<double> course = {}) noexcept {
+  return driven(s, clamp_norm(return_gain * (anchor - s.own.position), 0.3), course, Mode::hold, why);
+}
+
+/// The course on which a member that is held will depart, once it is time to turn to it: who departs while it
+/// turns the other way is late. Not in a current, in which nobody who has turned aside stays where it is.
+std::optional<double> first_course(const Situation& s, const Agreement& agreement) noexcept {
+  const double turn = agreement.member(number(s.own.id)).turn;
+  if (is_in_current(s) || agreement.plan().start - s.time > turn + settling) return {};
+  const Reference way = agreement.promised(s.time);
+  return way.empty() ? std::nullopt : next_course(s, way, turn);
 }
 
 /// The command that keeps to the reference of a member that takes so long to turn.
@@ -179,7 +186,7 @@ Command Pledge::decide(const Situation& s, Memory& memory, Context& context) con
     const bool is_lost = agreement.status() == pledge::Status::lost;
     const Vec3 stay = is_lost ? memory.stay : agreement.member(number(s.own.id)).anchor;
     if (memory.gives_way) return evaded(s, agreement, stay, context);
-    return held(s, stay, agreement.reason(s.time));
+    return held(s, stay, agreement.reason(s.time), is_lost ? std::nullopt : first_course(s, agreement));
   }
   if (context.sketch != nullptr) draw(*way, s.time, params.tube_m, *context.sketch);
   return followed(s, *way, agreement.member(number(s.own.id)).turn, params);
@@ -214,7 +221,7 @@ void Pledge::take_part(const Situation& s, Memory& memory) const noexcept {
   if (s.attendance == Attendance::under_way) agreement.go_on(s.time, s.period, *s.link, 0.0);
 }
 
-/// Who is off its tube by as much again, or for long, is lost, since before that it is best to come back. Who
+/// Who is off its tube by as much again is lost; before that it is best to come back. Who
 /// would come near somebody who is lost, or is held beside its promised way, stops where it is and is held
 /// there; who is held where somebody comes who is lost goes out of the way, and tells where it is by then.
 void Pledge::watch(const Situation& s, Memory& memory) const noexcept {
@@ -222,7 +229,6 @@ void Pledge::watch(const Situation& s, Memory& memory) const noexcept {
   if (agreement.status() == pledge::Status::lost) return recover(s, memory);
   const Reference* way = agreement.way();
   if (way == nullptr) {
-    memory.kept = s.time;
     memory.gives_way = agreement.meets_lost(Reference{s.own.position}, s.time, s.time + threatened);
     const Vec3 anchor = agreement.member(number(s.own.id)).anchor;
     const bool has_gone = memory.gives_way && (anchor - s.own.position).norm() > 0.5 * params.tube_m;
@@ -231,8 +237,7 @@ void Pledge::watch(const Situation& s, Memory& memory) const noexcept {
   }
   memory.gives_way = false;
   const double off = (way->at(s.time) - s.own.position).norm();
-  if (off <= params.tube_m) memory.kept = s.time;
-  if (off > 2.0 * params.tube_m || s.time > memory.kept + longest_off) {
+  if (off > 2.0 * params.tube_m) {
     ++memory.losses;
     memory.moved = s.time;
     memory.stay = s.own.position;

@@ -55,7 +55,6 @@ struct Pledge {
     double moved{};  ///< when it was not at rest, before it began [s]
     double turn_period{};
     double time{};
-    double kept{};             ///< when it last was in its tube [s]
     Vec3 stay = Vec3::Zero();  ///< where a lost member holds [m, NED]
     int losses{};              ///< how often it was lost
     bool gives_way{false};     ///< to somebody who is lost
