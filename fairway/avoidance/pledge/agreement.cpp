@@ -208,7 +208,11 @@ bool Agreement::is_clear() noexcept {
     return status_ == Status::held &&
            scene.accepts(self_, reference_of(members_[self_], plan_, plan_.codes[self_]));
   if (status_ != Status::moving) return scene.accepts(self_, Reference{members_[self_].anchor});
-  if (scene.accepts(self_, way_)) return true;
+  bool goes_or_stops = scene.accepts(self_, way_);
+  for (std::size_t i = 0; i < terms_.count; ++i)
+    goes_or_stops =
+        goes_or_stops && (left_[i] || gates_[i] == never || scene.accepts(self_, way_.until(gates_[i])));
+  if (goes_or_stops) return true;
   const double gate = next_gate();
   if (gate == never || !scene.accepts(self_, way_.until(gate))) return false;
   way_ = way_.until(gate);
