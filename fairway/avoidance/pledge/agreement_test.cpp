@@ -153,6 +153,40 @@ TEST(Agreement, OfEightKeepsClearAndComesToItsEndAtAnyLoss) {
   }
 }
 
+/// Of words: each pair loses half of them, four in a row in the mean.
+class LossesInRuns {
+ public:
+  explicit LossesInRuns(Rng rng) : rng_{rng} {}
+  bool operator()(std::size_t from, std::size_t to) {
+    bool& loses = loses_[from][to];
+    if (rng_.uniform(0, 1) < 0.25) loses = !loses;
+    return !loses;
+  }
+
+ private:
+  Rng rng_;
+  std::array<std::array<bool, most_members>, most_members> loses_{};
+};
+
+TEST(Agreement, WhereTheGroupIsDividedAgainAndAgainAllKeepClear) {
+  int divided = 0;
+  for (std::uint64_t seed = 1; seed <= 104; ++seed) {
+    Rng rng = Rng{seed}.stream("fleet");
+    Fleet fleet{cube(rng), 8.0};
+    LossesInRuns losses{rng};
+    bool was_divided = false;
+    while (!fleet.is_done() && fleet.time < 800.0) {
+      fleet.go_on([&](std::size_t from, std::size_t to) { return losses(from, to); });
+      const auto moving = std::ranges::count_if(
+          fleet.members, [](const Agreement& m) { return m.status() == Status::moving; });
+      was_divided = was_divided || (moving == 1 && fleet.members[0].status() == Status::held);
+    }
+    EXPECT_GE(fleet.least, 3.0 + 1.5) << "seed " << seed;
+    divided += was_divided ? 1 : 0;
+  }
+  EXPECT_GT(divided, 0) << "or nothing was tried";
+}
+
 TEST(Agreement, NobodyMovesWhileOneIsSilent) {
   Rng rng = Rng{1}.stream("fleet");
   Fleet fleet{cube(rng), 3.2};
