@@ -70,6 +70,7 @@ async function photograph({ commands, page: name, size: [width, height], scheme 
   const context = await browser.newContext({ viewport: { width, height }, deviceScaleFactor: moving === undefined ? 2 : 1, colorScheme: scheme, reducedMotion: 'reduce' });
   try {
     const page = await context.newPage();
+    page.setDefaultTimeout(120_000);  // of a machine that is busy besides
     await page.goto(pathToFileURL(name.replaceAll('{dir}', folder)).href + hash);
     await page.waitForSelector('main');
     await page.evaluate(() => document.fonts.ready);
