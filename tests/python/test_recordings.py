@@ -70,7 +70,7 @@ def test_stored_results_are_columns(scenarios, fairway_command, tmp_path):
 
 
 def test_studies_have_names_and_refuse_others():
-    assert {"cubes", "transport", "surface", "uuv"} == {study["name"] for study in fw.studies()}
+    assert {"cubes", "transport", "surface", "uuv", "pledge"} == {study["name"] for study in fw.studies()}
     with pytest.raises(fw.InputError, match="did you mean cubes"):
         fw.study("cube")
     with pytest.raises(fw.InputError, match="seeds: expected 0 or more"):
