@@ -141,7 +141,3 @@ FAIRWAY_EXPORT(run_hash) std::uint64_t fairway_run_hash() { return session->run_
 /// Of each frame so far, and how many frames there are.
 FAIRWAY_EXPORT(hashes) const std::uint64_t* fairway_hashes() { return session->frame_hashes().data(); }
 FAIRWAY_EXPORT(hash_count) std::size_t fairway_hash_count() { return session->frame_hashes().size(); }
-
-/// Six numbers a vehicle (Session::states), and how many numbers there are.
-FAIRWAY_EXPORT(states) const double* fairway_states() { return session->states().data(); }
-FAIRWAY_EXPORT(state_count) std::size_t fairway_state_count() { return session->states().size(); }

@@ -28,6 +28,4 @@ export class Simulator {
   describe(name: string): unknown;
   /** Of each frame so far, likewise. */
   hashes(): string[];
-  /** Of each vehicle north, east, down [m], roll, pitch, yaw [rad]. */
-  states(): Float64Array;
 }

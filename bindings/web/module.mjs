@@ -122,9 +122,4 @@ export class Simulator {
     const { memory, hashes, hash_count } = this.#exports;
     return Array.from(new BigUint64Array(memory.buffer, hashes(), hash_count()), hash_text);
   }
-
-  states() {
-    const { memory, states, state_count } = this.#exports;
-    return new Float64Array(memory.buffer, states(), state_count()).slice();
-  }
 }

@@ -6,7 +6,6 @@
 #include "bindings/web/absent.hpp"
 #include "bindings/web/output_file.hpp"
 #include "fairway/comms/exchange.hpp"
-#include "fairway/core/angles.hpp"
 #include "fairway/core/names.hpp"
 #include "fairway/core/text.hpp"
 #include "fairway/experiment/measure_run.hpp"
@@ -160,18 +159,6 @@ json Session::outcome() const {
     of[measure.quantity] = finite(measure.value);
   }
   return document;
-}
-
-const std::vector<double>& Session::states() {
-  states_.clear();
-  for (const Agent& agent : simulation_.agents()) {
-    const VehicleState& state = agent.vehicle.state();
-    const auto angles = euler_of(state.q_nb);
-    for (const double value :
-         {state.p_n.x(), state.p_n.y(), state.p_n.z(), angles.roll, angles.pitch, angles.yaw})
-      states_.push_back(value);
-  }
-  return states_;
 }
 
 json names() {

@@ -66,9 +66,6 @@ class Session final : private FrameSink {
   /// frame_hash() of each frame so far.
   const std::vector<std::uint64_t>& frame_hashes() const { return frame_hashes_; }
 
-  /// Of each vehicle, in their order: north, east, down [m], roll, pitch, yaw [rad].
-  const std::vector<double>& states();
-
   bool is_done() const { return done_; }
   double time() const { return simulation_.time(); }
 
@@ -88,7 +85,6 @@ class Session final : private FrameSink {
   std::optional<Film> film_;
   std::optional<HashChecker> checker_;
   std::vector<FrameSink*> sinks_;
-  std::vector<double> states_;
   std::vector<std::uint64_t> frame_hashes_;
   std::uint64_t run_hash_{};
   double last_time_{};  // of the newest frame [s]

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 
 #include "fairway/comms/sound.hpp"
@@ -68,23 +67,6 @@ double way_of_sound(const AcousticParams& params, double distance, double period
 
 /// On the surface [m, NED].
 Vec3 relay_of(const AcousticParams& params) { return {params.relay_north_m, params.relay_east_m, 0.0}; }
-
-/// True if the straight way from `a` to `b` comes within a centimetre of what is solid.
-bool is_between(const Obstacle& obstacle, const Vec3& a, const Vec3& b) {
-  constexpr double touching = 0.01;
-  const double length = (b - a).norm();
-  const Vec3 direction = length > 0.0 ? Vec3{(b - a) / length} : Vec3{Vec3::Zero()};
-  double gone = 0.0;
-  while (gone < length) {  // nothing is nearer than the nearest point
-    const double free = nearest_point(obstacle, a + gone * direction).distance;
-    if (free < touching) return true;
-    gone += free;
-  }
-  return false;
-}
-
-/// Of a ratio of powers [dB].
-double decibels(double ratio) { return 10.0 * math::log(ratio) / std::numbers::ln10; }
 
 /// The level of 1 W of sound, 1 m from a source that sends it everywhere [dB re 1 uPa].
 constexpr double one_watt = 170.8;
@@ -250,7 +232,7 @@ void AcousticChannel::transmit(std::size_t from, Tick now, const Mailbox& said, 
           .sent = begin,
           .begins = begins,
           .ends = begins + transmission_,
-          .strength = math::exp(-loss_on(last.distance) / 10.0 * std::numbers::ln10),
+          .strength = params_.interference ? power_ratio(-loss_on(last.distance)) : 0.0,
           .is_noise = !is_through || !is_repeated});
   }
 }
@@ -279,7 +261,7 @@ AcousticChannel::Leg AcousticChannel::leg(std::size_t from, std::size_t to, std:
                                           std::span<const Obstacle> obstacles) const {
   const auto is_clear = [&](const Vec3& a, const Vec3& b) {
     return !params_.shadow ||
-           std::ranges::none_of(obstacles, [&](const Obstacle& each) { return is_between(each, a, b); });
+           std::ranges::none_of(obstacles, [&](const Obstacle& each) { return is_in_shadow(each, a, b); });
   };
   if (!params_.relay) return {(places[to] - places[from]).norm(), 0.0, is_clear(places[from], places[to])};
   const Vec3 relay = relay_of(params_);

@@ -27,6 +27,10 @@ double viscosity(double t) noexcept {
 
 }  // namespace
 
+double decibels(double ratio) noexcept { return 10.0 * log10_of(ratio); }
+
+double power_ratio(double decibels) noexcept { return ten_to(decibels / 10.0); }
+
 double thorp_absorption(double frequency_khz) noexcept {
   const double f2 = square(frequency_khz);
   return 3.3e-3 + 0.11 * f2 / (1.0 + f2) + 44.0 * f2 / (4100.0 + f2) + 3.0e-4 * f2;
@@ -57,18 +61,29 @@ double ambient_noise(double frequency_khz, double shipping, double wind) noexcep
       40.0 + 20.0 * (shipping - 0.5) + 26.0 * decades - 60.0 * log10_of(frequency_khz + 0.03);
   const double waves = 50.0 + 7.5 * std::sqrt(wind) + 20.0 * decades - 40.0 * log10_of(frequency_khz + 0.4);
   const double heat = -15.0 + 20.0 * decades;
-  return 10.0 * log10_of(ten_to(turbulence / 10.0) + ten_to(ships / 10.0) + ten_to(waves / 10.0) +
-                         ten_to(heat / 10.0));
+  return decibels(power_ratio(turbulence) + power_ratio(ships) + power_ratio(waves) + power_ratio(heat));
+}
+
+bool is_in_shadow(const Obstacle& obstacle, const Vec3& a, const Vec3& b) noexcept {
+  constexpr double touching = 0.01;
+  const double length = (b - a).norm();
+  const Vec3 direction = length > 0.0 ? Vec3{(b - a) / length} : Vec3{Vec3::Zero()};
+  double gone = 0.0;
+  while (gone < length) {  // nothing is nearer than the nearest point
+    const double free = nearest_point(obstacle, a + gone * direction).distance;
+    if (free < touching) return true;
+    gone += free;
+  }
+  return false;
 }
 
 double transmission_loss(double distance, double spreading, double absorption_db_per_km) noexcept {
   const double d = std::max(distance, 1.0);
-  return 10.0 * spreading * log10_of(d) + absorption_db_per_km * 1e-3 * (d - 1.0);
+  return spreading * decibels(d) + absorption_db_per_km * 1e-3 * (d - 1.0);
 }
 
 double packet_error_ratio(double bit_energy_to_noise_db, int bits) noexcept {
-  const double ratio = ten_to(bit_energy_to_noise_db / 10.0);
-  const double bit_error = 0.5 * math::exp(-0.5 * ratio);
+  const double bit_error = 0.5 * math::exp(-0.5 * power_ratio(bit_energy_to_noise_db));
   // 1 - (1 - p)^n, where p may be far below the last place of 1
   const double log_of_right = bit_error < 1e-8 ? -bit_error : math::log(1.0 - bit_error);
   return -math::expm1(static_cast<double>(bits) * log_of_right);

@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "fairway/core/shapes.hpp"
+
 namespace fairway {
 
 // How loud a modem is heard, and what of a packet is left then: the passive sonar equation. Levels are in dB
 // re 1 uPa (at 1 m for sources), densities in dB re 1 uPa^2/Hz.
+
+/// Of a ratio of powers [dB], and the other way round.
+double decibels(double ratio) noexcept;
+double power_ratio(double decibels) noexcept;
 
 /// What sound loses to sea water by the formula of Thorp (1967), in the form of Jensen et al., Computational
 /// Ocean Acoustics (2011), equation 1.47: about 4 C, pH 8, at 1000 m. For 0.1 to 50 kHz. [dB/km]
@@ -30,6 +36,9 @@ double ambient_noise(double frequency_khz, double shipping, double wind) noexcep
 /// What sound loses on `distance` [m]: 10 `spreading` log10(distance / 1 m) + absorption. `spreading` is 2 in
 /// the open, 1 between surface and bottom, 1.5 in practice; nearer than 1 m nothing is lost. [dB]
 double transmission_loss(double distance, double spreading, double absorption_db_per_km) noexcept;
+
+/// True if the straight way from `a` to `b` comes within a centimetre of what is solid [m, NED].
+bool is_in_shadow(const Obstacle& obstacle, const Vec3& a, const Vec3& b) noexcept;
 
 /// Share of packets of so many bits that arrive with an error somewhere, with nothing to correct it: bits
 /// keyed by frequency and detected without phase err with exp(-(Eb/N0) / 2) / 2 (Proakis, Digital

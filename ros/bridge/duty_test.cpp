@@ -3,20 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <limits>
-#include <map>
 #include <memory>
-#include <sstream>
 
 #include "fairway/scenario/load.hpp"
 #include "fairway/sim/simulation.hpp"
 #include "ros/bridge/avoider_duty.hpp"
 #include "ros/bridge/fleet_duty.hpp"
-#include "ros/bridge/fleet_marks.hpp"
-#include "ros/bridge/hull_mesh.hpp"
 #include "ros/bridge/messages.hpp"
 
 namespace fairway::bridge {
@@ -309,114 +302,6 @@ TEST(AvoiderDuty, TheWatchdogTellsTheVehicleToStandStillOnlyWhileItIsInCharge) {
   pilot.duty.raise_alarm(1.5, 11.5);
   EXPECT_EQ(pilot.commands, 2);
   EXPECT_THAT(pilot.summary, HasSubstr("watchdog: the loop has stood still"));
-}
-
-TEST(NodeSettings, WhatIsNotTheNodesOwnGoesToTheAvoiderOrIsRefusedWithTheNearestName) {
-  const AvoiderNodeSettings made =
-      avoider_node_settings({{"frame", "ned"}, {"params.time_horizon_s", "7"}}, "auv");
-  EXPECT_EQ(made.frame, Frame::ned);
-  EXPECT_EQ(made.vehicle, "auv");
-  EXPECT_EQ(made.settings, (Settings{{"params.time_horizon_s", "7"}}));
-  const FleetNodeSettings fleet = fleet_node_settings({{"scenario", "a.yaml"}, {"override.duration_s", "9"}});
-  EXPECT_EQ(fleet.overrides, (Settings{{"duration_s", "9"}}));
-  EXPECT_EQ(topic_name("AUV 1-b"), "AUV_1_b");
-  EXPECT_THROW(fleet_node_settings({{"scenario", "a.yaml"}, {"locksteps", "true"}}), std::runtime_error);
-  EXPECT_THROW(fleet_node_settings({{"scenario", "a.yaml"}, {"speed", "-1"}}), std::runtime_error);
-  EXPECT_THROW(avoider_node_settings({{"lockstep", "true"}, {"input", "team_record"}}, "auv"),
-               std::runtime_error);
-}
-
-TEST(NodeSettings, SayInALineWhatIsWrong) {
-  const auto said = [](const char* name, const char* text) -> std::string {
-    try {
-      fleet_node_settings({{"scenario", "a.yaml"}, {name, text}});
-    } catch (const std::runtime_error& error) {
-      return error.what();
-    }
-    return "";
-  };
-  EXPECT_EQ(said("lockstep", "perhaps"), "lockstep: is \"perhaps\"; expected true or false");
-  EXPECT_EQ(said("speed", "-1"), "speed: is -1; expected a number in [0, 1e+06]");
-  EXPECT_THAT(said("speed", "nan"), HasSubstr("expected a number in"));
-  EXPECT_EQ(said("frame", "nwu"), "frame: is \"nwu\"; expected one of enu, ned");
-  EXPECT_EQ(said("seed", "1.5"), "seed: is 1.5; expected a whole number");
-  EXPECT_THAT(said("seed", "three"), HasSubstr("is \"three\"; expected a number"));
-  EXPECT_EQ(said("sped", "3"), "sped: unknown setting; did you mean seed?");
-  EXPECT_EQ(said("seed", "12345678901"), "");
-}
-
-TEST(NodeSettings, AreAllOnTheirPages) {
-  const auto page = [](const char* name) {
-    std::ifstream file{std::string{FAIRWAY_SOURCE_DIR} + "/docs/" + name};
-    return std::string{std::istreambuf_iterator<char>{file}, {}};
-  };
-  const auto names_in = [](const std::string& listing) {
-    std::istringstream lines{listing};
-    std::vector<std::string> names;
-    for (std::string line; std::getline(lines, line);) names.push_back(line.substr(2, line.find(' ', 2) - 2));
-    return names;
-  };
-  const std::string avoider = page("ros_avoider.md") + page("ros2.md"), fleet = page("ros.md");
-  ASSERT_GT(names_in(avoider_node_words()).size(), 10U);
-  for (const std::string& name : names_in(avoider_node_words()))
-    EXPECT_THAT(avoider, HasSubstr("`" + name + "`"));
-  for (const std::string& name : names_in(fleet_node_words()))
-    EXPECT_THAT(fleet, HasSubstr("`" + name + "`"));
-}
-
-/// Enclosed volume, positive if the triangles are counter-clockwise from outside.
-double volume_of(const std::vector<Triple>& mesh) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i + 2 < mesh.size(); i += 3) {
-    const auto& [a, b, c] = std::array{mesh[i], mesh[i + 1], mesh[i + 2]};
-    sum += a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
-           a[2] * (b[0] * c[1] - b[1] * c[0]);
-  }
-  return sum / 6.0;
-}
-
-double extent(const std::vector<Triple>& mesh, std::size_t axis) {
-  const auto [least, greatest] = std::minmax_element(
-      mesh.begin(), mesh.end(), [axis](const Triple& a, const Triple& b) { return a[axis] < b[axis]; });
-  return (*greatest)[axis] - (*least)[axis];
-}
-
-TEST(Hulls, AreClosedOfTheirSizeAndSeenFromOutside) {
-  for (const char* shape : {"auv", "torpedo", "rov", "catamaran", "transport", "point"}) {
-    const std::vector<Triple> mesh = hull_mesh(shape, 2.0, 0.5);
-    ASSERT_GT(mesh.size(), 0U) << shape;
-    EXPECT_EQ(mesh.size() % 3, 0U) << shape;
-    EXPECT_GT(volume_of(mesh), 0.0) << shape;
-    EXPECT_NEAR(extent(mesh, 0), 2.0, 1e-9) << shape;
-  }
-  // a box is what it says
-  EXPECT_NEAR(volume_of(hull_mesh("transport", 2.0, 0.5)), 2.0 * 0.5 * 0.5, 1e-12);
-}
-
-TEST(FleetMarks, ShowHullsWhereTheVehiclesAreAndTheirSpheresNamesGoalsAndTrails) {
-  FleetOptions options;
-  options.scenario = std::string{FAIRWAY_SOURCE_DIR} + "/scenarios/head_on.yaml";
-  options.autonomous = true;
-  FleetHost fleet{options};
-  FleetMarks marks{fleet};
-  for (int i = 0; i < 200; ++i) {
-    marks.see(fleet);
-    fleet.step();
-  }
-  std::map<std::string, int> count;
-  for (const Mark& mark : marks.draw(fleet)) {
-    ++count[mark.meaning];
-    if (mark.meaning == "detection") {
-      EXPECT_EQ(mark.radius, 3.0);
-    }
-    if (mark.meaning != "vehicles") continue;
-    EXPECT_GT(volume_of(mark.points), 0.0);
-    EXPECT_NEAR(extent(mark.points, 0), 1.6, 0.01) << "a Sparus II that heads north or south";
-  }
-  EXPECT_EQ(
-      count,
-      (std::map<std::string, int>{
-          {"vehicles", 2}, {"detection", 2}, {"safety", 2}, {"trails", 2}, {"names", 2}, {"goals", 4}}));
 }
 
 }  // namespace

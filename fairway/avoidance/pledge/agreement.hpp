@@ -17,8 +17,8 @@ namespace fairway::pledge {
 ///
 /// 1. Acknowledgements go upwards: a member acknowledges no plan that is older than one that it has
 ///    acknowledged before, and none whose start has passed.
-/// 2. It acknowledges a plan only if what it may do itself, whether or not it departs, is clear of what
-///    everybody does by the plan.
+/// 2. It acknowledges a plan only if what it may do itself, whether or not it departs, and wherever it may
+///    still stop at a gate, is clear of what everybody does by the plan.
 /// 3. It departs at the plan's start, if by then it knows that every member has acknowledged, and if it has
 ///    acknowledged no newer one. Of who has told where it has arrived, it is enough that its own way is clear
 ///    of that place. Otherwise, and if it looks at its clock too late, it stays where it is, for ever or
