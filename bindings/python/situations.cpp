@@ -194,6 +194,8 @@ void bind_situation(py::module_& m) {
       .field("model", &OwnedSituation::model, "OnboardModel, or None where nothing is known of forces")
       .field("link", &OwnedSituation::link,
              "Link, or None unless the method speaks, has somebody to hear and is written in Python")
+      .field("current", &OwnedSituation::current,
+             "of the water, as estimated on board, 0 if unknown [m/s, NED]")
       .field(
           "attendance", &OwnedSituation::attendance,
           "of a method that speaks: \"waiting\" and \"ready\" at a rendezvous, \"arrived\" after the mission")
@@ -233,6 +235,7 @@ OwnedSituation::OwnedSituation(const Situation& s)
       limits{s.limits},
       model{s.model == nullptr ? std::nullopt : std::optional{*s.model}},
       link{s.link == nullptr ? std::nullopt : std::optional{owned(*s.link)}},
+      current{s.current},
       attendance{s.attendance},
       tracks{s.tracks.begin(), s.tracks.end()} {
   obstacles.reserve(s.obstacles.size());
@@ -256,6 +259,7 @@ Situation OwnedSituation::view(std::vector<Obstacle>& solids) const {
           .goal = goal,
           .limits = limits,
           .model = model ? &*model : nullptr,
+          .current = current,
           .tracks = tracks,
           .obstacles = solids,
           .attendance = attendance};

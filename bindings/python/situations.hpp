@@ -35,6 +35,7 @@ struct OwnedSituation {
   Limits limits;
   std::optional<OnboardModel> model;
   std::optional<OwnedLink> link;  ///< for who decides in Python; view() leaves it out
+  Vec3 current = Vec3::Zero();    ///< of the water, as estimated on board [m/s, NED]
   Attendance attendance{};
   std::vector<Track> tracks;            ///< nearest first; equal ranges by id
   std::vector<ObstacleSpec> obstacles;  ///< `velocity` means nothing here

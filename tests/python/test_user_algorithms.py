@@ -374,3 +374,16 @@ def test_what_goes_wrong_in_a_speech_ends_the_run():
 
     with pytest.raises(ZeroDivisionError):
         speaking(Broken)
+
+
+def test_it_is_told_the_current_as_estimated_on_board():
+    told = []
+
+    class Drifts(Straight):
+        def decide(self, situation):
+            told.append(situation.current.tolist())
+            return super().decide(situation)
+
+    water = {"water.current_mps": [0.1, -0.05, 0], "duration_s": 2}
+    fairway.run(fairway.Scenario.load(CROSSING, overrides=water).with_algorithm("mine"), algorithms={"mine": Drifts})
+    assert told and all(each == pytest.approx([0.1, -0.05, 0]) for each in told)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A real browser for the tests of the pages: opens each in a fresh profile, notes what it complains about, and counts
+// A real browser for the tests of the pages: opens each with a fresh profile, notes what it complains about, and counts
 // what held. Needs `npm ci` in viewer/ and a Chromium (CHROMIUM names another one than /usr/bin/chromium).
 import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
@@ -49,23 +49,27 @@ export class Browser {
     };
   }
 
+  /** The one program that opens all pages. */
+  program() {
+    this.started ??= chromium.launch({
+      executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', headless: true, timeout: 120_000,
+      args: ['--no-sandbox', '--disable-dev-shm-usage', '--disable-background-networking',
+        '--disable-component-update', '--disable-sync', '--no-first-run', ...this.flags],
+    });
+    return this.started;
+  }
+
   /** Opens a path or an address and hands the page to `look`; only an address may ask for more, from where it came. A browser without `missing` is one
    *  whose window has nothing of that name. */
   async open(target, name, { width, height = 900, scheme, fragment = '', harmless = this.harmless, missing = '' }, look) {
     const url = target.startsWith('http:') ? target : pathToFileURL(target).href + fragment;
     const allowed = target.startsWith('http:') ? [new URL(target).origin] : [];
-    const profile = mkdtempSync(join(this.folder, 'profile-'));
-    const context = await chromium.launchPersistentContext(profile, {
-      executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', headless: true, timeout: 120_000,
-      viewport: { width, height }, colorScheme: scheme, acceptDownloads: true,
-      args: ['--no-sandbox', '--disable-dev-shm-usage', '--disable-background-networking',
-        '--disable-component-update', '--disable-sync', '--no-first-run', ...this.flags],
-    });
+    const context = await (await this.program()).newContext({ viewport: { width, height }, colorScheme: scheme, acceptDownloads: true });
     const complaints = [];
     const complain = (text) => { if (!harmless.test(text)) complaints.push(text); };
     const expect = this.expecting(name);
     try {
-      const page = context.pages()[0] ?? await context.newPage();
+      const page = await context.newPage();
       page.on('console', (message) => {
         if (['error', 'warning'].includes(message.type())) complain(`console ${message.type()}: ${message.text()}`);
       });

@@ -14,6 +14,8 @@ import { look_at_known_runs, run_checks, runs_report } from './runs_checks.mjs';
 const { path: given, screenshots } = command_line();
 const browser = new Browser('fairway/report/template.html', ['--disable-gpu']);
 
+const sides = [[1280, 'light'], [400, 'dark']];
+
 /** Charts are laid out anew a moment after the page has got its size. */
 function open(path, name, options, look) {
   return browser.open(path, name, options, async (page, expect, context) => {
@@ -23,16 +25,13 @@ function open(path, name, options, look) {
 }
 
 async function look_at_report(path) {
-  for (const width of [1280, 400]) {
-    for (const scheme of ['light', 'dark']) {
-      const name = `${width} px, ${scheme}`;
-      await open(path, name, { width, scheme }, async (page, expect, context) => {
-        if (screenshots !== null) {
-          await page.screenshot({ path: join(screenshots, `report-${width}-${scheme}.png`), fullPage: true });
-        }
-        for (const check of [...checks, ...run_checks]) await check(page, expect, { width, scheme, context });
-      });
-    }
+  for (const [width, scheme] of sides) {
+    await open(path, `${width} px, ${scheme}`, { width, scheme }, async (page, expect, context) => {
+      if (screenshots !== null) {
+        await page.screenshot({ path: join(screenshots, `report-${width}-${scheme}.png`), fullPage: true });
+      }
+      for (const check of [...checks, ...run_checks]) await check(page, expect, { width, scheme, context });
+    });
   }
 }
 
@@ -76,7 +75,7 @@ const broken = {
 
 async function look_at_known_rasters() {
   const path = browser.write('raster.html', raster_report);
-  for (const [width, scheme] of [[1280, 'light'], [400, 'dark']]) {
+  for (const [width, scheme] of sides) {
     await open(path, `raster, ${width} px, ${scheme}`, { width, scheme }, look_at_rasters);
   }
 }

@@ -93,13 +93,13 @@ bool Agreement::meets_held(const Reference& own, double now, double time) const 
   return false;
 }
 
-void Agreement::hear(const Speech& speech, double now) noexcept {
+bool Agreement::hear(const Speech& speech, double now) noexcept {
   const std::optional<Word> word = decode(speech, terms_.datum, now);
-  if (!word) return;
+  if (!word) return true;
   const auto& header = std::visit([](const auto& w) -> const Header& { return w.header; }, *word);
-  if (header.sender >= terms_.count || header.sender == self_ || header.sent > now + 1.0 ||
-      header.sent <= last_heard_[header.sender])
-    return;
+  if (header.sent > now + 1.0) return false;
+  if (header.sender >= terms_.count || header.sender == self_ || header.sent <= last_heard_[header.sender])
+    return true;
   if (const auto* state = std::get_if<StateWord>(&*word)) {
     members_[header.sender] = state->member;
     if (header.status == Status::lost) members_[header.sender].radius += wandering;
@@ -109,6 +109,7 @@ void Agreement::hear(const Speech& speech, double now) noexcept {
     learn(std::get<PlanWord>(*word));
   }
   learn(header);
+  return true;
 }
 
 void Agreement::learn(const Header& header) noexcept {

@@ -37,8 +37,9 @@ class Agreement {
   /// Own ship is held at an anchor, to go to a destination. To be called once, before anything else.
   void hold(const Member& member) noexcept;
 
-  /// A word that came in. What it says is believed if it was made by a member.
-  void hear(const Speech& speech, double now) noexcept;
+  /// A word that came in, to be heard once: its clock goes round. What it says is believed if it was made by
+  /// a member. False if its clock is ahead of own ship's, and it may be heard again later.
+  bool hear(const Speech& speech, double now) noexcept;
 
   /// Acknowledges, proposes, departs and stops as the rules say. To be called at every decision, `period` [s]
   /// apart. `patience` is how many turns more than the least it gives acknowledgements to come in.

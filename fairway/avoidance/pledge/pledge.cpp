@@ -210,7 +210,12 @@ void Pledge::take_part(const Situation& s, Memory& memory) const noexcept {
   Agreement& agreement = memory.agreement;
   memory.time = s.time;
   memory.turn_period = s.link->turn_period;
-  for (const Heard& heard : s.link->heard) agreement.hear(heard.speech, s.time);
+  for (const Heard& heard : s.link->heard) {
+    if (number(heard.from) >= memory.heard.size()) continue;
+    std::optional<double>& last = memory.heard[number(heard.from)];
+    const bool is_new = !last || heard.sent > *last;
+    if (is_new && agreement.hear(heard.speech, s.time)) last = heard.sent;
+  }
   if (s.attendance == Attendance::arrived && agreement.status() != pledge::Status::arrived &&
       agreement.status() != pledge::Status::lost) {
     const Reference* gone = agreement.way();

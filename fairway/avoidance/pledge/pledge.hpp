@@ -58,6 +58,8 @@ struct Pledge {
     Vec3 stay = Vec3::Zero();  ///< where a lost member holds [m, NED]
     int losses{};              ///< how often it was lost
     bool gives_way{false};     ///< to somebody who is lost
+    std::array<std::optional<double>, pledge::most_members>
+        heard{};  ///< when each said what was taken last [s]
     pledge::Agreement agreement{};
   };
 

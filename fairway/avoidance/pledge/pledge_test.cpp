@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the method does of itself, beside the agreement that it takes part in.
+#include "fairway/avoidance/pledge/pledge.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+namespace fairway {
+namespace {
+
+using pledge::Reference;
+
+/// What member 1 says at time 0: it is lost at (20, 0, 5) and does not move.
+Heard from_who_is_lost() {
+  pledge::Agreement other{1, {.count = 2, .tubes = {.radius = 1.0, .told = 0.1}}};
+  other.hold({.anchor = {20.0, 0.0, 5.0}, .destination = {-20.0, 0.0, 5.0}, .radius = 1.5, .speed = 0.4});
+  other.lose({20.0, 0.0, 5.0}, Vec3::Zero());
+  return {.from = VehicleId{1}, .sent = 0.0, .speech = other.say(0.0, 3.2)};
+}
+
+/// Member 0 at rest at (0, 0, 5), which has heard that once and hears nothing more.
+struct Alone {
+  std::array<Heard, 1> heard{from_who_is_lost()};
+  Link link{.heard = heard, .turn_period = 3.2, .next_turn = 1e9};
+  Pledge method{.params = {.team_count = 2}};
+  Pledge::Memory memory;
+  Rng rng{1};
+  Context context{rng};
+
+  void decide(double time) {
+    Situation s{.time = time, .period = 0.1};
+    s.own = {.id = VehicleId{0}, .position = {0.0, 0.0, 5.0}, .radius = 1.5};
+    s.goal = {.position = {40.0, 0.0, 5.0}, .cruise_speed = 0.5, .arrival = 1.0};
+    s.limits = {.max_speed = 0.5, .max_climb_rate = 0.3};
+    s.link = &link;
+    s.attendance = Attendance::under_way;
+    method.decide(s, memory, context);
+  }
+  bool fears(double time) const {
+    return memory.agreement.meets_lost(Reference{Vec3{0.0, 0.0, 5.0}}, time, time + 1.0);
+  }
+};
+
+// The clock of a word goes round in 409.6 s: taken again, it would seem to have been said a moment ago.
+TEST(Pledge, AWordThatWasHeardOnceDoesNotBecomeNewsWhenItsClockHasGoneRound) {
+  Alone member;
+  for (int tenth = 0; tenth <= 5000; ++tenth) {
+    const double time = 0.1 * tenth;
+    member.decide(time);
+    if (tenth == 1000) {
+      EXPECT_FALSE(member.fears(time)) << "it cannot have drifted so far yet";
+    }
+    if (tenth >= 2000) {
+      ASSERT_TRUE(member.fears(time)) << time;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace fairway
