@@ -7,22 +7,32 @@
 namespace fairway::pledge {
 namespace {
 
-constexpr double codes_a_second = 1200.0;  // of the search
-constexpr double codes_at_once = 250.0;    // at most in one decision, for its 1 ms
+constexpr int codes_at_once = 200;         // of the search, in one decision, for its 1 ms
+constexpr double search_decisions = 30.0;  // before a turn in which a search begins, for all its codes
+constexpr double last_decisions = 1.5;     // before a turn in which a proposal is made
 constexpr double silent_turns = 3.0;       // after so many the next member may propose
-constexpr double least_patience = 1.1;     // turns from a plan's word to its start, in which everybody speaks
-constexpr double most_patience = 9.0;
-constexpr double silent_for_good = 8.0;  // turns after which, of who has gone, the way is assumed
-constexpr double wandering = 1.0;        // of who is lost, beyond what it foretold [m]
-constexpr double turning_away = 0.1;     // likewise, for each second since [m/s]
-constexpr double longest_drift = 120.0;  // for which it is foretold [s]
-constexpr double most_late = 2.0;        // who looks at its clock so long after a start has missed it [s]
+constexpr double most_patience = 9.0;      // turns from a plan's word to its start
+constexpr double silent_for_good = 8.0;    // turns after which, of who has gone, the way is assumed
+constexpr double wandering = 1.0;          // of who is lost, beyond what it foretold [m]
+constexpr double turning_away = 0.1;       // likewise, for each second since [m/s]
+constexpr double longest_drift = 120.0;    // for which it is foretold [s]
+constexpr double most_late = 2.0;          // who looks at its clock so long after a start has missed it [s]
 
 std::uint8_t epoch_of(int round, std::size_t author) {
   return static_cast<std::uint8_t>(round << 3U | author);
 }
 int round_of(std::uint8_t epoch) { return epoch >> 3U; }
 constexpr int most_rounds = 31;
+
+/// Turns from a plan's word until everybody has heard everybody's acknowledgement, where nothing is lost. Who
+/// speaks right after that word may have chosen its own before it had come in, and then acknowledges a turn
+/// later; its word takes as long as a slot.
+double least_patience(std::size_t count) { return 1.02 + 2.0 / static_cast<double>(count); }
+
+/// Turns before a plan's start after which nobody acknowledges it any more: one in which to say so, and half
+/// of what more there is, for others to pass it on. Who acknowledges at the last moment divides the group
+/// into who hears of it and who does not.
+double latest(double patience) { return 1.02 + 0.5 * patience; }
 
 }  // namespace
 
@@ -145,7 +155,7 @@ void Agreement::learn(const PlanWord& word) noexcept {
 void Agreement::go_on(double now, double period, const Link& link, double patience) noexcept {
   assume(now, link.turn_period);
   stop_at_gate(now);
-  acknowledge(now);
+  acknowledge(now, latest(patience) * link.turn_period);
   depart(now, link.turn_period);
   propose(now, period, link, patience);
 }
@@ -187,9 +197,9 @@ Clearance Agreement::scene_of(const Plan& plan) const noexcept {
   return scene;
 }
 
-/// Rules 1 and 2.
-void Agreement::acknowledge(double now) noexcept {
-  if (plan_.epoch <= std::max(acknowledged_epoch_, refused_epoch_) || !is_pending(now)) return;
+/// Rules 1 and 2, at least `ahead` before the start.
+void Agreement::acknowledge(double now, double ahead) noexcept {
+  if (plan_.epoch <= std::max(acknowledged_epoch_, refused_epoch_) || !is_pending(now + ahead)) return;
   const bool knows_them = (plan_.participants & ~known_).none() &&
                           digest_of(members_, plan_.participants, terms_.datum) == plan_.digest;
   if (!knows_them || status_ == Status::lost) return;
@@ -287,39 +297,50 @@ std::array<Reference, most_members> Agreement::ways_of_others() const noexcept {
   return ways;
 }
 
-/// The smallest of the held that is not silent.
-bool Agreement::is_coordinator(double now, double turn_period) const noexcept {
+/// Of the first plan, whoever's turn comes first; of later ones the smallest of the held that is not silent.
+bool Agreement::may_propose(double now, double turn_period) const noexcept {
+  const bool is_settling = plan_.epoch != 0 && now < plan_.start + turn_period;
+  if (status_ != Status::held || is_settling || known_ != everyone() ||
+      round_of(newest_epoch_) >= most_rounds)
+    return false;
+  if (newest_epoch_ == 0) return true;
   const Members waiting = held();
   for (std::size_t i = 0; i < self_; ++i)
     if (waiting[i] && now - last_heard_[i] < silent_turns * turn_period) return false;
   return true;
 }
 
+/// It searches before its turn, and proposes at the last decision before it what it has found by then, unless
+/// it hears of another plan first.
 void Agreement::propose(double now, double period, const Link& link, double patience) noexcept {
-  const bool is_settling = plan_.epoch != 0 && now < plan_.start + link.turn_period;
-  if (status_ != Status::held || is_settling || known_ != everyone() ||
-      round_of(newest_epoch_) >= most_rounds || !is_coordinator(now, link.turn_period)) {
+  if (!may_propose(now, link.turn_period)) {
     search_.reset();
     return;
   }
+  const double ahead = link.next_turn - now;
   if (!search_) {
+    if (ahead > search_decisions * period) return;
     // it plans from time 0 on
     std::array<Reference, most_members> others = ways_of_others();
     for (Reference& other : others) other = other.later(-(now + 2.0 * link.turn_period));
-    search_.emplace(members_, held(), others, terms_, searches_++);
+    search_.emplace(members_, held(), others, terms_, searches_ % 2 == 0 ? 0 : (searches_ + 1) / 2);
   }
-  if (!search_->go_on(static_cast<int>(std::ceil(std::min(codes_a_second * period, codes_at_once))))) return;
-  if (search_->found()) {
-    const double turns = std::min(least_patience + patience + attempts_, most_patience);
+  const bool has_ended = search_->go_on(codes_at_once);
+  if (search_->found() && ahead <= last_decisions * period) {
+    const double turns = std::min(least_patience(terms_.count) + patience + attempts_, most_patience);
     plan_ = search_->best();
-    plan_.start = 0.1 * std::ceil(10.0 * (std::max(link.next_turn, now) + turns * link.turn_period));
+    plan_.start = 0.1 * std::ceil(10.0 * (link.next_turn + turns * link.turn_period));
     plan_.epoch = epoch_of(round_of(newest_epoch_) + 1, self_);
     plan_.digest = digest_of(members_, plan_.participants, terms_.datum);
     newest_epoch_ = plan_.epoch;
     acknowledged_ = departed_ = {};
-    acknowledge(now);
+    search_.reset();
+    ++searches_;
+    acknowledge(now, 0.0);
+  } else if (has_ended && !search_->found()) {
+    search_.reset();
+    ++searches_;
   }
-  search_.reset();
 }
 
 Speech Agreement::say(double now, double turn_period) const noexcept {

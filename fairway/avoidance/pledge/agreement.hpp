@@ -16,7 +16,7 @@ namespace fairway::pledge {
 /// rests:
 ///
 /// 1. Acknowledgements go upwards: a member acknowledges no plan that is older than one that it has
-///    acknowledged before, and none whose start has passed.
+///    acknowledged before, and none whose start has passed, or is so near that not all might hear of it.
 /// 2. It acknowledges a plan only if what it may do itself, whether or not it departs, and wherever it may
 ///    still stop at a gate, is clear of what everybody does by the plan.
 /// 3. It departs at the plan's start, if by then it knows that every member has acknowledged, and if it has
@@ -85,12 +85,12 @@ class Agreement {
 
   void learn(const Header& header) noexcept;
   void learn(const PlanWord& word) noexcept;
-  void acknowledge(double now) noexcept;
+  void acknowledge(double now, double ahead) noexcept;
   void depart(double now, double turn_period) noexcept;
   void stop_at_gate(double now) noexcept;
   bool is_clear() noexcept;
   void propose(double now, double period, const Link& link, double patience) noexcept;
-  bool is_coordinator(double now, double turn_period) const noexcept;
+  bool may_propose(double now, double turn_period) const noexcept;
   double clear_of(std::size_t i) const noexcept;
   void assume(double now, double turn_period) noexcept;
   Members unneeded(double now, double turn_period) const noexcept;
@@ -131,7 +131,7 @@ class Agreement {
   Members left_{};                            ///< who is known to have left the anchor that a gate is about
 
   // a search under way
-  std::size_t searches_{0};  ///< that own ship has made
+  std::size_t searches_{0};  ///< that own ship has made; every other one has the centre of the first
   std::optional<Search> search_;
 };
 

@@ -7,6 +7,9 @@
 #include <cstdint>
 #include <span>
 
+#include "fairway/core/speech.hpp"
+#include "fairway/core/vec.hpp"
+
 namespace fairway::pledge {
 
 /// A number as it is told: `bits` wide, in steps of `step` from `lowest` on.
@@ -65,5 +68,63 @@ class BitReader {
   std::span<const std::uint8_t> bytes_;
   std::size_t at_{0};
 };
+
+/// Places are told relative to a datum: so far north and east of it, and so deep, from as far above the
+/// surface on as waves lift [m].
+inline constexpr Scale across{14, 0.02, -163.84}, depth{14, 0.02, -0.5};
+
+inline void put_place(BitWriter& bits, const Vec3& p, const Vec2& datum, const Scale& scale = across,
+                      const Scale& down = depth) noexcept {
+  bits.put(p.x() - datum.x(), scale);
+  bits.put(p.y() - datum.y(), scale);
+  bits.put(p.z(), down);
+}
+
+inline Vec3 get_place(BitReader& bits, const Vec2& datum, const Scale& scale = across,
+                      const Scale& down = depth) noexcept {
+  const double north = bits.get(scale), east = bits.get(scale);
+  return {north + datum.x(), east + datum.y(), bits.get(down)};
+}
+
+/// Times are told in tenths of a second, modulo 409.6 s.
+inline constexpr int clock_bits = 12;
+inline constexpr double tenth = 0.1, clock_period = 4096 * tenth;  // [s]
+
+inline std::uint32_t told_time(double time) noexcept {
+  const double tenths = std::floor(time / tenth + 0.5);
+  return static_cast<std::uint32_t>(tenths - 4096.0 * std::floor(tenths / 4096.0));
+}
+
+/// The time nearest to `now` that is told so [s].
+inline double time_of(std::uint32_t told, double now) noexcept {
+  const double time = told * tenth;
+  return time + clock_period * std::floor((now - time) / clock_period + 0.5);
+}
+
+/// FNV-1a.
+inline std::uint32_t hash(std::span<const std::uint8_t> bytes, std::uint32_t from = 0x811c9dc5U) noexcept {
+  for (const std::uint8_t byte : bytes) from = (from ^ byte) * 0x01000193U;
+  return from;
+}
+
+/// The last byte of a speech is a check on the others.
+inline std::uint8_t check_of(const Speech& speech) noexcept {
+  const std::uint32_t sum = hash(std::span{speech.bytes}.first(Speech::most_bytes - 1));
+  return static_cast<std::uint8_t>(sum ^ sum >> 8U ^ sum >> 16U ^ sum >> 24U);
+}
+
+inline std::span<std::uint8_t> body_of(Speech& speech) noexcept {
+  return std::span{speech.bytes}.first(Speech::most_bytes - 1);
+}
+
+inline Speech sealed(Speech speech) noexcept {
+  speech.size = Speech::most_bytes;
+  speech.bytes.back() = check_of(speech);
+  return speech;
+}
+
+inline bool is_intact(const Speech& speech) noexcept {
+  return speech.size == Speech::most_bytes && speech.bytes.back() == check_of(speech);
+}
 
 }  // namespace fairway::pledge

@@ -29,7 +29,7 @@ struct Pledge {
     double tube_m = 1.0;
     double speed_ratio = 0.95;
     double gain_hz = 0.3;
-    double patience_count = 3.0;
+    double patience_count = 4.0;
     double datum_north_m = 0.0;
     double datum_east_m = 0.0;
 
@@ -52,7 +52,7 @@ struct Pledge {
 
   struct Memory {
     bool begun{false};
-    double moved{};  ///< when it was not at rest, before it began [s]
+    double moved{};  ///< when it was not at rest, since it was lost [s]
     double turn_period{};
     double time{};
     Vec3 stay = Vec3::Zero();  ///< where a lost member holds [m, NED]

@@ -11,38 +11,10 @@ namespace {
 constexpr std::uint32_t version = 1;
 constexpr std::uint32_t says_state = 1, says_plan = 2;
 
-constexpr Scale across{14, 0.02, -163.84};  // north and east, of the datum [m]
-constexpr Scale depth{14, 0.02, -0.5};      // above the surface as far as waves lift [m]
 constexpr Scale coarse_across{12, 0.1, -204.8}, coarse_depth{12, 0.1, -0.5};
 constexpr Scale centre_across{10, 0.32, -163.84};
 constexpr Scale radius{6, 0.25, 0.0}, arrival{5, 0.25, 0.0};
 constexpr Scale speed{6, 0.02, 0.0}, climb{6, 0.01, 0.0}, turn{4, 1.0, 0.0};
-
-constexpr double tenth = 0.1;            // of times [s]
-constexpr double period = 4096 * tenth;  // of the clock that is told [s]
-constexpr int clock_bits = 12;
-
-std::uint32_t told_time(double time) {
-  const double tenths = std::floor(time / tenth + 0.5);
-  return static_cast<std::uint32_t>(tenths - 4096.0 * std::floor(tenths / 4096.0));
-}
-
-/// The time nearest to `now` that is told so.
-double time_of(std::uint32_t told, double now) {
-  const double time = told * tenth;
-  return time + period * std::floor((now - time) / period + 0.5);
-}
-
-void put_place(BitWriter& bits, const Vec3& p, const Vec2& datum, const Scale& scale, const Scale& down) {
-  bits.put(p.x() - datum.x(), scale);
-  bits.put(p.y() - datum.y(), scale);
-  bits.put(p.z(), down);
-}
-
-Vec3 get_place(BitReader& bits, const Vec2& datum, const Scale& scale, const Scale& down) {
-  const double north = bits.get(scale), east = bits.get(scale);
-  return {north + datum.x(), east + datum.y(), bits.get(down)};
-}
 
 void put_members(BitWriter& bits, const Members& members) {
   bits.put(static_cast<std::uint32_t>(members.to_ulong()), static_cast<int>(most_members));
@@ -75,7 +47,7 @@ Header get_header(BitReader& bits, double now) {
 }
 
 void put_member(BitWriter& bits, const Member& member, const Vec2& datum) {
-  put_place(bits, member.anchor, datum, across, depth);
+  put_place(bits, member.anchor, datum);
   put_place(bits, member.destination, datum, coarse_across, coarse_depth);
   bits.put(member.arrival, arrival);
   bits.put(member.radius, radius);
@@ -88,7 +60,7 @@ void put_member(BitWriter& bits, const Member& member, const Vec2& datum) {
 
 Member get_member(BitReader& bits, const Vec2& datum) {
   Member member;
-  member.anchor = get_place(bits, datum, across, depth);
+  member.anchor = get_place(bits, datum);
   member.destination = get_place(bits, datum, coarse_across, coarse_depth);
   member.arrival = bits.get(arrival);
   member.radius = bits.get(radius);
@@ -98,27 +70,6 @@ Member get_member(BitReader& bits, const Vec2& datum) {
   member.turn = bits.get(turn);
   member.version = static_cast<std::uint8_t>(bits.get(4));
   return member;
-}
-
-/// FNV-1a.
-std::uint32_t hash(std::span<const std::uint8_t> bytes, std::uint32_t from = 0x811c9dc5U) {
-  for (const std::uint8_t byte : bytes) from = (from ^ byte) * 0x01000193U;
-  return from;
-}
-
-std::uint8_t check_of(const Speech& speech) {
-  const std::uint32_t sum = hash(std::span{speech.bytes}.first(Speech::most_bytes - 1));
-  return static_cast<std::uint8_t>(sum ^ sum >> 8U ^ sum >> 16U ^ sum >> 24U);
-}
-
-Speech sealed(Speech speech) {
-  speech.size = Speech::most_bytes;
-  speech.bytes.back() = check_of(speech);
-  return speech;
-}
-
-std::span<std::uint8_t> body_of(Speech& speech) {
-  return std::span{speech.bytes}.first(Speech::most_bytes - 1);
 }
 
 }  // namespace
@@ -146,7 +97,7 @@ Speech encode(const PlanWord& word, const Vec2& datum) noexcept {
 }
 
 std::optional<Word> decode(const Speech& speech, const Vec2& datum, double now) noexcept {
-  if (speech.size != Speech::most_bytes || speech.bytes.back() != check_of(speech)) return {};
+  if (!is_intact(speech)) return {};
   BitReader bits{speech.view()};
   if (bits.get(2) != version) return {};
   const std::uint32_t kind = bits.get(2);

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/avoidance/pledge/following.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "fairway/core/angles.hpp"
+#include "fairway/core/math.hpp"
+
+namespace fairway::pledge {
+namespace {
+
+constexpr double look_ahead = 2.0;    // of the reference's velocity, for the vehicle's lag and slip [s]
+constexpr double stopping = 2.0;      // from a member's speed, with its lag [s]
+constexpr double return_gain = 0.3;   // to its anchor [1/s]
+constexpr double still = 0.075;       // who would go slower than this through the water does not turn [m/s]
+constexpr int longest_wait = 20;      // of a member for its turn [s]
+constexpr double turn_gain = 0.5;     // [1/s]
+constexpr double fastest_turn = 0.8;  // [rad/s]
+
+/// The course through the water that makes a velocity over ground. A hull takes up what sets it aside only
+/// slowly, so abeam what counts is how it drifts, not how the water does.
+double course_of(const Situation& s, const Vec3& over_ground) noexcept {
+  Vec2 w = over_ground.head<2>() - s.current.head<2>();
+  const Vec2 abeam = starboard_of(unit_at(s.own.yaw));
+  w -= (s.own.velocity - s.current).head<2>().dot(abeam) * abeam;
+  return math::atan2(w.y(), w.x());
+}
+
+/// What of a velocity the vehicle may and can go, the vertical part of it first.
+Vec3 within_limits(const Situation& s, const Vec3& v) noexcept {
+  const double up = s.envelope != nullptr ? s.envelope->up : s.limits.max_speed;
+  const double down = s.envelope != nullptr ? s.envelope->down : s.limits.max_speed;
+  const double vertical =
+      std::clamp(v.z(), -std::min(up, s.limits.max_speed), std::min(down, s.limits.max_speed));
+  const double beside = std::sqrt(s.limits.max_speed * s.limits.max_speed - vertical * vertical);
+  const double level = horizontal_norm(v);
+  const Vec2 horizontal = (level > beside ? beside / level : 1.0) * v.head<2>();
+  return {horizontal.x(), horizontal.y(), vertical};
+}
+
+}  // namespace
+
+bool is_in_current(const Situation& s) noexcept { return horizontal_norm(s.current) > 0.02; }
+
+Member member_of(const Situation& s, double speed_ratio) noexcept {
+  const double all = speed_ratio * std::min(s.goal.cruise_speed, s.limits.max_speed);
+  const bool is_known = s.envelope != nullptr;
+  const double up = std::min(is_known ? speed_ratio * s.envelope->up : all, s.limits.max_climb_rate);
+  const double down = std::min(is_known ? speed_ratio * s.envelope->down : all, s.limits.max_climb_rate);
+  const double vertical = s.goal.position.z() > s.own.position.z() ? down : up;
+  const bool is_at_its_most = is_known && s.envelope->ahead < 0.98 * s.limits.max_speed;
+  const double ahead = !is_known ? all
+                       : is_at_its_most
+                           ? math::fmin(speed_ratio * s.envelope->ahead - horizontal_norm(s.current), all)
+                           : math::fmin(speed_ratio * s.envelope->ahead, all);
+  const double beside = std::sqrt(math::fmax(all * all - vertical * vertical, 0.25 * all * all));
+  const double turn_rate =
+      is_known && s.envelope->turn_rates[0] > 0.0 ? std::min(s.envelope->turn_rates[0], fastest_turn) : 0.3;
+  return {.anchor = s.own.position,
+          .destination = s.goal.position,
+          .arrival = s.goal.arrival,
+          .radius = s.own.radius,
+          .speed = math::fmin(ahead, beside),
+          .climb = up,
+          .descent = down,
+          .turn = 1.5 + std::numbers::pi / turn_rate};
+}
+
+Vec3 resting_place(const Situation& s) noexcept {
+  Vec3 place = s.own.position + stopping * s.own.velocity;
+  place.z() = math::fmax(place.z(), std::min(0.0, s.own.position.z()));
+  return place;
+}
+
+std::optional<double> next_course(const Situation& s, const Reference& way, double turn) noexcept {
+  for (int ahead = 0; ahead <= longest_wait; ++ahead) {
+    const Vec3 v = way.velocity(s.time + ahead);
+    if (horizontal_norm(v) <= 0.02) continue;
+    const double course = course_of(s, v);
+    const double takes = turn * (0.3 + 0.7 * std::fabs(wrap_angle(course - s.own.yaw)) / std::numbers::pi);
+    return is_in_current(s) && ahead > takes ? std::nullopt : std::optional{course};
+  }
+  return {};
+}
+
+Command driven(const Situation& s, const Vec3& wanted, std::optional<double> course, Mode mode,
+               std::string_view note) noexcept {
+  const Vec2 ahead = unit_at(s.own.yaw), current = s.current.head<2>();
+  const double through = math::fmax((wanted.head<2>() - current).dot(ahead), 0.0);
+  const Vec2 made = (through + current.dot(ahead)) * ahead;
+  if (!course && horizontal_norm(wanted - s.current) > still) course = course_of(s, wanted);
+  const double turn_rate =
+      course ? std::clamp(turn_gain * wrap_angle(*course - s.own.yaw), -fastest_turn, fastest_turn) : 0.0;
+  return {.velocity = {made.x(), made.y(), wanted.z()}, .mode = mode, .turn_rate = turn_rate, .note = note};
+}
+
+Command held(const Situation& s, const Vec3& anchor, std::string_view why,
+             std::optional<double> course) noexcept {
+  return driven(s, clamp_norm(return_gain * (anchor - s.own.position), 0.3), course, Mode::hold, why);
+}
+
+Command followed(const Situation& s, const Reference& way, double turn, const Following& following) noexcept {
+  const Vec3 off = way.at(s.time) - s.own.position;
+  const Vec3 ahead = way.velocity(s.time + look_ahead);
+  const Vec3 velocity = within_limits(s, ahead + following.gain * off);
+  // while the reference turns on the spot, so does the vehicle
+  const auto course = horizontal_norm(ahead) > 0.02 ? std::nullopt : next_course(s, way, turn);
+  const bool keeps_tube = off.norm() <= following.tube;
+  return driven(s, velocity, course, keeps_tube ? Mode::avoid : Mode::infeasible,
+                keeps_tube ? "" : "is farther from its promised place than its tube");
+}
+
+void draw(const Reference& way, double time, double tube, Sketch& sketch) noexcept {
+  std::array<Vec3, Reference::most_knots> points;
+  std::size_t count = 0;
+  for (const Knot& knot : way.knots()) points[count++] = knot.position;
+  sketch.path(std::span{points}.first(count), "promised way");
+  sketch.sphere(way.at(time), tube, "tube");
+}
+
+}  // namespace fairway::pledge

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "fairway/avoidance/algorithm.hpp"
+#include "fairway/avoidance/pledge/reference.hpp"
+
+namespace fairway::pledge {
+
+/// How own ship goes, as a member that lies where it is and is to go to its goal: with all of it at once
+/// within its greatest speed, what is left of that beside climbing. That is a speed over ground; a hull that
+/// reaches no more by itself has what the current leaves of it. `speed_ratio` is of its greatest speed.
+Member member_of(const Situation& s, double speed_ratio) noexcept;
+
+/// Where it lies once it has stopped, not above the surface [m, NED].
+Vec3 resting_place(const Situation& s) noexcept;
+
+bool is_in_current(const Situation& s) noexcept;
+
+/// The course on which the reference will go next [rad], once it is time to turn to it. In a current that is
+/// no sooner than it has to be, since nobody who has turned aside stays where it is. `turn` is how long it
+/// takes to turn round [s].
+std::optional<double> next_course(const Situation& s, const Reference& way, double turn) noexcept;
+
+/// Goes `wanted` over ground [m/s, NED] by surge, heave and turn rate of its own, whatever the steering of
+/// its scenario: ahead through the water, on the course that makes good what the current sets it aside.
+/// `course` [rad] goes before that; who neither has one nor is to go through the water keeps its heading.
+Command driven(const Situation& s, const Vec3& wanted, std::optional<double> course, Mode mode,
+               std::string_view note) noexcept;
+
+/// Back to the anchor, ahead: who only stops where it is drifts sideways for long. In a current it lies with
+/// its bow against it. On `course`, if there is one.
+Command held(const Situation& s, const Vec3& anchor, std::string_view why,
+             std::optional<double> course = {}) noexcept;
+
+struct Following {
+  double gain{};  ///< speed by which it returns to its reference, for each metre off it [1/s]
+  double tube{};  ///< farther off than this it says so [m]
+};
+
+/// The command that keeps to the reference of a member that takes so long to turn round [s].
+Command followed(const Situation& s, const Reference& way, double turn, const Following& following) noexcept;
+
+void draw(const Reference& way, double time, double tube, Sketch& sketch) noexcept;
+
+}  // namespace fairway::pledge
