@@ -2,7 +2,9 @@
 #include "fairway/avoidance/apf/apf.hpp"
 #include "fairway/avoidance/avoa/avoa.hpp"
 #include "fairway/avoidance/avoa_improved/avoa_improved.hpp"
+#include "fairway/avoidance/bvc/bvc.hpp"
 #include "fairway/avoidance/catalog.hpp"
+#include "fairway/avoidance/delay_check/delay_check.hpp"
 #include "fairway/avoidance/direct/direct.hpp"
 #include "fairway/avoidance/hard_switching/hard_switching.hpp"
 #include "fairway/avoidance/hrvo/hrvo.hpp"
@@ -26,7 +28,9 @@ Catalog builtin_avoiders() {
       .add<Apf>()
       .add<Orca3d>()
       .add<Orca2d>()
+      .add<Bvc>()
       .add<Pledge>()
+      .add<DelayCheck>()
       .add<Vo>()
       .add<Rvo>()
       .add<Hrvo>()

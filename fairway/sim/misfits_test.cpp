@@ -56,9 +56,9 @@ TEST(Tracking, IsAutomaticInAFileThatDoesNotSayIt) {
 
 /// What every method is told on every kind of vehicle, as printed.
 TEST(Misfits, AreTheseForEachMethodOnEachVehicle) {
-  const std::vector<std::string> moving_any_way{"apf",      "orca3d", "orca2d",         "vo",
-                                                "rvo",      "hrvo",   "hard_switching", "wall_following",
-                                                "rrt_star", "blend"};
+  const std::vector<std::string> moving_any_way{
+      "apf",      "orca3d", "orca2d", "vo", "rvo", "hrvo", "hard_switching", "wall_following",
+      "rrt_star", "blend",  "bvc"};
   const std::vector<std::string> turning{
       "direct", "avoa", "avoa_improved", "teb", "orca2d+trackable", "orca2d+safety_filter"};
   const std::vector<std::string> boats{"zarco", "otter_by_thrust", "sparus2", "kinematic"};

@@ -84,6 +84,8 @@ std::string Condition::name() const {
 std::span<const Method> methods() {
   static const std::vector<Method> all{
       {"pledge", "pledge", {}},
+      {"delay_check", "delay_check", {}},
+      {"bvc", "bvc", {}},
       {"orca3d", "orca3d", {}},
       {"orca3d_40s", "orca3d", {{"time_horizon_s", 40.0}}},
       {"orca3d+inflate", "orca3d+inflate", {}},
@@ -96,7 +98,8 @@ std::span<const Method> methods() {
 Scenario crossing_scenario(const Condition& condition, const Method& method, std::uint64_t seed) {
   const auto cube = std::ranges::find(cubes::comparison_cases(), "cube20_8", &cubes::CubeCase::name);
   const bool is_orca = cubes::is_orca(method.algorithm);
-  const Method& base = is_orca ? method : methods()[1];
+  const auto orca3d = std::ranges::find(methods(), "orca3d", &Method::name);
+  const Method& base = is_orca ? method : *orca3d;
   Scenario scenario =
       cubes::cube_scenario(*cube, base, cubes::Code::corrected, cubes::comparison_tuning(*cube, base), seed);
   scenario.name = fmt::format("pledge {} {} {}", method.name, condition.place(), condition.name());
@@ -110,7 +113,7 @@ Scenario crossing_scenario(const Condition& condition, const Method& method, std
   for (VehicleSpec& vehicle : scenario.vehicles) {
     if (is_orca) continue;
     vehicle.avoider = {.name = std::string(method.algorithm), .params = method.params, .path = "avoider"};
-    vehicle.radius_m = collision_radius;
+    if (method.algorithm != "bvc") vehicle.radius_m = collision_radius;
     for (Leg& leg : vehicle.mission) leg.agreed = condition.agreed_beforehand;
   }
   Rng chance = Rng{seed}.stream("failure");
