@@ -46,14 +46,24 @@ std::uint64_t seed_in(const std::string& text) {
   return seed;
 }
 
+Overrides overrides_in(const json& asked) {
+  Overrides set;
+  for (const json& one : asked.value("set", json::array())) set.emplace_back(one.at(0), one.at(1));
+  return set;
+}
+
 Order order_of(const json& asked) {
   Order order{.yaml = asked.at("yaml"),
               .file = asked.at("file"),
               .set = {},
               .seed = {},
               .recording = nullptr,
-              .filmed = asked.value("filmed", true)};
-  for (const json& one : asked.value("set", json::array())) order.set.emplace_back(one.at(0), one.at(1));
+              .filmed = asked.value("filmed", true),
+              .thinkers = asked.value("thinkers", std::vector<std::size_t>{}),
+              .changes = {}};
+  order.set = overrides_in(asked);
+  for (const json& change : asked.value("changes", json::array()))
+    order.changes.push_back({change.at("at_s"), overrides_in(change)});
   if (asked.contains("seed") && !asked["seed"].is_null()) order.seed = seed_in(asked["seed"]);
   return order;
 }
@@ -74,7 +84,7 @@ FAIRWAY_EXPORT(text) const char* fairway_text() { return output.data(); }
 FAIRWAY_EXPORT(text_size) std::size_t fairway_text_size() { return output.size(); }
 
 /// Begins the run that the input asks for: {"yaml", "file", "set": [[path, value]], "seed": text or null,
-/// "filmed"}.
+/// "filmed", "thinkers": [index], "changes": [{"at_s", "set"}]}.
 FAIRWAY_EXPORT(load) int fairway_load() {
   session.reset();
   return tried([] {
@@ -120,6 +130,22 @@ FAIRWAY_EXPORT(time) double fairway_time() { return session->time(); }
 FAIRWAY_EXPORT(document) int fairway_document() {
   return tried([] { return told(session->document()); });
 }
+FAIRWAY_EXPORT(layout) int fairway_layout() {
+  return tried([] { return told(session->layout()); });
+}
+
+/// The columns of the last part.
+FAIRWAY_EXPORT(bytes) const char* fairway_bytes() { return session->bytes().data(); }
+FAIRWAY_EXPORT(bytes_size) std::size_t fairway_bytes_size() { return session->bytes().size(); }
+
+/// From now on the film has what the vehicles think whose indices are the input, a list.
+FAIRWAY_EXPORT(think) int fairway_think() {
+  return tried([] {
+    session->think(json::parse(input));
+    return 1;
+  });
+}
+
 FAIRWAY_EXPORT(part) int fairway_part(std::size_t first, std::size_t generation) {
   return tried([=] { return told(session->part(first, generation)); });
 }

@@ -20,7 +20,12 @@ export class Simulator {
   readonly last_words: string;
   /** The playback's document, without a film. */
   document(): Record<string, unknown>;
-  part(first: number, generation: number): { part: unknown; state: Record<string, unknown> };
+  /** What of the scenario may be moved: `handles` and `fleet_count` (layout.hpp). */
+  layout(): unknown;
+  /** The columns are in `data`, as bytes. */
+  part(first: number, generation: number): { part: { data: Uint8Array<ArrayBuffer> } | null; state: Record<string, unknown> };
+  /** The film has what these vehicles think, by index, from the beginning. */
+  think(vehicles: readonly number[]): void;
   outcome(): unknown;
   names(): unknown;
   /** Why a vehicle, by name, id or index, decided as it did: the `explanation` of the playback's document. */

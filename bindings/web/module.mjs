@@ -104,7 +104,13 @@ export class Simulator {
   get last_words() { return this.#last_words; }
 
   document() { return this.#json(this.#exports.document()); }
-  part(first, generation) { return this.#json(this.#exports.part(first, generation)); }
+  layout() { return this.#json(this.#exports.layout()); }
+  part(first, generation) {
+    const answer = this.#json(this.#exports.part(first, generation));
+    const { memory, bytes, bytes_size } = this.#exports;
+    if (answer.part !== null) answer.part.data = new Uint8Array(memory.buffer, bytes(), bytes_size()).slice();
+    return answer;
+  }
   outcome() { return this.#json(this.#exports.outcome()); }
   names() { return this.#json(this.#exports.names()); }
 
@@ -116,6 +122,11 @@ export class Simulator {
   describe(name) {
     this.#say(name);
     return this.#json(this.#exports.describe());
+  }
+
+  think(vehicles) {
+    this.#say(JSON.stringify(vehicles));
+    this.#checked(this.#exports.think());
   }
 
   hashes() {

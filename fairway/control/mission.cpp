@@ -77,4 +77,13 @@ void Mission::advance(const Ownship& own, double time, bool everyone_ready) noex
   if (phase_ == Phase::under_way && time > deadline_) phase_ = Phase::stuck;
 }
 
+void Mission::change(std::vector<Leg> legs, const Ownship& own, double time) {
+  legs_ = std::move(legs);
+  if (!begun_ || legs_.empty()) return;
+  index_ = std::min(index_, legs_.size() - 1);
+  const double began = leg_start_;
+  begin_leg(own, time);
+  if (legs_[index_].kind == LegKind::keep_position) leg_start_ = began;
+}
+
 }  // namespace fairway

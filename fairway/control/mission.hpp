@@ -18,6 +18,10 @@ class Mission {
   /// Passes every leg that is complete at `time` [s]. `everyone_ready` opens the present rendezvous.
   void advance(const Ownship& own, double time, bool everyone_ready) noexcept;
 
+  /// From `time` [s] on these legs, of which there are as many as before, each of the kind that it was. The
+  /// present leg leads to its new end, and a transit has its time anew; whoever has arrived sets out again.
+  void change(std::vector<Leg> legs, const Ownship& own, double time);
+
   /// The leg to carry out, or null after the last.
   const Leg* leg() const { return index_ < legs_.size() ? &legs_[index_] : nullptr; }
   Phase phase() const { return phase_; }

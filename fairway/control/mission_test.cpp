@@ -27,5 +27,24 @@ TEST(Mission, TellsTheNextTransitFromThePresentLegOn) {
   EXPECT_EQ(goes_to({30, 0, 0}, true), 0.0) << "after the last there is none";
 }
 
+TEST(Mission, ChangedLegsLeadElsewhereFromThePresentOneOn) {
+  const auto legs = [](double east) {
+    return std::vector<Leg>{{.kind = LegKind::go_to, .position = {10, east, 0}},
+                            {.kind = LegKind::transit, .position = {20, east, 0}}};
+  };
+  Mission mission{legs(0), 10.0};
+  mission.advance({.position = {10, 0, 0}}, 5.0, false);
+  ASSERT_EQ(mission.phase(), Phase::under_way);
+  mission.change(legs(50), {.position = {12, 0, 0}}, 6.0);
+  EXPECT_EQ(mission.leg()->position, Vec3(20, 50, 0)) << "the leg that it was on";
+  mission.advance({.position = {20, 0, 0}}, 30.0, false);
+  EXPECT_EQ(mission.phase(), Phase::under_way) << "it is no longer there";
+  mission.advance({.position = {20, 50, 0}}, 40.0, false);
+  EXPECT_EQ(mission.phase(), Phase::arrived);
+  mission.change(legs(-50), {.position = {20, 50, 0}}, 50.0);
+  EXPECT_EQ(mission.phase(), Phase::under_way) << "whoever has arrived sets out again";
+  EXPECT_EQ(mission.leg()->position, Vec3(20, -50, 0));
+}
+
 }  // namespace
 }  // namespace fairway

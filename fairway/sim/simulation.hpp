@@ -87,6 +87,13 @@ class Simulation {
   /// From now on so many threads go through the vehicles together. The bits are the same on any number.
   void share_out(std::size_t threads);
 
+  /// From now on as `changed` says, where that differs from `before`, which was simulated so far: methods
+  /// with their parameters, limits, goals of legs, what vehicles tell each other, and when the run ends. A
+  /// vehicle whose method or limits differ asks it at once, and the method remembers nothing; a changed
+  /// exchange has carried nothing yet. Throws InputError for whatever else differs and for what the catalogs
+  /// refuse; then nothing has changed. Orders stand. To be called between steps.
+  void change(const Scenario& before, const Scenario& changed, const Catalogs& catalogs);
+
   /// Measures decisions from now on; two clock readings a decision.
   void time_decisions() { timing_ = true; }
   DecisionTimes decision_times() const;

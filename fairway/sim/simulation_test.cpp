@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "fairway/core/testing/allocations.hpp"
+#include "fairway/core/testing/refusal.hpp"
 #include "fairway/metrics/run_metrics.hpp"
+#include "fairway/record/frame_hash.hpp"
 
 namespace fairway {
 namespace {
@@ -312,6 +314,85 @@ TEST(Simulation, ACopyCarriesOnAlike) {
   }
   for (std::size_t i = 0; i < 8; ++i)
     EXPECT_EQ(a.agents()[i].vehicle.state().p_n, b.agents()[i].vehicle.state().p_n);
+}
+
+/// Frames of a run that becomes that of `changed` at `tick`.
+std::vector<std::uint64_t> hashes_of(const Scenario& before, const Scenario& changed, int tick,
+                                     Simulation* at_the_end = nullptr) {
+  struct Hashes final : FrameSink {
+    void write(const Frame& frame) override { all.push_back(frame_hash(frame)); }
+    std::vector<std::uint64_t> all;
+  } hashes;
+  Simulation run{before, builtin_catalogs()};
+  FrameSink* sink = &hashes;
+  while (!run.is_done()) {
+    if (count(run.tick()) == tick) run.change(before, changed, builtin_catalogs());
+    run.step({&sink, 1});
+  }
+  if (at_the_end != nullptr) *at_the_end = run;
+  return hashes.all;
+}
+
+TEST(Simulation, ChangedToWhatItIsItGoesOnAlike) {
+  const Scenario scenario = swap("sparus2", "apf+stop_and_wait");
+  EXPECT_EQ(hashes_of(scenario, scenario, 500), hashes_of(scenario, scenario, -1));
+}
+
+TEST(Simulation, ChangedOnItsWayItIsTheSameUpToThenAndAnotherFromThenOn) {
+  const Scenario before = swap("kinematic", "orca3d");
+  Scenario changed = before;
+  for (VehicleSpec& spec : changed.vehicles) spec.avoider.name = "apf";
+  const auto whole = hashes_of(before, before, -1), both = hashes_of(before, changed, 400);
+  const auto parted = std::ranges::mismatch(whole, both);
+  EXPECT_EQ(parted.in1 - whole.begin(), 400);
+  EXPECT_EQ(hashes_of(before, changed, 0), hashes_of(changed, changed, -1))
+      << "at the start it is the other run";
+  EXPECT_EQ(hashes_of(before, changed, 400), both) << "and it repeats";
+}
+
+TEST(Simulation, ChangedGoalsAreReachedByThoseUnderWayAndByThoseWhoHadArrived) {
+  Scenario before{.name = "alone", .duration_s = 400};
+  before.vehicles = {vehicle(0, {0, 0, 5}, {20, 0, 5}, "kinematic", "direct"),
+                     vehicle(1, {0, 50, 5}, {60, 50, 5}, "kinematic", "direct")};
+  Scenario changed = before;
+  changed.vehicles[0].mission[0].position = {0, 10, 5};
+  changed.vehicles[1].mission[0].position = {40, 60, 5};
+  constexpr int tick = 60 * 20;  // the first has arrived after 36 s, the second not yet
+  Simulation end{before, builtin_catalogs()};
+  hashes_of(before, changed, tick, &end);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(end.agents()[i].mission.phase(), Phase::arrived);
+    const Vec3 away = end.agents()[i].vehicle.state().p_n - changed.vehicles[i].mission[0].position;
+    EXPECT_LT(away.norm(), 2.5) << i;
+  }
+}
+
+TEST(Simulation, AnExchangeThatEndsOnTheWayLeavesOthersToBeSeen) {
+  const Scenario before = swap("kinematic", "orca3d");
+  Scenario changed = before;
+  changed.exchange.name = "acoustic";
+  const auto whole = hashes_of(before, before, -1), both = hashes_of(before, changed, 400);
+  EXPECT_GE(std::ranges::mismatch(whole, both).in1 - whole.begin(), 400);
+  EXPECT_NE(whole, both);
+}
+
+TEST(Simulation, WhatCannotChangeOnTheWayIsRefusedByItsName) {
+  const Scenario before = swap("kinematic", "orca3d");
+  const auto refused = [&](const auto& edit) {
+    Scenario changed = before;
+    edit(changed);
+    Simulation run{before, builtin_catalogs()};
+    return refusal_by([&] { run.change(before, changed, builtin_catalogs()); });
+  };
+  using testing::EndsWith;
+  EXPECT_THAT(refused([](Scenario& s) { s.step_s = 0.1; }), EndsWith("and not: step_s: 0.1"));
+  EXPECT_THAT(refused([](Scenario& s) { s.vehicles[3].radius_m = 7; }), EndsWith("and not: radius_m: 7"));
+  EXPECT_THAT(refused([](Scenario& s) { s.vehicles.pop_back(); }), testing::HasSubstr("and not: "));
+  EXPECT_THAT(refused([](Scenario& s) { s.vehicles[2].mission[0].kind = LegKind::rendezvous; }),
+              testing::HasSubstr("and not: "));
+  EXPECT_THAT(refused([](Scenario& s) { s.vehicles[1].avoider.name = "orca4d"; }),
+              testing::HasSubstr("did you mean"));
+  EXPECT_EQ(refused([](Scenario& s) { s.vehicles[1].avoider.name = "apf"; }), "accepted");
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ struct Film::Contents {
         water{scenario},
         events{{scenario.exam.crit_dist_m, scenario.exam.safety_distance_m}, scenario.vehicles.size()},
         progress{scenario.exam.progress_window_s, surroundings},
-        thoughts{scenario.vehicles.size(), limits.thought_bytes},
+        thoughts{scenario.vehicles.size(), limits.thought_bytes, limits.thinkers},
         columns{scenario.vehicles.size(), current_depths(scenario.water).size()},
         stride{limits.every} {}
 
@@ -93,10 +93,21 @@ std::size_t Film::stride() const { return contents_->stride; }
 std::size_t Film::generation() const { return contents_->generation; }
 bool Film::has_sketches() const { return contents_->thoughts.has_sketches(); }
 
-nlohmann::json Film::part(std::size_t first, std::size_t most, bool compress) const {
+std::string Film::column_bytes(std::size_t first, std::size_t count) const {
+  return contents_->columns.bytes(first, count);
+}
+
+std::string Film::thoughts_before(std::size_t end) const {
+  const Contents& c = *contents_;
+  if (end == 0) return {};
+  return base64_of(c.thoughts.between(std::nextafter(c.limits.from_s, -1.0), c.columns.time(end - 1)));
+}
+
+nlohmann::json Film::part(std::size_t first, std::size_t most, Packing packing) const {
   const Contents& c = *contents_;
   first = std::min(first, size());
   const std::size_t count = std::min(most, size() - first);
+  const bool compress = packing == Packing::compressed;
   const auto packed = [compress](const std::string& bytes) {
     return bytes.empty() ? "" : base64_of(compress ? zstd_of(bytes) : bytes);
   };
@@ -104,7 +115,7 @@ nlohmann::json Film::part(std::size_t first, std::size_t most, bool compress) co
                       {"count", count},
                       {"stride", c.stride},
                       {"generation", c.generation},
-                      {"data", packed(c.columns.bytes(first, count))},
+                      {"data", packing == Packing::apart ? "" : packed(c.columns.bytes(first, count))},
                       {"compression", compress ? "zstd" : "none"},
                       {"events", nlohmann::json::array()},
                       {"thoughts", ""}};

@@ -2,10 +2,13 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "fairway/record/frame.hpp"
 #include "fairway/scenario/scenario.hpp"
@@ -19,6 +22,15 @@ struct FilmLimits {
   double from_s = 0.0;                                ///< what is earlier is not kept [s]
   double to_s = std::numeric_limits<double>::infinity();  ///< nor what is later [s]
   std::size_t every = 1;                                  ///< one in so many frames is kept to begin with
+  std::optional<std::vector<std::size_t>>
+      thinkers;  ///< of whom is kept what they drew, perceived and heard, by index; nothing: of everyone
+};
+
+/// How the columns of a part are written.
+enum class Packing : std::uint8_t {
+  plain,       ///< in base64
+  compressed,  ///< by zstd, in base64
+  apart,       ///< not in the part: whoever takes it asks for column_bytes()
 };
 
 /// A run as the page plays it: the frames, and what is worked out from each as it is seen: who is near whom
@@ -52,7 +64,14 @@ class Film final : public FrameSink {
 
   /// Frames [first, first + most) and what happened after frame first - 1 up to the last of them, as a `part`
   /// of the page's document: parts that follow on each other give everything once. O(part).
-  nlohmann::json part(std::size_t first, std::size_t most, bool compress) const;
+  nlohmann::json part(std::size_t first, std::size_t most, Packing packing) const;
+
+  /// The columns of frames [first, first + count), one after the other, little-endian. O(count * vehicles).
+  std::string column_bytes(std::size_t first, std::size_t count) const;
+
+  /// What was thought up to frame `end`, which is not included, as a part has it: for a page whose thoughts
+  /// are of somebody else.
+  std::string thoughts_before(std::size_t end) const;
 
   /// Empty, or how the run broke, in a line.
   const std::string& divergence() const;

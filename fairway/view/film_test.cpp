@@ -55,8 +55,8 @@ class Witness final : public FrameSink {
 
 std::size_t depths_of(const Scenario& scenario) { return current_depths(scenario.water).size(); }
 
-Columns all_columns(const Film& film, const Scenario& scenario, bool compress = true) {
-  return columns_of(film.part(0, film.size(), compress), FilmColumns::specs(depths_of(scenario)),
+Columns all_columns(const Film& film, const Scenario& scenario, Packing packing = Packing::compressed) {
+  return columns_of(film.part(0, film.size(), packing), FilmColumns::specs(depths_of(scenario)),
                     scenario.vehicles.size());
 }
 
@@ -77,7 +77,8 @@ TEST(Film, IsTheSameCompressedOrNot) {
   const Scenario scenario = shipped("head_on");
   Film film{scenario};
   run_scenario_into(scenario, {&film}, true);
-  const json packed = film.part(0, film.size(), true), plain = film.part(0, film.size(), false);
+  const json packed = film.part(0, film.size(), Packing::compressed),
+             plain = film.part(0, film.size(), Packing::plain);
   EXPECT_EQ(testing::unpacked(packed, "data"), testing::unpacked(plain, "data"));
   EXPECT_EQ(testing::unpacked(packed, "thoughts"), testing::unpacked(plain, "thoughts"));
   EXPECT_LT(packed["thoughts"].get<std::string>().size(), plain["thoughts"].get<std::string>().size());
@@ -91,7 +92,7 @@ TEST(Film, InPartsGivesEverythingOnce) {
   Columns joined;
   json events = json::array(), thoughts = thoughts_of({{"thoughts", ""}, {"compression", "none"}});
   for (std::size_t first = 0; first < film.size(); first += 97) {
-    const json part = film.part(first, 97, false);
+    const json part = film.part(first, 97, Packing::plain);
     EXPECT_EQ(part["first"], first);
     for (const auto& [name, values] : columns_of(part, FilmColumns::specs(depths_of(scenario)), 2))
       joined[name].insert(joined[name].end(), values.begin(), values.end());
@@ -100,7 +101,7 @@ TEST(Film, InPartsGivesEverythingOnce) {
     for (const auto& [list, records] : thought.items())
       for (const json& record : records) thoughts[list].push_back(record);
   }
-  const json whole = film.part(0, film.size(), false);
+  const json whole = film.part(0, film.size(), Packing::plain);
   EXPECT_TRUE(joined == all_columns(film, scenario));
   EXPECT_EQ(events, whole["events"]);
   EXPECT_TRUE(thoughts == thoughts_of(whole));
@@ -108,12 +109,39 @@ TEST(Film, InPartsGivesEverythingOnce) {
   EXPECT_FALSE(events.empty());
 }
 
+TEST(Film, ColumnsApartAreThoseOfAPart) {
+  const Scenario scenario = shipped("head_on");
+  Film film{scenario};
+  run_scenario_into(scenario, {&film});
+  json apart = film.part(3, 50, Packing::apart);
+  EXPECT_EQ(apart["data"], "");
+  EXPECT_EQ(film.column_bytes(3, 50), testing::unpacked(film.part(3, 50, Packing::plain), "data"));
+}
+
+TEST(Film, OfThinkersKeepsTheirThoughtsAndNobodyElses) {
+  const Scenario scenario = shipped("head_on");
+  Film all{scenario}, one{scenario, {.thinkers = {{1}}}};
+  run_scenario_into(scenario, {&all, &one}, true);
+  const json of_all = thoughts_of(all.part(0, all.size(), Packing::plain));
+  const json of_one = thoughts_of(one.part(0, one.size(), Packing::plain));
+  for (const char* list : {"sketches", "tracks"}) {
+    json expected = json::array();
+    for (const json& record : of_all[list])
+      if (record["vehicle"] == 1) expected.push_back(record);
+    EXPECT_GT(expected.size(), 10u);
+    EXPECT_TRUE(of_one[list] == expected) << list;
+  }
+  json part = one.part(100, 200, Packing::plain);
+  part["thoughts"] = one.thoughts_before(one.size());
+  EXPECT_TRUE(thoughts_of(part) == of_one) << "from the beginning, whatever the part";
+}
+
 TEST(Film, BeyondItsEndHasAnEmptyPart) {
   const Scenario scenario = shipped("head_on");
   Film film{scenario};
-  EXPECT_EQ(film.part(0, 10, true)["count"], 0);
+  EXPECT_EQ(film.part(0, 10, Packing::compressed)["count"], 0);
   run_scenario_into(scenario, {&film});
-  const json part = film.part(film.size() + 5, 10, false);
+  const json part = film.part(film.size() + 5, 10, Packing::plain);
   EXPECT_EQ(part["first"], film.size());
   EXPECT_EQ(part["count"], 0);
   EXPECT_EQ(part["data"], "");
@@ -138,7 +166,8 @@ TEST(Film, BeyondItsLimitKeepsEverySecondFrameAgainAndAgainAndSaysSo) {
     EXPECT_EQ(kept.at("time_s")[i], all.at("time_s")[from]);
     EXPECT_EQ(kept.at("position_m")[i * wide], all.at("position_m")[from * wide]);
   }
-  EXPECT_EQ(thinned.part(0, thinned.size(), false)["events"], whole.part(0, whole.size(), false)["events"]);
+  EXPECT_EQ(thinned.part(0, thinned.size(), Packing::plain)["events"],
+            whole.part(0, whole.size(), Packing::plain)["events"]);
 }
 
 TEST(Film, KeepsTheLastFrameWhateverItsStrideAndOnce) {
@@ -199,12 +228,12 @@ TEST(Film, ShowsAWindowWithWhatHappensInIt) {
   EXPECT_DOUBLE_EQ(times.front(), 20.0);
   EXPECT_DOUBLE_EQ(times.back(), 60.0);
   std::vector<json> expected;
-  const json all = whole.part(0, whole.size(), false);
+  const json all = whole.part(0, whole.size(), Packing::plain);
   for (const json& event : all["events"]) {
     if (event["time_s"] >= 20.0 && event["time_s"] <= times.back()) expected.push_back(event);
   }
   EXPECT_FALSE(expected.empty());
-  EXPECT_EQ(window.part(0, window.size(), false)["events"], json(expected));
+  EXPECT_EQ(window.part(0, window.size(), Packing::plain)["events"], json(expected));
 }
 
 /// Counts with the metric itself as frames come by, and holds the film to it after every one.
@@ -217,7 +246,7 @@ class Referee final : public FrameSink {
     metric_.see(frame);
     std::vector<Measure> measures;
     metric_.report(measures);
-    const json part = film_.part(film_.size() - 1, 1, false);
+    const json part = film_.part(film_.size() - 1, 1, Packing::plain);
     for (const json& event : part["events"]) {
       EXPECT_EQ(event["time_s"].get<double>(), frame.time);
       ++seen[{event["kind"], event["vehicle"]}];
@@ -263,7 +292,7 @@ TEST(Film, ColoursAVehicleByItsOpenEncountersFromFrameToFrame) {
   Film film{scenario};
   run_scenario_into(scenario, {&film});
   const Columns columns = all_columns(film, scenario);
-  const json events = film.part(0, film.size(), false)["events"];
+  const json events = film.part(0, film.size(), Packing::plain)["events"];
   const std::size_t vehicles = scenario.vehicles.size();
   std::vector<std::map<int, int>> open(vehicles);
   std::size_t next = 0;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
 
 #include "fairway/view/film_text.hpp"
 
@@ -18,13 +19,22 @@ constexpr std::array<const char*, 3> content_names{"strokes", "tracks", "echoes"
 
 }  // namespace
 
-FilmThoughts::FilmThoughts(std::size_t vehicles, std::size_t most_bytes)
-    : most_bytes_{most_bytes}, last_(vehicles) {}
+FilmThoughts::FilmThoughts(std::size_t vehicles, std::size_t most_bytes,
+                           const std::optional<std::vector<std::size_t>>& thinkers)
+    : most_bytes_{most_bytes}, last_(vehicles) {
+  if (thinkers) {
+    std::ranges::copy_if(*thinkers, std::back_inserter(thinkers_),
+                         [&](std::size_t i) { return i < vehicles; });
+  } else {
+    thinkers_.resize(vehicles);
+    std::iota(thinkers_.begin(), thinkers_.end(), std::size_t{0});
+  }
+}
 
 void FilmThoughts::see(const Frame& frame) {
   for (const MessageFlight& flight : frame.flights) see_flight(frame.time, flight);
   if (frames_ % spacing_ == 0) {
-    for (std::size_t i = 0; i < frame.vehicles.size(); ++i) see_vehicle(frame, i);
+    for (const std::size_t i : thinkers_) see_vehicle(frame, i);
   }
   ++frames_;
   // doubled until everything seen lies in one span, it can shorten nothing more

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,9 @@ namespace fairway {
 /// then in every fourth, and so on, and the messages of every second transmission, and so on.
 class FilmThoughts {
  public:
-  FilmThoughts(std::size_t vehicles, std::size_t most_bytes);
+  /// `thinkers` are those whose records are kept, by index; nothing: all.
+  FilmThoughts(std::size_t vehicles, std::size_t most_bytes,
+               const std::optional<std::vector<std::size_t>>& thinkers = {});
 
   /// Times of frames ascend.
   void see(const Frame& frame);
@@ -61,6 +64,7 @@ class FilmThoughts {
   std::string records_text(Kind kind, double after, double until) const;
 
   std::size_t most_bytes_;
+  std::vector<std::size_t> thinkers_;
   std::size_t frames_{};  // seen
   bool has_sketches_{false};
 

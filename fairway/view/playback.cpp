@@ -18,7 +18,7 @@ nlohmann::json playback_document(const Scenario& scenario, const PlaybackInfo& i
           {"duration_s", scenario.duration_s},
           {"scene", scene_of(scenario)},
           {"columns", FilmColumns::specs(current_depths(scenario.water).size())},
-          {"film", film != nullptr ? film->part(0, film->size(), true) : nlohmann::json()},
+          {"film", film != nullptr ? film->part(0, film->size(), Packing::compressed) : nlohmann::json()},
           {"divergence", film != nullptr ? film->divergence() : ""},
           {"notice", film != nullptr ? film->notice() : ""},
           {"explanation", info.explanation}};

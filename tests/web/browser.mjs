@@ -60,7 +60,7 @@ export class Browser {
   }
 
   /** Opens a path or an address and hands the page to `look`; only an address may ask for more, from where it came. A browser without `missing` is one
-   *  whose window has nothing of that name. */
+   *  whose window has nothing of that name; without 'WebGL', whose canvas has no such context. */
   async open(target, name, { width, height = 900, scheme, fragment = '', harmless = this.harmless, missing = '' }, look) {
     const url = target.startsWith('http:') ? target : pathToFileURL(target).href + fragment;
     const allowed = target.startsWith('http:') ? [new URL(target).origin] : [];
@@ -80,7 +80,14 @@ export class Browser {
       });
       page.setDefaultTimeout(120_000);  // of a machine that is half as fast and busy besides
       page.setDefaultNavigationTimeout(120_000);
-      if (missing !== '') await page.addInitScript((name) => { delete window[name]; }, missing);
+      if (missing === 'WebGL') {
+        await page.addInitScript(() => {
+          const context = HTMLCanvasElement.prototype.getContext;
+          HTMLCanvasElement.prototype.getContext = function (kind, ...more) { return kind.startsWith('webgl') ? null : context.call(this, kind, ...more); };
+        });
+      } else if (missing !== '') {
+        await page.addInitScript((name) => { delete window[name]; }, missing);
+      }
       await page.goto(url);
       await page.waitForSelector('main');
       await page.evaluate(() => document.fonts.ready);

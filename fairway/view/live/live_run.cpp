@@ -96,7 +96,7 @@ nlohmann::json LiveRun::part(std::size_t first, std::size_t generation) const {
   const std::scoped_lock lock{mutex_};
   if (generation != film_.generation() || first > film_.size()) first = 0;
   nlohmann::json part;
-  if (first < film_.size()) part = film_.part(first, most_frames, false);
+  if (first < film_.size()) part = film_.part(first, most_frames, Packing::plain);
   return {{"part", std::move(part)},
           {"state",
            {{"paused", pace_.paused && !done_},

@@ -19,55 +19,92 @@ class Player {
   private readonly shows = h('main', { class: 'shows' }, h('p', { class: 'waiting', role: 'status' }, 'The simulator begins.'));
   private controls!: Controls;
   private turn = 0;
+  private editing = false;
 
   constructor(private readonly held: Held, private state: State) {}
 
   async begin(told: string): Promise<void> {
+    // The picture is made while the names, which only the controls need, are on their way.
+    const place = h('aside', { class: 'controls' });
+    into.replaceChildren(h('div', { class: 'play' }, place, this.shows));
     const first = this.run_at(0);
+    const begun = this.begin_runs(++this.turn, null).then((commands) => () => commands, (error: unknown) => () => { throw error; });
     const names = await first.simulator.ask('names');
     this.controls = new Controls(this.held, names, {
       state: () => this.state,
       set: (state) => void this.play(state),
+      now_s: () => first.time_s,
       describe: (method) => first.simulator.ask('describe', method),
       link: async () => location.href.replace(/#.*$/, '') + await address_of(this.state),
       verify: (bytes, file) => this.verify(bytes, file),
       explain: () => first.explain(),
       recording: async () => new Blob([await first.simulator.ask('recording')], { type: 'application/octet-stream' }),
     });
-    into.replaceChildren(h('div', { class: 'play' }, this.controls.element, this.shows));
-    await this.play(this.state);
+    place.replaceWith(this.controls.element);
+    this.controls.show();
+    await this.show_begun(this.turn, begun.then((commands) => commands()));
     if (told !== '') this.controls.complain(told);
   }
 
   private run_at(index: number): Run {
-    return this.runs[index] ??= new Run(this.held, index === 0 ? 'The run' : 'The run beside it', () => void this.show_results());
+    return this.runs[index] ??= new Run(this.held, index === 0 ? 'The run' : 'The run beside it', {
+      ended: () => void this.show_results(),
+      edit: (on) => {
+        this.editing = on;
+        this.offer();
+        if (on && this.runs[0]!.layout.handles.length === 0) this.controls.complain('Nothing can be moved here: of more than 64 vehicles, and of a recording, nothing is.');
+      },
+      moved: (path, position_m) => this.controls.move(path, position_m),
+    });
   }
 
   private orders(): Order[] {
-    const { scenario, yaml, seed, set, beside } = this.state;
+    const { scenario, yaml, seed, set, beside, changes } = this.state;
     const file = yaml === null ? scenario : 'scenario.yaml';
-    const order = (changes: State['set']): Order => ({ yaml: yaml ?? this.held.scenarios[scenario] ?? '', file, set: changes, seed, filmed: true });
-    return beside === null ? [order(set)] : [order(set), order(beside)];
+    const text = yaml ?? this.held.scenarios[scenario] ?? '';
+    const order = (of: State['set'], on_the_way: State['changes']): Order =>
+      ({ yaml: text, file, set: of, seed, filmed: true, thinkers: [0], changes: on_the_way });
+    return beside === null ? [order(set, changes)] : [order(set, changes), order(beside, [])];
+  }
+
+  /** In the first run things are moved. */
+  private offer(): void {
+    this.runs[0]?.offer(this.editing ? this.runs[0].layout.handles : []);
   }
 
   /** What is refused is said, and what was shown before stays. */
   private async play(state: State): Promise<void> {
+    const newest = state.changes.at(-1)?.at_s ?? null;
+    const goes_on = newest !== null && state.changes !== this.state.changes ? newest : null;
     this.state = state;
     const mine = ++this.turn;
     this.controls.show();
     this.controls.complain('');
+    await this.show_begun(mine, this.begin_runs(mine, goes_on));
+  }
+
+  /** Begins what the state says, the first run to be played from this time on. Answers with the commands. */
+  private async begin_runs(mine: number, goes_on: number | null): Promise<string[]> {
+    const orders = this.orders();
+    const commands: string[] = [];
+    for (const [i, order] of orders.entries()) commands.push(await this.run_at(i).begin(order, i === 0 ? goes_on : null));
+    if (mine !== this.turn) return commands;
+    this.runs.splice(orders.length).forEach((run) => run.end());
+    const shown = this.runs.map((run) => run.element);
+    if (shown.some((element, i) => this.shows.children[i] !== element)) this.shows.replaceChildren(...shown);
+    if (this.runs[1] !== undefined) this.runs[0]!.lead(this.runs[1]);
+    return commands;
+  }
+
+  private async show_begun(mine: number, begun: Promise<string[]>): Promise<void> {
     try {
-      const orders = this.orders();
-      const commands: string[] = [];
-      for (const [i, order] of orders.entries()) commands.push(await this.run_at(i).begin(order));
+      const commands = await begun;
       if (mine !== this.turn) return;
-      this.runs.splice(orders.length).forEach((run) => run.end());
-      const shown = this.runs.map((run) => run.element);
-      if (shown.some((element, i) => this.shows.children[i] !== element)) this.shows.replaceChildren(...shown);
-      if (this.runs[1] !== undefined) this.runs[0]!.lead(this.runs[1]);
       this.controls.show_command(commands.join('\n'));
+      this.controls.show_vehicles(this.runs[0]!.scene!, this.runs[0]!.layout);
+      this.offer();
       void this.show_results();
-      history.replaceState(null, '', await address_of(state));
+      history.replaceState(null, '', await address_of(this.state));
     } catch (error) {
       if (mine === this.turn) this.controls.complain(text_of(error));
     }

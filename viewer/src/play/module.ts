@@ -11,8 +11,27 @@ export interface Order {
   set: [path: string, value: string][];
   /** Null: the scenario's. */
   seed: string | null;
-  /** With what vehicles think, to be shown. */
+  /** To be shown. */
   filmed: boolean;
+  /** Whose thoughts are filmed, by index. */
+  thinkers: readonly number[];
+  /** From an instant on it has these changes too; ascending. */
+  changes: { at_s: number; set: [path: string, value: string][] }[];
+}
+
+/** What of a scenario can be moved: a path of --set, and what it is set to. */
+export interface Handle {
+  path: string;
+  what: 'start' | 'goal' | 'obstacle';
+  name: string;
+  vehicle: number | null;
+  position_m: number[];
+}
+
+export interface Layout {
+  handles: Handle[];
+  /** Null where there is no fleet. */
+  fleet_count: number | null;
 }
 
 export interface Outcome {
@@ -38,20 +57,30 @@ export interface Names {
   algorithms: { name: string; title: string; wraps: boolean }[];
   vehicles: { name: string; title: string }[];
   exchanges: { name: string; title: string }[];
+  /** JSON schema of a scenario's keys. */
+  schema: unknown;
+}
+
+export interface Begun {
+  /** The playback's. */
+  document: Record<string, unknown>;
+  layout: Layout;
 }
 
 /** What can be asked of the Worker, and what it answers. */
 export interface Calls {
   names(): Names;
   describe(name: string): { parameters: Parameter[] };
-  /** Begins a run, which goes on by itself, and answers with the playback's document. */
-  begin(order: Order): Record<string, unknown>;
-  /** Likewise of the run of a recording, with which it is compared. */
-  verify(bytes: Uint8Array, file: string): Record<string, unknown>;
+  /** Begins a run, which goes on by itself. */
+  begin(order: Order): Begun;
+  /** Likewise that of a recording, with which it is compared. */
+  verify(bytes: Uint8Array, file: string): Begun;
   /** MCAP, of the run that has begun. */
   recording(): Uint8Array<ArrayBuffer>;
-  /** {"part", "state"} of the live page. */
-  part(first: number, generation: number): { part: unknown; state: { done: boolean } };
+  /** {"part", "state"} of the live page; the part's columns are bytes. */
+  part(first: number, generation: number): { part: { data: Uint8Array<ArrayBuffer> } | null; state: { done: boolean; time_s: number } };
+  /** From now on the film has what these vehicles think, by index, from the beginning. */
+  think(vehicles: readonly number[]): void;
   outcome(): Outcome;
   /** Of the vehicle of this index and the decision in force at this time. */
   explanation(vehicle: string, time_s: number): Explanation;
@@ -59,6 +88,9 @@ export interface Calls {
   hashes(): string[];
   order(what: 'pause' | 'resume' | 'step'): void;
 }
+
+/** What of a part is handed on and not copied. */
+export const bytes_of = ({ part }: ReturnType<Calls['part']>): Transferable[] => (part === null ? [] : [part.data.buffer]);
 
 export type Question = { id: number; call: keyof Calls; args: unknown[] } | { module: WebAssembly.Module };
 export type Answer = { id: number; result: unknown } | { id: number; error: string };

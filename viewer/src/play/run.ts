@@ -4,9 +4,16 @@ import { h } from '../common/dom';
 import { make_explanation } from '../playback/explanation/explanation';
 import type { Scene } from '../playback/model';
 import type { Held } from './data';
-import type { Order, Outcome } from './module';
+import type { Begun, Handle, Layout, Order, Outcome } from './module';
 import { Show } from './show';
 import { RemoteSimulator } from './simulator';
+
+export interface RunHands {
+  /** Its outcome is there. */
+  ended(): void;
+  edit(on: boolean): void;
+  moved(path: string, position_m: readonly number[]): void;
+}
 
 export class Run {
   readonly simulator: RemoteSimulator;
@@ -15,26 +22,40 @@ export class Run {
   outcome: Outcome | null = null;
   /** Between frames [s]. */
   period_s = 0;
+  scene: Scene | null = null;
+  layout: Layout = { handles: [], fleet_count: null };
+  /** Whose thoughts are filmed: of those that are chosen, at first of the first. */
+  private thinkers: readonly number[] = [0];
   private show: Show | null = null;
-  private scene: Scene | null = null;
 
   /** From now on the other run shows the times that this one shows. */
   lead(other: Run): void {
     if (this.show !== null) this.show.beside = other.show;
   }
 
-  constructor(private readonly held: Held, private readonly label: string, private readonly changed: () => void) {
+  constructor(private readonly held: Held, private readonly label: string, private readonly hands: RunHands) {
     this.simulator = new RemoteSimulator(held.module);
   }
 
-  /** Begins anew; what was shown before is gone. Answers with the command that makes the same run, rejects with what is wrong with the order. */
-  begin(order: Order): Promise<string> {
-    return this.show_run(this.simulator.ask('begin', order));
+  /** Begins anew, and plays from this time on; what was shown before is gone. Answers with the command that makes the same run, rejects
+   *  with what is wrong with the order. */
+  begin(order: Order, from_s: number | null): Promise<string> {
+    return this.show_run(this.simulator.ask('begin', order), from_s);
   }
 
   /** Likewise the run of a recording. */
   verify(bytes: Uint8Array, file: string): Promise<string> {
-    return this.show_run(this.simulator.ask('verify', bytes, file));
+    return this.show_run(this.simulator.ask('verify', bytes, file), null);
+  }
+
+  /** Shows what can be moved, or no longer. */
+  offer(handles: readonly Handle[]): void {
+    this.show?.offer(handles);
+  }
+
+  /** The instant that is shown [s]. */
+  get time_s(): number {
+    return this.show?.moment.time_s ?? 0;
   }
 
   /** Why the vehicle that is chosen in the picture decided as it did by the time that is shown. */
@@ -51,19 +72,33 @@ export class Run {
     this.element.remove();
   }
 
-  private async show_run(begun: Promise<Record<string, unknown>>): Promise<string> {
-    const document = await begun;
+  private async show_run(begun: Promise<Begun>, from_s: number | null): Promise<string> {
+    const { document, layout } = await begun;
     this.outcome = null;
+    this.thinkers = [0];
+    this.layout = layout;
     this.period_s = Number(document['period_s']);
     this.scene = document['scene'] as Scene;
     this.show?.end();
-    this.show = new Show(this.simulator, this.held.playback, document, this.label, () => void this.end_run());
+    this.show = new Show(this.simulator, this.held.playback, document, this.label, {
+      over: () => void this.end_run(),
+      edit: (on) => this.hands.edit(on),
+      moved: (path, position_m) => this.hands.moved(path, position_m),
+      chosen: (vehicles) => void this.think(vehicles),
+    }, from_s);
     this.element.replaceChildren(this.show.element);
     return String(document['command']);
   }
 
+  private async think(vehicles: readonly number[]): Promise<void> {
+    if (vehicles.join() === this.thinkers.join()) return;
+    this.thinkers = vehicles;
+    await this.simulator.ask('think', vehicles);
+    this.show?.announce();
+  }
+
   private async end_run(): Promise<void> {
     this.outcome = await this.simulator.ask('outcome');
-    this.changed();
+    this.hands.ended();
   }
 }

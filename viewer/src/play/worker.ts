@@ -2,7 +2,7 @@
 // The simulator beside the page: it goes on in slices, between which it answers.
 import { decompress } from 'fzstd';
 import { Simulator } from '../../../bindings/web/module.mjs';
-import type { Answer, Calls, Question } from './module';
+import { bytes_of, type Answer, type Begun, type Calls, type Layout, type Question } from './module';
 
 const slice_ms = 12;
 
@@ -36,23 +36,26 @@ function run(steps: number): void {
   }
 }
 
-function go_on(mine: number): void {
+// A message to oneself comes after those that wait, and sooner than any timer.
+const between_slices = new MessageChannel();
+const soon = (): void => between_slices.port2.postMessage(turn);
+between_slices.port1.onmessage = ({ data: mine }: MessageEvent<number>) => {
   if (mine !== turn || paused) return;
   const end = performance.now() + slice_ms;
   while (trouble === '' && !simulator.done && performance.now() < end) run(1);
-  if (trouble === '' && !simulator.done) setTimeout(() => go_on(mine));
-}
+  if (trouble === '' && !simulator.done) soon();
+};
 
 /** A run that `load` begins, and that goes on by itself. */
-function begin(load: () => void): Record<string, unknown> {
-  const mine = ++turn;
+function begin(load: () => void): Begun {
+  ++turn;
   trouble = '';
   paused = false;
   begun = false;
   tried(load);
   begun = true;
-  setTimeout(() => go_on(mine));
-  return simulator.document();
+  soon();
+  return { document: simulator.document(), layout: simulator.layout() as Layout };
 }
 
 const calls: { [K in keyof Calls]: (...args: Parameters<Calls[K]>) => unknown } = {
@@ -68,6 +71,7 @@ const calls: { [K in keyof Calls]: (...args: Parameters<Calls[K]>) => unknown } 
     if (trouble !== '') Object.assign(answer.state, { done: true, divergence: `ended: ${trouble}` });
     return answer;
   },
+  think: (vehicles) => simulator.think(vehicles),
   outcome: () => simulator.outcome(),
   explanation: (vehicle, time_s) => simulator.explanation(vehicle, time_s),
   hashes: () => simulator.hashes(),
@@ -76,7 +80,8 @@ const calls: { [K in keyof Calls]: (...args: Parameters<Calls[K]>) => unknown } 
     if (what === 'pause') paused = true;
     if (what === 'resume' && paused) {
       paused = false;
-      go_on(++turn);
+      ++turn;
+      soon();
     }
   },
 };
@@ -88,11 +93,14 @@ self.addEventListener('message', ({ data }: MessageEvent<Question>) => {
     return;
   }
   let answer: Answer;
+  const given: Transferable[] = [];
   try {
     const call = calls[data.call] as (...args: unknown[]) => unknown;
-    answer = { id: data.id, result: tried(() => call(...data.args)) ?? null };
+    const result = tried(() => call(...data.args)) ?? null;
+    answer = { id: data.id, result };
+    if (data.call === 'part') given.push(...bytes_of(result as ReturnType<Calls['part']>));
   } catch (error) {
     answer = { id: data.id, error: error instanceof Error ? error.message : String(error) };
   }
-  self.postMessage(answer);
+  self.postMessage(answer, { transfer: given });
 });

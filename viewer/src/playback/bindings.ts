@@ -21,9 +21,10 @@ function time_keys(film: Film, clock: Clock): Binding[] {
   ];
 }
 
-/** All keys of the page; `panel`, `charts` and `help` open and close those. */
+/** All keys of the page; `panel`, `charts` and `help` open and close those, `move` lets things be moved. */
 export function make_bindings(film: Film, clock: Clock, choice: Selection, stage: StageView,
-                              toggles: { panel(): void; charts(): void; help(): void }): Binding[] {
+                              toggles: { panel(): void; charts(): void; help(): void; move: (() => void) | null }): Binding[] {
+  const { move } = toggles;
   return [
     ...time_keys(film, clock),
     { keys: [...'123456789'], shown: '1 to 9', does: 'follow that vehicle', run: (key) => choice.follow(Number(key) - 1) },
@@ -34,6 +35,7 @@ export function make_bindings(film: Film, clock: Clock, choice: Selection, stage
     })),
     { keys: ['p'], does: 'show or hide the side panel', run: () => toggles.panel() },
     { keys: ['h'], does: 'show or hide the charts', run: () => toggles.charts() },
+    ...(move === null ? [] : [{ keys: ['e'], does: 'move starts, goals and obstacles', run: move }]),
     { keys: ['escape'], does: 'choose no vehicle', run: () => choice.choose([]) },
     { keys: ['?'], does: 'this list', run: () => toggles.help() },
   ];

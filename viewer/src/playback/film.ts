@@ -18,8 +18,9 @@ export function from_base64(text: string): Uint8Array<ArrayBuffer> {
   return bytes;
 }
 
-function unpack(text: string, compression: Part['compression']): Uint8Array {
-  const bytes = from_base64(text);
+function unpack(data: Part['data'], compression: Part['compression']): Uint8Array {
+  if (typeof data !== 'string') return data;
+  const bytes = from_base64(data);
   return compression === 'zstd' ? decompress(bytes) : bytes;
 }
 
@@ -100,6 +101,7 @@ export class Film {
     this.count += part.count;
     // One by one: a call cannot have as many arguments as there may be events and messages.
     for (const event of part.events) this.events.push(event);
+    if (part.thoughts_anew) this.forget_thoughts();
     if (part.thoughts !== '') this.add_thoughts(JSON.parse(new TextDecoder().decode(unpack(part.thoughts, part.compression))) as Thoughts);
   }
 
@@ -113,6 +115,10 @@ export class Film {
   private clear(): void {
     this.count = 0;
     this.events.length = 0;
+    this.forget_thoughts();
+  }
+
+  private forget_thoughts(): void {
     this.flights.length = 0;
     this.sketches.clear();
     this.tracks.clear();

@@ -25,8 +25,11 @@ export class LiveRun {
   /** Why nothing comes; empty while all is well. */
   trouble = '';
   private readonly listeners: ((grown: boolean) => void)[] = [];
+  private watching = false;
 
-  constructor(private readonly film: Film, readonly source: Source) {}
+  constructor(private readonly film: Film, readonly source: Source) {
+    source.on_news(() => void this.watch());
+  }
 
   /** Hears of every answer, and whether the film has grown by it. */
   on_answer(listener: (grown: boolean) => void): void {
@@ -35,14 +38,17 @@ export class LiveRun {
 
   /** Asks again and again, one request at a time, until the run is over and all of it is here. */
   async watch(): Promise<void> {
+    if (this.watching) return;
+    this.watching = true;
     for (;;) {
       const begin = performance.now();
       const grown = await this.ask();
       for (const listener of this.listeners) listener(grown);
-      if (this.state?.done === true && !grown && this.trouble === '') return;
+      if (this.state?.done === true && !grown && this.trouble === '') break;
       const gap = this.trouble === '' ? least_gap_ms : gap_without_answer_ms;
       await new Promise((resume) => setTimeout(resume, Math.max(0, begin + gap - performance.now())));
     }
+    this.watching = false;
   }
 
   order(what: Order): void {
@@ -70,7 +76,7 @@ export class LiveRun {
     const { state, part: found } = record({ state: run_state, part: or_null(part(this.film.vehicles)) })(answer, '');
     this.state = state;
     this.trouble = '';
-    if (found === null || found.count === 0) return false;
+    if (found === null || (found.count === 0 && !found.thoughts_anew)) return false;
     this.film.append(found);
     return true;
   }

@@ -105,12 +105,14 @@ export const part = (vehicles: number) => record({
   count: whole(0),
   stride: whole(1),
   generation: whole(0),
-  /** Base64 of the columns' bytes, one after the other, little-endian. */
-  data: text,
+  /** The columns' bytes, one after the other, little-endian: themselves from a page around, else in base64. */
+  data: (value, path) => (value instanceof Uint8Array ? value as Uint8Array<ArrayBuffer> : text(value, path)),
   compression: one_of(['none', 'zstd']),
   events: list(event(vehicles)),
   /** Base64 of `Thoughts` as JSON, or empty. */
   thoughts: optional(text, ''),
+  /** They are from the beginning, and of those vehicles that think now: in place of all before. */
+  thoughts_anew: optional(flag, false),
 });
 export type Part = Of<ReturnType<typeof part>>;
 

@@ -8,6 +8,7 @@ export function no_stage(host: HTMLElement, reason: string): StageView {
   const nothing = (): void => undefined;
   return {
     show: nothing, choose: nothing, follow: nothing, set_camera: nothing, set_layer: nothing, fit: nothing, restyle: nothing,
-    on_pick: nothing, place_of: () => null, picture: () => Promise.reject(new Error('there is no picture')), frames_per_second: 0,
+    on_pick: nothing, on_draw: nothing, place_of: () => null, point_of: () => null, place_under: () => null,
+    picture: () => Promise.reject(new Error('there is no picture')), frames_per_second: 0,
   };
 }

@@ -21,6 +21,7 @@ import { MomentLink } from './link';
 import type { LiveRun } from './live';
 import { make_live_controls } from './live_controls';
 import type { Document, RunEvent, Scene } from './model';
+import { Mover } from './moving/mover';
 import { no_stage } from './no_stage';
 import type { Panel } from './panel';
 import { make_stage } from './scene/stage';
@@ -79,8 +80,13 @@ class Page {
     this.choice = new Selection(this.stage, playback.scene.vehicles.length);
     this.clock = new Clock(film, live !== null, () => this.show());
     this.link = new MomentLink(film, this.clock, this.choice);
+    const mover = live?.source.movable === true ? new Mover(live.source, this.stage) : null;
+    if (mover !== null) {
+      frame.picture.append(mover.handles.element);
+      frame.stage_area.append(mover.button);
+    }
     const bindings = make_bindings(film, this.clock, this.choice, this.stage, {
-      panel: () => this.toggle_side(), charts: () => this.toggle_charts(), help: () => this.help.toggle(),
+      panel: () => this.toggle_side(), charts: () => this.toggle_charts(), help: () => this.help.toggle(), move: mover && (() => mover.toggle()),
     });
     this.help = new Help(bindings);
     this.fill_side();
@@ -132,9 +138,10 @@ class Page {
     this.frame.stage_area.append(make_camera_bar(this.choice, this.stage));
     this.frame.stage_area.after(transport.element);
     // An answer that brings frames shows everything anew; any other one only tells how the run stands.
-    live?.source.on_go((time) => {
+    live?.source.on_go((time, plays) => {
       clock.pause();
       clock.seek(time);
+      if (plays) clock.play();
     });
     live?.on_answer((grown) => (grown ? this.grow() : live_controls?.show()));
   }

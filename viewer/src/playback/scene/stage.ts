@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The picture in three dimensions: its parts, cameras and labels, drawn only when something has changed.
-import { AmbientLight, DirectionalLight, HemisphereLight, Scene as World, SRGBColorSpace, WebGLRenderer } from 'three';
+import { AmbientLight, DirectionalLight, HemisphereLight, Scene as World, SRGBColorSpace, WebGLRenderer, type Vector3 } from 'three';
 import { h, swatch } from '../../common/dom';
 import type { Film, Moment } from '../film';
-import type { Scene } from '../model';
+import type { Scene, Vec3 } from '../model';
+import { place_of } from './axes';
 import { Cameras } from './cameras';
 import { read_colours, type Colours } from './colours';
 import { extent_of, type Extent } from './extent';
@@ -15,6 +16,7 @@ import { Vehicles } from './parts/vehicles';
 import { picture_of } from './picture';
 import { vehicle_at, watch_pointer } from './picker';
 import { Poses, steady_heading } from './poses';
+import { point_under } from './under';
 import { layers, type CameraKind, type Layer, type MakeStage, type StageView } from './stage_view';
 import './stage.css';
 
@@ -61,6 +63,7 @@ class Stage implements StageView {
   private chosen: ReadonlySet<number> = new Set();
   private followed = 0;
   private picked: ((vehicle: number | null, adding: boolean) => void) | null = null;
+  private drawn: () => void = () => {};
   /** Whether what is shown has changed since the last picture, besides the camera. */
   private stale = true;
   private requested = 0;
@@ -148,8 +151,25 @@ class Stage implements StageView {
     const at = this.poses.positions[vehicle];
     if (at === undefined) return null;
     this.settle();
+    return this.seen(at);
+  }
+
+  point_of(place: Vec3): { x: number; y: number } | null {
+    return this.seen(place_of(place));
+  }
+
+  place_under(x: number, y: number, at: Vec3, depth: boolean): Vec3 | null {
+    const found = point_under((2 * x) / this.host.clientWidth - 1, 1 - (2 * y) / this.host.clientHeight, this.cameras.camera, place_of(at), depth);
+    return found && [-found.z, found.x, -found.y];
+  }
+
+  private seen(at: Vector3): { x: number; y: number } | null {
     const point = project(at, this.cameras.camera, this.host.clientWidth, this.host.clientHeight);
     return point && { x: point.x, y: point.y };
+  }
+
+  on_draw(listener: () => void): void {
+    this.drawn = listener;
   }
 
   on_pick(listener: (vehicle: number | null, adding: boolean) => void): void {
@@ -229,6 +249,7 @@ class Stage implements StageView {
     this.parts.grid.face(camera);
     this.renderer.render(this.world, camera);
     this.labels.place(this.written(), camera, this.host.clientWidth, this.host.clientHeight);
+    this.drawn();
     this.drawn_ms = performance.now();
   }
 

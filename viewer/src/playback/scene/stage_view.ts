@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The picture in three dimensions: what the page asks of it.
 import type { Film, Moment } from '../film';
-import type { Scene } from '../model';
+import type { Scene, Vec3 } from '../model';
 
 export const cameras = ['orbit', 'follow', 'top', 'side'] as const;
 export type CameraKind = (typeof cameras)[number];
@@ -25,6 +25,12 @@ export interface StageView {
   restyle(): void;
   /** Where a vehicle is in the picture [px], for tests and labels; null behind the camera. */
   place_of(vehicle: number): { x: number; y: number } | null;
+  /** Likewise any place. */
+  point_of(place: Vec3): { x: number; y: number } | null;
+  /** The place under a point of the picture [px] that is as deep as `at`; with `depth`, the one above or below `at`. Null: none. */
+  place_under(x: number, y: number, at: Vec3, depth: boolean): Vec3 | null;
+  /** Hears of every picture. */
+  on_draw(listener: () => void): void;
   on_pick(listener: (vehicle: number | null, adding: boolean) => void): void;
   /** A picture of what is shown, PNG. */
   picture(): Promise<Blob>;
