@@ -2,33 +2,7 @@
 // out/play.html in a real browser from file://, driven as a visitor would. tests/play/page.mjs [--screenshots DIR]
 // Ends with 0 when every check held, else with 1 and a list of those that did not.
 import { join } from 'node:path';
-import { Browser, command_line, root } from '../web/browser.mjs';
-
-const { screenshots } = command_line();
-const browser = new Browser('out/play.html', ['--use-angle=swiftshader', '--enable-unsafe-swiftshader'], /GPU stall|GL Driver Message/);
-const page_file = join(root, 'out/play.html');
-const desk = { width: 1280, height: 860, scheme: 'light' };
-const phone = { width: 390, height: 844, scheme: 'dark' };
-
-const keep = async (page, name) => {
-  if (screenshots !== null) await page.screenshot({ path: join(screenshots, `play-${name}.png`), timeout: 120_000 });
-};
-/** The playback inside, of the run or of the one beside it, once it has a film. */
-async function playback(page, index = 0) {
-  await page.waitForFunction((i) => document.querySelectorAll('iframe')[i] !== undefined, index);
-  const frame = await (await page.locator('iframe').nth(index).elementHandle()).contentFrame();
-  await frame.waitForFunction(() => window.fairway?.film.count > 0);
-  return frame;
-}
-const choose = (page, label, value) => page.getByLabel(label, { exact: true }).first().selectOption(value);
-const ended = (page) => page.waitForSelector('.measures');
-const measure = (page, name, column = 1) => page.locator('.measures tr', { hasText: name }).locator('td').nth(column).textContent();
-/** When the page shows the run of this command. */
-const commanded = (page, text) => page.waitForFunction((part) => document.querySelector('.command')?.textContent.includes(part), text);
-const complaint = async (page) => {
-  await page.waitForSelector('.note.problem:not([hidden])');
-  return page.locator('.note.problem p').textContent();
-};
+import { browser, choose, commanded, complaint, desk, ended, keep, look_at, measure, packed, phone, playback } from './visitor.mjs';
 
 async function first_minute(page, expect) {
   const frame = await playback(page);
@@ -155,13 +129,6 @@ async function small(page, expect) {
   await keep(page, 'phone');
 }
 
-const packed = async (state) => Buffer.from(await new Response(new Blob([JSON.stringify(state)]).stream()
-  .pipeThrough(new CompressionStream('deflate-raw'))).arrayBuffer()).toString('base64url');
-
-for (const [check, options] of [[first_minute, desk], [another_method, desk], [beside, desk], [broken_yaml, desk], [recordings, desk], [why, desk], [without_ompl, desk], [for_all, desk],
+await look_at([[first_minute, desk], [another_method, desk], [beside, desk], [broken_yaml, desk], [recordings, desk], [why, desk], [without_ompl, desk], [for_all, desk],
   [old_link, { ...desk, fragment: `#play=${await packed({ version: 7 })}` }], [without_webassembly, { ...desk, missing: 'WebAssembly' }],
-  [small, phone]]) {
-  if (process.env.CHECKS !== undefined && !check.name.includes(process.env.CHECKS)) continue;
-  await browser.open(page_file, check.name, options, check);
-}
-browser.finish();
+  [small, phone]]);

@@ -3,12 +3,11 @@
 // turns, the quickest of so many. A measurement, no test: node tests/play/speed.mjs [TURNS]. After `scripts/build` and `scripts/web module`.
 import { spawnSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
 import { fileURLToPath } from 'node:url';
 import { Simulator } from '../../bindings/web/module.mjs';
+import { chromium_simulator } from './chromium.mjs';
 
 const root = fileURLToPath(new URL('../../', import.meta.url));
-const { chromium } = createRequire(`${root}viewer/package.json`)('playwright-core');
 const scenario = 'scenarios/cube20_8.yaml';
 const order = { yaml: readFileSync(`${root}${scenario}`, 'utf8'), file: scenario, filmed: false };
 const bytes = readFileSync(`${root}build/web/fairway.wasm`);
@@ -27,28 +26,42 @@ function natively() {
 }
 
 const here = new Simulator(new WebAssembly.Module(bytes));
-const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', headless: true, args: ['--no-sandbox'] });
-const page = await browser.newPage();
-const source = readFileSync(`${root}bindings/web/module.mjs`, 'utf8').replace('export class', 'class');
-await page.addScriptTag({ content: `${source}\nwindow.Simulator = Simulator;\nwindow.measured = ${measured};` });
-await page.evaluate(async (packed) => {
-  const module = await WebAssembly.compile(Uint8Array.from(atob(packed), (letter) => letter.charCodeAt(0)));
-  window.simulator = new window.Simulator(module);
-}, bytes.toString('base64'));
+const there = await chromium_simulator(bytes);
 
 const best = { native: Infinity, chromium: Infinity, node: Infinity };
 let simulated_s = 0;
 const memory = [];
 for (let turn = 0; turn < turns; ++turn) {
   best.native = Math.min(best.native, natively());
-  const there = await page.evaluate((asked) => window.measured(window.simulator, asked), order);
-  best.chromium = Math.min(best.chromium, there.wall_s);
-  memory.push(there.memory_bytes);
+  const found = await there.ask(measured, order);
+  best.chromium = Math.min(best.chromium, found.wall_s);
+  memory.push(found.memory_bytes);
   best.node = Math.min(best.node, measured(here, order).wall_s);
-  simulated_s = there.simulated_s;
+  simulated_s = found.simulated_s;
 }
-await browser.close();
+await there.end();
 for (const [where, wall_s] of Object.entries(best)) {
   console.log(`${where}: ${simulated_s.toFixed(1)} s simulated in ${wall_s.toFixed(3)} s, ${(simulated_s / wall_s).toFixed(0)} times real time, ${(wall_s / best.native).toFixed(2)} times as long as natively`);
+}
+/** With the film, as the page asks for it: parts as they come. */
+function filmed(path, seconds) {
+  here.load({ yaml: readFileSync(`${root}${path}`, 'utf8'), file: path, filmed: true, thinkers: [0] });
+  const begin = performance.now();
+  let count = 0;
+  let generation = 0;
+  while (!here.done && here.time_s < seconds) {
+    here.run(50);
+    for (;;) {
+      const { part } = here.part(count, generation);
+      if (part === null) break;
+      count = part.first + part.count;
+      generation = part.generation;
+    }
+  }
+  return here.time_s / ((performance.now() - begin) / 1000);
+}
+for (const [path, seconds] of [['scenarios/swap_8.yaml', Infinity], ['scenarios/fleet_1000.yaml', 20]]) {
+  const pace = Math.max(...Array.from({ length: 3 }, () => filmed(path, seconds)));
+  console.log(`Node.js, filmed: ${path} at ${pace.toFixed(1)} times real time`);
 }
 console.log(`memory of the module in Chromium after the first and the last run: ${memory[0]} and ${memory.at(-1)} bytes`);

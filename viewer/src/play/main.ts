@@ -49,13 +49,15 @@ class Player {
   private run_at(index: number): Run {
     return this.runs[index] ??= new Run(this.held, index === 0 ? 'The run' : 'The run beside it', {
       ended: () => void this.show_results(),
-      edit: (on) => {
-        this.editing = on;
-        this.offer();
-        if (on && this.runs[0]!.layout.handles.length === 0) this.controls.complain('Nothing can be moved here: of more than 64 vehicles, and of a recording, nothing is.');
-      },
+      edit: index === 0 ? (on) => this.edit(on) : null,
       moved: (path, position_m) => this.controls.move(path, position_m),
     });
+  }
+
+  private edit(on: boolean): void {
+    this.editing = on;
+    this.offer();
+    if (on && this.runs[0]!.layout.handles.length === 0) this.controls.complain('Nothing can be moved here: of more than 64 vehicles, and of a recording, nothing is.');
   }
 
   private orders(): Order[] {

@@ -11,7 +11,8 @@ import { RemoteSimulator } from './simulator';
 export interface RunHands {
   /** Its outcome is there. */
   ended(): void;
-  edit(on: boolean): void;
+  /** Null: nothing can be moved in it. */
+  edit: ((on: boolean) => void) | null;
   moved(path: string, position_m: readonly number[]): void;
 }
 
@@ -82,7 +83,7 @@ export class Run {
     this.show?.end();
     this.show = new Show(this.simulator, this.held.playback, document, this.label, {
       over: () => void this.end_run(),
-      edit: (on) => this.hands.edit(on),
+      edit: this.hands.edit,
       moved: (path, position_m) => this.hands.moved(path, position_m),
       chosen: (vehicles) => void this.think(vehicles),
     }, from_s);

@@ -12,8 +12,8 @@ type Asked = { fairway: 'ask'; id: number; first: number; generation: number } |
 export interface ShowHands {
   /** Once, when the run has ended. */
   over(): void;
-  /** Things are to be movable, or no longer. */
-  edit(on: boolean): void;
+  /** Things are to be movable, or no longer; null: never. */
+  edit: ((on: boolean) => void) | null;
   moved(path: string, position_m: readonly number[]): void;
   /** Somebody else is chosen. */
   chosen(vehicles: readonly number[]): void;
@@ -34,14 +34,14 @@ export class Show {
     if (data.fairway === 'order') void this.simulator.ask('order', data.what);
     if (data.fairway === 'shown') this.take_moment(data.time_s, data.chosen);
     if (data.fairway === 'ask') void this.answer(data.id, data.first, data.generation);
-    if (data.fairway === 'edit') this.hands.edit(data.on);
+    if (data.fairway === 'edit') this.hands.edit?.(data.on);
     if (data.fairway === 'moved') this.hands.moved(data.path, data.position_m);
   };
 
   /** `page` is the playback's template, `document` what it is of; it plays from `opens_at` on as soon as that is there [s]. */
   constructor(private readonly simulator: RemoteSimulator, page: string, document: object, label: string, private readonly hands: ShowHands,
               private opens_at: number | null) {
-    const json = JSON.stringify({ ...document, live: 'page' }).replaceAll('</', '<\\/').replaceAll('<!', '\\u003c!');
+    const json = JSON.stringify({ ...document, live: 'page', movable: hands.edit !== null }).replaceAll('</', '<\\/').replaceAll('<!', '\\u003c!');
     this.element = h('iframe', { title: label });
     // Written so that the marker of the data, which is searched for in this page as well, is not in it.
     this.element.srcdoc = page.replace(/__FAIRWAY_[A-Z]+__/, () => json);

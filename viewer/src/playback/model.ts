@@ -146,6 +146,8 @@ const document = ({ vehicles, current_depths_m: depths }: Scene) => record({
   film: or_null(part(vehicles.length)),
   /** Whom a live page asks: the server that it came from, or the page around it. */
   live: optional(one_of(['server', 'page']), 'server'),
+  /** Whether the page around it lets starts, goals and obstacles be moved. */
+  movable: optional(flag, false),
   notice: optional(text, ''),
   /** How the run broke behind its last frame, in a line; empty if it is whole. */
   divergence: optional(text, ''),

@@ -80,7 +80,7 @@ class Page {
     this.choice = new Selection(this.stage, playback.scene.vehicles.length);
     this.clock = new Clock(film, live !== null, () => this.show());
     this.link = new MomentLink(film, this.clock, this.choice);
-    const mover = live?.source.movable === true ? new Mover(live.source, this.stage) : null;
+    const mover = live !== null && playback.movable ? new Mover(live.source, this.stage) : null;
     if (mover !== null) {
       frame.picture.append(mover.handles.element);
       frame.stage_area.append(mover.button);

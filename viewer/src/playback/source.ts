@@ -16,8 +16,6 @@ export interface Source {
   on_go(go: (time_s: number, plays: boolean) => void): void;
   /** Hears that there is more to ask for, though the run is over. */
   on_news(news: () => void): void;
-  /** Whether starts, goals and obstacles can be moved. */
-  readonly movable: boolean;
   /** Asks for what can be moved, or for nothing any more. */
   edit(on: boolean): void;
   /** Hears of it. */
@@ -54,7 +52,6 @@ export function server(): Source {
     },
     lost: 'The run has ended, or its server is gone. What has come in so far stays here.',
     plays: false,
-    movable: false,
     shown() {},
     on_go() {},
     on_news() {},
@@ -100,7 +97,6 @@ export function page_around(): Source {
     shown: (time_s, chosen) => tell({ fairway: 'shown', time_s, chosen }),
     on_go: (then) => { go = then; },
     on_news: (then) => { news = then; },
-    movable: true,
     edit: (on) => tell({ fairway: 'edit', on }),
     // They may have come before the picture was there.
     on_handles(then) {
