@@ -106,9 +106,9 @@ function live_addresses() {
 function live_link(path, addresses) {
   const folder = /^fairway\/(?:avoidance|planning|dynamics)\/(\w+)\/README\.md$/.exec(path)?.[1];
   if (folder === undefined) return '';
-  const name = addresses.has(folder) ? folder : [...addresses.keys()].find((each) => each.startsWith(`${folder}_`));
-  const found = name === undefined ? null : addresses.get(name);
-  if (found === null || found === undefined) return '';
+  const name = [...addresses.keys()].find((each) => (each === folder || each.startsWith(`${folder}_`)) && addresses.get(each) !== null);
+  if (name === undefined) return '';
+  const found = addresses.get(name);
   const up = posix.relative(posix.dirname(path), '.');
   return `<p class="live"><a href="${escaped(`${up}/play.html${found.link}`)}">See ${escaped(name)} live</a>, in ${escaped(posix.basename(found.scenario, '.yaml'))}: the simulator runs in that page.</p>\n`;
 }

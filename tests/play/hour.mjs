@@ -21,6 +21,8 @@ const processes = await browser.newBrowserCDPSession();
 
 async function held() {
   await session.send('HeapProfiler.collectGarbage');
+  await session.send('Memory.simulatePressureNotification', { level: 'critical' });
+  await new Promise((resume) => setTimeout(resume, 500));
   const { metrics } = await session.send('Performance.getMetrics');
   const of = (name) => metrics.find((metric) => metric.name === name).value;
   const { processInfo } = await processes.send('SystemInfo.getProcessInfo');
@@ -37,8 +39,11 @@ for (let seed = 1; simulated_s < whole_s; ++seed) {
   await page.getByLabel('Seed', { exact: true }).fill(String(seed));
   await page.getByLabel('Seed', { exact: true }).blur();
   await page.waitForFunction((text) => document.querySelector('.command')?.textContent.endsWith(text), `--seed ${seed}`);
-  const frame = await (await page.locator('iframe').elementHandle()).contentFrame();
-  await page.waitForSelector('.measures');
+  // Whoever holds an element keeps it in memory.
+  const handle = await page.locator('iframe').elementHandle();
+  const frame = await handle.contentFrame();
+  await handle.dispose();
+  await (await page.waitForSelector('.measures')).dispose();
   simulated_s += await frame.evaluate(async () => {
     window.fairway.seek(window.fairway.film.end - 60);
     window.fairway.play();
