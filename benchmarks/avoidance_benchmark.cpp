@@ -77,6 +77,8 @@ BENCHMARK_CAPTURE(avoider, vo_crowd, "vo", encounters::crowd)->Arg(7)->Arg(20)->
 BENCHMARK_CAPTURE(avoider, vo_congested, "vo", encounters::congested)->Arg(7)->Arg(20)->Arg(50);
 BENCHMARK_CAPTURE(avoider, rvo_crowd, "rvo", encounters::crowd)->Arg(7)->Arg(20)->Arg(50);
 BENCHMARK_CAPTURE(avoider, rvo_congested, "rvo", encounters::congested)->Arg(7)->Arg(20)->Arg(50);
+BENCHMARK_CAPTURE(avoider, bvc_crowd, "bvc", encounters::crowd)->Arg(7)->Arg(20)->Arg(50);
+BENCHMARK_CAPTURE(avoider, bvc_congested, "bvc", encounters::congested)->Arg(7)->Arg(20)->Arg(50);
 BENCHMARK_CAPTURE(avoider, hrvo_crowd, "hrvo", encounters::crowd)->Arg(7)->Arg(20)->Arg(50);
 BENCHMARK_CAPTURE(avoider, hrvo_congested, "hrvo", encounters::congested)->Arg(7)->Arg(20)->Arg(50);
 
