@@ -157,7 +157,11 @@ void Agreement::go_on(double now, double period, const Link& link, double patien
   stop_at_gate(now);
   acknowledge(now, latest(patience) * link.turn_period);
   depart(now, link.turn_period);
-  propose(now, period, link, patience);
+  // on board decisions may come more rarely than they are meant to
+  const double since = now - looked_;
+  looked_ = now;
+  const bool is_rare = since > 1.2 * period && since < link.turn_period;
+  propose(now, is_rare ? since : period, link, patience);
 }
 
 /// Who has departed by a way without gates and is silent for good has arrived at its end for all that anybody

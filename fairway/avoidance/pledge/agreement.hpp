@@ -133,6 +133,7 @@ class Agreement {
   // a search under way
   std::size_t searches_{0};  ///< that own ship has made; every other one has the centre of the first
   std::optional<Search> search_;
+  double looked_ = -std::numeric_limits<double>::infinity();  ///< when it was last asked to go on [s]
 };
 
 }  // namespace fairway::pledge

@@ -29,6 +29,7 @@ struct Fleet {
   double turn_period{};
   double on_the_air{0.0};  ///< for which a word is [s]
   double patience{0.0};    ///< in turns
+  double period{step};     ///< that members are told to decide at [s]
   double time{0.0};
   double least{never};  ///< between two of them, so far
 
@@ -58,7 +59,7 @@ struct Fleet {
     }
     std::erase_if(said, [&](const Said& word) { return word.heard <= time + 1e-9; });
     for (std::size_t i = 0; i < members.size(); ++i) {
-      members[i].go_on(time, step, {{}, turn_period, turn(i, time)}, patience);
+      members[i].go_on(time, period, {{}, turn_period, turn(i, time)}, patience);
       if (const Reference* way = members[i].way()) {
         places[i] = way->at(time);
         const Member& m = members[i].member(i);
@@ -215,6 +216,14 @@ TEST(Agreement, ThoughAWordTakesAWholeSlotAllDepartByTheFirstPlan) {
     EXPECT_LT(fleet.time, 3.2 * cycle)
         << "all have told their states, then a plan, then a turn and two slots";
   }
+}
+
+TEST(Agreement, WhoDecidesMoreRarelyThanItIsToldAgreesAllTheSame) {
+  Fleet fleet{three_in_a_plane(), 3.0};
+  fleet.period = 0.25 * step;
+  while (fleet.moving() == 0 && fleet.time < 100.0) fleet.go_on(always);
+  EXPECT_EQ(fleet.moving(), 3);
+  EXPECT_LT(fleet.time, 20.0);
 }
 
 TEST(Agreement, WhereHalfIsLostAndThereIsPatienceHardlyAnyGroupIsDivided) {
