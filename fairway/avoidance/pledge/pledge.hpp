@@ -9,7 +9,7 @@ namespace fairway {
 /// Acknowledged commitments over a modem: a group of up to eight stays where it is until a plan for all has
 /// every member's acknowledgement, and then each keeps to its reference in a tube. What is lost on the way
 /// delays it, and never brings two together (README.md, whose claims are the rules of `Agreement`). It avoids
-/// nobody outside its group. A decision is O(knots), and while a plan is sought up to 0.1 ms more.
+/// nobody outside its group. A decision is O(knots), and while a plan is sought up to 0.5 ms more.
 struct Pledge {
   static constexpr AlgorithmInfo info{
       .name = "pledge",
