@@ -43,6 +43,7 @@ void Agreement::hold(const Member& member) noexcept {
   members_[self_].version = version;
   known_.set(self_);
   heard_by_ = {};
+  held_since_ = looked_;
   status_ = statuses_[self_] = Status::held;
 }
 
@@ -304,7 +305,7 @@ std::array<Reference, most_members> Agreement::ways_of_others() const noexcept {
 /// Of the first plan, whoever's turn comes first; of later ones the smallest of the held that is not silent.
 bool Agreement::may_propose(double now, double turn_period) const noexcept {
   const bool is_settling = plan_.epoch != 0 && now < plan_.start + turn_period;
-  if (status_ != Status::held || is_settling || known_ != everyone() ||
+  if (status_ != Status::held || is_settling || known_ != everyone() || is_news(now, turn_period) ||
       round_of(newest_epoch_) >= most_rounds)
     return false;
   if (newest_epoch_ == 0) return true;
@@ -355,8 +356,8 @@ Speech Agreement::say(double now, double turn_period) const noexcept {
                       .acknowledged = acknowledged_,
                       .departed = departed_,
                       .heard = known_};
-  const bool tells_plan =
-      status_ != Status::lost && (is_pending(now) || (status_ == Status::moving && plan_.epoch != 0));
+  const bool tells_plan = status_ != Status::lost && !is_news(now, turn_period) &&
+                          (is_pending(now) || (status_ == Status::moving && plan_.epoch != 0));
   Members without_me;
   for (std::size_t i = 0; i < terms_.count; ++i)
     if (i != self_ && !heard_by_[i][self_]) without_me.set(i);

@@ -101,6 +101,8 @@ class Agreement {
   double next_gate() const noexcept;
   Members everyone() const noexcept { return Members{(1U << terms_.count) - 1U}; }
   bool is_pending(double now) const noexcept { return plan_.epoch != 0 && now < plan_.start; }
+  /// Whether it is held elsewhere than before, and has had no turn yet to tell where.
+  bool is_news(double now, double turn_period) const noexcept { return now < held_since_ + turn_period; }
 
   std::size_t self_{};
   Terms terms_{};
@@ -134,6 +136,8 @@ class Agreement {
   std::size_t searches_{0};  ///< that own ship has made; every other one has the centre of the first
   std::optional<Search> search_;
   double looked_ = -std::numeric_limits<double>::infinity();  ///< when it was last asked to go on [s]
+  double held_since_ =
+      -std::numeric_limits<double>::infinity();  ///< where it is [s]; -infinity: since it began
 };
 
 }  // namespace fairway::pledge

@@ -308,6 +308,23 @@ TEST(Agreement, WhoIsLostDoesNotHoldTheOthersAndIsKeptClearOf) {
   EXPECT_EQ(fleet.members[2].status(), Status::lost);
 }
 
+TEST(Agreement, WhoIsHeldElsewhereTellsWhereBeforeAnythingElse) {
+  for (int steps = 1; steps <= 60; ++steps) {
+    Fleet fleet{three_in_a_plane(), 12.0};  // a search ends long before a turn
+    const auto all_heard = [](std::size_t, std::size_t) { return true; };
+    while (fleet.moving() < 3 && fleet.time < 200.0) fleet.go_on(all_heard);
+    ASSERT_EQ(fleet.moving(), 3);
+    for (int i = 0; i < steps; ++i) fleet.go_on(all_heard);
+    Member stopped = fleet.members[0].member(0);
+    stopped.anchor = fleet.places[0];
+    fleet.members[0].hold(stopped);
+    for (const double told = fleet.time + fleet.turn_period + 2.0 * step; fleet.time < told;)
+      fleet.go_on(all_heard);
+    EXPECT_LT((fleet.members[1].member(0).anchor - fleet.places[0]).norm(), 0.05)
+        << "stopped " << steps << " steps after it set out";
+  }
+}
+
 TEST(Agreement, WhereALostMemberDriftsIsForetold) {
   Fleet fleet = two_and_one_between();
   const Vec3 here = fleet.members[0].member(0).anchor;
