@@ -63,7 +63,7 @@ void Film::Contents::thin() {
   ++generation;
 }
 
-Film::Film(const Scenario& scenario, FilmLimits limits)
+Film::Film(const Scenario& scenario, const FilmLimits& limits)
     : contents_{std::make_unique<Contents>(scenario, limits)} {}
 Film::~Film() = default;
 

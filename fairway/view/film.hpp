@@ -40,7 +40,7 @@ enum class Packing : std::uint8_t {
 class Film final : public FrameSink {
  public:
   /// The scenario must outlive it. Its names and parameters were accepted before, by whoever ran it.
-  explicit Film(const Scenario& scenario, FilmLimits limits = {});
+  explicit Film(const Scenario& scenario, const FilmLimits& limits = {});
   ~Film() override;
   Film(const Film&) = delete;
   Film& operator=(const Film&) = delete;

@@ -17,7 +17,7 @@ constexpr double farthest_s = 1e8;  // three years: what is due later, at next t
 
 }  // namespace
 
-LiveRun::LiveRun(const Scenario& scenario, LivePace pace, FilmLimits limits)
+LiveRun::LiveRun(const Scenario& scenario, LivePace pace, const FilmLimits& limits)
     : pace_{pace}, film_{scenario, limits} {}
 
 LiveRun::Clock::time_point LiveRun::due_at(double time) {

@@ -27,7 +27,7 @@ struct LivePace {
 class LiveRun final : public FrameSink {
  public:
   /// The scenario must outlive it.
-  LiveRun(const Scenario& scenario, LivePace pace, FilmLimits limits = {});
+  LiveRun(const Scenario& scenario, LivePace pace, const FilmLimits& limits = {});
 
   // For the thread that makes the run.
 

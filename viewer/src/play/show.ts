@@ -19,6 +19,14 @@ export interface ShowHands {
   chosen(vehicles: readonly number[]): void;
 }
 
+function write_into(frame: HTMLIFrameElement, text: string): void {
+  const inside = frame.contentDocument;
+  if (inside === null) return;
+  inside.open();
+  inside.write(text);
+  inside.close();
+}
+
 export class Show {
   readonly element: HTMLIFrameElement;
   /** Another that shows the times that this one shows. */
@@ -44,7 +52,9 @@ export class Show {
     const json = JSON.stringify({ ...document, live: 'page', movable: hands.edit !== null }).replaceAll('</', '<\\/').replaceAll('<!', '\\u003c!');
     this.element = h('iframe', { title: label });
     // Written so that the marker of the data, which is searched for in this page as well, is not in it.
-    this.element.srcdoc = page.replace(/__FAIRWAY_[A-Z]+__/, () => json);
+    const text = page.replace(/__FAIRWAY_[A-Z]+__/, () => json);
+    // What a `srcdoc` had a browser keeps for as long as this page is open.
+    this.element.addEventListener('load', () => write_into(this.element, text), { once: true });
     window.addEventListener('message', this.listen);
   }
 
