@@ -19,9 +19,10 @@ export interface ShowHands {
   chosen(vehicles: readonly number[]): void;
 }
 
-function write_into(frame: HTMLIFrameElement, text: string): void {
+/** An empty frame gets its page. It is empty again whenever it has been moved to another place. */
+function fill(frame: HTMLIFrameElement, text: string): void {
   const inside = frame.contentDocument;
-  if (inside === null) return;
+  if (inside === null || inside.body.childElementCount > 0) return;
   inside.open();
   inside.write(text);
   inside.close();
@@ -54,7 +55,7 @@ export class Show {
     // Written so that the marker of the data, which is searched for in this page as well, is not in it.
     const text = page.replace(/__FAIRWAY_[A-Z]+__/, () => json);
     // What a `srcdoc` had a browser keeps for as long as this page is open.
-    this.element.addEventListener('load', () => write_into(this.element, text), { once: true });
+    this.element.addEventListener('load', () => fill(this.element, text));
     window.addEventListener('message', this.listen);
   }
 
