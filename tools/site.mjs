@@ -113,27 +113,41 @@ function live_link(path, addresses) {
   return `<p class="live"><a href="${escaped(`${up}/play.html${found.link}`)}">See ${escaped(name)} live</a>, in ${escaped(posix.basename(found.scenario, '.yaml'))}: the simulator runs in that page.</p>\n`;
 }
 
+/** How many of them have something live. */
+function write_pages() {
+  const addresses = live_addresses();
+  let live = 0;
+  for (const path of pages) {
+    const body = rendered(path);
+    const link = live_link(path, addresses);
+    if (link !== '') ++live;
+    written(page_of(path), /^# (.+)$/m.exec(text(path))?.[1] ?? path, body, link);
+  }
+  return live;
+}
+
+/** Of each folder that is linked to, a list of what is in it; all of that comes along. */
+function write_folders() {
+  for (const path of [...taken_along].filter((each) => each.endsWith('/'))) {
+    const inside = [...tracked].filter((each) => each.startsWith(path)).sort();
+    const entry = (each) => `<li><a href="${escaped(posix.relative(path, page_of(each)))}">${escaped(posix.relative(path, each))}</a></li>`;
+    written(`${path}index.html`, path, `<h1>${escaped(path)}</h1><ul>${inside.map(entry).join('')}</ul>`);
+    taken_along.delete(path);
+    for (const each of inside) if (!each.endsWith('.md')) taken_along.add(each);
+  }
+}
+
+function take_along() {
+  for (const path of taken_along) {
+    mkdirSync(dirname(join(out, path)), { recursive: true });
+    cpSync(join(root, path), join(out, path));
+  }
+}
+
 rmSync(out, { recursive: true, force: true });
-const addresses = live_addresses();
-let live = 0;
-for (const path of pages) {
-  const body = rendered(path);
-  const link = live_link(path, addresses);
-  if (link !== '') ++live;
-  const title = /^# (.+)$/m.exec(text(path))?.[1] ?? path;
-  written(page_of(path), title, body, link);
-}
-for (const path of [...taken_along]) {
-  if (!path.endsWith('/')) continue;
-  const inside = [...tracked].filter((each) => each.startsWith(path)).sort();
-  written(`${path}index.html`, path, `<h1>${escaped(path)}</h1><ul>${inside.map((each) => `<li><a href="${escaped(posix.relative(path, page_of(each)))}">${escaped(posix.relative(path, each))}</a></li>`).join('')}</ul>`);
-  for (const each of inside) if (!each.endsWith('.md')) taken_along.add(each);
-}
-for (const path of taken_along) {
-  if (path.endsWith('/')) continue;
-  mkdirSync(dirname(join(out, path)), { recursive: true });
-  cpSync(join(root, path), join(out, path));
-}
+const live = write_pages();
+write_folders();
+take_along();
 for (const [from, there, anchor] of wanted_anchors) if (!anchors.get(there)?.has(anchor)) broken.push(`${from}: ${there}#${anchor}`);
 writeFileSync(join(out, 'site.css'), text('viewer/src/common/tokens.css').replace(/@font-face\s*\{[^}]*\}/g, '') + text('tools/site.css'));
 cpSync(join(root, 'out/play.html'), join(out, 'play.html'));

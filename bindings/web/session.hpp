@@ -115,9 +115,8 @@ class Session final : private FrameSink {
   bool done_{false};
 };
 
-/// The names that a scenario may choose from, and the JSON schema of its keys as "schema": {"algorithms":
-/// [{"name", "title", "wraps"}], "vehicles":
-/// [{"name", "title"}], "exchanges": [{"name", "title"}]}.
+/// The names that a scenario may choose from, and the JSON schema of its keys: {"algorithms": [{"name",
+/// "title", "wraps"}], "vehicles": [{"name", "title"}], "exchanges": [{"name", "title"}], "schema"}.
 nlohmann::json names();
 
 /// What `fairway describe NAME --json` says of a method, vehicle, metric or kind of exchange, perception or

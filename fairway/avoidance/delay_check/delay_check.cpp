@@ -106,18 +106,27 @@ void DelayCheck::plan(const Situation& s, Memory& memory) const noexcept {
   memory.commits = s.link->next_turn + params.delay_turns_count * s.link->turn_period;
   const bool stands = committed.ends <= memory.commits;
   const double departs = memory.commits + (stands ? memory.turn : 0.0);
+  memory.own.next = soonest_leg(s, memory, departs, stands ? pledge::never : bend);
+}
+
+/// Of the legs that begin at `departs` on the committed one and are clear, whichever leads to the goal
+/// soonest; none if none brings it nearer.
+std::optional<Trajectory> DelayCheck::soonest_leg(const Situation& s, const Memory& memory, double departs,
+                                                  double most_bend) const noexcept {
+  const Trajectory& committed = memory.own.committed;
   const Vec3 place = committed.reference().at(departs);
   const Vec3 whole = s.goal.position - place;
   const double short_of = math::fmax(s.goal.arrival - surely, 0.0) / math::fmax(whole.norm(), 1e-9);
   const Vec3 to_goal = math::fmax(1.0 - short_of, 0.0) * whole;
   const Member m = pledge::member_of(s, params.speed_ratio);
+  delay_check::Word word = memory.own;
+  std::optional<Trajectory> best;
   double soonest = pledge::never;
   for (const double length : lengths) {
     for (const double bearing : bearings_deg) {
       for (const double climb : climbs) {
         const Vec3 leg = leg_of(to_goal, length, bearing, climb);
-        if (!stands && bend_between(committed.to - committed.from, leg) > bend) continue;
-        delay_check::Word word = memory.own;
+        if (bend_between(committed.to - committed.from, leg) > most_bend) continue;
         word.next = {
             .from = place, .to = place + leg, .departs = departs, .ends = departs + duration(leg, m)};
         const Trajectory next = *delay_check::as_told(word, datum(), s.time).next;
@@ -126,10 +135,11 @@ void DelayCheck::plan(const Situation& s, Memory& memory) const noexcept {
         const bool gains = left.norm() < (s.goal.position - committed.to).norm() - least_gain;
         if (!gains || arrives >= soonest || !is_clear(memory, next, departs)) continue;
         soonest = arrives;
-        memory.own.next = next;
+        best = next;
       }
     }
   }
+  return best;
 }
 
 Command DelayCheck::decide(const Situation& s, Memory& memory, Context& context) const noexcept {

@@ -86,6 +86,8 @@ struct DelayCheck {
   void hear(const Situation& s, Memory& memory) const noexcept;
   void check(const Situation& s, Memory& memory) const noexcept;
   void plan(const Situation& s, Memory& memory) const noexcept;
+  std::optional<delay_check::Trajectory> soonest_leg(const Situation& s, const Memory& memory, double departs,
+                                                     double most_bend) const noexcept;
   bool is_clear(const Memory& memory, const delay_check::Trajectory& own, double from) const noexcept;
 };
 

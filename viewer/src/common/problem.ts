@@ -3,6 +3,7 @@
 import { buoy } from './buoy';
 import { h } from './dom';
 import { DataError } from './read';
+import { reason_of } from './reason';
 import { theme_toggle } from './theme';
 
 /** The text that fairway put into the template; throws DataError where it did not. */
@@ -20,7 +21,7 @@ export function problem_element(text: string): HTMLElement {
 
 /** Instead of the page: what is wrong with its data, and what to do. */
 export function show_problem(into: HTMLElement, what: string, error: unknown, advice: string): void {
-  const reason = error instanceof Error ? error.message : String(error);
+  const reason = reason_of(error);
   into.replaceChildren(h('div', { class: 'problem-page' },
     h('header', { class: 'brand-bar' }, h('span', { class: 'brand' }, buoy(), `fairway ${what}`), theme_toggle()),
     h('h1', {}, `This ${what} cannot be shown`),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reads a page's data strictly. A reader is declared once: it checks a value, and its result is the type of what it read.
 // Whatever is not as it should be is said with the path that leads to it.
+import { reason_of } from './reason';
 
 /** What is wrong with the document, and where. */
 export class DataError extends Error {}
@@ -81,7 +82,7 @@ export function read_json<T>(json: string, read: Read<T>): T {
   try {
     value = JSON.parse(json);
   } catch (error) {
-    throw new DataError(`the data are not JSON: ${error instanceof Error ? error.message : String(error)}`);
+    throw new DataError(`the data are not JSON: ${reason_of(error)}`);
   }
   return read(value, '');
 }

@@ -2,6 +2,7 @@
 // What can be chosen and changed. Every change begins the run anew, or is one from the instant that is shown on.
 import { buoy } from '../common/buoy';
 import { h } from '../common/dom';
+import { reason_of } from '../common/reason';
 import { action_button, copy_text, save_blob } from '../common/save';
 import { theme_toggle } from '../common/theme';
 import type { Scene } from '../playback/model';
@@ -160,7 +161,7 @@ export class Controls {
     try {
       this.why.replaceChildren(await this.hands.explain());
     } catch (error) {
-      this.why.replaceChildren(h('p', {}, error instanceof Error ? error.message : String(error)));
+      this.why.replaceChildren(h('p', {}, reason_of(error)));
     }
   }
 
@@ -169,7 +170,7 @@ export class Controls {
       save_blob('run.mcap', await this.hands.recording());
       return true;
     } catch (error) {
-      this.complain(error instanceof Error ? error.message : String(error));
+      this.complain(reason_of(error));
       return false;
     }
   }

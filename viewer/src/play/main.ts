@@ -4,6 +4,7 @@ import '../common/parts.css';
 import './play.css';
 import { h } from '../common/dom';
 import { problem_element } from '../common/problem';
+import { reason_of } from '../common/reason';
 import { Controls } from './controls';
 import { held_data, type Held } from './data';
 import type { Order } from './module';
@@ -12,7 +13,6 @@ import { Run } from './run';
 import { address_of, first_state, state_in, type State } from './state';
 
 const into = document.getElementById('page')!;
-const text_of = (error: unknown): string => (error instanceof Error ? error.message : String(error));
 
 class Player {
   private readonly runs: Run[] = [];
@@ -57,7 +57,7 @@ class Player {
   private edit(on: boolean): void {
     this.editing = on;
     this.offer();
-    if (on && this.runs[0]!.layout.handles.length === 0) this.controls.complain('Nothing can be moved here: of more than 64 vehicles, and of a recording, nothing is.');
+    if (on && this.runs[0]!.layout.handles.length === 0) this.controls.complain('Nothing can be moved here: of very many vehicles, and of a recording, nothing is.');
   }
 
   private orders(): Order[] {
@@ -108,7 +108,7 @@ class Player {
       void this.show_results();
       history.replaceState(null, '', await address_of(this.state));
     } catch (error) {
-      if (mine === this.turn) this.controls.complain(text_of(error));
+      if (mine === this.turn) this.controls.complain(reason_of(error));
     }
   }
 
@@ -121,7 +121,7 @@ class Player {
       this.controls.show_command(command);
       void this.show_results();
     } catch (error) {
-      this.controls.complain(text_of(error));
+      this.controls.complain(reason_of(error));
     }
   }
 
@@ -151,7 +151,7 @@ async function main(): Promise<void> {
   try {
     state = await state_in(location.hash) ?? first_state;
   } catch (error) {
-    told = `The link cannot be read: ${text_of(error)}. This is the first scenario instead.`;
+    told = `The link cannot be read: ${reason_of(error)}. This is the first scenario instead.`;
   }
   const held = await held_data();
   if (!(state.scenario in held.scenarios)) {
@@ -161,4 +161,4 @@ async function main(): Promise<void> {
   await new Player(held, state).begin(told);
 }
 
-main().catch((error: unknown) => give_up(`${text_of(error)}.`));
+main().catch((error: unknown) => give_up(`${reason_of(error)}.`));

@@ -2,6 +2,7 @@
 // What this page and its Worker say to each other about the simulator in fairway.wasm.
 
 import type { Explanation } from '../playback/model';
+import type { Handle } from '../playback/source';
 
 /** A run to be begun: a scenario, and changes in it as --set makes them. */
 export interface Order {
@@ -17,15 +18,6 @@ export interface Order {
   thinkers: readonly number[];
   /** From an instant on it has these changes too; ascending. */
   changes: { at_s: number; set: [path: string, value: string][] }[];
-}
-
-/** What of a scenario can be moved: a path of --set, and what it is set to. */
-export interface Handle {
-  path: string;
-  what: 'start' | 'goal' | 'obstacle';
-  name: string;
-  vehicle: number | null;
-  position_m: number[];
 }
 
 export interface Layout {

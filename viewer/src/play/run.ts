@@ -3,8 +3,9 @@
 import { h } from '../common/dom';
 import { make_explanation } from '../playback/explanation/explanation';
 import type { Scene } from '../playback/model';
+import type { Handle } from '../playback/source';
 import type { Held } from './data';
-import type { Begun, Handle, Layout, Order, Outcome } from './module';
+import type { Begun, Layout, Order, Outcome } from './module';
 import { Show } from './show';
 import { RemoteSimulator } from './simulator';
 

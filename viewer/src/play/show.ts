@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A run as the playback shows it: its page in a frame, which asks for the film as it asks a live run's server.
 import { h } from '../common/dom';
-import { bytes_of, type Handle } from './module';
+import type { Handle } from '../playback/source';
+import { bytes_of } from './module';
 import type { RemoteSimulator } from './simulator';
 
 /** What the page in the frame sends (src/playback/source.ts). */

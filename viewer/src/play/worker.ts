@@ -2,6 +2,7 @@
 // The simulator beside the page: it goes on in slices, between which it answers.
 import { decompress } from 'fzstd';
 import { Simulator } from '../../../bindings/web/module.mjs';
+import { reason_of } from '../common/reason';
 import { bytes_of, type Answer, type Begun, type Calls, type Layout, type Question } from './module';
 
 const slice_ms = 12;
@@ -32,7 +33,7 @@ function run(steps: number): void {
   try {
     tried(() => simulator.run(steps));
   } catch (error) {
-    trouble = error instanceof Error ? error.message : String(error);
+    trouble = reason_of(error);
   }
 }
 
@@ -100,7 +101,7 @@ self.addEventListener('message', ({ data }: MessageEvent<Question>) => {
     answer = { id: data.id, result };
     if (data.call === 'part') given.push(...bytes_of(result as ReturnType<Calls['part']>));
   } catch (error) {
-    answer = { id: data.id, error: error instanceof Error ? error.message : String(error) };
+    answer = { id: data.id, error: reason_of(error) };
   }
   self.postMessage(answer, { transfer: given });
 });

@@ -2,6 +2,7 @@
 // A run that is still going on: asks whoever makes it for what is new, and may tell it to pause, go on or step. It asks for
 // nothing else.
 import { flag, number, optional, or_null, record, text, type Of } from '../common/read';
+import { reason_of } from '../common/reason';
 import type { Film } from './film';
 import { part } from './model';
 import type { Order, Source } from './source';
@@ -66,7 +67,7 @@ export class LiveRun {
     try {
       return this.take(answer);
     } catch (error) {
-      this.trouble = `What the run sent cannot be read: ${error instanceof Error ? error.message : String(error)}.`;
+      this.trouble = `What the run sent cannot be read: ${reason_of(error)}.`;
       return false;
     }
   }

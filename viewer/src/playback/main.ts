@@ -8,6 +8,7 @@ import './panel.css';
 import { h } from '../common/dom';
 import { embedded_text, show_problem } from '../common/problem';
 import { DataError } from '../common/read';
+import { reason_of } from '../common/reason';
 import { Film } from './film';
 import { LiveRun } from './live';
 import { decode, type Document, type Part } from './model';
@@ -24,7 +25,7 @@ function recorded(film: Film, part: Part): void {
   try {
     film.append(part);
   } catch (error) {
-    throw new DataError(`film: ${error instanceof Error ? error.message : String(error)}`);
+    throw new DataError(`film: ${reason_of(error)}`);
   }
   if (film.count === 0) throw new DataError('film: it has no frames');
 }

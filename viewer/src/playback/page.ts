@@ -2,6 +2,7 @@
 // The page around the picture: puts the parts together and keeps them in step.
 import { buoy } from '../common/buoy';
 import { h } from '../common/dom';
+import { reason_of } from '../common/reason';
 import { theme_toggle } from '../common/theme';
 import { make_about, make_saving } from './about';
 import { make_bindings } from './bindings';
@@ -41,7 +42,7 @@ function stage_in(host: HTMLElement, scene: Scene, film: Film): StageView {
   try {
     return make_stage(host, scene, film);
   } catch (error) {
-    return no_stage(host, error instanceof Error ? error.message : String(error));
+    return no_stage(host, reason_of(error));
   }
 }
 

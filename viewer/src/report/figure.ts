@@ -2,6 +2,7 @@
 // The frame around a chart: caption, legend, buttons, the drawing at the width there is, and pointing at it.
 import { h, s, slug } from '../common/dom';
 import { legend, type LegendEntry } from '../common/legend';
+import { reason_of } from '../common/reason';
 import { action_button, save_text } from '../common/save';
 import { standalone_svg } from '../common/saved_svg';
 import { hide_tip, show_tip } from '../common/tooltip';
@@ -58,7 +59,7 @@ class Plot {
     } catch (error) {
       this.drawing = null;
       this.element.replaceChildren(h('p', { class: 'problem' },
-        `This chart cannot be drawn: ${error instanceof Error ? error.message : String(error)}.`));
+        `This chart cannot be drawn: ${reason_of(error)}.`));
       return;
     }
     const { svg } = this.drawing;
