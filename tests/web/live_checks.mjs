@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The page of a live run, served by a small server that does as `fairway run --live` does; tests/live/browser.test.mjs orders a real one.
 import { createServer } from 'node:http';
-import { ViewPage } from './view_page.mjs';
+import { desk, ViewPage } from './view_page.mjs';
 
 const bytes_of = { f64: 8, f32: 4, u8: 1 };
 const chunk = 60;
@@ -57,7 +57,7 @@ export async function look_at_live(browser, sample) {
   const html = browser.render(JSON.stringify({ ...sample, film: null, explanation: null }))
     .replace("default-src 'none';", "default-src 'none'; connect-src 'self';");
   const { server, run, address } = await serve(html, sample);
-  const options = { width: 1180, height: 820, scheme: 'light', harmless: /GPU stall|GL Driver Message|ERR_CONNECTION_REFUSED/ };
+  const options = { ...desk, scheme: 'light', harmless: /GPU stall|GL Driver Message|ERR_CONNECTION_REFUSED/ };
   await browser.open(address, 'a live run', options, async (page, expect) => {
     const view = new ViewPage(page);
     const until = (what, wanted) => page.waitForFunction(what, wanted, { timeout: 20000 }).then(() => true, () => false);
@@ -104,7 +104,7 @@ export async function look_at_live(browser, sample) {
 export async function look_at_divergence(browser, sample) {
   const divergence = 'diverged: auv_0 at 12.1 s: its speed is beyond 200 m/s';
   const path = browser.write('diverged.html', JSON.stringify({ ...sample, explanation: null, divergence }));
-  await browser.open(path, 'a run that diverged', { width: 1180, height: 820, scheme: 'light' }, async (page, expect) => {
+  await browser.open(path, 'a run that diverged', { ...desk, scheme: 'light' }, async (page, expect) => {
     await page.waitForFunction(() => window.fairway !== undefined);
     const ending = page.locator('.live-status');
     expect(!await ending.isVisible(), 'it is said before the end');

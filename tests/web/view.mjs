@@ -11,7 +11,7 @@ import { Browser, command_line } from './browser.mjs';
 import { look_at_divergence, look_at_live } from './live_checks.mjs';
 import { playback } from './sample_playback.mjs';
 import { checks, phone_checks, theme_checks } from './view_checks.mjs';
-import { ViewPage } from './view_page.mjs';
+import { desk, ViewPage } from './view_page.mjs';
 
 const { path: given, screenshots } = command_line();
 // Chromium remarks on reading back what its software renderer drew.
@@ -34,7 +34,6 @@ async function look_at_page(path, name, options, chosen) {
   });
 }
 
-const desk = { width: 1180, height: 820 };
 async function look_at_every_side(path) {
   await look_at_page(path, 'light', { ...desk, scheme: 'light' }, checks);
   await look_at_page(path, 'dark', { ...desk, scheme: 'dark' }, theme_checks);

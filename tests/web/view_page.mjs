@@ -2,6 +2,9 @@
 // A page of `fairway view` in the browser, as the checks drive it.
 import { Picture, png_uri } from './picture.mjs';
 
+/** As small as a desk's window may be: a processor draws every pixel of it. */
+export const desk = { width: 920, height: 620 };
+
 export class ViewPage {
   constructor(page) {
     this.page = page;
