@@ -101,7 +101,8 @@ std::vector<std::string> breaches(const Catalog& catalog, const std::string& nam
     const bool declared = catalog.ignores(name, hindrance.ignored);
     if (declared && way.reacted)
       found.push_back(std::string(hindrance.name) + ": reacts, and says it does not");
-    if (!declared && !way.reacted)
+    const bool speaks = catalog.needs(name, &AlgorithmInfo::needs_link);  // and goes nowhere alone
+    if (!declared && !way.reacted && !speaks)
       found.push_back(std::string(hindrance.name) + ": ignored, without saying so");
     if (!declared && way.clearance < least_clearance) {
       found.push_back(std::string(hindrance.name) + ": not avoided, clear by " +

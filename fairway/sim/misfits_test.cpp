@@ -94,6 +94,11 @@ TEST(Misfits, TellOfGroundThatAMethodDoesNotSee) {
   EXPECT_THAT(told(transport, "direct", "raw", drifter), IsEmpty());   // it is there to avoid nobody
   EXPECT_THAT(told(transport, "stop_and_wait", "raw", buoy + "}}]"),
               ElementsAre("robot0: stop_and_wait ignores obstacles, and there are some"));
+  EXPECT_THAT(told("sparus2", "pledge", "auto", buoy + "}}], exchange: acoustic"), IsEmpty());
+  EXPECT_THAT(told("sparus2", "pledge", "auto", buoy + ", charted: false}}], exchange: acoustic"),
+              ElementsAre("robot0: pledge avoids only what is charted, and obstacles[0] is not"));
+  EXPECT_THAT(told("sparus2", "pledge", "auto", drifter + ", exchange: acoustic"),
+              ElementsAre("robot0: pledge ignores whatever moves, and obstacles[0] drifts"));
   const std::string deep = ", obstacles: [{sphere: {position_m: [20, 0, 8], radius_m: 1}}]";
   EXPECT_THAT(
       told(transport, "orca2d", "raw", deep),

@@ -18,12 +18,6 @@ constexpr double turning_away = 0.1;       // likewise, for each second since [m
 constexpr double longest_drift = 120.0;    // for which it is foretold [s]
 constexpr double most_late = 2.0;          // who looks at its clock so long after a start has missed it [s]
 
-std::uint8_t epoch_of(int round, std::size_t author) {
-  return static_cast<std::uint8_t>(round << 3U | author);
-}
-int round_of(std::uint8_t epoch) { return epoch >> 3U; }
-constexpr int most_rounds = 31;
-
 /// Turns from a plan's word until everybody has heard everybody's acknowledgement, where nothing is lost. Who
 /// speaks right after that word may have chosen its own before it had come in, and then acknowledges a turn
 /// later; its word takes as long as a slot.
@@ -135,7 +129,7 @@ void Agreement::learn(const Header& header) noexcept {
     left_ |= header.departed;
   }
   const bool has_gone = header.status == Status::moving || header.status == Status::arrived;
-  if (has_gone && header.sent > plan_.start) left_.set(from);
+  if (has_gone && header.sent > plan_.start()) left_.set(from);
   if (header.status == Status::held || header.status == Status::lost) ends_[from].reset();
   if (header.status != Status::moving || !departed_[from] || !plan_.participants[from] || ends_[from]) return;
   // nothing but a gate can stop it any more
@@ -153,16 +147,17 @@ void Agreement::learn(const PlanWord& word) noexcept {
   search_.reset();
 }
 
-void Agreement::go_on(double now, double period, const Link& link, double patience) noexcept {
+void Agreement::go_on(double now, double period, const Link& link, double patience,
+                      const Chart& chart) noexcept {
   assume(now, link.turn_period);
   stop_at_gate(now);
-  acknowledge(now, latest(patience) * link.turn_period);
-  depart(now, link.turn_period);
+  acknowledge(now, latest(patience) * link.turn_period, chart);
+  depart(now, link.turn_period, chart);
   // on board decisions may come more rarely than they are meant to
   const double since = now - looked_;
   looked_ = now;
   const bool is_rare = since > 1.2 * period && since < link.turn_period;
-  propose(now, is_rare ? since : period, link, patience);
+  propose(now, is_rare ? since : period, link, patience, chart);
 }
 
 /// Who has departed by a way without gates and is silent for good has arrived at its end for all that anybody
@@ -189,7 +184,7 @@ Members Agreement::unneeded(double now, double turn_period) const noexcept {
 
 /// Those who are placed by the plan, own ship not among them.
 Clearance Agreement::scene_of(const Plan& plan) const noexcept {
-  Clearance scene{members_, plan.participants, terms_.tubes, plan.start};
+  Clearance scene{members_, plan.participants, terms_.tubes, plan.start()};
   const std::array<Reference, most_members> others = ways_of_others();
   for (std::size_t i = 0; i < terms_.count; ++i) {
     if (i == self_) continue;
@@ -203,12 +198,12 @@ Clearance Agreement::scene_of(const Plan& plan) const noexcept {
 }
 
 /// Rules 1 and 2, at least `ahead` before the start.
-void Agreement::acknowledge(double now, double ahead) noexcept {
+void Agreement::acknowledge(double now, double ahead, const Chart& chart) noexcept {
   if (plan_.epoch <= std::max(acknowledged_epoch_, refused_epoch_) || !is_pending(now + ahead)) return;
   const bool knows_them = (plan_.participants & ~known_).none() &&
                           digest_of(members_, plan_.participants, terms_.datum) == plan_.digest;
   if (!knows_them || status_ == Status::lost) return;
-  if (!is_clear()) {
+  if (!is_clear(chart)) {
     refused_epoch_ = plan_.epoch;
     return;
   }
@@ -218,11 +213,15 @@ void Agreement::acknowledge(double now, double ahead) noexcept {
 
 /// Whether all that own ship may do is clear of the plan. Who is moving may have to promise to stop at its
 /// next gate for that.
-bool Agreement::is_clear() noexcept {
+bool Agreement::accepts_own(const Clearance& scene, const Reference& way, const Chart& chart) const noexcept {
+  return scene.accepts(self_, way) && keeps_off(way, chart, berth(members_[self_], terms_.tubes));
+}
+
+bool Agreement::is_clear(const Chart& chart) noexcept {
   const Clearance scene = scene_of(plan_);
   if (plan_.participants[self_])
     return status_ == Status::held &&
-           scene.accepts(self_, reference_of(members_[self_], plan_, plan_.codes[self_]));
+           accepts_own(scene, reference_of(members_[self_], plan_, plan_.codes[self_]), chart);
   if (status_ != Status::moving) return scene.accepts(self_, Reference{members_[self_].anchor});
   bool goes_or_stops = scene.accepts(self_, way_);
   for (std::size_t i = 0; i < terms_.count; ++i)
@@ -241,22 +240,21 @@ Reference Agreement::promised(double now) const noexcept {
 }
 
 /// Rule 3.
-void Agreement::depart(double now, double turn_period) noexcept {
-  if (status_ != Status::held || plan_.epoch == 0 || now < plan_.start ||
-      acknowledged_epoch_ != plan_.epoch || !plan_.participants[self_])
+void Agreement::depart(double now, double turn_period, const Chart& chart) noexcept {
+  if (status_ != Status::held || !plan_.epoch || now < plan_.start() || acknowledged_epoch_ != plan_.epoch ||
+      !plan_.participants[self_])
     return;
-  acknowledged_epoch_ =
-      static_cast<std::uint8_t>(plan_.epoch | 7U);  // none of this round any more, whatever comes
+  acknowledged_epoch_.author = most_members - 1;  // none that starts together with it any more
   Clearance scene = scene_of(plan_);
   const Reference way = reference_of(members_[self_], plan_, plan_.codes[self_]);
   const bool is_as_told = digest_of(members_, plan_.participants, terms_.datum) == plan_.digest;
   const bool has_all = is_as_told && (everyone() & ~unneeded(now, turn_period) & ~acknowledged_).none();
-  if (!has_all || now > plan_.start + most_late || !scene.accepts(self_, way)) {
+  if (!has_all || now > plan_.start() + most_late || !accepts_own(scene, way, chart)) {
     ++attempts_;
     return;
   }
   way_ = way;
-  started_ = plan_.start;
+  started_ = plan_.start();
   scene.place(self_, way_);
   for (std::size_t i = 0; i < most_members; ++i) gates_[i] = scene.gate(self_, i);
   left_ = departed_;
@@ -288,7 +286,7 @@ Members Agreement::held() const noexcept {
   for (std::size_t i = 0; i < terms_.count; ++i)
     // of those who departed by the plan, only who has said since that it is held again
     if (known_[i] && statuses_[i] == Status::held &&
-        (i == self_ || !departed_[i] || last_heard_[i] > plan_.start))
+        (i == self_ || !departed_[i] || last_heard_[i] > plan_.start()))
       all.set(i);
   return all;
 }
@@ -304,11 +302,10 @@ std::array<Reference, most_members> Agreement::ways_of_others() const noexcept {
 
 /// Of the first plan, whoever's turn comes first; of later ones the smallest of the held that is not silent.
 bool Agreement::may_propose(double now, double turn_period) const noexcept {
-  const bool is_settling = plan_.epoch != 0 && now < plan_.start + turn_period;
-  if (status_ != Status::held || is_settling || known_ != everyone() || is_news(now, turn_period) ||
-      round_of(newest_epoch_) >= most_rounds)
+  const bool is_settling = plan_.epoch && now < plan_.start() + turn_period;
+  if (status_ != Status::held || is_settling || known_ != everyone() || is_news(now, turn_period))
     return false;
-  if (newest_epoch_ == 0) return true;
+  if (!newest_epoch_) return true;
   const Members waiting = held();
   for (std::size_t i = 0; i < self_; ++i)
     if (waiting[i] && now - last_heard_[i] < silent_turns * turn_period) return false;
@@ -317,31 +314,35 @@ bool Agreement::may_propose(double now, double turn_period) const noexcept {
 
 /// It searches before its turn, and proposes at the last decision before it what it has found by then, unless
 /// it hears of another plan first.
-void Agreement::propose(double now, double period, const Link& link, double patience) noexcept {
+void Agreement::propose(double now, double period, const Link& link, double patience,
+                        const Chart& chart) noexcept {
   if (!may_propose(now, link.turn_period)) {
     search_.reset();
     return;
   }
   const double ahead = link.next_turn - now;
   if (!search_) {
-    if (ahead > search_decisions * period) return;
+    const double parts = chart.empty() ? 1.0 : static_cast<double>(Search::most_hubs);
+    if (ahead > parts * search_decisions * period) return;
     // it plans from time 0 on
     std::array<Reference, most_members> others = ways_of_others();
     for (Reference& other : others) other = other.later(-(now + 2.0 * link.turn_period));
-    search_.emplace(members_, held(), others, terms_, searches_ % 2 == 0 ? 0 : (searches_ + 1) / 2);
+    search_.emplace(members_, held(), others, terms_, searches_ % 2 == 0 ? 0 : (searches_ + 1) / 2, chart);
   }
-  const bool has_ended = search_->go_on(codes_at_once);
-  if (search_->found() && ahead <= last_decisions * period) {
+  const bool has_ended = search_->go_on(codes_at_once, chart);
+  const bool is_best = chart.empty() || has_ended || search_->found_all();
+  if (search_->found() && is_best && ahead <= last_decisions * period) {
     const double turns = std::min(least_patience(terms_.count) + patience + attempts_, most_patience);
     plan_ = search_->best();
-    plan_.start = 0.1 * std::ceil(10.0 * (link.next_turn + turns * link.turn_period));
-    plan_.epoch = epoch_of(round_of(newest_epoch_) + 1, self_);
+    const double start = std::ceil((link.next_turn + turns * link.turn_period) / 0.1);
+    const std::int64_t after_all = newest_epoch_ ? newest_epoch_.tenths + 1 : Epoch::none;
+    plan_.epoch = {std::max(static_cast<std::int64_t>(start), after_all), static_cast<std::uint8_t>(self_)};
     plan_.digest = digest_of(members_, plan_.participants, terms_.datum);
     newest_epoch_ = plan_.epoch;
     acknowledged_ = departed_ = {};
     search_.reset();
     ++searches_;
-    acknowledge(now, 0.0);
+    acknowledge(now, 0.0, chart);
   } else if (has_ended && !search_->found()) {
     search_.reset();
     ++searches_;
@@ -349,15 +350,16 @@ void Agreement::propose(double now, double period, const Link& link, double pati
 }
 
 Speech Agreement::say(double now, double turn_period) const noexcept {
+  const bool is_forgotten = now > plan_.start() + soonest_forgotten;
   const Header header{.sender = static_cast<std::uint8_t>(self_),
-                      .epoch = plan_.epoch,
+                      .epoch = is_forgotten ? Epoch{} : plan_.epoch,
                       .sent = now,
                       .status = status_,
                       .acknowledged = acknowledged_,
                       .departed = departed_,
                       .heard = known_};
   const bool tells_plan = status_ != Status::lost && !is_news(now, turn_period) &&
-                          (is_pending(now) || (status_ == Status::moving && plan_.epoch != 0));
+                          (is_pending(now) || (status_ == Status::moving && header.epoch));
   Members without_me;
   for (std::size_t i = 0; i < terms_.count; ++i)
     if (i != self_ && !heard_by_[i][self_]) without_me.set(i);

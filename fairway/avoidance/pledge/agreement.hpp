@@ -18,7 +18,7 @@ namespace fairway::pledge {
 /// 1. Acknowledgements go upwards: a member acknowledges no plan that is older than one that it has
 ///    acknowledged before, and none whose start has passed, or is so near that not all might hear of it.
 /// 2. It acknowledges a plan only if what it may do itself, whether or not it departs, and wherever it may
-///    still stop at a gate, is clear of what everybody does by the plan.
+///    still stop at a gate, is clear of what everybody does by the plan, and its own way of what stands.
 /// 3. It departs at the plan's start, if by then it knows that every member has acknowledged, and if it has
 ///    acknowledged no newer one. Of who has told where it has arrived, it is enough that its own way is clear
 ///    of that place. Otherwise, and if it looks at its clock too late, it stays where it is, for ever or
@@ -42,8 +42,9 @@ class Agreement {
   bool hear(const Speech& speech, double now) noexcept;
 
   /// Acknowledges, proposes, departs and stops as the rules say. To be called at every decision, `period` [s]
-  /// apart. `patience` is how many turns more than the least it gives acknowledgements to come in.
-  void go_on(double now, double period, const Link& link, double patience) noexcept;
+  /// apart. `patience` is how many turns more than the least it gives acknowledgements to come in; `chart` is
+  /// what stands.
+  void go_on(double now, double period, const Link& link, double patience, const Chart& chart = {}) noexcept;
 
   /// Own ship is within its arrival of its destination, and stays at `place`, the end of its reference.
   void arrive(const Vec3& place) noexcept;
@@ -85,11 +86,12 @@ class Agreement {
 
   void learn(const Header& header) noexcept;
   void learn(const PlanWord& word) noexcept;
-  void acknowledge(double now, double ahead) noexcept;
-  void depart(double now, double turn_period) noexcept;
+  void acknowledge(double now, double ahead, const Chart& chart) noexcept;
+  void depart(double now, double turn_period, const Chart& chart) noexcept;
   void stop_at_gate(double now) noexcept;
-  bool is_clear() noexcept;
-  void propose(double now, double period, const Link& link, double patience) noexcept;
+  bool is_clear(const Chart& chart) noexcept;
+  bool accepts_own(const Clearance& scene, const Reference& way, const Chart& chart) const noexcept;
+  void propose(double now, double period, const Link& link, double patience, const Chart& chart) noexcept;
   bool may_propose(double now, double turn_period) const noexcept;
   double clear_of(std::size_t i) const noexcept;
   void assume(double now, double turn_period) noexcept;
@@ -100,7 +102,7 @@ class Agreement {
   Clearance scene_of(const Plan& plan) const noexcept;
   double next_gate() const noexcept;
   Members everyone() const noexcept { return Members{(1U << terms_.count) - 1U}; }
-  bool is_pending(double now) const noexcept { return plan_.epoch != 0 && now < plan_.start; }
+  bool is_pending(double now) const noexcept { return plan_.epoch && now < plan_.start(); }
   /// Whether it is held elsewhere than before, and has had no turn yet to tell where.
   bool is_news(double now, double turn_period) const noexcept { return now < held_since_ + turn_period; }
 
@@ -121,10 +123,10 @@ class Agreement {
   Plan plan_{};
   Members acknowledged_{};
   Members departed_{};
-  std::uint8_t newest_epoch_{};        ///< that anybody has spoken of
-  std::uint8_t acknowledged_epoch_{};  ///< the newest that own ship has acknowledged
-  std::uint8_t refused_epoch_{};       ///< the newest that it has looked at and not acknowledged
-  int attempts_{};                     ///< plans that came to nothing
+  Epoch newest_epoch_{};        ///< that anybody has spoken of
+  Epoch acknowledged_epoch_{};  ///< the newest that own ship has acknowledged
+  Epoch refused_epoch_{};       ///< the newest that it has looked at and not acknowledged
+  int attempts_{};              ///< plans that came to nothing
 
   // own way
   Reference way_{};

@@ -4,126 +4,20 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <functional>
 #include <vector>
 
+#include "fairway/avoidance/pledge/testing/fleet.hpp"
 #include "fairway/core/rng.hpp"
 
 namespace fairway::pledge {
 namespace {
-
-constexpr double step = 0.2;
-
-struct Said {
-  Speech speech;
-  std::size_t from;
-  double heard;  ///< when [s]
-};
-
-/// Members that keep to their references exactly, and a modem whose words get lost.
-struct Fleet {
-  std::vector<Said> said;
-  std::vector<Agreement> members;
-  std::vector<Vec3> places;
-  double turn_period{};
-  double on_the_air{0.0};  ///< for which a word is [s]
-  double patience{0.0};    ///< in turns
-  double period{step};     ///< that members are told to decide at [s]
-  double time{0.0};
-  double least{never};  ///< between two of them, so far
-
-  Fleet(const std::vector<Member>& all, double period) : turn_period{period} {
-    const Terms terms{.count = all.size(), .tubes = {.radius = 1.0, .told = 0.1}};
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      members.emplace_back(i, terms).hold(all[i]);
-      places.push_back(members[i].member(i).anchor);
-    }
-  }
-
-  double turn(std::size_t i, double after) const {
-    const double first = turn_period * static_cast<double>(i) / static_cast<double>(members.size());
-    return first + turn_period * std::ceil((after - first) / turn_period + 1e-9);
-  }
-
-  bool has_turn(std::size_t i) const { return turn(i, time - step) <= time + 1e-9; }
-
-  /// `gets_through(from, to)` says of each word whether it is heard.
-  void go_on(const std::function<bool(std::size_t, std::size_t)>& gets_through) {
-    for (std::size_t i = 0; i < members.size(); ++i)
-      if (has_turn(i)) said.push_back({members[i].say(time, turn_period), i, time + on_the_air});
-    for (const Said& word : said) {
-      if (word.heard > time + 1e-9) continue;
-      for (std::size_t j = 0; j < members.size(); ++j)
-        if (j != word.from && gets_through(word.from, j)) members[j].hear(word.speech, time);
-    }
-    std::erase_if(said, [&](const Said& word) { return word.heard <= time + 1e-9; });
-    for (std::size_t i = 0; i < members.size(); ++i) {
-      members[i].go_on(time, period, {{}, turn_period, turn(i, time)}, patience);
-      if (const Reference* way = members[i].way()) {
-        places[i] = way->at(time);
-        const Member& m = members[i].member(i);
-        if ((places[i] - m.destination).norm() <= m.arrival) members[i].arrive(places[i]);
-      }
-    }
-    for (std::size_t i = 0; i < members.size(); ++i)
-      for (std::size_t j = 0; j < i; ++j) least = std::min(least, (places[i] - places[j]).norm());
-    time += step;
-  }
-
-  std::ptrdiff_t moving() const {
-    return std::ranges::count_if(members, [](const Agreement& m) { return m.status() == Status::moving; });
-  }
-
-  bool is_done() const {
-    return std::ranges::all_of(members, [](const Agreement& m) { return m.status() == Status::arrived; });
-  }
-};
-
-Member crossing(const Vec3& from, const Vec3& to) {
-  return {.anchor = from,
-          .destination = to,
-          .arrival = 3.0,
-          .radius = 1.5,
-          .speed = 0.45,
-          .climb = 0.22,
-          .descent = 0.28,
-          .turn = 5.0};
-}
-
-std::vector<Member> three_in_a_plane() {
-  std::vector<Member> all;
-  for (int i = 0; i < 3; ++i) {
-    const double bearing = 2.0943951023931953 * i;
-    const Vec3 from{10.0 * std::cos(bearing), 10.0 * std::sin(bearing), 5.0};
-    all.push_back(crossing(from, {-from.x(), -from.y(), 5.0}));
-  }
-  return all;
-}
-
-std::vector<Member> cube(Rng& rng) {
-  std::vector<Member> all;
-  for (const auto& [n, e, upper] : {std::tuple{1, 1, true},
-                                    {-1, -1, true},
-                                    {1, -1, false},
-                                    {-1, 1, false},
-                                    {-1, -1, false},
-                                    {1, 1, false},
-                                    {-1, 1, true},
-                                    {1, -1, true}}) {
-    const auto out = [&] { return upper ? rng.uniform(5, 6.5) : rng.uniform(8.5, 10); };
-    all.push_back(crossing({n * out(), e * out(), upper ? rng.uniform(0, 0.5) : 15.0},
-                           {-10.0 * n, -10.0 * e, upper ? 20.0 : 0.0}));
-  }
-  return all;
-}
 
 TEST(Agreement, OfThreeNeverBringsTwoTogetherWhateverIsLostInTheTurnsThatDecide) {
   // a clean start, so that all know all; from the proposal on every pattern of nine words lost or heard,
   // and nothing is heard after them for a while
   std::vector<Fleet> starts;
   Fleet begins{three_in_a_plane(), 3.0};
-  const auto has_plan = [](const Agreement& member) { return member.plan().epoch != 0; };
+  const auto has_plan = [](const Agreement& member) { return bool{member.plan().epoch}; };
   while (std::ranges::none_of(begins.members, has_plan) && begins.time < 60.0)
     begins.go_on([](std::size_t, std::size_t) { return true; });
   ASSERT_TRUE(std::ranges::any_of(begins.members, has_plan)) << "a plan was found";
@@ -170,21 +64,6 @@ TEST(Agreement, OfEightKeepsClearAndComesToItsEndAtAnyLoss) {
   }
 }
 
-/// Of words: each pair loses half of them, four in a row in the mean.
-class LossesInRuns {
- public:
-  explicit LossesInRuns(Rng rng) : rng_{rng} {}
-  bool operator()(std::size_t from, std::size_t to) {
-    bool& loses = loses_[from][to];
-    if (rng_.uniform(0, 1) < 0.25) loses = !loses;
-    return !loses;
-  }
-
- private:
-  Rng rng_;
-  std::array<std::array<bool, most_members>, most_members> loses_{};
-};
-
 TEST(Agreement, WhereTheGroupIsDividedAgainAndAgainAllKeepClear) {
   int divided = 0;
   for (std::uint64_t seed = 1; seed <= 104; ++seed) {
@@ -201,8 +80,6 @@ TEST(Agreement, WhereTheGroupIsDividedAgainAndAgainAllKeepClear) {
   }
   EXPECT_GT(divided, 0) << "or nothing was tried";
 }
-
-const auto always = [](std::size_t, std::size_t) { return true; };
 
 TEST(Agreement, ThoughAWordTakesAWholeSlotAllDepartByTheFirstPlan) {
   // who speaks next has said its word before it has heard the one before it
@@ -241,7 +118,7 @@ TEST(Agreement, WhereHalfIsLostAndThereIsPatienceHardlyAnyGroupIsDivided) {
 
 TEST(Agreement, NobodyAcknowledgesWhatNotAllMightHearOf) {
   Fleet fleet{three_in_a_plane(), 3.0}, before = fleet;
-  const auto has_plan = [](const Agreement& member) { return member.plan().epoch != 0; };
+  const auto has_plan = [](const Agreement& member) { return bool{member.plan().epoch}; };
   while (std::ranges::none_of(fleet.members, has_plan)) {
     before = fleet;
     fleet.go_on(always);
@@ -250,7 +127,7 @@ TEST(Agreement, NobodyAcknowledgesWhatNotAllMightHearOf) {
   // its state in an even turn, and in an odd one the plan
   const Speech state = proposer->say(fleet.time, fleet.time / 2.5);
   const Speech word = proposer->say(fleet.time + 0.1, fleet.time / 1.5);
-  const double start = proposer->plan().start;
+  const double start = proposer->plan().start();
   const std::size_t other = proposer == fleet.members.begin() ? 1 : 0;
   const auto acknowledges_at = [&](double time) {
     Agreement member = before.members[other];
@@ -339,8 +216,8 @@ TEST(Agreement, WhereALostMemberDriftsIsForetold) {
 
 TEST(Agreement, AClockThatJumpsOverAStartHoldsItsMember) {
   Fleet fleet{three_in_a_plane(), 3.0};
-  while (fleet.members[0].plan().epoch == 0) fleet.go_on(always);
-  const double start = fleet.members[0].plan().start;
+  while (!fleet.members[0].plan().epoch) fleet.go_on(always);
+  const double start = fleet.members[0].plan().start();
   while (fleet.time < start - 0.5) fleet.go_on(always);
   Agreement jumped = fleet.members[0], punctual = fleet.members[0];
   punctual.go_on(start + 0.1, step, {{}, 3.0, start + 1.0}, 0.0);

@@ -7,20 +7,42 @@ namespace fairway::pledge {
 namespace {
 
 // so much farther off a gate is than two may be, so that whoever stops at it can be given another plan [m]
-constexpr double beyond = 0.05;
+constexpr double so_far = 0.05;
+
+constexpr double hair = 0.001;         // of rounding, where something begins too near and comes no nearer [m]
+constexpr double least_stride = 0.05;  // along a reference beside what stands [m]
+
+/// Whether a straight piece keeps as far off an obstacle: from each place it goes on by as much as nothing
+/// can be in the way.
+bool keeps_off(const Vec3& from, const Vec3& to, const Obstacle& obstacle, double distance) {
+  const Vec3 whole = to - from;
+  const double length = whole.norm();
+  for (double gone = 0.0;;) {
+    const double off =
+        nearest_point(obstacle, length > 0.0 ? Vec3{from + (gone / length) * whole} : from).distance;
+    if (off < distance) return false;
+    if (gone >= length) return true;
+    gone = std::min(gone + std::max(off - distance, least_stride), length);
+  }
+}
 
 }  // namespace
 
-double Clearance::apart(std::size_t a, std::size_t b) const noexcept {
-  return members_[a].radius + members_[b].radius + 2.0 * tubes_.radius + tubes_.told;
+/// How far two have to be from each other who begin at these places.
+double Clearance::apart(std::size_t a, std::size_t b, const Vec3& from, const Vec3& to,
+                        double beyond) const noexcept {
+  const double all = members_[a].radius + members_[b].radius + 2.0 * tubes_.radius + tubes_.told + beyond;
+  return std::min(all, (from - to).norm() - hair);
 }
 
 Clearance::Gates Clearance::gates_of(std::size_t member, const Reference& reference) const noexcept {
   Gates gates;
   for (std::size_t other = 0; other < most_members; ++other) {
     const bool has_none = other == member || !participants_[other] || reference.knots().size() < 2;
-    gates[other] = has_none ? never  // nobody comes nearer who stays where it is
-                            : first_within(reference, members_[other].anchor, apart(member, other) + beyond);
+    gates[other] =
+        has_none ? never  // nobody comes nearer who stays where it is
+                 : first_within(reference, members_[other].anchor,
+                                apart(member, other, reference.at(start_), members_[other].anchor, so_far));
   }
   return gates;
 }
@@ -39,28 +61,27 @@ Clearance::Stops Clearance::stops_of(std::size_t member, const Reference& refere
   return stops;
 }
 
-bool Clearance::are_clear(std::size_t member, const Stops& stops, std::size_t other,
-                          const Reference& of_other) const noexcept {
+bool Clearance::are_clear(const Stops& stops, const Reference& of_other, double apart) noexcept {
   for (std::size_t i = 0; i < stops.count; ++i) {
-    if (least_distance(Reference{stops.all[i].place}, of_other, stops.all[i].time) < apart(member, other))
-      return false;
+    if (least_distance(Reference{stops.all[i].place}, of_other, stops.all[i].time) < apart) return false;
   }
   return true;
 }
 
 bool Clearance::accepts(std::size_t member, const Reference& reference) const noexcept {
+  std::array<double, most_members> apart_from{};
   for (std::size_t other = 0; other < most_members; ++other) {
-    if (other != member && placed_[other] &&
-        least_distance(reference, references_[other], start_) < apart(member, other))
-      return false;
+    if (other == member || !placed_[other]) continue;
+    apart_from[other] = apart(member, other, reference.at(start_), references_[other].at(start_));
+    if (least_distance(reference, references_[other], start_) < apart_from[other]) return false;
   }
   const Gates gates = gates_of(member, reference);
   if (*std::ranges::min_element(gates) <= start_) return false;
   const Stops stops = stops_of(member, reference, gates);
   for (std::size_t other = 0; other < most_members; ++other) {
     if (other != member && placed_[other] &&
-        (!are_clear(member, stops, other, references_[other]) ||
-         !are_clear(other, stops_[other], member, reference)))
+        (!are_clear(stops, references_[other], apart_from[other]) ||
+         !are_clear(stops_[other], reference, apart_from[other])))
       return false;
   }
   return true;
@@ -71,6 +92,23 @@ void Clearance::place(std::size_t member, const Reference& reference) noexcept {
   gates_[member] = gates_of(member, reference);
   stops_[member] = stops_of(member, reference, gates_[member]);
   placed_.set(member);
+}
+
+bool keeps_off(const Reference& reference, const Chart& chart, double distance, double from,
+               double to) noexcept {
+  const std::span<const Knot> all = reference.knots();
+  for (const Obstacle& obstacle : chart) {
+    Vec3 before = reference.at(std::max(from, all.front().time));
+    const double least = std::min(distance, nearest_point(obstacle, before).distance - hair);
+    for (const Knot& knot : all) {
+      if (knot.time <= from) continue;
+      const Vec3 place = knot.time < to ? knot.position : reference.at(to);
+      if (!keeps_off(before, place, obstacle, least)) return false;
+      if (knot.time >= to) break;
+      before = place;
+    }
+  }
+  return true;
 }
 
 }  // namespace fairway::pledge

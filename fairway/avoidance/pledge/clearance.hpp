@@ -3,8 +3,10 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 
 #include "fairway/avoidance/pledge/reference.hpp"
+#include "fairway/core/shapes.hpp"
 
 namespace fairway::pledge {
 
@@ -22,6 +24,8 @@ struct Tubes {
 ///   has to know that the other has departed, or else stops there;
 /// - V3: wherever a gate may stop a member, or it may have arrived, it is clear of all other references from
 ///   then on.
+///
+/// Two whose references begin nearer to each other than that come no nearer.
 class Clearance {
  public:
   Clearance() = default;
@@ -56,11 +60,11 @@ class Clearance {
     void add(double time, const Vec3& place) noexcept { all[count++] = {time, place}; }
   };
 
-  double apart(std::size_t a, std::size_t b) const noexcept;
+  double apart(std::size_t a, std::size_t b, const Vec3& from, const Vec3& to,
+               double beyond = 0.0) const noexcept;
   Gates gates_of(std::size_t member, const Reference& reference) const noexcept;
   Stops stops_of(std::size_t member, const Reference& reference, const Gates& gates) const noexcept;
-  bool are_clear(std::size_t member, const Stops& stops, std::size_t other,
-                 const Reference& of_other) const noexcept;
+  static bool are_clear(const Stops& stops, const Reference& of_other, double apart) noexcept;
 
   std::array<Member, most_members> members_{};
   Members participants_{};
@@ -71,5 +75,20 @@ class Clearance {
   std::array<Gates, most_members> gates_{};
   std::array<Stops, most_members> stops_{};
 };
+
+/// What stands, as far as a member knows it.
+using Chart = std::span<const Obstacle>;
+
+/// Whether a reference is never nearer than `distance` [m] to what stands between two times, or, where it is
+/// nearer at the first of them, comes no nearer. To 3 cm. O(obstacles x length) at worst, few steps for each
+/// obstacle that is far off.
+bool keeps_off(const Reference& reference, const Chart& chart, double distance, double from = -never,
+               double to = never) noexcept;
+
+/// From what stands, for the centre of a member: its sphere, its tube, and its half of what is told roughly
+/// [m].
+inline double berth(const Member& member, const Tubes& tubes) noexcept {
+  return member.radius + tubes.radius + 0.5 * tubes.told;
+}
 
 }  // namespace fairway::pledge

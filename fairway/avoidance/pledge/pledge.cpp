@@ -26,9 +26,21 @@ constexpr double settling = 4.0;     // for so long, before who was lost is held
 /// turns the other way is late. Not in a current, in which nobody who has turned aside stays where it is.
 std::optional<double> first_course(const Situation& s, const Agreement& agreement) noexcept {
   const double turn = agreement.member(number(s.own.id)).turn;
-  if (pledge::is_in_current(s) || agreement.plan().start - s.time > turn + settling) return {};
+  if (pledge::is_in_current(s) || agreement.plan().start() - s.time > turn + settling) return {};
   const Reference way = agreement.promised(s.time);
   return way.empty() ? std::nullopt : pledge::next_course(s, way, turn);
+}
+
+/// What of own anchor or destination lies too near to what stands; empty if nothing does.
+std::string_view hemmed_in(const Situation& s, const Member& member, double berth) noexcept {
+  for (const Obstacle& obstacle : s.obstacles) {
+    if (nearest_point(obstacle, member.anchor).distance < berth)
+      return "lies nearer to an obstacle than its sphere and its tube";
+    const double off = nearest_point(obstacle, member.destination).distance;
+    if (off + pledge::ends_before(member) < berth)
+      return "has no way: its destination is nearer to an obstacle than its sphere and its tube";
+  }
+  return {};
 }
 
 /// Out of the way of who is lost: by ORCA among all whose whereabouts are known.
@@ -71,7 +83,12 @@ Command Pledge::decide(const Situation& s, Memory& memory, Context& context) con
     const bool is_lost = agreement.status() == pledge::Status::lost;
     const Vec3 stay = is_lost ? memory.stay : agreement.member(number(s.own.id)).anchor;
     if (memory.gives_way) return evaded(s, agreement, stay, context);
-    return held(s, stay, agreement.reason(s.time), is_lost ? std::nullopt : first_course(s, agreement));
+    const Member& own = agreement.member(number(s.own.id));
+    const bool waits = agreement.status() == pledge::Status::held;
+    const std::string_view hemmed =
+        waits ? hemmed_in(s, own, pledge::berth(own, tubes())) : std::string_view{};
+    return held(s, stay, hemmed.empty() ? agreement.reason(s.time) : hemmed,
+                is_lost ? std::nullopt : first_course(s, agreement));
   }
   if (context.sketch != nullptr) pledge::draw(*way, s.time, params.tube_m, *context.sketch);
   return pledge::followed(s, *way, agreement.member(number(s.own.id)).turn,
@@ -84,10 +101,9 @@ bool Pledge::begin(const Situation& s, Memory& memory) const noexcept {
   Member member = pledge::member_of(s, params.speed_ratio);
   member.anchor = resting_place(s);
   if (!pledge::fits(member, datum)) return false;
-  memory.agreement = Agreement{number(s.own.id),
-                               {.count = static_cast<std::size_t>(params.team_count),
-                                .datum = datum,
-                                .tubes = {.radius = params.tube_m, .told = 0.1}}};
+  memory.agreement =
+      Agreement{number(s.own.id),
+                {.count = static_cast<std::size_t>(params.team_count), .datum = datum, .tubes = tubes()}};
   memory.agreement.hold(member);
   return memory.begun = true;
 }
@@ -109,14 +125,16 @@ void Pledge::take_part(const Situation& s, Memory& memory) const noexcept {
     agreement.arrive(gone != nullptr ? gone->knots().back().position : s.own.position);
   }
   // where the clock has not begun there is time
-  if (s.attendance == Attendance::ready) agreement.go_on(s.time, s.period, *s.link, params.patience_count);
-  if (s.attendance == Attendance::under_way) agreement.go_on(s.time, s.period, *s.link, 0.0);
+  if (s.attendance == Attendance::ready)
+    agreement.go_on(s.time, s.period, *s.link, params.patience_count, s.obstacles);
+  if (s.attendance == Attendance::under_way) agreement.go_on(s.time, s.period, *s.link, 0.0, s.obstacles);
 }
 
 /// Who is off its tube by as much again is lost; before that it is best to come back. Who is held and
 /// leaves its tube tells another anchor, unless it is about to depart. Who
-/// would come near somebody who is lost, or is held beside its promised way, stops where it is and is held
-/// there; who is held where somebody comes who is lost goes out of the way, and tells where it is by then.
+/// would come near somebody who is lost, or is held beside its promised way, or near something that it did
+/// not know to stand there, stops where it is and is held there; who is held where somebody comes who is lost
+/// goes out of the way, and tells where it is by then.
 void Pledge::watch(const Situation& s, Memory& memory) const noexcept {
   Agreement& agreement = memory.agreement;
   if (agreement.status() == pledge::Status::lost) return recover(s, memory);
@@ -139,7 +157,8 @@ void Pledge::watch(const Situation& s, Memory& memory) const noexcept {
     memory.stay = s.own.position;
     agreement.lose(s.own.position, s.own.velocity);
   } else if (agreement.meets_lost(*way, s.time, s.time + soon) ||
-             agreement.meets_held(*way, s.time, s.time + soon)) {
+             agreement.meets_held(*way, s.time, s.time + soon) ||
+             !pledge::keeps_off(*way, s.obstacles, s.own.radius + params.tube_m, s.time, s.time + soon)) {
     stay_at(s, resting_place(s), agreement);
   }
 }

@@ -8,8 +8,9 @@ namespace fairway {
 
 /// Acknowledged commitments over a modem: a group of up to eight stays where it is until a plan for all has
 /// every member's acknowledgement, and then each keeps to its reference in a tube. What is lost on the way
-/// delays it, and never brings two together (README.md, whose claims are the rules of `Agreement`). It avoids
-/// nobody outside its group. A decision is O(knots), and while a plan is sought up to 0.5 ms more.
+/// delays it, and never brings two together (README.md, whose claims are the rules of `Agreement`). It keeps
+/// off what the chart shows, and avoids nobody outside its group. A decision is O(knots + obstacles), and
+/// while a plan is sought up to 0.5 ms more.
 struct Pledge {
   static constexpr AlgorithmInfo info{
       .name = "pledge",
@@ -17,11 +18,12 @@ struct Pledge {
       .source = "ours",
       .isotropic = false,
       .handed = true,
-      .ignores_obstacles = true,
       .ignores_movers = true,
       .needs_envelope = true,
       .needs_stopping = true,
+      .needs_chart = true,
       .needs_link = true,
+      .follows = true,
   };
 
   struct Params {
@@ -69,6 +71,7 @@ struct Pledge {
   Speech speech(const Memory& memory) const noexcept;
 
  private:
+  pledge::Tubes tubes() const noexcept { return {.radius = params.tube_m, .told = 0.1}; }
   bool begin(const Situation& s, Memory& memory) const noexcept;
   void take_part(const Situation& s, Memory& memory) const noexcept;
   void watch(const Situation& s, Memory& memory) const noexcept;

@@ -157,8 +157,9 @@ Reference Reference::later(double seconds) const noexcept {
 Reference reference_of(const Member& member, const Plan& plan, const Code& code) noexcept {
   const Vec2 from = member.anchor.head<2>(), to = member.destination.head<2>();
   const double speed = math::fmax(member.speed, 0.01);
-  const Passage passage{line_of(from, to, plan, ring_radius[code.ring]), speed, member.turn};
-  const double leaves = plan.start + delay_step * code.delay, goes = leaves + member.turn;
+  const Passage passage{line_of(from, to, plan, ring_radius[code.ring] * ring_scale[plan.scale]), speed,
+                        member.turn};
+  const double leaves = plan.start() + delay_step * code.delay, goes = leaves + member.turn;
   const double down = member.destination.z() - member.anchor.z();
   const double rate = math::fmax(down > 0.0 ? member.descent : member.climb, 0.01);
   const double along = member.turn + passage.duration(), vertical = std::fabs(down) / rate;
@@ -176,8 +177,10 @@ Reference reference_of(const Member& member, const Plan& plan, const Code& code)
     const double share = vertical > 0.0 ? std::clamp((times[i] - dives) / vertical, 0.0, 1.0) : 1.0;
     whole.add({times[i], {place.x(), place.y(), member.anchor.z() + share * down}});
   }
-  return ended_near(whole, member.destination, math::fmax(member.arrival - surely, 0.0));
+  return ended_near(whole, member.destination, ends_before(member));
 }
+
+double ends_before(const Member& member) noexcept { return math::fmax(member.arrival - surely, 0.0); }
 
 double least_distance(const Reference& a, const Reference& b, double from, double to) noexcept {
   double least = never;

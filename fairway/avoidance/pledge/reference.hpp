@@ -13,6 +13,7 @@ namespace fairway::pledge {
 /// Of the rings by number [m]; 0 is straight on. Two neighbours of a kind are no closer than a vehicle's own
 /// length, and inner and outer ones as far apart as two that pass have to be.
 inline constexpr std::array<double, 8> ring_radius{0.0, 3.6, 4.2, 5.0, 6.0, 7.0, 8.0, 9.5};
+inline constexpr std::array<double, 4> ring_scale{1.0, 1.5, 2.5, 4.0};    ///< of all rings of a plan
 inline constexpr double never = std::numeric_limits<double>::infinity();  ///< as a time [s]
 inline constexpr double delay_step = 3.0;                                 ///< [s]
 
@@ -55,6 +56,9 @@ class Reference {
 /// while it climbs or dives, each at its constant rate. It ends as far from the destination as the member
 /// arrives for certain. O(1).
 Reference reference_of(const Member& member, const Plan& plan, const Code& code) noexcept;
+
+/// So far from its destination it ends [m].
+double ends_before(const Member& member) noexcept;
 
 /// How close the two ever come between two times [m]. O(knots), exact.
 double least_distance(const Reference& a, const Reference& b, double from, double to = never) noexcept;

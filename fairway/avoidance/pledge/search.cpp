@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/avoidance/pledge/search.hpp"
 
+#include <algorithm>
+
+#include "fairway/core/math.hpp"
+
 namespace fairway::pledge {
 namespace {
 
@@ -8,6 +12,7 @@ constexpr int rings = static_cast<int>(ring_radius.size());
 constexpr int carousels = 2 * rings * rings;  // either way round, a ring for each class
 constexpr int carousel_cost = 4;              // of one carousel, in codes
 constexpr int codes = 256;
+constexpr Epoch at_zero{.tenths = 0};  // plans are looked for as if they began then
 
 /// First where the straight ways cross, in the mean; then the middle of where all are, to go round each other
 /// there; then where each of them is, to go round it.
@@ -24,19 +29,67 @@ Vec2 centre_of(const std::array<Member, most_members>& members, const Members& p
   return participants.any() ? Vec2{sum / static_cast<double>(participants.count())} : sum;
 }
 
+/// From its centre, on a level [m].
+double extent_of(const Obstacle& obstacle) {
+  if (obstacle.kind == Obstacle::Kind::sphere) return obstacle.radius;
+  const Vec3 centre = centre_of(obstacle);
+  if (obstacle.kind == Obstacle::Kind::segment) return horizontal_norm(obstacle.to - centre);
+  double farthest = 0.0;
+  for (const Vec3& vertex : obstacle.vertices)
+    farthest = math::fmax(farthest, horizontal_norm(vertex - centre));
+  return farthest;
+}
+
 bool dives(const Member& member) { return member.destination.z() > member.anchor.z(); }
 
 }  // namespace
 
 Search::Search(const std::array<Member, most_members>& members, const Members& participants,
-               const std::array<Reference, most_members>& others, const Terms& terms,
-               std::size_t attempt) noexcept
-    : members_{members},
-      participants_{participants},
-      others_{others},
-      tubes_{terms.tubes},
-      attempt_{attempt},
-      centre_{centre_as_told(centre_of(members, participants, attempt), terms.datum)} {
+               const std::array<Reference, most_members>& others, const Terms& terms, std::size_t attempt,
+               const Chart& chart) noexcept
+    : members_{members}, asked_{participants}, others_{others}, tubes_{terms.tubes}, attempt_{attempt} {
+  hubs_[hub_count_++] = {centre_as_told(centre_of(members, asked_, attempt), terms.datum), 0};
+  find_hubs(chart, terms.datum);
+  begin_hub();
+}
+
+/// Wider round the same centre, and round what stands in most ways, each attempt from another of them on.
+void Search::find_hubs(const Chart& chart, const Vec2& datum) noexcept {
+  struct Found {
+    Hub hub;
+    std::size_t hindered;  ///< whose straight ways it stands in
+  };
+  std::array<Found, 16> found{};
+  std::size_t count = 0;
+  for (const Obstacle& obstacle : chart) {
+    std::size_t hindered = 0;
+    double widest = 0.0;
+    for (std::size_t i = 0; i < most_members; ++i) {
+      const Reference straight =
+          asked_[i] ? reference_of(members_[i], Plan{.epoch = at_zero}, Code{}) : Reference{};
+      const double off = berth(members_[i], tubes_);
+      if (straight.empty() || keeps_off(straight, {&obstacle, 1}, off)) continue;
+      ++hindered;
+      widest = math::fmax(widest, off);
+    }
+    if (hindered == 0 || count == found.size()) continue;
+    const double radius = extent_of(obstacle) + widest;
+    std::uint8_t scale = 0;
+    while (scale + 1U < ring_scale.size() && ring_scale[scale] * ring_radius[rings - 2] < radius) ++scale;
+    found[count++] = {{centre_as_told(centre_of(obstacle).head<2>(), datum), scale}, hindered};
+  }
+  std::ranges::stable_sort(std::span{found}.first(count), std::ranges::greater{}, &Found::hindered);
+  if (count == 0) return;
+  for (std::uint8_t scale = 1; scale < 3; ++scale) hubs_[hub_count_++] = {hubs_[0].centre, scale};
+  const std::size_t room = most_hubs - hub_count_;
+  for (std::size_t i = 0; i < std::min(count, room); ++i)
+    hubs_[hub_count_++] = found[(i + attempt_ * room) % count].hub;
+}
+
+void Search::begin_hub() noexcept {
+  participants_ = asked_;
+  ways_ = others_;
+  of_hub_ = {};
   begin();
 }
 
@@ -45,16 +98,35 @@ void Search::begin() noexcept {
   number_ = 0;
 }
 
-bool Search::go_on(int count) noexcept {
+/// Another where not all can go.
+void Search::end_hub() noexcept {
+  stage_ = Stage::done;
+  if (!found_all() && ++hub_ < hub_count_) begin_hub();
+}
+
+/// Every other attempt goes round the other way.
+Plan Search::empty_plan() const noexcept {
+  return {.epoch = at_zero,
+          .centre = hubs_[hub_].centre,
+          .scale = hubs_[hub_].scale,
+          .to_port = attempt_ % 2 == 1};
+}
+
+bool Search::accepts(std::size_t member, const Reference& reference, const Clearance& scene,
+                     const Chart& chart) const noexcept {
+  return keeps_off(reference, chart, berth(members_[member], tubes_)) && scene.accepts(member, reference);
+}
+
+bool Search::go_on(int count, const Chart& chart) noexcept {
   for (; count > 0 && stage_ != Stage::done; --count) {
     if (stage_ == Stage::carousel) {
       count -= carousel_cost - 1;
-      try_carousel(number_++);
+      try_carousel(number_++, chart);
       if (number_ == carousels) end_carousels();
     } else if (stage_ == Stage::one_by_one) {
-      try_next_code();
+      try_next_code(chart);
     } else {
-      improve_next();
+      improve_next(chart);
     }
   }
   return stage_ == Stage::done;
@@ -64,7 +136,7 @@ bool Search::go_on(int count) noexcept {
 Clearance Search::empty() const noexcept {
   Clearance scene{members_, participants_, tubes_, 0.0};
   for (std::size_t i = 0; i < most_members; ++i)
-    if (!participants_[i] && !others_[i].knots().empty()) scene.place(i, others_[i]);
+    if (!participants_[i] && !ways_[i].empty()) scene.place(i, ways_[i]);
   return scene;
 }
 
@@ -82,16 +154,18 @@ bool Search::next_member() noexcept {
   return true;
 }
 
-void Search::try_carousel(int number) noexcept {
+void Search::try_carousel(int number, const Chart& chart) noexcept {
   const Code down{static_cast<std::uint8_t>(number % rings)},
       up{static_cast<std::uint8_t>(number / rings % rings)};
-  Plan plan{.centre = centre_, .to_port = number >= rings * rings, .participants = participants_};
+  Plan plan = empty_plan();
+  plan.to_port = number >= rings * rings;
+  plan.participants = participants_;
   Clearance scene = empty();
   for (std::size_t i = 0; i < most_members; ++i) {
     if (!participants_[i]) continue;
     plan.codes[i] = dives(members_[i]) ? down : up;
     const Reference reference = reference_of(members_[i], plan, plan.codes[i]);
-    if (!scene.accepts(i, reference)) return;
+    if (!accepts(i, reference, scene, chart)) return;
     scene.place(i, reference);
   }
   keep(scene, plan);
@@ -103,19 +177,19 @@ void Search::end_carousels() noexcept {
   turn_ = 0;
   member_ = numbered(0);
   soonest_ = never;
-  stage_ = found() ? Stage::improve : Stage::one_by_one;
-  plan_ = found() ? best_ : Plan{.centre = centre_};
+  stage_ = of_hub_.is_any() ? Stage::improve : Stage::one_by_one;
+  plan_ = of_hub_.is_any() ? of_hub_.plan : empty_plan();
   scene_ = empty();
   for (std::size_t i = 0; i < most_members; ++i)
     if (plan_.participants[i]) scene_.place(i, reference_of(members_[i], plan_, plan_.codes[i]));
 }
 
 /// One code of the member whose turn it is; when all were tried it takes the soonest, or stays.
-void Search::try_next_code() noexcept {
+void Search::try_next_code(const Chart& chart) noexcept {
   if (!participants_[member_]) number_ = codes;
   const Code code = Code::of(static_cast<std::uint8_t>(number_));
   const Reference reference = reference_of(members_[member_], plan_, code);
-  if (number_ < codes && reference.end() < soonest_ && scene_.accepts(member_, reference)) {
+  if (number_ < codes && reference.end() < soonest_ && accepts(member_, reference, scene_, chart)) {
     soonest_ = reference.end();
     code_ = code;
   }
@@ -132,13 +206,14 @@ void Search::try_next_code() noexcept {
     return;
   }
   for (std::size_t i = 0; i < most_members; ++i)
-    if (participants_[i] && !plan_.participants[i]) others_[i] = Reference{members_[i].anchor};
+    if (participants_[i] && !plan_.participants[i]) ways_[i] = Reference{members_[i].anchor};
   participants_ = plan_.participants;
   begin();
+  if (stage_ == Stage::done) end_hub();
 }
 
 /// The same of somebody who has a code already. Ends with the first round in which nobody found a sooner one.
-void Search::improve_next() noexcept {
+void Search::improve_next(const Chart& chart) noexcept {
   if (!plan_.participants[member_]) {
     number_ = codes - 1;
   } else {
@@ -146,7 +221,7 @@ void Search::improve_next() noexcept {
     const Code code = Code::of(static_cast<std::uint8_t>(number_));
     const Reference reference = reference_of(members_[member_], plan_, code);
     const double now = scene_.reference(member_).end();
-    if (reference.end() < math::fmin(soonest_, now - 0.05) && scene_.accepts(member_, reference)) {
+    if (reference.end() < math::fmin(soonest_, now - 0.05) && accepts(member_, reference, scene_, chart)) {
       soonest_ = reference.end();
       code_ = code;
     }
@@ -161,20 +236,23 @@ void Search::improve_next() noexcept {
   }
   if (next_member()) return;
   keep(scene_, plan_);
-  stage_ = improved_ ? Stage::improve : Stage::done;
+  if (!improved_) end_hub();
   improved_ = false;
 }
 
-/// More who go are better, then a shorter time in the mean.
+/// More who go are better, then a shorter time.
+bool Search::Option::is_better_than(const Option& other) const {
+  const std::size_t has = plan.participants.count(), had = other.plan.participants.count();
+  return has > had || (has == had && has > 0 && time < other.time);
+}
+
 void Search::keep(const Clearance& scene, const Plan& plan) noexcept {
   double sum = 0.0;
   for (std::size_t i = 0; i < most_members; ++i)
     if (plan.participants[i]) sum += scene.reference(i).end();
-  const double mean = sum / static_cast<double>(plan.participants.count());
-  const std::size_t had = best_.participants.count(), has = plan.participants.count();
-  if (found() && (has < had || (has == had && mean >= best_time_))) return;
-  best_ = plan;
-  best_time_ = mean;
+  const Option option{plan, sum / static_cast<double>(plan.participants.count())};
+  if (option.is_better_than(of_hub_)) of_hub_ = option;
+  if (option.is_better_than(best_)) best_ = option;
 }
 
 }  // namespace fairway::pledge

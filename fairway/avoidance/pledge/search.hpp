@@ -18,44 +18,74 @@ struct Terms {
 /// Looks for a plan by which all of those who are held get to their destinations, soonest in the mean. First
 /// a carousel: those who dive by one ring, those who climb by another. Where none is clear, one member after
 /// the other takes the soonest code that is clear of those before it; whoever has none stays, and all begin
-/// again round it. Then each looks for a sooner one. A value: it goes on from where it was, a few codes at a
-/// time. Nothing allocates.
+/// again round it. Then each looks for a sooner one. Where something stands in the way and not all can go, it
+/// does the same with rings round that. A value: it goes on from where it was, a few codes at a time. Nothing
+/// allocates.
 class Search {
  public:
   Search() = default;
 
+  /// So many centres and widths of rings are tried where something stands in the way.
+  static constexpr std::size_t most_hubs = 6;
+
   /// Of a plan that begins at time 0. `others` are the references of those who do not take part and stay
   /// where they are, as far as they are known; the rest of them have no knots. `attempt` counts from 0: every
-  /// one has another centre, and another who is first.
+  /// one has another centre, and another who is first. All that is asked keeps off what stands.
   Search(const std::array<Member, most_members>& members, const Members& participants,
-         const std::array<Reference, most_members>& others, const Terms& terms, std::size_t attempt) noexcept;
+         const std::array<Reference, most_members>& others, const Terms& terms, std::size_t attempt,
+         const Chart& chart) noexcept;
 
-  /// Tries so many codes, or carousels, more. True when it has ended.
-  bool go_on(int count) noexcept;
+  /// Tries so many codes, or carousels, more, on the chart that it was made with. True when it has ended.
+  bool go_on(int count, const Chart& chart) noexcept;
 
+  /// Whether all who were asked can go.
+  bool found_all() const { return found() && best_.plan.participants == asked_; }
   /// Whether somebody can go. Those who cannot are left out of the participants.
-  bool found() const { return best_.participants.any(); }
-  const Plan& best() const { return best_; }
+  bool found() const { return best_.is_any(); }
+  const Plan& best() const { return best_.plan; }
 
  private:
   enum class Stage { carousel, one_by_one, improve, done };
 
+  /// What the rings go round, and how wide they are.
+  struct Hub {
+    Vec2 centre = Vec2::Zero();
+    std::uint8_t scale{};
+  };
+
+  void find_hubs(const Chart& chart, const Vec2& datum) noexcept;
   void begin() noexcept;
+  void begin_hub() noexcept;
+  Plan empty_plan() const noexcept;
   Clearance empty() const noexcept;
-  void try_carousel(int number) noexcept;
+  bool accepts(std::size_t member, const Reference& reference, const Clearance& scene,
+               const Chart& chart) const noexcept;
+  void try_carousel(int number, const Chart& chart) noexcept;
   void end_carousels() noexcept;
-  void try_next_code() noexcept;
-  void improve_next() noexcept;
+  void try_next_code(const Chart& chart) noexcept;
+  void improve_next(const Chart& chart) noexcept;
+  void end_hub() noexcept;
+  /// A plan, and how long it takes them to their ends, in the mean [s].
+  struct Option {
+    Plan plan{};
+    double time{};
+    bool is_any() const { return plan.participants.any(); }
+    bool is_better_than(const Option& other) const;
+  };
+
   void keep(const Clearance& scene, const Plan& plan) noexcept;
   std::size_t numbered(std::size_t turn) const noexcept { return (turn + attempt_) % most_members; }
   bool next_member() noexcept;
 
   std::array<Member, most_members> members_{};
-  Members participants_{};
+  Members asked_{};         ///< to take part
+  Members participants_{};  ///< who can, as far as has been tried
   std::array<Reference, most_members> others_{};
+  std::array<Reference, most_members> ways_{};  ///< the same, and of who stays where it is
   Tubes tubes_{};
   std::size_t attempt_{};
-  Vec2 centre_ = Vec2::Zero();
+  std::array<Hub, most_hubs> hubs_{};
+  std::size_t hub_count_{0}, hub_{0};
 
   Stage stage_{Stage::done};
   bool improved_{false};
@@ -67,8 +97,7 @@ class Search {
   double soonest_{};  ///< of the member's codes that were tried
   Code code_{};
 
-  Plan best_{};
-  double best_time_{};  ///< until they are at their ends, in the mean [s]
+  Option of_hub_{}, best_{};
 };
 
 }  // namespace fairway::pledge

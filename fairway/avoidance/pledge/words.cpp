@@ -8,7 +8,7 @@
 namespace fairway::pledge {
 namespace {
 
-constexpr std::uint32_t version = 1;
+constexpr std::uint32_t version = 2;
 constexpr std::uint32_t says_state = 1, says_plan = 2;
 
 constexpr Scale coarse_across{12, 0.1, -204.8}, coarse_depth{12, 0.1, -0.5};
@@ -21,12 +21,37 @@ void put_members(BitWriter& bits, const Members& members) {
 }
 Members get_members(BitReader& bits) { return bits.get(static_cast<int>(most_members)); }
 
-/// All but the status of the header, which stands first.
+/// A start is told in tenths of a second, modulo 58 h.
+constexpr int start_bits = 21;
+constexpr std::int64_t start_period = std::int64_t{1} << start_bits;
+
+void put_epoch(BitWriter& bits, const Epoch& epoch) {
+  bits.put(epoch ? 1U : 0U, 1);
+  bits.put(epoch ? static_cast<std::uint32_t>(epoch.tenths & (start_period - 1)) : 0U, start_bits);
+  bits.put(epoch ? std::uint32_t{epoch.author} : 0U, 3);
+}
+
+/// The one nearest to `now` that is told so.
+Epoch get_epoch(BitReader& bits, double now) {
+  const bool is_any = bits.get(1) != 0;
+  const auto told = static_cast<std::int64_t>(bits.get(start_bits));
+  const auto author = static_cast<std::uint8_t>(bits.get(3));
+  if (!is_any) return {};
+  const auto present = static_cast<std::int64_t>(std::floor(now / tenth));
+  const std::int64_t ahead = (told - present) & (start_period - 1);
+  return {present + (ahead < start_period / 2 ? ahead : ahead - start_period), author};
+}
+
+bool can_be_meant(const Epoch& epoch, double now) {
+  const double ahead = tenth * static_cast<double>(epoch.tenths) - now;
+  return !epoch || (ahead > -soonest_forgotten - clock_period && ahead < farthest_start + clock_period);
+}
+
 void put_header(BitWriter& bits, std::uint32_t kind, const Header& header) {
   bits.put(version, 2);
   bits.put(kind, 2);
-  bits.put(std::uint32_t{header.sender}, 4);
-  bits.put(std::uint32_t{header.epoch}, 8);
+  bits.put(std::uint32_t{header.sender}, 3);
+  put_epoch(bits, header.epoch);
   bits.put(told_time(header.sent), clock_bits);
   bits.put(static_cast<std::uint32_t>(header.status), 2);
   put_members(bits, header.acknowledged);
@@ -36,8 +61,8 @@ void put_header(BitWriter& bits, std::uint32_t kind, const Header& header) {
 
 Header get_header(BitReader& bits, double now) {
   Header header;
-  header.sender = static_cast<std::uint8_t>(bits.get(4));
-  header.epoch = static_cast<std::uint8_t>(bits.get(8));
+  header.sender = static_cast<std::uint8_t>(bits.get(3));
+  header.epoch = get_epoch(bits, now);
   header.sent = time_of(bits.get(clock_bits), now);
   header.status = static_cast<Status>(bits.get(2));
   header.acknowledged = get_members(bits);
@@ -86,10 +111,10 @@ Speech encode(const PlanWord& word, const Vec2& datum) noexcept {
   Speech speech;
   BitWriter bits{body_of(speech)};
   put_header(bits, says_plan, word.header);
-  bits.put(told_time(word.plan.start), clock_bits);
   bits.put(word.plan.centre.x() - datum.x(), centre_across);
   bits.put(word.plan.centre.y() - datum.y(), centre_across);
   bits.put(word.plan.to_port ? 1U : 0U, 1);
+  bits.put(std::uint32_t{word.plan.scale}, 2);
   put_members(bits, word.plan.participants);
   for (const Code& code : word.plan.codes) bits.put(std::uint32_t{code.packed()}, 8);
   bits.put(word.plan.digest, 24);
@@ -102,14 +127,14 @@ std::optional<Word> decode(const Speech& speech, const Vec2& datum, double now) 
   if (bits.get(2) != version) return {};
   const std::uint32_t kind = bits.get(2);
   const Header header = get_header(bits, now);
-  if (header.sender >= most_members) return {};
+  if (!can_be_meant(header.epoch, now)) return {};
   if (kind == says_state) return StateWord{header, get_member(bits, datum)};
-  if (kind != says_plan || header.epoch == 0) return {};
+  if (kind != says_plan || !header.epoch) return {};
   PlanWord word{header, {.epoch = header.epoch}};
-  word.plan.start = time_of(bits.get(clock_bits), now);
   const double north = bits.get(centre_across), east = bits.get(centre_across);
   word.plan.centre = datum + Vec2{north, east};
   word.plan.to_port = bits.get(1) != 0;
+  word.plan.scale = static_cast<std::uint8_t>(bits.get(2));
   word.plan.participants = get_members(bits);
   for (Code& code : word.plan.codes) code = Code::of(static_cast<std::uint8_t>(bits.get(8)));
   word.plan.digest = bits.get(24);

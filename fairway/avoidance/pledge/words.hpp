@@ -3,8 +3,10 @@
 
 #include <array>
 #include <bitset>
+#include <compare>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <variant>
 
@@ -42,10 +44,27 @@ enum class Status : std::uint8_t {
 };
 inline constexpr double foretold = 10.0;  ///< [s]
 
+/// Which plan. Of two plans the one that starts later is the later one, and of two that start together that
+/// of the larger author. There is no number to run out of: what is told is the start modulo 58 hours, and
+/// nobody tells or hears of a plan that starts beyond `soonest_forgotten` before the present or
+/// `farthest_start` after it, so two that are spoken of at one time are less than half of that apart.
+struct Epoch {
+  static constexpr std::int64_t none = std::numeric_limits<std::int64_t>::min();
+
+  std::int64_t tenths{none};  ///< when all depart [0.1 s]
+  std::uint8_t author{};      ///< a member
+
+  explicit operator bool() const { return tenths != none; }
+  friend auto operator<=>(const Epoch&, const Epoch&) = default;
+};
+inline double start_of(const Epoch& epoch) { return 0.1 * static_cast<double>(epoch.tenths); }  ///< [s]
+inline constexpr double soonest_forgotten = 36'000.0;                                           ///< [s]
+inline constexpr double farthest_start = 1000.0;                                                ///< [s]
+
 /// What every word has.
 struct Header {
   std::uint8_t sender{};  ///< a member
-  std::uint8_t epoch{};   ///< of the newest plan that it knows, 0 for none
+  Epoch epoch{};          ///< of the newest plan that it knows
   double sent{};          ///< [s], to 0.1 s
   Status status{};
   Members acknowledged{};  ///< who has acknowledged that plan, as far as it knows
@@ -76,13 +95,15 @@ struct Code {
 
 /// By which way and when everybody goes that takes part.
 struct Plan {
-  std::uint8_t epoch{};  ///< round (5 bits) and author (3 bits); of two plans the later has the larger one
-  double start{};        ///< when all depart [s], to 0.1 s
+  Epoch epoch{};
   Vec2 centre = Vec2::Zero();  ///< of the rings [m, north and east]
+  std::uint8_t scale{};        ///< 0 to 3: how much wider the rings are than `ring_radius` (ring_scale)
   bool to_port{};              ///< the rings are gone round with the centre to starboard unless this is so
   Members participants{};
   std::array<Code, most_members> codes{};
   std::uint32_t digest{};  ///< of the participants' states, 24 bits
+
+  double start() const { return start_of(epoch); }  ///< [s]
 
   friend bool operator==(const Plan&, const Plan&) = default;
 };
@@ -100,8 +121,8 @@ using Word = std::variant<StateWord, PlanWord>;
 Speech encode(const StateWord& word, const Vec2& datum) noexcept;
 Speech encode(const PlanWord& word, const Vec2& datum) noexcept;
 
-/// The word that the bytes say, if it was sent within 204 s of `now` [s] and is none that was damaged or made
-/// by another version. O(1).
+/// The word that the bytes say, if it was sent within 204 s of `now` [s] and is none that was damaged, made
+/// by another version, or speaks of a plan that nobody can mean by then (Epoch). O(1).
 std::optional<Word> decode(const Speech& speech, const Vec2& datum, double now) noexcept;
 
 /// The member as everybody comes to know it: encoded and decoded.

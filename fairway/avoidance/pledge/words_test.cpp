@@ -26,7 +26,8 @@ Member any_member(Rng& rng) {
 
 Header any_header(Rng& rng, double now) {
   return {.sender = static_cast<std::uint8_t>(rng.uniform(0, 8)),
-          .epoch = static_cast<std::uint8_t>(rng.uniform(8, 256)),
+          .epoch = {static_cast<std::int64_t>(10.0 * now + rng.uniform(-300'000, 10'000)),
+                    static_cast<std::uint8_t>(rng.uniform(0, 8))},
           .sent = now - rng.uniform(0, 200),
           .status = Status::moving,
           .acknowledged = static_cast<unsigned>(rng.uniform(0, 256)),
@@ -67,24 +68,42 @@ TEST(Words, APlanComesOutAsItWentIn) {
   Rng rng = Rng{2}.stream("words");
   for (int i = 0; i < 1000; ++i) {
     const double now = rng.uniform(0, 5000);
-    PlanWord said{any_header(rng, now), {.start = now + rng.uniform(-100, 100), .to_port = i % 2 == 0}};
+    PlanWord said{any_header(rng, now),
+                  {.scale = static_cast<std::uint8_t>(rng.uniform(0, 4)), .to_port = i % 2 == 0}};
     said.plan.epoch = said.header.epoch;
     said.plan.centre = centre_as_told(datum + Vec2{rng.uniform(-150, 150), rng.uniform(-150, 150)}, datum);
     said.plan.participants = static_cast<unsigned>(rng.uniform(0, 256));
     for (Code& code : said.plan.codes) code = Code::of(static_cast<std::uint8_t>(rng.uniform(0, 256)));
     said.plan.digest = static_cast<std::uint32_t>(rng.uniform(0, 0x1000000));
-    said.plan.start = 0.1 * std::floor(10.0 * said.plan.start + 0.5);
     const std::optional<Word> heard = decode(encode(said, datum), datum, now);
     ASSERT_TRUE(heard && std::holds_alternative<PlanWord>(*heard));
     const auto& word = std::get<PlanWord>(*heard);
     expect_same(word.header, said.header);
-    EXPECT_NEAR(word.plan.start, said.plan.start, 1e-6);
     EXPECT_LT((word.plan.centre - said.plan.centre).norm(), 1e-9);
     Plan plan = word.plan;
-    plan.start = said.plan.start;
     plan.centre = said.plan.centre;
     EXPECT_EQ(plan, said.plan);
   }
+}
+
+TEST(Words, AnEpochComesOutAsItWentInHoweverLongItHasBeen) {
+  for (const double now : {0.0, 209'715.1, 209'715.3, 1e6, 31'557'600.0, -5000.0}) {
+    for (const double ahead : {-35'000.0, -0.1, 0.0, 0.1, 100.0, 990.0}) {
+      const Epoch epoch{static_cast<std::int64_t>(10.0 * (now + ahead)), 5};
+      const std::optional<Word> word =
+          decode(encode(StateWord{{.epoch = epoch, .sent = now}, {}}, datum), datum, now);
+      ASSERT_TRUE(word) << now << " " << ahead;
+      EXPECT_EQ(std::get<StateWord>(*word).header.epoch, epoch) << now << " " << ahead;
+    }
+    const Epoch too_far{static_cast<std::int64_t>(10.0 * (now + 2000.0)), 5};
+    EXPECT_FALSE(decode(encode(StateWord{{.epoch = too_far, .sent = now}, {}}, datum), datum, now));
+  }
+  const std::optional<Word> none = decode(encode(StateWord{}, datum), datum, 0.0);
+  ASSERT_TRUE(none);
+  EXPECT_FALSE(std::get<StateWord>(*none).header.epoch);
+  EXPECT_LT(Epoch{}, (Epoch{-100, 0})) << "no plan is before any";
+  EXPECT_LT((Epoch{100, 7}), (Epoch{101, 0}));
+  EXPECT_LT((Epoch{100, 6}), (Epoch{100, 7}));
 }
 
 TEST(Words, WhatWasDamagedOrIsNoneIsRefused) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "fairway/core/rng.hpp"
+#include "fairway/core/shapes.hpp"
 #include "fairway/studies/cubes/cube_case.hpp"
 
 namespace fairway::pledges {
@@ -16,6 +17,37 @@ constexpr std::array drifts_m{0.25, 0.5, 1.0};
 constexpr double losses_in_a_row = 4.0;
 constexpr double latest_failure = 60.0;   // after a vehicle set out [s]
 constexpr double collision_radius = 1.5;  // half of what counts as a collision [m]
+constexpr std::array rock_counts{3, 6};
+
+/// How near the straight way between two places comes to a third [m].
+double distance_to_way(const Vec3& from, const Vec3& to, const Vec3& place) {
+  const Obstacle way{.kind = Obstacle::Kind::segment, .from = from, .to = to};
+  return nearest_point(way, place).distance;
+}
+
+/// Charted rocks of 1 to 2.5 m in the cube, none of them on a way from the origin to where the crossing
+/// begins, nor where it begins or ends.
+void add_rocks(Scenario& scenario, int count, Rng chance) {
+  const auto is_free = [&](const ObstacleSpec& rock) {
+    return std::ranges::all_of(scenario.vehicles, [&](const VehicleSpec& vehicle) {
+      return std::ranges::all_of(vehicle.mission, [&](const Leg& leg) {
+        const bool avoids = leg.kind == LegKind::transit;
+        const double off = rock.radius + (avoids ? 6.0 : 3.5);
+        return leg.kind == LegKind::rendezvous ||
+               distance_to_way(avoids ? leg.position : vehicle.position, leg.position, rock.position) > off;
+      });
+    });
+  };
+  while (count > 0) {
+    const auto across = [&] { return chance.uniform(-9.0, 9.0); };
+    const Vec3 place{across(), across(), chance.uniform(2.0, 18.0)};
+    const ObstacleSpec rock{
+        .kind = Obstacle::Kind::sphere, .position = place, .radius = chance.uniform(1.0, 2.5)};
+    if (!is_free(rock)) continue;
+    scenario.obstacles.push_back(rock);
+    --count;
+  }
+}
 
 /// Slots of eight that come round so often: of modems that are so slow.
 Choice modem_of(const Condition& condition) {
@@ -50,6 +82,8 @@ void add_pledge(std::vector<Cell>& cells, const Method& pledge, int seeds) {
       cells.push_back(
           cell_of({.cycle_s = cycle, .loss_ratio = loss, .loss_run_count = losses_in_a_row}, pledge, seeds));
   }
+  for (const int rocks : rock_counts)
+    cells.push_back(cell_of({.cycle_s = 3.2, .loss_ratio = 0.1, .rock_count = rocks}, pledge, seeds));
   for (const double drift : drifts_m)
     cells.push_back(cell_of({.cycle_s = 3.2, .loss_ratio = 0.1, .drift_sigma_m = drift}, pledge, seeds));
 }
@@ -78,6 +112,7 @@ std::string Condition::name() const {
     text += fmt::format(", {}", EnumNames<FailureKind>::names[static_cast<std::size_t>(failure)]);
   if (drift_sigma_m > 0.0) text += fmt::format(", drift {}", drift_sigma_m);
   if (!agreed_beforehand) text += ", agreed late";
+  if (rock_count > 0) text += fmt::format(", {} rocks", rock_count);
   return text;
 }
 
@@ -116,6 +151,7 @@ Scenario crossing_scenario(const Condition& condition, const Method& method, std
     if (method.algorithm != "bvc") vehicle.radius_m = collision_radius;
     for (Leg& leg : vehicle.mission) leg.agreed = condition.agreed_beforehand;
   }
+  if (condition.rock_count > 0) add_rocks(scenario, condition.rock_count, Rng{seed}.stream("rocks"));
   Rng chance = Rng{seed}.stream("failure");
   const double under_way = chance.uniform(0.0, latest_failure);
   scenario.vehicles[chance.index(scenario.vehicles.size())].failure = {

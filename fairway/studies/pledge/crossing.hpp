@@ -20,6 +20,7 @@ struct Condition {
   FailureKind failure{};         ///< of one vehicle, at an instant that is drawn
   double drift_sigma_m{};        ///< of where each believes to be, north and east
   bool agreed_beforehand{true};  ///< the crossing begins when they have agreed; else when all are there
+  int rock_count{};              ///< spheres that stand in the cube, beside where they come to it and go
   double loss_run_count{};       ///< how many words a pair loses in a row in the mean; 0: each by itself
 
   std::string place() const;  ///< "3.2 s, loss 0.1"

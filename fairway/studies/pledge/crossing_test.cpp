@@ -36,6 +36,23 @@ TEST(PledgeStudy, WhoeverAvoidsMeetsTheSame) {
   }
 }
 
+TEST(PledgeStudy, RocksStandInTheCubeAndNotWhereACrossingBeginsOrEnds) {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const Scenario scenario = crossing_scenario({.cycle_s = 3.2, .rock_count = 6}, methods()[0], seed);
+    ASSERT_EQ(scenario.obstacles.size(), 6U);
+    for (const ObstacleSpec& rock : scenario.obstacles) {
+      EXPECT_TRUE(rock.charted);
+      for (const VehicleSpec& vehicle : scenario.vehicles)
+        for (const Leg& leg : vehicle.mission) {
+          if (leg.kind == LegKind::rendezvous) continue;
+          EXPECT_GT(nearest_point(rock.view(), leg.position).distance, 3.0);
+        }
+    }
+    const Scenario without = crossing_scenario({.cycle_s = 3.2}, methods()[0], seed);
+    EXPECT_EQ(without.vehicles[3].yaw, scenario.vehicles[3].yaw) << "all else is the same";
+  }
+}
+
 TEST(PledgeStudy, ACycleIsWhatItsModemMakesOfEightSlots) {
   for (const double cycle : cycles_s) {
     const Scenario scenario = crossing_scenario({.cycle_s = cycle}, methods()[0], 1);

@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 
+#include "fairway/core/math.hpp"
 #include "fairway/experiment/measure_run.hpp"
 #include "fairway/experiment/statistics.hpp"
 #include "fairway/studies/page_blocks.hpp"
@@ -14,6 +16,16 @@ namespace fairway::pledges {
 namespace {
 
 bool collided(const Cell& cell, std::size_t i) { return cell.value(i, "pair_collision_count") > 0.0; }
+
+/// The least distance of any vehicle's centre to what stands, of all runs [m]; infinity where nothing does.
+double least_clearance(const Cell& cell) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::vector<Measure>& run : cell.results) {
+    for (const Measure& measure : run)
+      if (measure.quantity == "obstacle_clearance_m") least = math::fmin(least, measure.value);
+  }
+  return least;
+}
 
 /// The mean over the vehicles of a run that arrived; NaN if none did.
 double mean_time(const Cell& cell, std::size_t i) {
@@ -61,6 +73,10 @@ std::vector<StudyRow> rows_of(const std::vector<Cell>& cells) {
                             mean.high / straight, "to the mean of direct in the same current"));
     const double nearest = least(cell, "min_separation_m");
     rows.push_back(cell_row(cell, "least_separation_m", nearest, nearest, nearest, "of all runs"));
+    const double clear = least_clearance(cell);
+    if (std::isfinite(clear))
+      rows.push_back(cell_row(cell, "least_obstacle_clearance_m", clear, clear, clear,
+                              "of a vehicle's centre, of all runs"));
   }
   return rows;
 }
