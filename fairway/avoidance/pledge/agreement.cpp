@@ -8,6 +8,7 @@ namespace fairway::pledge {
 namespace {
 
 constexpr int codes_at_once = 200;         // of the search, in one decision, for its 1 ms
+constexpr int charted_codes_at_once = 80;  // likewise, where something stands
 constexpr double search_decisions = 30.0;  // before a turn in which a search begins, for all its codes
 constexpr double last_decisions = 1.5;     // before a turn in which a proposal is made
 constexpr double silent_turns = 3.0;       // after so many the next member may propose
@@ -322,14 +323,14 @@ void Agreement::propose(double now, double period, const Link& link, double pati
   }
   const double ahead = link.next_turn - now;
   if (!search_) {
-    const double parts = chart.empty() ? 1.0 : static_cast<double>(Search::most_hubs);
+    const double parts = chart.empty() ? 1.0 : 2.0 * static_cast<double>(Search::most_hubs);
     if (ahead > parts * search_decisions * period) return;
     // it plans from time 0 on
     std::array<Reference, most_members> others = ways_of_others();
     for (Reference& other : others) other = other.later(-(now + 2.0 * link.turn_period));
     search_.emplace(members_, held(), others, terms_, searches_ % 2 == 0 ? 0 : (searches_ + 1) / 2, chart);
   }
-  const bool has_ended = search_->go_on(codes_at_once, chart);
+  const bool has_ended = search_->go_on(chart.empty() ? codes_at_once : charted_codes_at_once, chart);
   const bool is_best = chart.empty() || has_ended || search_->found_all();
   if (search_->found() && is_best && ahead <= last_decisions * period) {
     const double turns = std::min(least_patience(terms_.count) + patience + attempts_, most_patience);

@@ -12,19 +12,28 @@ constexpr double so_far = 0.05;
 constexpr double hair = 0.001;         // of rounding, where something begins too near and comes no nearer [m]
 constexpr double least_stride = 0.05;  // along a reference beside what stands [m]
 
-/// Whether a straight piece keeps as far off an obstacle: from each place it goes on by as much as nothing
-/// can be in the way.
-bool keeps_off(const Vec3& from, const Vec3& to, const Obstacle& obstacle, double distance) {
-  const Vec3 whole = to - from;
-  const double length = whole.norm();
-  for (double gone = 0.0;;) {
-    const double off =
-        nearest_point(obstacle, length > 0.0 ? Vec3{from + (gone / length) * whole} : from).distance;
-    if (off < distance) return false;
-    if (gone >= length) return true;
-    gone = std::min(gone + std::max(off - distance, least_stride), length);
+/// Goes along a way beside an obstacle: from each place on by as much as nothing can be in the way.
+struct Walk {
+  const Obstacle& obstacle;
+  double distance;    ///< to be kept [m]
+  double ahead{0.0};  ///< for so long nothing can be in the way [m]
+
+  bool is_clear_at(const Vec3& place) {
+    const double off = nearest_point(obstacle, place).distance;
+    ahead = std::max(off - distance, least_stride);
+    return off >= distance;
   }
-}
+
+  /// Along a straight piece.
+  bool is_clear_along(const Vec3& from, const Vec3& to) {
+    const double length = (to - from).norm();
+    double gone = ahead;
+    for (; gone < length; gone += ahead)
+      if (!is_clear_at(from + (gone / length) * (to - from))) return false;
+    ahead = gone - length;
+    return true;
+  }
+};
 
 }  // namespace
 
@@ -98,15 +107,16 @@ bool keeps_off(const Reference& reference, const Chart& chart, double distance, 
                double to) noexcept {
   const std::span<const Knot> all = reference.knots();
   for (const Obstacle& obstacle : chart) {
-    Vec3 before = reference.at(std::max(from, all.front().time));
-    const double least = std::min(distance, nearest_point(obstacle, before).distance - hair);
+    Vec3 place = reference.at(std::max(from, all.front().time));
+    Walk walk{obstacle, std::min(distance, nearest_point(obstacle, place).distance - hair)};
     for (const Knot& knot : all) {
       if (knot.time <= from) continue;
-      const Vec3 place = knot.time < to ? knot.position : reference.at(to);
-      if (!keeps_off(before, place, obstacle, least)) return false;
+      const Vec3 next = knot.time < to ? knot.position : reference.at(to);
+      if (!walk.is_clear_along(place, next)) return false;
+      place = next;
       if (knot.time >= to) break;
-      before = place;
     }
+    if (!walk.is_clear_at(place)) return false;
   }
   return true;
 }
