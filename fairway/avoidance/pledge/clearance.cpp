@@ -28,8 +28,10 @@ struct Walk {
   bool is_clear_along(const Vec3& from, const Vec3& to) {
     const double length = (to - from).norm();
     double gone = ahead;
-    for (; gone < length; gone += ahead)
+    while (gone < length) {
       if (!is_clear_at(from + (gone / length) * (to - from))) return false;
+      gone += ahead;
+    }
     ahead = gone - length;
     return true;
   }

@@ -12,13 +12,14 @@ constexpr int rings = static_cast<int>(ring_radius.size());
 constexpr int carousels = 2 * rings * rings;  // either way round, a ring for each class
 constexpr int carousel_cost = 4;              // of one carousel, in codes
 constexpr int codes = 256;
-constexpr Epoch at_zero{.tenths = 0};  // plans are looked for as if they began then
+constexpr std::size_t centres = 2 + most_members;  // of rings, one for each attempt
+constexpr Epoch at_zero{.tenths = 0};              // plans are looked for as if they began then
 
 /// First where the straight ways cross, in the mean; then the middle of where all are, to go round each other
 /// there; then where each of them is, to go round it.
 Vec2 centre_of(const std::array<Member, most_members>& members, const Members& participants,
                std::size_t attempt) {
-  const std::size_t choice = attempt % (2 + most_members);
+  const std::size_t choice = attempt % centres;
   if (choice >= 2) return members[choice - 2].anchor.head<2>();
   Vec2 sum = Vec2::Zero();
   for (std::size_t i = 0; i < most_members; ++i) {
@@ -104,12 +105,12 @@ void Search::end_hub() noexcept {
   if (!found_all() && ++hub_ < hub_count_) begin_hub();
 }
 
-/// Every other attempt goes round the other way.
+/// Round the other way once all centres have been tried, and about every other hub.
 Plan Search::empty_plan() const noexcept {
   return {.epoch = at_zero,
           .centre = hubs_[hub_].centre,
           .scale = hubs_[hub_].scale,
-          .to_port = attempt_ % 2 == 1};
+          .to_port = (attempt_ / centres + hub_) % 2 == 1};
 }
 
 bool Search::accepts(std::size_t member, const Reference& reference, const Clearance& scene,
