@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <string>
+#include <vector>
 
 namespace fairway {
 namespace {
@@ -27,15 +29,17 @@ struct Alone {
   Pledge::Memory memory;
   Rng rng{1};
   Context context{rng};
+  std::vector<Obstacle> obstacles;
 
-  void decide(double time) {
+  Command decide(double time) {
     Situation s{.time = time, .period = 0.1};
     s.own = {.id = VehicleId{0}, .position = {0.0, 0.0, 5.0}, .radius = 1.5};
     s.goal = {.position = {40.0, 0.0, 5.0}, .cruise_speed = 0.5, .arrival = 1.0};
     s.limits = {.max_speed = 0.5, .max_climb_rate = 0.3};
     s.link = &link;
     s.attendance = Attendance::under_way;
-    method.decide(s, memory, context);
+    s.obstacles = obstacles;
+    return method.decide(s, memory, context);
   }
   bool fears(double time) const {
     return memory.agreement.meets_lost(Reference{Vec3{0.0, 0.0, 5.0}}, time, time + 1.0);
@@ -55,6 +59,18 @@ TEST(Pledge, AWordThatWasHeardOnceDoesNotBecomeNewsWhenItsClockHasGoneRound) {
       ASSERT_TRUE(member.fears(time)) << time;
     }
   }
+}
+
+TEST(Pledge, WhoLiesOrIsToGoTooNearToWhatStandsSaysSo) {
+  const auto note = [](const Vec3& rock) {
+    Alone member;
+    member.obstacles = {{.kind = Obstacle::Kind::sphere, .position = rock, .radius = 2.0}};
+    return std::string(member.decide(0.0).note);
+  };
+  EXPECT_EQ(note({0.0, 4.4, 5.0}), "lies nearer to an obstacle than its sphere and its tube");
+  EXPECT_EQ(note({41.0, 0.0, 5.0}),
+            "has no way: its destination is nearer to an obstacle than its sphere and its tube");
+  EXPECT_EQ(note({20.0, 0.0, 5.0}).find("obstacle"), std::string::npos);
 }
 
 }  // namespace
