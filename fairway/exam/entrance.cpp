@@ -1,11 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/exam/entrance.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "fairway/scenario/block.hpp"
+#include "fairway/scenario/load.hpp"
 
 namespace fairway {
+namespace {
+
+/// Why not all that moves in a family is a group whose members have a method and hear each other by it.
+std::string why_no_group(const Catalog& methods, std::string_view algorithm, const ExamFamily& family) {
+  const std::optional<Range> sizes = team_sizes(methods, algorithm);
+  for (const ExamGround& ground : family.grounds) {
+    const Scenario scenario = first_test(family, ground, {});
+    if (family.keep_named_avoiders || !scenario.obstacles.empty() ||
+        !std::ranges::all_of(scenario.vehicles, &VehicleSpec::cooperative))
+      return "avoids whoever speaks as it does, and not everything there speaks";
+    const auto count = static_cast<double>(scenario.vehicles.size());
+    if (sizes && (count < sizes->lo || count > sizes->hi))
+      return fmt::format("is for groups of {:.0f} to {:.0f}, and {} has {:.0f}", sizes->lo, sizes->hi,
+                         ground.name, count);
+  }
+  return {};
+}
+
+}  // namespace
 
 std::string algorithm_of(const CampaignAlgorithm& method) {
   const yaml::Tree tree = yaml::parse_tree(method.avoider, method.label);
@@ -18,8 +40,26 @@ std::string why_not(const Catalog& methods, std::string_view algorithm, const Ex
     return "thinks in the plane, and the ways there lead up and down";
   if (family.needs_obstacles && methods.ignores(algorithm, &AlgorithmInfo::ignores_obstacles))
     return "ignores obstacles, and there are some";
-  if (family.needs_movers && methods.ignores(algorithm, &AlgorithmInfo::ignores_movers))
-    return "ignores whatever moves, and something does";
+  if (family.needs_way && methods.needs(algorithm, &AlgorithmInfo::needs_stopping))
+    return "has to stop now and then, and not everybody there can";
+  if (!family.needs_movers || !methods.ignores(algorithm, &AlgorithmInfo::ignores_movers)) return {};
+  if (methods.needs(algorithm, &AlgorithmInfo::needs_link)) return why_no_group(methods, algorithm, family);
+  return "ignores whatever moves, and something does";
+}
+
+std::string why_not_under(const Catalog& methods, std::string_view algorithm, const ExamFamily& family,
+                          const ExamCondition& condition) {
+  const auto is_silent = [&](const ExamGround& ground) {
+    return first_test(family, ground, condition).exchange.name == "none";
+  };
+  if (methods.needs(algorithm, &AlgorithmInfo::needs_link) && std::ranges::any_of(family.grounds, is_silent))
+    return "goes by the words of others, and nobody hears any";
+  return {};
+}
+
+std::optional<Range> team_sizes(const Catalog& methods, std::string_view algorithm) {
+  for (const ParamInfo& param : methods.params(algorithm))
+    if (param.name == "team_count") return param.range;
   return {};
 }
 
@@ -27,6 +67,12 @@ bool concerns(ConditionOf of, const Scenario& scenario) {
   if (of == ConditionOf::all || scenario.vehicles.size() > 1) return true;
   const auto is_news = [](const ObstacleSpec& obstacle) { return obstacle.moves() || !obstacle.charted; };
   return of == ConditionOf::seen && std::ranges::any_of(scenario.obstacles, is_news);
+}
+
+Scenario first_test(const ExamFamily& family, const ExamGround& ground, const ExamCondition& condition) {
+  Overrides overrides = family.set;
+  overrides.insert(overrides.end(), condition.set.begin(), condition.set.end());
+  return parse_scenario(ground.text, ground.file, overrides, family.test.first);
 }
 
 }  // namespace fairway

@@ -61,15 +61,16 @@ const Block<SeedRange>& seeds_block() {
 
 /// What a family asks of a method.
 void read_needs(const Value& value, ExamFamily& family) {
-  const std::array<std::pair<std::string_view, bool*>, 3> known{{{"movers", &family.needs_movers},
+  const std::array<std::pair<std::string_view, bool*>, 4> known{{{"movers", &family.needs_movers},
                                                                  {"obstacles", &family.needs_obstacles},
-                                                                 {"space", &family.needs_space}}};
-  value.expect_list("movers, obstacles and space");
+                                                                 {"space", &family.needs_space},
+                                                                 {"way", &family.needs_way}}};
+  value.expect_list("movers, obstacles, space and way");
   for (std::size_t i = 0; i < value.tree().items.size(); ++i) {
     const std::string need = value.entry(i).text();
     const auto found = std::ranges::find(known, need, &std::pair<std::string_view, bool*>::first);
     if (found == known.end())
-      value.entry(i).refuse("is " + need + suggestion(need, {"movers", "obstacles", "space"}));
+      value.entry(i).refuse("is " + need + suggestion(need, {"movers", "obstacles", "space", "way"}));
     *found->second = true;
   }
 }
@@ -88,11 +89,12 @@ const Block<ExamFamily>& family_block() {
       key("source", &ExamFamily::source, yaml::name(), "Where they come from, and what is drawn.",
           Needed::yes),
       {.name = "needs",
-       .meaning = "What a method must be made for: movers, obstacles, space.",
+       .meaning = "What a method must be made for: movers, obstacles, space, way (not all there can stop).",
        .needed = Needed::yes,
        .read = read_needs,
        .write = unwritten,
-       .schema = schema_text(R"({"type": "array", "items": {"enum": ["movers", "obstacles", "space"]}})")},
+       .schema =
+           schema_text(R"({"type": "array", "items": {"enum": ["movers", "obstacles", "space", "way"]}})")},
       key("grounds", &ExamFamily::scenarios, yaml::scenario_files(), "Its scenarios, relative to this file.",
           Needed::yes),
       key("train_on", &ExamFamily::train_on, names_form("names of grounds"),

@@ -41,6 +41,7 @@ struct ExamFamily {
   bool needs_movers{};     ///< of a method, that it sees what moves
   bool needs_obstacles{};  ///< that it sees what stands
   bool needs_space{};      ///< that it goes up and down
+  bool needs_way{};        ///< that it never has to stop, since not everybody there can
   std::vector<CampaignScenarioFile> scenarios;
   std::vector<ExamGround> grounds;
   std::vector<std::string>

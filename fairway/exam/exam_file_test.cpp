@@ -148,6 +148,36 @@ TEST(Entrance, FollowsFromWhatTheLayersDeclare) {
   family = {};
   family.needs_movers = true;
   EXPECT_EQ(why_not(methods(), "rrt_star", family), "ignores whatever moves, and something does");
+  family = {};
+  family.needs_way = true;
+  EXPECT_EQ(why_not(methods(), "hrvo", family), "");
+  EXPECT_EQ(why_not(methods(), "orca3d+stop_and_wait", family),
+            "has to stop now and then, and not everybody there can");
+}
+
+TEST(Entrance, WhoAgreesByWordsMeetsItsLikeAndNothingElse) {
+  SmallExam exam;
+  const auto why = [&](const char* method, const std::string& ground) {
+    exam.write("b.yaml", ground);
+    return why_not(methods(), method, exam.load().families[0]);
+  };
+  const std::string silent = "vehicles:\n  - {cooperative: false, ";
+  std::string with_silent = pair;
+  with_silent.replace(with_silent.find("vehicles:\n  - {"), 15, silent);
+  const std::string with_drifter =
+      "obstacles: [{sphere: {position_m: [5, 5, 5], radius_m: 1, velocity_mps: [0.1, 0, 0]}}]\n";
+  std::string nine = pair;
+  for (int i = 0; i < 7; ++i)
+    nine += "  - {model: kinematic, avoider: orca3d, start: {position_m: [0, " + std::to_string(20 + 5 * i) +
+            ", 5]}, mission: [{transit: {position_m: [9, 9, 5]}}]}\n";
+  for (const char* method : {"pledge", "delay_check"}) {
+    EXPECT_EQ(why(method, pair), "") << method;
+    EXPECT_EQ(why(method, with_silent), "avoids whoever speaks as it does, and not everything there speaks");
+    EXPECT_EQ(why(method, pair + with_drifter), why(method, with_silent));
+  }
+  EXPECT_EQ(why("pledge", nine), "is for groups of 2 to 8, and b has 9");
+  EXPECT_EQ(why("delay_check", nine), "");
+  EXPECT_EQ(why("orca3d", with_silent), "");
 }
 
 TEST(ExamPlan, EverySeedIsARunAndTheGroundsTakeTurns) {
@@ -188,6 +218,21 @@ TEST(ExamPlan, AConditionThatChangesNothingIsLeftOutAndTold) {
   EXPECT_EQ(plan.campaign.specs.size(), 2U * 2);
   ASSERT_EQ(plan.absences.size(), 1U);
   EXPECT_EQ(plan.absences[0].condition, "told");
+}
+
+TEST(ExamPlan, AGroupIsToldHowManyItIsAndEntersWhereItsWordsAreHeard) {
+  const SmallExam exam;  // under its condition "told" the exchange is none
+  const ExamPlan plan = planned(exam.load(), {"pledge"}, 2);
+  EXPECT_EQ(plan.campaign.specs.size(),
+            2U * 3);  // the baseline under two conditions, and the group under one
+  ASSERT_EQ(plan.absences.size(), 1U);
+  EXPECT_EQ(plan.absences[0].condition, "told");
+  EXPECT_EQ(plan.absences[0].why, "goes by the words of others, and nobody hears any");
+  const auto of_pledge = std::ranges::find_if(plan.campaign.specs, [](const RunSpec& spec) {
+    return *find_label(spec.labels, "method") == "pledge";
+  });
+  ASSERT_NE(of_pledge, plan.campaign.specs.end());
+  EXPECT_NE(of_pledge->command.find("vehicles[*].avoider.team_count=2"), std::string::npos);
 }
 
 TEST(ExamPlan, MoreSeedsThanAFamilyHasAreRefused) {

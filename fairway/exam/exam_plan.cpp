@@ -69,7 +69,14 @@ class Planner {
                                   .why = "changes nothing there: nobody tells, or nothing is to be seen"});
         continue;
       }
-      for (const Candidate& entrant : entrants) add_cells(family, condition, entrant, first_scenario);
+      for (const Candidate& entrant : entrants) {
+        std::string why = why_not_under(methods_, algorithm_of(entrant.method), family, condition);
+        if (why.empty())
+          add_cells(family, condition, entrant, first_scenario);
+        else
+          plan_.absences.push_back(
+              {family.name, condition.name, entrant.method.label, entrant.tuned, std::move(why)});
+      }
     }
   }
 
@@ -88,7 +95,7 @@ class Planner {
 
   bool is_concerned(const ExamFamily& family, const ExamCondition& condition) const {
     return std::ranges::any_of(family.grounds, [&](const ExamGround& ground) {
-      return concerns(condition.of, parse_scenario(ground.text, ground.file, family.set, family.test.first));
+      return concerns(condition.of, first_test(family, ground, {}));
     });
   }
 
@@ -104,8 +111,12 @@ class Planner {
                         .scenario = first_scenario + ground,
                         .algorithm = entrant.method.avoider,
                         .overrides = family.set};
-      cell.overrides.emplace_back(family.keep_named_avoiders ? "defaults.avoider" : "vehicles[*].avoider",
-                                  entrant.method.avoider);
+      const std::string avoider = family.keep_named_avoiders ? "defaults.avoider" : "vehicles[*].avoider";
+      cell.overrides.emplace_back(avoider, entrant.method.avoider);
+      if (team_sizes(methods_, algorithm_of(entrant.method)))
+        cell.overrides.emplace_back(
+            avoider + ".team_count",
+            std::to_string(first_test(family, family.grounds[ground], {}).vehicles.size()));
       // whatever a method needs around it is written in its name, so that none is given more than another
       cell.overrides.emplace_back("vehicles[*].tracking", "raw");
       cell.overrides.insert(cell.overrides.end(), condition.set.begin(), condition.set.end());
@@ -152,7 +163,7 @@ std::string digest_of(const ExamFamily& family, const std::vector<ExamCondition>
   digest.add(family.name).add(std::to_string(family.test.first));
   digest.add(family.keep_named_avoiders ? "named" : "all");
   for (const ExamGround& ground : family.grounds) {
-    Scenario scenario = parse_scenario(ground.text, ground.file, family.set, family.test.first);
+    Scenario scenario = first_test(family, ground, {});
     scenario.summary.clear();
     scenario.expect.clear();
     digest.add(to_yaml(scenario));
