@@ -39,6 +39,7 @@ struct ExamFlags {
   std::string tuned;
   std::string out;
   unsigned jobs{0};
+  bool add{false};
   bool as_it_is{false};
   bool json{false};
 };
@@ -108,16 +109,17 @@ std::vector<Measure> examined(const Scenario& scenario, const Labels& labels, co
 }
 
 /// Stored results that newcomers are held against; none if there is no such flag. Unless families are named,
-/// those that it has are left.
+/// those that it has are left, and with --add all of them.
 std::optional<ExamReference> reference_for(const ExamFlags& flags, const ExamFile& exam,
                                            std::vector<ExamFamily>& families) {
   if (flags.against.empty()) return {};
   ExamReference reference = parse_reference(read_maybe_compressed(flags.against), flags.against);
-  if (flags.families.empty())
+  if (flags.families.empty() && !flags.add)
     std::erase_if(families,
                   [&](const ExamFamily& family) { return !reference.grounds.contains(family.name); });
   for (const ExamFamily& family : families) {
     const auto known = reference.grounds.find(family.name);
+    if (known == reference.grounds.end() && flags.add) continue;
     if (known == reference.grounds.end())
       throw InputError("--against " + flags.against + ": has no runs of the family " + family.name);
     if (known->second != digest_of(family, exam.conditions))
@@ -136,15 +138,17 @@ std::size_t seeds_in(const ExamReference& reference, const std::vector<ExamFamil
   return least;
 }
 
-/// The reference's runs of what is asked, under the seeds that are asked, of whoever is not asked anew.
-std::vector<ExamRun> runs_beside(const ExamReference& reference, const ExamQuestion& question) {
+/// The reference's runs of what is asked, under the seeds that are asked; of whoever is asked anew only if
+/// what is stored is `added` to.
+std::vector<ExamRun> runs_beside(const ExamReference& reference, const ExamQuestion& question, bool added) {
   std::vector<ExamRun> runs;
   for (const ExamRun& run : reference.runs) {
     const auto family = std::ranges::find(question.families, run.family, &ExamFamily::name);
     const bool asked = std::ranges::any_of(question.candidates, [&](const Candidate& candidate) {
       return candidate.method.label == run.method && candidate.tuned == run.tuned;
     });
-    if (family == question.families.end() || asked || run.seed - family->test.first >= question.seeds ||
+    if (family == question.families.end() || (asked && !added) ||
+        run.seed - family->test.first >= question.seeds ||
         std::ranges::find(question.conditions, run.condition, &ExamCondition::name) ==
             question.conditions.end())
       continue;
@@ -190,7 +194,7 @@ ExamQuestion question_of(const ExamFlags& flags, const ExamFile& exam, const Cat
                         .by_name = !flags.methods.empty()};
   for (const std::string& name : flags.methods)
     question.candidates.push_back(candidate_of(name, exam, methods, "--methods"));
-  if (flags.methods.empty() && flags.against.empty())
+  if (flags.methods.empty() && (flags.against.empty() || flags.add))
     for (const CampaignAlgorithm& method : exam.methods)
       question.candidates.push_back(candidate_of(method.label, exam, methods, "methods:"));
   if (!flags.tuned.empty())
@@ -274,6 +278,19 @@ void keep_news(ExamPlan& plan, const ExamReference& reference, const ExamFile& e
   });
 }
 
+/// Leaves the runs that the reference has not.
+void keep_lacking(ExamPlan& plan, const ExamReference& reference) {
+  using Key = std::tuple<std::string, std::string, std::string, bool, std::uint64_t>;
+  std::set<Key> stored;
+  for (const ExamRun& run : reference.runs)
+    stored.emplace(run.family, run.condition, run.method, run.tuned, run.seed);
+  keep_runs(plan.campaign, [&](const RunSpec& spec) {
+    const auto label = [&](const char* name) { return *find_label(spec.labels, name); };
+    return !stored.contains(
+        {label("family"), label("condition"), label("method"), label("tuned") == "true", spec.seed});
+  });
+}
+
 /// Leaves the runs of the cells whose every run is stored; the others are told.
 void keep_complete_cells(ExamPlan& plan, const Store& store) {
   const auto cell_of = [](const RunSpec& spec) { return without_label(spec.labels, "case"); };
@@ -295,7 +312,7 @@ int hold_exam(const ExamFlags& flags, const Outputs& outputs, const Program& pro
   ExamQuestion question = question_of(flags, exam, catalogs.avoiders);
   const std::optional<ExamReference> reference = reference_for(flags, exam, question.families);
   question.seeds = flags.seeds.value_or(20);
-  if (reference) {
+  if (reference && !flags.add) {
     const std::size_t stored = seeds_in(*reference, question.families);
     question.seeds = std::min(flags.seeds.value_or(stored), stored);
   }
@@ -305,7 +322,10 @@ int hold_exam(const ExamFlags& flags, const Outputs& outputs, const Program& pro
         Simulation{scenario, catalogs};
       },
       flags.jobs, own_methods(program));
-  if (reference) keep_news(plan, *reference, exam);
+  if (reference && flags.add)
+    keep_lacking(plan, *reference);
+  else if (reference)
+    keep_news(plan, *reference, exam);
 
   const ExamFiles files = exam_files_in(flags.out);
   if (std::filesystem::exists(flags.out))
@@ -340,7 +360,7 @@ int hold_exam(const ExamFlags& flags, const Outputs& outputs, const Program& pro
   std::vector<ExamRun> runs;
   for (const RunRecord& record : records_of(plan.campaign, store)) runs.push_back(exam_run_of(record));
   if (reference) {
-    std::vector<ExamRun> beside = runs_beside(*reference, question);
+    std::vector<ExamRun> beside = runs_beside(*reference, question, flags.add);
     add_commands(beside, exam, question, program);
     runs.insert(runs.end(), beside.begin(), beside.end());
   }
@@ -374,6 +394,8 @@ void add_exam(CLI::App& app, Program& program) {
           "--against", flags->against,
           "stored results: \"stored\", those that come with fairway, or reference.csv.zst of another exam")
       ->type_name("STORED");
+  verb->add_flag("--add", flags->add, "make what --against lacks: families, conditions, methods and seeds")
+      ->needs("--against");
   verb->add_option("--tuned", flags->tuned, "what tune found: best.yaml, or a folder of such")
       ->type_name("PATH");
   verb->add_option("--grounds", flags->grounds, "the exam: families and conditions")
