@@ -150,7 +150,8 @@ BestCommand choose(const Choices& choices, Outlook& outlook) {
   if (best) return *best;
 
   for (const Candidate& c : choices.view()) {
-    const Prospect prospect = outlook.to_the_end_of(c.manoeuvre);
+    const double too_severe = best ? best->prospect.severity : Limits::none;
+    const Prospect prospect = outlook.to_the_end_of(c.manoeuvre, too_severe);
     if (!best || prospect.severity < best->prospect.severity) best = {c, prospect};
   }
   return *best;

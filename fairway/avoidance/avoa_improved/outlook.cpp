@@ -16,6 +16,9 @@ constexpr double stopped = 0.02;
 /// This near to a heading it is nearly reached [rad].
 constexpr double nearly = 0.4;
 
+/// More than rounding makes of a squared distance.
+constexpr double beyond_rounding = 1.0 + 1e-9;
+
 /// Where the margin is lost already, this share of what is left of it is kept.
 constexpr double kept_of_lost = 0.9;
 
@@ -54,7 +57,9 @@ void Outlook::add_if_near(const Capsule& solid, double reach, std::array<Hazard,
   const double gap = distance_to_axis(solid, own_.position) - contact;
   if (gap > reach + foresight_.margin + foresight_.danger) return;
   const double left = gap > 0.0 ? kept_of_lost * gap : gap;
-  to[count++] = {&solid, contact, std::min(foresight_.margin, left)};
+  const double keep = std::min(foresight_.margin, left);
+  const double far = contact + keep + foresight_.danger;
+  to[count++] = {&solid, contact, keep, beyond_rounding * far * far};
 }
 
 const Outlook::TurnAhead& Outlook::turn_to(double heading, std::size_t index) noexcept {
@@ -90,8 +95,10 @@ Outlook::Room Outlook::room(std::span<const Hazard> hazards, const Vec2& own, do
   for (const Hazard& hazard : hazards) {
     const Capsule& solid = *hazard.solid;
     const Vec2 relative = own - t * solid.velocity;
-    const double distance =
-        solid.is_disc() ? (relative - solid.from).norm() : distance_to_axis(solid, relative);
+    const bool is_disc = solid.is_disc();
+    const double distance2 = is_disc ? (relative - solid.from).squaredNorm() : 0.0;
+    if (is_disc && distance2 >= hazard.far) continue;
+    const double distance = is_disc ? std::sqrt(distance2) : distance_to_axis(solid, relative);
     found.beyond = math::fmin(found.beyond, distance - hazard.contact - hazard.keep);
     found.is_none = found.is_none || (hazard.keep > 0.0 && distance < hazard.contact);
   }
@@ -116,17 +123,21 @@ bool Outlook::can_stop(Advance at, const TurnAhead& turn, std::size_t from) cons
   return true;
 }
 
-Prospect Outlook::of(const Manoeuvre& m, double bearable) noexcept { return foresee(m, bearable, false); }
+Prospect Outlook::of(const Manoeuvre& m, double bearable) noexcept {
+  return foresee(m, [=](const Prospect& p) { return p.is_clear && !(p.danger > bearable); });
+}
 
-Prospect Outlook::to_the_end_of(const Manoeuvre& m) noexcept { return foresee(m, 1.0, true); }
+Prospect Outlook::to_the_end_of(const Manoeuvre& m, double too_severe) noexcept {
+  return foresee(m, [=](const Prospect& p) { return !(p.severity >= too_severe); });
+}
 
-Prospect Outlook::foresee(const Manoeuvre& m, double bearable, bool to_the_end) noexcept {
+template <class GoOn>
+Prospect Outlook::foresee(const Manoeuvre& m, GoOn go_on) noexcept {
   const TurnAhead& turn = turn_to(m.heading, m.heading_index);
   Prospect prospect{.is_clear = true};
   Advance at{own_.position, own_.speed};
   Advance kept = at;  // without what is to follow: who comes will not wait for it
-  for (std::size_t k = 0; k < steps_; ++k) {
-    if (!to_the_end && (!prospect.is_clear || prospect.danger > bearable)) break;
+  for (std::size_t k = 0; k < steps_ && go_on(prospect); ++k) {
     const double t = step * static_cast<double>(k + 1);
     if (k == hold_steps_) prospect.is_clear = prospect.is_clear && can_stop(at, turn, k);
     advance(at, k < turn.reached ? m.speed : m.speed_after, turn.direction[k]);

@@ -64,8 +64,9 @@ class Outlook {
   /// beyond `bearable`: the prospect is then of the part before. O(window / step x solids near).
   Prospect of(const Manoeuvre& manoeuvre, double bearable) noexcept;
 
-  /// The same to the end of the window, come what may.
-  Prospect to_the_end_of(const Manoeuvre& manoeuvre) noexcept;
+  /// The same to the end of the window, come what may; or, of one that loses as much as `too_severe`, to
+  /// where it has [m].
+  Prospect to_the_end_of(const Manoeuvre& manoeuvre, double too_severe = Limits::none) noexcept;
 
   /// The positions of that motion, one each `step`, the first one step from now. Valid until the next call.
   /// [m]
@@ -77,6 +78,7 @@ class Outlook {
     const Capsule* solid;
     double contact;  ///< own radius and its own [m]
     double keep;     ///< beyond contact; less than the margin where that is lost already [m]
+    double far;      ///< at this distance, squared, it costs nothing [m2]
   };
 
   /// The heading over time while turning.
@@ -88,7 +90,7 @@ class Outlook {
 
   /// What the nearest of some hazards leaves.
   struct Room {
-    double beyond{};  ///< what is to be kept, negative where it is not [m]
+    double beyond{};  ///< what is to be kept, negative where it is not; exact where it costs anything [m]
     bool is_none{};   ///< hulls touch that did not at the beginning
   };
 
@@ -104,7 +106,9 @@ class Outlook {
   void advance(Advance& at, double speed, const Vec2& direction) const noexcept;
   Room room(std::span<const Hazard> hazards, const Vec2& own, double t) const noexcept;
   void weigh(const Room& room, double t, double window, Prospect& prospect) const noexcept;
-  Prospect foresee(const Manoeuvre& manoeuvre, double bearable, bool to_the_end) noexcept;
+  /// `go_on(prospect)` before each step.
+  template <class GoOn>
+  Prospect foresee(const Manoeuvre& manoeuvre, GoOn go_on) noexcept;
   bool can_stop(Advance at, const TurnAhead& turn, std::size_t from) const noexcept;
 
   std::span<const Hazard> fixed() const noexcept { return {fixed_.data(), fixed_count_}; }

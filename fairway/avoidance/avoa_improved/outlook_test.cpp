@@ -81,6 +81,27 @@ TEST(AvoaImprovedOutlook, ForeseesTheMotionOfTheVessel) {
   EXPECT_LT(worst, 0.35);  // measured 0.25 m after 8 s and 12 m: turn rates gather way without a limit here
 }
 
+TEST(AvoaImprovedOutlook, LooksNoFartherThanToWhereItIsTooSevere) {
+  int ended = 0;
+  for (std::uint64_t i = 0; i < 400; ++i) {
+    Rng rng = Rng{11}.stream("severe", i);
+    const Scene scene = any_scene(rng.stream("scene"));
+    const Manoeuvre m{rng.uniform(0.0, 1.5), rng.uniform(-pi, pi), 0, 1.0};
+    const double bound = rng.uniform(0.0, 3.0);
+    const Prospect whole = scene.outlook().to_the_end_of(m);
+    const Prospect part = scene.outlook().to_the_end_of(m, bound);
+    ASSERT_EQ(part.severity < bound, whole.severity < bound) << i;
+    if (whole.severity >= bound) {
+      ended += part.severity < whole.severity ? 1 : 0;
+      continue;
+    }
+    EXPECT_EQ(part.severity, whole.severity) << i;
+    EXPECT_EQ(part.danger, whole.danger) << i;
+    EXPECT_EQ(part.is_clear, whole.is_clear) << i;
+  }
+  EXPECT_GT(ended, 20) << "most that are too severe are so before the end";
+}
+
 TEST(AvoaImprovedOutlook, GivesEveryCommandAwayThatHits) {
   int hits = 0;
   int clear = 0;

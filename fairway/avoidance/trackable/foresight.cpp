@@ -167,7 +167,7 @@ bool Foresight::circles(Motion m, double turn_rate) const noexcept {
   return true;
 }
 
-Prospect Foresight::of(const Plan& plan) const noexcept {
+Prospect Foresight::of(const Plan& plan, bool seeks_backup) const noexcept {
   const Vec2 heading = heading_for(plan);
   Motion m = now_, held = now_;
   m.error = error_of(m.ahead, heading);
@@ -178,19 +178,19 @@ Prospect Foresight::of(const Plan& plan) const noexcept {
     if (!is_kept(m.position, static_cast<double>(k + 1) * step_)) break;
   }
   if (k == steps) return Prospect::clear;
-  if (k < hold_steps_) return Prospect::lost;
+  if (k < hold_steps_ || !seeks_backup) return Prospect::lost;
   const double hard_over = law_.greatest_turn_rate(held.speed);
   const bool has_backup =
       law_.envelope().least <= 0.0 ? stops(held) : circles(held, hard_over) || circles(held, -hard_over);
   return has_backup ? Prospect::backed_up : Prospect::lost;
 }
 
-double Foresight::room_of(const Plan& plan) const noexcept {
+double Foresight::room_of(const Plan& plan, double too_little) const noexcept {
   const Vec2 heading = heading_for(plan);
   Motion m = now_;
   m.error = error_of(m.ahead, heading);
   double room = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < steps; ++k) {
+  for (std::size_t k = 0; k < steps && !(room <= too_little); ++k) {
     follow(m, plan, heading);
     for (std::size_t i = 0; i < count_; ++i) {
       const Hazard& hazard = hazards_[i];

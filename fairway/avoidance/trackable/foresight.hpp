@@ -66,10 +66,11 @@ class Foresight {
     return std::max(-most_rising_, std::min(most_sinking_, sinking));
   }
 
-  /// What the plan comes to. O(steps x hazards).
-  Prospect of(const Plan& plan) const noexcept;
-  /// The least distance that the plan leaves beyond contact on the whole window [m]. Likewise.
-  double room_of(const Plan& plan) const noexcept;
+  /// What the plan comes to; one that is not clear is `lost` where no backup is sought. O(steps x hazards).
+  Prospect of(const Plan& plan, bool seeks_backup = true) const noexcept;
+  /// The least distance that the plan leaves beyond contact on the whole window [m]; of a plan that leaves no
+  /// more than `too_little`, something that is no more than that. Likewise.
+  double room_of(const Plan& plan, double too_little) const noexcept;
   /// What the autopilot is ordered now.
   TurnOrder order(const Plan& plan) const noexcept;
   /// Where the vehicle is after each step. [m]

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "fairway/core/angles.hpp"
 #include "fairway/core/math.hpp"
@@ -83,17 +84,17 @@ Choice choose(const Deviations& deviations, const Foresight& foresight, const Pl
   std::optional<Choice> backed_up;
   for (const Deviation& d : deviations) {
     const Plan plan = plan_at(d);
-    const Prospect prospect = foresight.of(plan);
+    const Prospect prospect = foresight.of(plan, !backed_up);
     Choice choice{plan, prospect, d.turn * side < 0.0 ? -1.0 : d.turn != 0.0 ? 1.0 : side};
     if (prospect == Prospect::clear) return choice;
     if (prospect == Prospect::backed_up && !backed_up) backed_up = choice;
   }
   if (backed_up) return *backed_up;
   Choice best{asked, Prospect::lost, side};
-  double most = foresight.room_of(asked);
+  double most = foresight.room_of(asked, -std::numeric_limits<double>::infinity());
   for (const Deviation& d : deviations) {
     const Plan plan = plan_at(d);
-    const double room = foresight.room_of(plan);
+    const double room = foresight.room_of(plan, most);
     if (room > most) best.plan = plan;
     most = std::max(most, room);
   }

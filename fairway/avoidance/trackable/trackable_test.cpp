@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
 #include "fairway/avoidance/catalog.hpp"
 #include "fairway/avoidance/direct/direct.hpp"
 #include "fairway/avoidance/testing/boat.hpp"
@@ -58,6 +61,34 @@ TEST(Trackable, AForeseenStopNeedsItsWay) {
   EXPECT_EQ(comes_to(0.8), Prospect::lost);
   EXPECT_EQ(comes_to(2.0), Prospect::backed_up);
   EXPECT_EQ(comes_to(20.0), Prospect::clear);
+}
+
+TEST(Trackable, WhatIsNotAskedForIsNotForeseenAndAllElseIsTheSame) {
+  const Envelope boat = of_a_boat();
+  OwnedSituation e = under_way(boat);
+  const TurnLaw law{boat, Limits::none};
+  const double any = -std::numeric_limits<double>::infinity();
+  int backed_up = 0, too_little = 0;
+  for (std::uint64_t i = 0; i < 300; ++i) {
+    Rng rng = Rng{3}.stream("plans", i);
+    const double bearing = rng.uniform(-1.0, 1.0), distance = rng.uniform(6.2, 12.0);
+    e.obstacles = {buoy(e.situation.own.position.x() + distance * std::cos(bearing),
+                        e.situation.own.position.y() + distance * std::sin(bearing), 5.0)};
+    const Situation s = e;
+    const Foresight foresight{law, s, {.hold = 0.2, .window = 8.0, .margin = 0.1}};
+    const double course = rng.uniform(-1.0, 1.0), bound = rng.uniform(-2.0, 2.0);
+    const Plan plan{.direction = {std::cos(course), std::sin(course)}, .speed = 1.0};
+
+    const Prospect prospect = foresight.of(plan);
+    backed_up += prospect == Prospect::backed_up ? 1 : 0;
+    EXPECT_EQ(foresight.of(plan, false), prospect == Prospect::backed_up ? Prospect::lost : prospect) << i;
+
+    const double room = foresight.room_of(plan, any), bounded = foresight.room_of(plan, bound);
+    too_little += room <= bound ? 1 : 0;
+    EXPECT_TRUE(room > bound ? bounded == room : bounded <= bound) << i;
+  }
+  EXPECT_GT(backed_up, 20);
+  EXPECT_GT(too_little, 20);
 }
 
 TEST(Trackable, WhoCannotStopNeedsRoomForACircle) {
