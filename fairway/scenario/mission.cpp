@@ -25,12 +25,12 @@ Key<Leg> arrival() {
 }
 
 const Kinds<Leg>& leg_kinds() {
-  const auto position =
+  static const auto position =
       key("position_m", &Leg::position, vector(anywhere), "The goal [n, e, d].", Needed::yes);
-  const auto speed =
+  static const auto speed =
       key("speed_mps", &Leg::speed_mps, number(above_to(0.0, 100.0)), "Along the leg. Default {}.");
-  const auto box = key("box_m", &Leg::box_m, unless(Vec3::Zero(), vector(from_to(0.0, 1e6))),
-                       "The leg is done when the error is at most this along n, e and d.");
+  static const auto box = key("box_m", &Leg::box_m, unless(Vec3::Zero(), vector(from_to(0.0, 1e6))),
+                              "The leg is done when the error is at most this along n, e and d.");
   static const Kinds<Leg> table{
       {"go_to",
        "Drive to a place by line of sight; nobody is avoided.",

@@ -104,16 +104,17 @@ Key<Scenario> missions() {
 /// Read as a vehicle of which nothing is missing, so that a slip is found even if every vehicle says
 /// better; what it says has by then been copied to the vehicles.
 Key<Scenario> defaults() {
+  const Form<VehicleSpec> form = vehicle();
   return {.name = "defaults",
           .meaning = "Any keys of a vehicle, for the vehicles that do not say.",
           .read =
-              [](const Value& value, Scenario&) {
+              [read = form.read](const Value& value, Scenario&) {
                 Reading partial = value.reading();
                 partial.partial = true;
-                vehicle().read(Value{value.tree(), value.path(), partial});
+                read(Value{value.tree(), value.path(), partial});
               },
           .write = [](const Scenario&) -> std::optional<Tree> { return {}; },
-          .schema = vehicle().schema};
+          .schema = form.schema};
 }
 
 Key<Scenario> vehicles() {
