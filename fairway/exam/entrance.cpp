@@ -11,12 +11,14 @@
 namespace fairway {
 namespace {
 
+bool is_news(const ObstacleSpec& obstacle) { return obstacle.moves() || !obstacle.charted; }
+
 /// Why not all that moves in a family is a group whose members have a method and hear each other by it.
 std::string why_no_group(const Catalog& methods, std::string_view algorithm, const ExamFamily& family) {
   const std::optional<Range> sizes = team_sizes(methods, algorithm);
   for (const ExamGround& ground : family.grounds) {
     const Scenario scenario = first_test(family, ground, {});
-    if (family.keep_named_avoiders || !scenario.obstacles.empty() ||
+    if (family.keep_named_avoiders || std::ranges::any_of(scenario.obstacles, is_news) ||
         !std::ranges::all_of(scenario.vehicles, &VehicleSpec::cooperative))
       return "avoids whoever speaks as it does, and not everything there speaks";
     const auto count = static_cast<double>(scenario.vehicles.size());
@@ -42,9 +44,11 @@ std::string why_not(const Catalog& methods, std::string_view algorithm, const Ex
     return "ignores obstacles, and there are some";
   if (family.needs_way && methods.needs(algorithm, &AlgorithmInfo::needs_stopping))
     return "has to stop now and then, and not everybody there can";
-  if (!family.needs_movers || !methods.ignores(algorithm, &AlgorithmInfo::ignores_movers)) return {};
-  if (methods.needs(algorithm, &AlgorithmInfo::needs_link)) return why_no_group(methods, algorithm, family);
-  return "ignores whatever moves, and something does";
+  const bool ignores_movers = methods.ignores(algorithm, &AlgorithmInfo::ignores_movers);
+  if (ignores_movers && methods.needs(algorithm, &AlgorithmInfo::needs_link))
+    return why_no_group(methods, algorithm, family);
+  if (family.needs_movers && ignores_movers) return "ignores whatever moves, and something does";
+  return {};
 }
 
 std::string why_not_under(const Catalog& methods, std::string_view algorithm, const ExamFamily& family,
@@ -65,7 +69,6 @@ std::optional<Range> team_sizes(const Catalog& methods, std::string_view algorit
 
 bool concerns(ConditionOf of, const Scenario& scenario) {
   if (of == ConditionOf::all || scenario.vehicles.size() > 1) return true;
-  const auto is_news = [](const ObstacleSpec& obstacle) { return obstacle.moves() || !obstacle.charted; };
   return of == ConditionOf::seen && std::ranges::any_of(scenario.obstacles, is_news);
 }
 

@@ -177,6 +177,10 @@ TEST(Entrance, WhoAgreesByWordsMeetsItsLikeAndNothingElse) {
   }
   EXPECT_EQ(why("pledge", nine), "is for groups of 2 to 8, and b has 9");
   EXPECT_EQ(why("delay_check", nine), "");
+  const std::string rock = "obstacles: [{sphere: {position_m: [5, 5, 5], radius_m: 1}}]\n";
+  EXPECT_EQ(why("pledge", pair + rock), "");
+  const std::string lone = std::string{pair}.substr(0, std::string{pair}.rfind("  - {"));
+  EXPECT_EQ(why("pledge", lone), "is for groups of 2 to 8, and b has 1");
   EXPECT_EQ(why("orca3d", with_silent), "");
 }
 
