@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
 #include "fairway/avoidance/trackable/turn_law.hpp"
 #include "fairway/control/vehicle_limits.hpp"
 #include "fairway/dynamics/catalog.hpp"
@@ -100,6 +103,13 @@ TEST(Envelope, OfABodyWithFinsHasALeastSpeedAndNoWayAstern) {
   EXPECT_NEAR(envelope.least, 0.96, 0.01);
   EXPECT_EQ(envelope.astern, 0.0);
   EXPECT_GT(envelope.turn_rate(envelope.ahead), 2.0 * envelope.turn_rate(envelope.least));
+}
+
+TEST(Envelope, OfWhatIsNotANumberNothingIsKnown) {
+  const Envelope envelope{.ahead = 1.0};
+  const double unknown = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(std::isnan(envelope.turn_rate(unknown)));
+  EXPECT_TRUE(std::isnan(envelope.following_error(unknown)));
 }
 
 TEST(Envelope, OfWhatDoesNotGetUnderWayIsNone) {

@@ -101,7 +101,7 @@ struct Envelope {
  private:
   template <std::size_t N>
   static double between(const std::array<double, N>& values, double place) noexcept {
-    const auto i = std::min(static_cast<std::size_t>(std::max(place, 0.0)), N - 1);
+    const auto i = std::min(static_cast<std::size_t>(std::max(0.0, place)), N - 1);
     if (i + 1 == N) return values[N - 1];
     return values[i] + (place - static_cast<double>(i)) * (values[i + 1] - values[i]);
   }
