@@ -42,9 +42,8 @@ struct AlgorithmInfo {
   bool needs_chart = false;     ///< of what stands it avoids only what is charted
   bool needs_link = false;      ///< decides nothing without hearing from the others
 
-  // of wrappers
   bool follows = false;     ///< asks of a vehicle that must turn only what it can follow: sway is not needed
-  bool shows_only = false;  ///< changes what the inner avoider is shown, and not what it answers
+  bool shows_only = false;  ///< of a wrapper: changes what the inner avoider is shown, not what it answers
 };
 
 /// "ignores obstacles and whatever moves"; empty for whoever ignores nothing.

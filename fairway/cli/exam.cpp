@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
-#include <limits>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -16,6 +15,7 @@
 #include "fairway/cli/outputs.hpp"
 #include "fairway/cli/own_methods.hpp"
 #include "fairway/cli/program.hpp"
+#include "fairway/exam/against.hpp"
 #include "fairway/exam/exam_page.hpp"
 #include "fairway/exam/exam_text.hpp"
 #include "fairway/exam/reference.hpp"
@@ -129,34 +129,6 @@ std::optional<ExamReference> reference_for(const ExamFlags& flags, const ExamFil
   return reference;
 }
 
-/// How many seeds every one of these families has in the reference.
-std::size_t seeds_in(const ExamReference& reference, const std::vector<ExamFamily>& families) {
-  std::map<std::string, std::set<std::uint64_t>> seeds;
-  for (const ExamRun& run : reference.runs) seeds[run.family].insert(run.seed);
-  std::size_t least = std::numeric_limits<std::size_t>::max();
-  for (const ExamFamily& family : families) least = std::min(least, seeds[family.name].size());
-  return least;
-}
-
-/// The reference's runs of what is asked, under the seeds that are asked; of whoever is asked anew only if
-/// what is stored is `added` to.
-std::vector<ExamRun> runs_beside(const ExamReference& reference, const ExamQuestion& question, bool added) {
-  std::vector<ExamRun> runs;
-  for (const ExamRun& run : reference.runs) {
-    const auto family = std::ranges::find(question.families, run.family, &ExamFamily::name);
-    const bool asked = std::ranges::any_of(question.candidates, [&](const Candidate& candidate) {
-      return candidate.method.label == run.method && candidate.tuned == run.tuned;
-    });
-    if (family == question.families.end() || (asked && !added) ||
-        run.seed - family->test.first >= question.seeds ||
-        std::ranges::find(question.conditions, run.condition, &ExamCondition::name) ==
-            question.conditions.end())
-      continue;
-    runs.push_back(run);
-  }
-  return runs;
-}
-
 /// Says of stored runs how each is made, where this program knows their methods.
 void add_commands(std::vector<ExamRun>& runs, const ExamFile& exam, ExamQuestion question,
                   const Program& program) {
@@ -267,30 +239,6 @@ void write_exam(const ExamFlags& flags, const ExamFile& exam, const ExamQuestion
                            : table_text(table, plan.absences) + "wrote " + files.page + "\n");
 }
 
-/// Leaves the runs of newcomers where the reference has somebody to hold them against.
-void keep_news(ExamPlan& plan, const ExamReference& reference, const ExamFile& exam) {
-  std::set<std::pair<std::string, std::string>> contests;
-  for (const ExamRun& run : reference.runs) contests.emplace(run.family, run.condition);
-  keep_runs(plan.campaign, [&](const RunSpec& spec) {
-    const auto label = [&](const char* name) { return *find_label(spec.labels, name); };
-    const bool is_baseline = label("method") == exam.baseline.label && label("tuned") == "false";
-    return !is_baseline && contests.contains({label("family"), label("condition")});
-  });
-}
-
-/// Leaves the runs that the reference has not.
-void keep_lacking(ExamPlan& plan, const ExamReference& reference) {
-  using Key = std::tuple<std::string, std::string, std::string, bool, std::uint64_t>;
-  std::set<Key> stored;
-  for (const ExamRun& run : reference.runs)
-    stored.emplace(run.family, run.condition, run.method, run.tuned, run.seed);
-  keep_runs(plan.campaign, [&](const RunSpec& spec) {
-    const auto label = [&](const char* name) { return *find_label(spec.labels, name); };
-    return !stored.contains(
-        {label("family"), label("condition"), label("method"), label("tuned") == "true", spec.seed});
-  });
-}
-
 /// Leaves the runs of the cells whose every run is stored; the others are told.
 void keep_complete_cells(ExamPlan& plan, const Store& store) {
   const auto cell_of = [](const RunSpec& spec) { return without_label(spec.labels, "case"); };
@@ -304,6 +252,27 @@ void keep_complete_cells(ExamPlan& plan, const Store& store) {
                              .method = *find_label(cell, "method"),
                              .tuned = *find_label(cell, "tuned") == "true",
                              .why = "has not been run"});
+}
+
+/// The store in the exam's folder, which is made; refuses to write over what is of another kind, or is asked
+/// of.
+Store open_store(const ExamFlags& flags, const ExamFile& exam, const ExamPlan& plan, const Outputs& outputs) {
+  const ExamFiles files = exam_files_in(flags.out);
+  if (std::filesystem::exists(flags.out))
+    outputs.judge(exam_inputs(flags, exam), {{"--out", files.store, store_file},
+                                             {"--out", files.rows, exam_rows_file},
+                                             {"--out", files.document, exam_document},
+                                             {"--out", files.latex, exam_latex},
+                                             {"--out", files.page, report_file},
+                                             {"--out", files.reference, reference_file},
+                                             {"--out", files.decisions, decision_times_file}});
+  std::filesystem::create_directories(flags.out);
+  Store store = Store::open(files.store, outputs.force() ? Store::Foreign::replace : Store::Foreign::refuse);
+  Origin origin{.campaign = exam.name, .summary = exam.summary};
+  for (const CampaignCell& cell : plan.campaign.cells) add_values(origin.order, cell.labels);
+  store.note(origin);
+  if (!plan.campaign.specs.empty()) store.note(this_maker(false));
+  return store;
 }
 
 int hold_exam(const ExamFlags& flags, const Outputs& outputs, const Program& program) {
@@ -325,24 +294,9 @@ int hold_exam(const ExamFlags& flags, const Outputs& outputs, const Program& pro
   if (reference && flags.add)
     keep_lacking(plan, *reference);
   else if (reference)
-    keep_news(plan, *reference, exam);
+    keep_news(plan, *reference, exam.baseline.label);
 
-  const ExamFiles files = exam_files_in(flags.out);
-  if (std::filesystem::exists(flags.out))
-    outputs.judge(exam_inputs(flags, exam), {{"--out", files.store, store_file},
-                                             {"--out", files.rows, exam_rows_file},
-                                             {"--out", files.document, exam_document},
-                                             {"--out", files.latex, exam_latex},
-                                             {"--out", files.page, report_file},
-                                             {"--out", files.reference, reference_file},
-                                             {"--out", files.decisions, decision_times_file}});
-  std::filesystem::create_directories(flags.out);
-  Store store = Store::open(files.store, outputs.force() ? Store::Foreign::replace : Store::Foreign::refuse);
-  Origin origin{.campaign = exam.name, .summary = exam.summary};
-  for (const CampaignCell& cell : plan.campaign.cells) add_values(origin.order, cell.labels);
-  store.note(origin);
-  if (!plan.campaign.specs.empty()) store.note(this_maker(false));
-
+  Store store = open_store(flags, exam, plan, outputs);
   DecisionClock clock;
   Progress progress{exam.name};
   if (flags.as_it_is) {

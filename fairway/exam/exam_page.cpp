@@ -305,8 +305,7 @@ json exam_page(const ExamTable& table, const ExamPageParts& parts) {
       "grounds", "Methods and grounds",
       {"The colour is the share of runs without a collision, the number the time over the time alone. ① is "
        "first on the evidence of these runs, = is not told apart from whoever leads. Grey: may not enter, or "
-       "has not been run. A "
-       "click lists the runs, the least clearance first if asked."},
+       "has not been run. A click lists the runs, the least clearance first if asked."},
       std::move(heats)));
   if (!table.awareness.empty())
     sections.push_back(page::section("awareness", "What knowing less costs",

@@ -49,9 +49,10 @@ std::vector<std::string> amiss(const VehicleSpec& spec, const Limits& limits, co
   const std::string name = avoider_in_force(spec, limits, avoiders);
   const auto all = [&](bool AlgorithmInfo::*what) { return avoiders.ignores(name, what); };
   const auto any = [&](bool AlgorithmInfo::*what) { return avoiders.needs(name, what); };
+  const bool speaks = any(&AlgorithmInfo::needs_link);
   // where it foresees, it keeps clear of whatever there is
-  const bool speaks = any(&AlgorithmInfo::needs_link);  // and knows the others by their words
   const bool foresees = any(&AlgorithmInfo::follows) && !speaks && !limits.sway;
+  const bool has_others = ground.has_others && !speaks;  // who speaks knows them by their words
   const bool is_blind = all(&AlgorithmInfo::ignores_obstacles),
              is_alone = all(&AlgorithmInfo::ignores_movers);
 
@@ -63,12 +64,11 @@ std::vector<std::string> amiss(const VehicleSpec& spec, const Limits& limits, co
     clauses.push_back("has to stop now and then, and " + spec.model.name + " cannot: it circles");
   if (!foresees && is_blind != is_alone) {
     if (is_blind && ground.has_obstacles) clauses.emplace_back("ignores obstacles, and there are some");
-    if (is_alone && ground.has_others && !speaks)
-      clauses.emplace_back("ignores whatever moves, and there are others");
-    if (is_alone && (!ground.has_others || speaks) && !ground.drifter.empty())
+    if (is_alone && has_others) clauses.emplace_back("ignores whatever moves, and there are others");
+    if (is_alone && !has_others && !ground.drifter.empty())
       clauses.push_back("ignores whatever moves, and " + ground.drifter + " drifts");
   }
-  if (any(&AlgorithmInfo::needs_link) && ground.is_silent)
+  if (speaks && ground.is_silent)
     clauses.emplace_back("waits for the words of others, and the exchange is none");
   const auto sees_no_more = [](const Catalog::Entry* layer) {
     return layer->info.needs_chart || layer->info.ignores_obstacles;

@@ -13,13 +13,8 @@ namespace fairway::pledge {
 namespace {
 
 TEST(Agreement, OfThreeNeverBringsTwoTogetherWhateverIsLostInTheTurnsThatDecide) {
-  // a clean start, so that all know all; from the proposal on every pattern of nine words lost or heard,
-  // and nothing is heard after them for a while
-  std::vector<Fleet> starts;
-  Fleet begins{three_in_a_plane(), 3.0};
-  const auto has_plan = [](const Agreement& member) { return bool{member.plan().epoch}; };
-  while (std::ranges::none_of(begins.members, has_plan) && begins.time < 60.0)
-    begins.go_on([](std::size_t, std::size_t) { return true; });
+  // every pattern of nine words lost or heard, and nothing is heard after them for a while
+  const Fleet begins = three_about_to_decide();
   ASSERT_TRUE(std::ranges::any_of(begins.members, has_plan)) << "a plan was found";
   constexpr unsigned words = 9;
   int all_departed = 0, some_departed = 0;
@@ -118,7 +113,6 @@ TEST(Agreement, WhereHalfIsLostAndThereIsPatienceHardlyAnyGroupIsDivided) {
 
 TEST(Agreement, NobodyAcknowledgesWhatNotAllMightHearOf) {
   Fleet fleet{three_in_a_plane(), 3.0}, before = fleet;
-  const auto has_plan = [](const Agreement& member) { return bool{member.plan().epoch}; };
   while (std::ranges::none_of(fleet.members, has_plan)) {
     before = fleet;
     fleet.go_on(always);

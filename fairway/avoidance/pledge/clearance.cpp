@@ -48,12 +48,12 @@ double Clearance::apart(std::size_t a, std::size_t b, const Vec3& from, const Ve
 
 Clearance::Gates Clearance::gates_of(std::size_t member, const Reference& reference) const noexcept {
   Gates gates;
+  const Vec3 begin = reference.at(start_);
   for (std::size_t other = 0; other < most_members; ++other) {
     const bool has_none = other == member || !participants_[other] || reference.knots().size() < 2;
-    gates[other] =
-        has_none ? never  // nobody comes nearer who stays where it is
-                 : first_within(reference, members_[other].anchor,
-                                apart(member, other, reference.at(start_), members_[other].anchor, so_far));
+    const Vec3& anchor = members_[other].anchor;
+    gates[other] = has_none ? never  // nobody comes nearer who stays where it is
+                            : first_within(reference, anchor, apart(member, other, begin, anchor, so_far));
   }
   return gates;
 }
@@ -81,9 +81,10 @@ bool Clearance::are_clear(const Stops& stops, const Reference& of_other, double 
 
 bool Clearance::accepts(std::size_t member, const Reference& reference) const noexcept {
   std::array<double, most_members> apart_from{};
+  const Vec3 begin = reference.at(start_);
   for (std::size_t other = 0; other < most_members; ++other) {
     if (other == member || !placed_[other]) continue;
-    apart_from[other] = apart(member, other, reference.at(start_), references_[other].at(start_));
+    apart_from[other] = apart(member, other, begin, references_[other].at(start_));
     if (least_distance(reference, references_[other], start_) < apart_from[other]) return false;
   }
   const Gates gates = gates_of(member, reference);

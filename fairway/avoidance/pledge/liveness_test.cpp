@@ -12,9 +12,7 @@ namespace fairway::pledge {
 namespace {
 
 TEST(PledgeLiveness, OfThreeAllArriveWhateverWasLostInTheTurnsThatDecide) {
-  Fleet begins{three_in_a_plane(), 3.0};
-  const auto has_plan = [](const Agreement& member) { return bool{member.plan().epoch}; };
-  while (std::ranges::none_of(begins.members, has_plan) && begins.time < 60.0) begins.go_on(always);
+  const Fleet begins = three_about_to_decide();
   constexpr unsigned words = 9;
   int divided = 0;
   double latest = 0.0;

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// A model of a group for the tests: members that keep to their references exactly, and a modem that loses
-// what a test has it lose.
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -24,7 +21,8 @@ struct Said {
   double heard;  ///< when [s]
 };
 
-/// Members that keep to their references exactly, and a modem whose words get lost.
+/// A model of a group: members that keep to their references exactly, and a modem that loses what a test has
+/// it lose.
 struct Fleet {
   std::vector<Said> said;
   std::vector<Agreement> members;
@@ -146,5 +144,14 @@ class LossesInRuns {
 };
 
 inline const auto always = [](std::size_t, std::size_t) { return true; };
+
+inline bool has_plan(const Agreement& member) { return bool{member.plan().epoch}; }
+
+/// Three of whom one has just proposed, so that all know all and the words that follow decide.
+inline Fleet three_about_to_decide() {
+  Fleet fleet{three_in_a_plane(), 3.0};
+  while (std::ranges::none_of(fleet.members, has_plan) && fleet.time < 60.0) fleet.go_on(always);
+  return fleet;
+}
 
 }  // namespace fairway::pledge
