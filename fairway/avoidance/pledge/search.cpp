@@ -48,7 +48,12 @@ bool dives(const Member& member) { return member.destination.z() > member.anchor
 Search::Search(const std::array<Member, most_members>& members, const Members& participants,
                const std::array<Reference, most_members>& others, const Terms& terms, std::size_t attempt,
                const Chart& chart) noexcept
-    : members_{members}, asked_{participants}, others_{others}, tubes_{terms.tubes}, attempt_{attempt} {
+    : members_{members},
+      asked_{participants},
+      company_{participants},
+      others_{others},
+      tubes_{terms.tubes},
+      attempt_{attempt} {
   hubs_[hub_count_++] = {centre_as_told(centre_of(members, asked_, attempt), terms.datum), 0};
   find_hubs(chart, terms.datum);
   begin_hub();
@@ -88,8 +93,9 @@ void Search::find_hubs(const Chart& chart, const Vec2& datum) noexcept {
 }
 
 void Search::begin_hub() noexcept {
-  participants_ = asked_;
+  participants_ = company_;
   ways_ = others_;
+  stay(asked_ & ~company_);
   of_hub_ = {};
   begin();
 }
@@ -99,10 +105,44 @@ void Search::begin() noexcept {
   number_ = 0;
 }
 
-/// Another where not all can go.
+/// Another where not all can go, and another company where nobody can.
 void Search::end_hub() noexcept {
   stage_ = Stage::done;
-  if (!found_all() && ++hub_ < hub_count_) begin_hub();
+  if (!found_all() && ++hub_ < hub_count_) return begin_hub();
+  if (found() || !next_chain()) return;
+  hub_ = 0;
+  begin_hub();
+}
+
+bool Search::next_chain() noexcept {
+  while (chain_ < most_members) {
+    const std::size_t head = numbered(chain_++);
+    company_ = chain_from(head);
+    if (asked_[head] && company_ != asked_) return true;
+  }
+  return false;
+}
+
+/// Who has to go so that this member can: whoever lies at its destination, and so on.
+Members Search::chain_from(std::size_t head) const noexcept {
+  Members chain, before;
+  chain.set(head);
+  while (chain != before) {
+    before = chain;
+    for (std::size_t i = 0; i < most_members; ++i) {
+      for (std::size_t j = 0; before[i] && j < most_members; ++j) {
+        const double room = members_[i].radius + members_[j].radius + 2.0 * tubes_.radius + tubes_.told;
+        const double off = (members_[i].destination - members_[j].anchor).norm();
+        if (asked_[j] && off < room + ends_before(members_[i])) chain.set(j);
+      }
+    }
+  }
+  return chain;
+}
+
+void Search::stay(const Members& who) noexcept {
+  for (std::size_t i = 0; i < most_members; ++i)
+    if (who[i]) ways_[i] = Reference{members_[i].anchor};
 }
 
 /// Round the other way once all centres have been tried, and about every other hub.
@@ -206,8 +246,7 @@ void Search::try_next_code(const Chart& chart) noexcept {
     stage_ = Stage::improve;
     return;
   }
-  for (std::size_t i = 0; i < most_members; ++i)
-    if (participants_[i] && !plan_.participants[i]) ways_[i] = Reference{members_[i].anchor};
+  stay(participants_ & ~plan_.participants);
   participants_ = plan_.participants;
   begin();
   if (stage_ == Stage::done) end_hub();

@@ -19,8 +19,8 @@ struct Terms {
 /// a carousel: those who dive by one ring, those who climb by another. Where none is clear, one member after
 /// the other takes the soonest code that is clear of those before it; whoever has none stays, and all begin
 /// again round it. Then each looks for a sooner one. Where something stands in the way and not all can go, it
-/// does the same with rings round that. A value: it goes on from where it was, a few codes at a time. Nothing
-/// allocates.
+/// does the same with rings round that; where nobody can, with those alone who lie at each other's
+/// destinations. A value: it goes on from where it was, a few codes at a time. Nothing allocates.
 class Search {
  public:
   Search() = default;
@@ -65,6 +65,10 @@ class Search {
   void try_next_code(const Chart& chart) noexcept;
   void improve_next(const Chart& chart) noexcept;
   void end_hub() noexcept;
+  bool next_chain() noexcept;
+  void stay(const Members& who) noexcept;
+  Members chain_from(std::size_t head) const noexcept;
+
   /// A plan, and how long it takes them to their ends, in the mean [s].
   struct Option {
     Plan plan{};
@@ -79,6 +83,8 @@ class Search {
 
   std::array<Member, most_members> members_{};
   Members asked_{};         ///< to take part
+  Members company_{};       ///< those of them who are tried now; the others stay
+  std::size_t chain_{0};    ///< the next company is that of the member of this number
   Members participants_{};  ///< who can, as far as has been tried
   std::array<Reference, most_members> others_{};
   std::array<Reference, most_members> ways_{};  ///< the same, and of who stays where it is
