@@ -12,9 +12,11 @@
 namespace fairway::pledge {
 namespace {
 
-constexpr double look_ahead = 2.0;    // of the reference's velocity, for the vehicle's lag and slip [s]
-constexpr double stopping = 2.0;      // from a member's speed, with its lag [s]
-constexpr double return_gain = 0.3;   // to its anchor [1/s]
+constexpr double look_ahead = 2.0;       // of the reference's velocity, for the vehicle's lag and slip [s]
+constexpr double steepest_share = 0.85;  // of a member's speed is at most for climbing and diving
+constexpr double same_level = 0.5;       // within it a destination needs no climb to speak of [m]
+constexpr double stopping = 2.0;         // from a member's speed, with its lag [s]
+constexpr double return_gain = 0.3;      // to its anchor [1/s]
 constexpr double still = 0.075;       // who would go slower than this through the water does not turn [m/s]
 constexpr int longest_wait = 20;      // of a member for its turn [s]
 constexpr double turn_gain = 0.5;     // [1/s]
@@ -48,15 +50,17 @@ bool is_in_current(const Situation& s) noexcept { return horizontal_norm(s.curre
 Member member_of(const Situation& s, double speed_ratio) noexcept {
   const double all = speed_ratio * std::min(s.goal.cruise_speed, s.limits.max_speed);
   const bool is_known = s.envelope != nullptr;
-  const double up = std::min(is_known ? speed_ratio * s.envelope->up : all, s.limits.max_climb_rate);
-  const double down = std::min(is_known ? speed_ratio * s.envelope->down : all, s.limits.max_climb_rate);
-  const double vertical = s.goal.position.z() > s.own.position.z() ? down : up;
+  const double steepest = std::min(steepest_share * all, s.limits.max_climb_rate);
+  const double up = math::fmin(is_known ? speed_ratio * s.envelope->up : all, steepest);
+  const double down = math::fmin(is_known ? speed_ratio * s.envelope->down : all, steepest);
+  const double deeper = s.goal.position.z() - s.own.position.z();
+  const double vertical = std::fabs(deeper) < same_level ? 0.0 : deeper > 0.0 ? down : up;
   const bool is_at_its_most = is_known && s.envelope->ahead < 0.98 * s.limits.max_speed;
   const double ahead = !is_known ? all
                        : is_at_its_most
                            ? math::fmin(speed_ratio * s.envelope->ahead - horizontal_norm(s.current), all)
                            : math::fmin(speed_ratio * s.envelope->ahead, all);
-  const double beside = std::sqrt(math::fmax(all * all - vertical * vertical, 0.25 * all * all));
+  const double beside = std::sqrt(all * all - vertical * vertical);
   const double turn_rate =
       is_known && s.envelope->turn_rates[0] > 0.0 ? std::min(s.envelope->turn_rates[0], fastest_turn) : 0.3;
   return {.anchor = s.own.position,
