@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "fairway/avoidance/pledge/bits.hpp"
 #include "fairway/avoidance/pledge/following.hpp"
 #include "fairway/core/angles.hpp"
 #include "fairway/core/math.hpp"
@@ -22,7 +23,8 @@ constexpr double rounded = 0.1;         // of what is told, for a pair [m]
 constexpr double most_late = 2.0;       // who looks at its clock so long after has missed a commitment [s]
 constexpr double least_gain = 0.5;      // of a leg, towards the goal [m]
 constexpr double surely = 0.8;          // a leg ends so much within the arrival [m]
-constexpr double bend = 0.5;            // more than this it turns on the spot only [rad]
+constexpr double longest_told = 0.5 * pledge::clock_period - 5.0;  // times farther off are read as past [s]
+constexpr double bend = 0.5;  // more than this it turns on the spot only [rad]
 
 constexpr std::array lengths{1.0, 0.5, 0.25};  // of the way to the goal
 constexpr std::array bearings_deg{0.0, 25.0, -25.0, 50.0, -50.0, 75.0, -75.0, 100.0, -100.0};
@@ -63,9 +65,12 @@ void DelayCheck::hear(const Situation& s, Memory& memory) const noexcept {
     const auto known = std::span{memory.others}.first(memory.count);
     const auto at = std::ranges::find(known, heard.from, &Other::id);
     if (at != known.end() && heard.sent <= at->sent) continue;
-    if (at == known.end() && memory.count == most_others) continue;
     const auto word = delay_check::decode(heard.speech, datum(), s.time);
     if (!word) continue;
+    if (at == known.end() && memory.count == most_others) {
+      memory.is_crowded = true;
+      continue;
+    }
     Other& other = at != known.end() ? *at : memory.others[memory.count++];
     other = {.id = heard.from, .sent = heard.sent, .word = *word};
   }
@@ -101,7 +106,7 @@ void DelayCheck::plan(const Situation& s, Memory& memory) const noexcept {
   const bool is_due = s.link->next_turn - s.time <= last_decisions * s.period &&
                       s.time >= memory.began + listening * s.link->turn_period;
   const double ends_off = (s.goal.position - committed.to).norm() - s.goal.arrival;
-  if (memory.own.next || !is_due || ends_off <= 0.0) return;
+  if (memory.own.next || !is_due || memory.is_crowded || ends_off <= 0.0) return;
 
   memory.commits = s.link->next_turn + params.delay_turns_count * s.link->turn_period;
   const bool stands = committed.ends <= memory.commits;
@@ -129,6 +134,7 @@ std::optional<Trajectory> DelayCheck::soonest_leg(const Situation& s, const Memo
         if (bend_between(committed.to - committed.from, leg) > most_bend) continue;
         word.next = {
             .from = place, .to = place + leg, .departs = departs, .ends = departs + duration(leg, m)};
+        if (word.next->ends > s.time + longest_told) continue;
         const Trajectory next = *delay_check::as_told(word, datum(), s.time).next;
         const Vec3 left = s.goal.position - next.to;
         const double arrives = next.ends + duration(left, m);
@@ -140,6 +146,11 @@ std::optional<Trajectory> DelayCheck::soonest_leg(const Situation& s, const Memo
     }
   }
   return best;
+}
+
+std::string_view DelayCheck::what_it_waits_for(const Memory& memory) noexcept {
+  if (memory.is_crowded) return "hears of more others than it can keep in mind";
+  return memory.own.next ? "waits out its delay check" : "waits for a clear way";
 }
 
 Command DelayCheck::decide(const Situation& s, Memory& memory, Context& context) const noexcept {
@@ -156,8 +167,7 @@ Command DelayCheck::decide(const Situation& s, Memory& memory, Context& context)
   if (s.time < way.end())
     return pledge::followed(s, way, memory.turn, {.gain = params.gain_hz, .tube = params.tube_m});
   const bool has_listened = s.time >= memory.began + listening * s.link->turn_period;
-  Command command = pledge::held(s, memory.own.committed.to,
-                                 memory.own.next ? "waits out its delay check" : "waits for a clear way");
+  Command command = pledge::held(s, memory.own.committed.to, what_it_waits_for(memory));
   if (s.attendance == Attendance::ready && has_listened) command.mode = Mode::avoid;
   return command;
 }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <string_view>
 
 #include "fairway/avoidance/algorithm.hpp"
 #include "fairway/avoidance/delay_check/trajectory.hpp"
@@ -55,7 +56,7 @@ struct DelayCheck {
     }
   };
 
-  static constexpr std::size_t most_others = 32;  ///< that it keeps in mind; who comes later is not avoided
+  static constexpr std::size_t most_others = 63;  ///< that it keeps in mind; who hears of more plans nothing
 
   /// What somebody has said last.
   struct Other {
@@ -73,6 +74,7 @@ struct DelayCheck {
     delay_check::Word own{};
     std::array<Other, most_others> others{};
     std::size_t count{0};
+    bool is_crowded{false};  ///< it has heard of more
   };
 
   Params params;
@@ -88,6 +90,7 @@ struct DelayCheck {
   void plan(const Situation& s, Memory& memory) const noexcept;
   std::optional<delay_check::Trajectory> soonest_leg(const Situation& s, const Memory& memory, double departs,
                                                      double most_bend) const noexcept;
+  static std::string_view what_it_waits_for(const Memory& memory) noexcept;
   bool is_clear(const Memory& memory, const delay_check::Trajectory& own, double from) const noexcept;
 };
 

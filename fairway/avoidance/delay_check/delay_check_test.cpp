@@ -122,6 +122,39 @@ TEST(DelayCheck, TwoThatHearEachOtherSwapPlacesAndKeepApart) {
   EXPECT_LT(pair.to_goal(1), 2.0);
 }
 
+TEST(DelayCheck, NobodyPromisesALegThatTakesLongerThanAWordCanTell) {
+  Pair pair;
+  for (std::size_t i = 0; i < 2; ++i) {
+    Situation& s = pair.seen[i].situation;
+    s.own.position *= 4.0;
+    s.goal.position *= 4.0;
+    s.own.position.z() = s.goal.position.z() = 5.0;
+  }
+  while (pair.time < 900.0) {
+    pair.go_on([](std::size_t) { return true; });
+    const auto word = decode(pair.avoiders[0].speech(), Vec2::Zero(), pair.time);
+    if (!word || !word->next) continue;
+    EXPECT_GT(word->next->ends, word->next->departs) << pair.time;
+  }
+  EXPECT_GE(pair.least, 2.0 + 1.0);
+  EXPECT_LT(pair.to_goal(0), 2.0);
+  EXPECT_LT(pair.to_goal(1), 2.0);
+}
+
+TEST(DelayCheck, WhoHearsOfMoreThanItKeepsInMindPlansNothing) {
+  for (const std::size_t others : {DelayCheck::most_others, DelayCheck::most_others + 1}) {
+    Pair pair;
+    for (std::size_t i = 0; i < others; ++i) {
+      const Vec3 place{100.0, static_cast<double>(i), 5.0};
+      const Word word{.radius = 1.0, .committed = Trajectory::standing(place, 0.0)};
+      pair.heard[0].push_back(
+          {VehicleId{static_cast<std::uint32_t>(i + 1)}, 0.0, encode(word, Vec2::Zero(), 0.0)});
+    }
+    while (pair.time < 60.0) pair.go_on([](std::size_t) { return false; });
+    EXPECT_EQ(pair.to_goal(0) < 25.0, others == DelayCheck::most_others) << others;
+  }
+}
+
 TEST(DelayCheck, TwoThatDoNotHearEachOtherCommitAndMeet) {
   Pair pair;
   while (pair.time < 200.0) pair.go_on([](std::size_t) { return false; });
