@@ -6,9 +6,28 @@
 #include <cstdlib>
 #include <new>
 
+#if defined(__SANITIZE_THREAD__)  // as g++ says it
+#define FAIRWAY_THREAD_SANITIZED 1
+#elif defined(__has_feature)  // and clang
+#define FAIRWAY_THREAD_SANITIZED __has_feature(thread_sanitizer)
+#else
+#define FAIRWAY_THREAD_SANITIZED 0
+#endif
+
 namespace {
 std::atomic<long> count{0};
+}
 
+#if FAIRWAY_THREAD_SANITIZED
+
+// It brings its own `new`, which cannot be replaced, and calls this for every allocation.
+extern "C" void __sanitizer_malloc_hook(const volatile void*, std::size_t) {
+  count.fetch_add(1, std::memory_order_relaxed);
+}
+
+#else
+
+namespace {
 void* counted(std::size_t size, std::size_t alignment) {
   count.fetch_add(1, std::memory_order_relaxed);
   const std::size_t rounded = (size + alignment - 1) / alignment * alignment;
@@ -36,5 +55,7 @@ void operator delete(void* memory, const std::nothrow_t&) noexcept { std::free(m
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+
+#endif
 
 long fairway::allocation_count() { return count.load(std::memory_order_relaxed); }
