@@ -40,12 +40,12 @@ BodyRequest go_as_you_are(const SteeringParams& params, const Command& command, 
 }  // namespace
 
 BodyRequest steer(const SteeringParams& params, const Command& command, double yaw) noexcept {
-  if (params.kind == SteeringKind::holonomic) return go_as_you_are(params, command, yaw);
   if (command.turn_rate) {
     return {.surge_mps = unit_at(yaw).dot(command.velocity.head<2>()),
             .heave_mps = command.velocity.z(),
             .yaw_rate_radps = *command.turn_rate};
   }
+  if (params.kind == SteeringKind::holonomic) return go_as_you_are(params, command, yaw);
   const double speed = horizontal_norm(command.velocity);
   const Aim aim = aim_of(command, speed, yaw);
   BodyRequest request{.heave_mps = command.velocity.z()};

@@ -58,7 +58,7 @@ struct SteeringParams {
 /// The body request that carries out `command` from the present heading. With `command.astern` a
 /// velocity behind the beam is met stern first (Algorithm 1, lines 14 to 41, with |alpha| in lines 27
 /// and 30). A velocity that is purely vertical leaves the heading alone. A commanded turn rate is taken as it
-/// is, with the velocity's part along the heading as surge; only `holonomic` has no use for it.
+/// is, with the velocity's part along the heading as surge.
 BodyRequest steer(const SteeringParams& params, const Command& command, double yaw) noexcept;
 
 /// Likewise by `crab`, for a vehicle that cannot stop, in a current [m/s, NED] that it knows. The request is

@@ -48,6 +48,11 @@ OwnMotion motion_of(const Params& params, const Situation& s, Drift& drift) {
   return motion;
 }
 
+/// Whether own ship is known to be one that goes sideways as well as ahead: then it need not turn.
+bool goes_any_way(const Situation& s) {
+  return s.envelope != nullptr && s.limits.sway && s.envelope->sideways > 0.5 * s.envelope->ahead;
+}
+
 double greatest_speed(const Situation& s) {
   return limit_or(s.limits.max_speed,
                   math::fmax(s.goal.cruise_speed, horizontal_norm(s.preferred_velocity())));
@@ -223,7 +228,9 @@ Command decision(const Params& params, const Situation& s, AvoaImproved::Memory&
 namespace fairway {
 
 Command AvoaImproved::decide(const Situation& s, Memory& memory, Context& context) const noexcept {
-  Command command = avoa_improved::decision(params, s, memory, context.sketch);
+  Params now = params;
+  now.turn_aware = params.turn_aware && !avoa_improved::goes_any_way(s);
+  Command command = avoa_improved::decision(now, s, memory, context.sketch);
   const double sign = command.turn_rate ? -1.0 : 1.0;
   memory.drift.command(sign * horizontal_norm(command.velocity));
   return command;

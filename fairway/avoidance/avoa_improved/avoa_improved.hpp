@@ -27,6 +27,7 @@ struct AvoaImproved {
       .planar = true,
       .handed = true,
       .steers_by_heading = true,
+      .needs_envelope = true,
   };
 
   struct Params {
@@ -66,7 +67,9 @@ struct AvoaImproved {
       constexpr Range length{0, 1000};
       constexpr Range duration{0.2, 32};
       return std::tuple{
-          field<&P::turn_aware>("judge a command by the motion it brings about; else as if it came at once"),
+          field<&P::turn_aware>(
+              "judge a command by the motion it brings about; else, and for a vehicle known to "
+              "go sideways as well, as if it came at once"),
           field<&P::memory>("go round what has been seen, on the side chosen; else straight for the goal"),
           field<&P::window_s>(duration, "t_H: how far ahead contacts count"),
           field<&P::near_s>(duration, "turn_aware: how far ahead the clearance of what stays put costs"),

@@ -184,6 +184,23 @@ TEST(AvoaImproved, InADeadEndItTurnsOnTheSpot) {
   EXPECT_LE(command.velocity.x(), 0.0);
 }
 
+TEST(AvoaImproved, AVehicleThatGoesSidewaysAsWellNeedNotTurn) {
+  const auto command = [](double sideways) {
+    Situation s = northbound();
+    s.own.velocity = Vec3::Zero();
+    s.own.yaw = 1.5;
+    const std::vector<Obstacle> beside{buoy(3.0, 1.0)};
+    s.obstacles = beside;
+    const Envelope envelope{.ahead = 1.2, .sideways = sideways};
+    s.envelope = &envelope;
+    return improved().decide(s);
+  };
+  const Command turns = command(0.0), as_it_is = command(1.0);
+  EXPECT_TRUE(turns.turn_rate) << "it turns on the spot first";
+  EXPECT_FALSE(as_it_is.turn_rate);
+  EXPECT_GT(as_it_is.velocity.x(), 1.0);
+}
+
 TEST(AvoaImproved, WhereNothingIsFreeItBrakesAndSaysSo) {
   Situation s = northbound();
   std::vector<Obstacle> ahead;
