@@ -100,13 +100,23 @@ void DelayCheck::check(const Situation& s, Memory& memory) const noexcept {
   }
 }
 
+/// Where all speak at once they plan one after the other, since of two who plan at once both would give up.
+bool DelayCheck::is_first_to_plan(const Situation& s, const Memory& memory) const noexcept {
+  if (s.link->turn_period > 1.5 * s.period) return true;
+  const auto heard = std::span{memory.others}.first(memory.count);
+  const auto before = std::ranges::count_if(heard, [&](const Other& other) { return other.id < s.own.id; });
+  const auto turn = static_cast<std::size_t>(s.time / s.period + 0.5);
+  return turn % (memory.count + 1) == static_cast<std::size_t>(before);
+}
+
 /// Right before its turn it looks for the leg that brings it to its goal soonest.
 void DelayCheck::plan(const Situation& s, Memory& memory) const noexcept {
   const Trajectory& committed = memory.own.committed;
   const bool is_due = s.link->next_turn - s.time <= last_decisions * s.period &&
                       s.time >= memory.began + listening * s.link->turn_period;
   const double ends_off = (s.goal.position - committed.to).norm() - s.goal.arrival;
-  if (memory.own.next || !is_due || memory.is_crowded || ends_off <= 0.0) return;
+  if (memory.own.next || !is_due || memory.is_crowded || ends_off <= 0.0 || !is_first_to_plan(s, memory))
+    return;
 
   memory.commits = s.link->next_turn + params.delay_turns_count * s.link->turn_period;
   const bool stands = committed.ends <= memory.commits;

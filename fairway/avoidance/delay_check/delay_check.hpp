@@ -87,6 +87,7 @@ struct DelayCheck {
   bool begin(const Situation& s, Memory& memory) const noexcept;
   void hear(const Situation& s, Memory& memory) const noexcept;
   void check(const Situation& s, Memory& memory) const noexcept;
+  bool is_first_to_plan(const Situation& s, const Memory& memory) const noexcept;
   void plan(const Situation& s, Memory& memory) const noexcept;
   std::optional<delay_check::Trajectory> soonest_leg(const Situation& s, const Memory& memory, double departs,
                                                      double most_bend) const noexcept;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <vector>
@@ -69,6 +70,7 @@ struct Pair {
   std::vector<std::vector<Heard>> heard{2};
   double time{0.0};
   double least{1e9};
+  bool at_once{false};  ///< both speak at every decision, instead of in turns
 
   Pair() {
     for (std::size_t i = 0; i < 2; ++i) {
@@ -89,14 +91,15 @@ struct Pair {
 
   void go_on(const std::function<bool(std::size_t from)>& gets_through) {
     for (std::size_t i = 0; i < 2; ++i) {
-      const bool has_turn = time > 0.0 && next_turn(i) - turn_period > time - period - 1e-6;
+      const bool is_in_turn = time > 0.0 && next_turn(i) - turn_period > time - period - 1e-6;
+      const bool has_turn = at_once || is_in_turn;
       const Speech speech = avoiders[i].speech();
       if (has_turn && !speech.empty() && gets_through(i))
         heard[1 - i] = {{VehicleId{static_cast<std::uint32_t>(i)}, time, speech}};
     }
     for (std::size_t i = 0; i < 2; ++i) {
       Situation s = seen[i];
-      const Link link{heard[i], turn_period, next_turn(i)};
+      const Link link{heard[i], at_once ? period : turn_period, at_once ? time : next_turn(i)};
       s.link = &link;
       s.time = time;
       const Command command = avoiders[i].decide(s);
@@ -153,6 +156,28 @@ TEST(DelayCheck, WhoHearsOfMoreThanItKeepsInMindPlansNothing) {
     while (pair.time < 60.0) pair.go_on([](std::size_t) { return false; });
     EXPECT_EQ(pair.to_goal(0) < 25.0, others == DelayCheck::most_others) << others;
   }
+}
+
+TEST(DelayCheck, TwoWhoSpeakAtOncePlanOneAfterTheOther) {
+  Pair pair;
+  pair.at_once = true;
+  std::array<bool, 2> had{};
+  int plans = 0;
+  while (pair.time < 300.0) {
+    pair.go_on([](std::size_t) { return true; });
+    std::array<bool, 2> begins{};
+    for (std::size_t i = 0; i < 2; ++i) {
+      const auto word = decode(pair.avoiders[i].speech(), Vec2::Zero(), pair.time);
+      const bool has = word && word->next;
+      begins[i] = has && !had[i];
+      had[i] = has;
+      plans += begins[i] ? 1 : 0;
+    }
+    EXPECT_FALSE(begins[0] && begins[1]) << pair.time;
+  }
+  EXPECT_GT(plans, 1);
+  EXPECT_LT(pair.to_goal(0), 2.0);
+  EXPECT_LT(pair.to_goal(1), 2.0);
 }
 
 TEST(DelayCheck, TwoThatDoNotHearEachOtherCommitAndMeet) {
