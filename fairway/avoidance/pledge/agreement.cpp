@@ -14,9 +14,10 @@ constexpr double last_decisions = 1.5;     // before a turn in which a proposal 
 constexpr double silent_turns = 3.0;       // after so many the next member may propose
 constexpr double most_patience = 9.0;      // turns from a plan's word to its start
 constexpr double silent_for_good = 8.0;    // turns after which, of who has gone, the way is assumed
-constexpr double wandering = 1.0;          // of who is lost, beyond what it foretold [m]
 constexpr double turning_away = 0.1;       // likewise, for each second since [m/s]
 constexpr double longest_drift = 120.0;    // for which it is foretold [s]
+constexpr double idle_turns = 4.0;         // after so many without use a group lets the next one move
+constexpr int most_plans = 8;              // in a round, of which some came to nothing
 constexpr double most_late = 2.0;          // who looks at its clock so long after a start has missed it [s]
 
 /// Turns from a plan's word until everybody has heard everybody's acknowledgement, where nothing is lost. Who
@@ -30,6 +31,13 @@ double least_patience(std::size_t count) { return 1.02 + 2.0 / static_cast<doubl
 double latest(double patience) { return 1.02 + 0.5 * patience; }
 
 }  // namespace
+
+Agreement::Agreement(std::size_t vehicle, const Terms& terms) noexcept
+    : terms_{terms},
+      vehicle_{vehicle},
+      self_{terms.groups().member_of(vehicle)},
+      count_{terms.groups().size_of(terms.groups().group_of(vehicle))},
+      others_{vehicle, terms.groups()} {}
 
 void Agreement::hold(const Member& member) noexcept {
   const std::uint8_t version =
@@ -82,7 +90,7 @@ double Agreement::clear_of(std::size_t i) const noexcept {
 }
 
 bool Agreement::meets_lost(const Reference& own, double now, double time) const noexcept {
-  for (std::size_t i = 0; i < terms_.count; ++i) {
+  for (std::size_t i = 0; i < count_; ++i) {
     if (i != self_ && is_lost(i) &&
         least_distance(own, adrift(i), now, time) < clear_of(i) + turning_away * (now - last_heard_[i]))
       return true;
@@ -91,7 +99,7 @@ bool Agreement::meets_lost(const Reference& own, double now, double time) const 
 }
 
 bool Agreement::meets_held(const Reference& own, double now, double time) const noexcept {
-  for (std::size_t i = 0; i < terms_.count; ++i) {
+  for (std::size_t i = 0; i < count_; ++i) {
     const bool is_there =
         i != self_ && statuses_[i] == Status::held && (!left_[i] || last_heard_[i] > started_);
     if (is_there && least_distance(own, Reference{members_[i].anchor}, now, time) < clear_of(i)) return true;
@@ -102,15 +110,22 @@ bool Agreement::meets_held(const Reference& own, double now, double time) const 
 bool Agreement::hear(const Speech& speech, double now) noexcept {
   const std::optional<Word> word = decode(speech, terms_.datum, now);
   if (!word) return true;
-  const auto& header = std::visit([](const auto& w) -> const Header& { return w.header; }, *word);
+  const Header& header = header_of(*word);
   if (header.sent > now + 1.0) return false;
-  if (header.sender >= terms_.count || header.sender == self_ || header.sent <= last_heard_[header.sender])
+  const Groups& groups = others_.rounds.groups();
+  if (header.sender >= groups.vehicles || header.sender == vehicle_) return true;
+  if (groups.group_of(header.sender) != groups.group_of(vehicle_)) {
+    others_.hear(*word);
     return true;
+  }
+  const std::size_t from = groups.member_of(header.sender);
+  if (header.sent <= last_heard_[from]) return true;
+  others_.rounds.hear(header.sender, header.round, false);
   if (const auto* state = std::get_if<StateWord>(&*word)) {
-    members_[header.sender] = state->member;
-    if (header.status == Status::lost) members_[header.sender].radius += wandering;
-    known_.set(header.sender);
-    settled_[header.sender] = header.status == Status::arrived;
+    members_[from] = state->member;
+    if (header.status == Status::lost) members_[from].radius += wandering;
+    known_.set(from);
+    settled_[from] = header.status == Status::arrived;
   } else {
     learn(std::get<PlanWord>(*word));
   }
@@ -119,7 +134,7 @@ bool Agreement::hear(const Speech& speech, double now) noexcept {
 }
 
 void Agreement::learn(const Header& header) noexcept {
-  const std::size_t from = header.sender;
+  const std::size_t from = others_.rounds.groups().member_of(header.sender);
   last_heard_[from] = header.sent;
   statuses_[from] = header.status;
   heard_by_[from] = header.heard;
@@ -137,13 +152,14 @@ void Agreement::learn(const Header& header) noexcept {
   Clearance scene = scene_of(plan_);
   const Reference& way = scene.reference(from);
   double gate = never;
-  for (std::size_t i = 0; i < terms_.count; ++i) gate = std::min(gate, scene.gate(from, i));
+  for (std::size_t i = 0; i < count_; ++i) gate = std::min(gate, scene.gate(from, i));
   if (gate == never) ends_[from] = way.knots().back();
 }
 
 void Agreement::learn(const PlanWord& word) noexcept {
   if (word.plan.epoch <= plan_.epoch) return;
   plan_ = word.plan;
+  ++plans_;
   acknowledged_ = departed_ = {};
   search_.reset();
 }
@@ -164,7 +180,7 @@ void Agreement::go_on(double now, double period, const Link& link, double patien
 /// Who has departed by a way without gates and is silent for good has arrived at its end for all that anybody
 /// knows.
 void Agreement::assume(double now, double turn_period) noexcept {
-  for (std::size_t i = 0; i < terms_.count; ++i) {
+  for (std::size_t i = 0; i < count_; ++i) {
     const double silent_since = now - silent_for_good * turn_period;
     if (!ends_[i] || statuses_[i] != Status::moving || ends_[i]->time > silent_since ||
         last_heard_[i] > silent_since)
@@ -178,7 +194,7 @@ void Agreement::assume(double now, double turn_period) noexcept {
 /// Whose acknowledgement does not matter, since it is known where they are.
 Members Agreement::unneeded(double now, double turn_period) const noexcept {
   Members all = settled_;
-  for (std::size_t i = 0; i < terms_.count; ++i)
+  for (std::size_t i = 0; i < count_; ++i)
     if (is_lost(i) && now - last_heard_[i] < turn_period) all.set(i);
   return all;
 }
@@ -187,7 +203,7 @@ Members Agreement::unneeded(double now, double turn_period) const noexcept {
 Clearance Agreement::scene_of(const Plan& plan) const noexcept {
   Clearance scene{members_, plan.participants, terms_.tubes, plan.start()};
   const std::array<Reference, most_members> others = ways_of_others();
-  for (std::size_t i = 0; i < terms_.count; ++i) {
+  for (std::size_t i = 0; i < count_; ++i) {
     if (i == self_) continue;
     if (plan.participants[i]) {
       scene.place(i, reference_of(members_[i], plan, plan.codes[i]));
@@ -203,7 +219,8 @@ void Agreement::acknowledge(double now, double ahead, const Chart& chart) noexce
   if (plan_.epoch <= std::max(acknowledged_epoch_, refused_epoch_) || !is_pending(now + ahead)) return;
   const bool knows_them = (plan_.participants & ~known_).none() &&
                           digest_of(members_, plan_.participants, terms_.datum) == plan_.digest;
-  if (!knows_them || status_ == Status::lost) return;
+  const bool may_go = !plan_.participants[self_] || others_.rounds.may_depart();
+  if (!knows_them || !may_go || status_ == Status::lost) return;
   if (!is_clear(chart)) {
     refused_epoch_ = plan_.epoch;
     return;
@@ -225,7 +242,7 @@ bool Agreement::is_clear(const Chart& chart) noexcept {
            accepts_own(scene, reference_of(members_[self_], plan_, plan_.codes[self_]), chart);
   if (status_ != Status::moving) return scene.accepts(self_, Reference{members_[self_].anchor});
   bool goes_or_stops = scene.accepts(self_, way_);
-  for (std::size_t i = 0; i < terms_.count; ++i)
+  for (std::size_t i = 0; i < count_; ++i)
     goes_or_stops =
         goes_or_stops && (left_[i] || gates_[i] == never || scene.accepts(self_, way_.until(gates_[i])));
   if (goes_or_stops) return true;
@@ -250,7 +267,8 @@ void Agreement::depart(double now, double turn_period, const Chart& chart) noexc
   const Reference way = reference_of(members_[self_], plan_, plan_.codes[self_]);
   const bool is_as_told = digest_of(members_, plan_.participants, terms_.datum) == plan_.digest;
   const bool has_all = is_as_told && (everyone() & ~unneeded(now, turn_period) & ~acknowledged_).none();
-  if (!has_all || now > plan_.start() + most_late || !accepts_own(scene, way, chart)) {
+  if (!has_all || now > plan_.start() + most_late || !others_.rounds.may_depart() ||
+      !accepts_own(scene, way, chart)) {
     ++attempts_;
     return;
   }
@@ -266,7 +284,7 @@ void Agreement::depart(double now, double turn_period, const Chart& chart) noexc
 
 double Agreement::next_gate() const noexcept {
   double next = never;
-  for (std::size_t i = 0; i < terms_.count; ++i)
+  for (std::size_t i = 0; i < count_; ++i)
     if (!left_[i]) next = std::min(next, gates_[i]);
   return next;
 }
@@ -284,9 +302,9 @@ void Agreement::stop_at_gate(double now) noexcept {
 
 Members Agreement::held() const noexcept {
   Members all;
-  for (std::size_t i = 0; i < terms_.count; ++i)
+  for (std::size_t i = 0; i < count_; ++i)
     // of those who departed by the plan, only who has said since that it is held again
-    if (known_[i] && statuses_[i] == Status::held &&
+    if (known_[i] && statuses_[i] == Status::held && !is_ahead(i) &&
         (i == self_ || !departed_[i] || last_heard_[i] > plan_.start()))
       all.set(i);
   return all;
@@ -294,19 +312,21 @@ Members Agreement::held() const noexcept {
 
 std::array<Reference, most_members> Agreement::ways_of_others() const noexcept {
   std::array<Reference, most_members> ways;
-  for (std::size_t i = 0; i < terms_.count; ++i) {
-    if (i != self_ && settled_[i]) ways[i] = Reference{members_[i].anchor};
+  for (std::size_t i = 0; i < count_; ++i) {
+    if (i != self_ && (settled_[i] || is_ahead(i))) ways[i] = Reference{members_[i].anchor};
     if (i != self_ && is_lost(i)) ways[i] = adrift(i);
   }
   return ways;
 }
 
-/// Of the first plan, whoever's turn comes first; of later ones the smallest of the held that is not silent.
+/// Of the first plan of a round, whoever's turn comes first; of later ones the smallest of the held that is
+/// not silent.
 bool Agreement::may_propose(double now, double turn_period) const noexcept {
   const bool is_settling = plan_.epoch && now < plan_.start() + turn_period;
-  if (status_ != Status::held || is_settling || known_ != everyone() || is_news(now, turn_period))
+  if (status_ != Status::held || is_settling || known_ != everyone() || is_news(now, turn_period) ||
+      !others_.rounds.may_depart())
     return false;
-  if (!newest_epoch_) return true;
+  if (!newest_epoch_ || start_of(newest_epoch_) < entered_) return true;
   const Members waiting = held();
   for (std::size_t i = 0; i < self_; ++i)
     if (waiting[i] && now - last_heard_[i] < silent_turns * turn_period) return false;
@@ -340,6 +360,7 @@ void Agreement::propose(double now, double period, const Link& link, double pati
     plan_.epoch = {std::max(static_cast<std::int64_t>(start), after_all), static_cast<std::uint8_t>(self_)};
     plan_.digest = digest_of(members_, plan_.participants, terms_.datum);
     newest_epoch_ = plan_.epoch;
+    ++plans_;
     acknowledged_ = departed_ = {};
     search_.reset();
     ++searches_;
@@ -350,19 +371,50 @@ void Agreement::propose(double now, double period, const Link& link, double pati
   }
 }
 
+/// Of who is on its way to no round but the next: it departs by no plan of this one.
+bool Agreement::is_ahead(std::size_t i) const noexcept {
+  const Groups& groups = others_.rounds.groups();
+  return i != self_ &&
+         others_.rounds.heard_in(i * groups.count() + groups.group_of(vehicle_)) > others_.rounds.round();
+}
+
+/// Somebody of it moves, or has proposed something, as long as proposals are not in vain.
+bool Agreement::is_group_busy(double now, double turn_period) const noexcept {
+  for (std::size_t i = 0; i < count_; ++i) {
+    const bool is_silent = i != self_ && now - last_heard_[i] > silent_for_good * turn_period;
+    if (statuses_[i] == Status::moving && !is_silent) return true;
+  }
+  return is_pending(now) && plans_ < most_plans;
+}
+
+void Agreement::take_turns(double now, double turn_period, bool is_free, bool rests) noexcept {
+  Rounds& rounds = others_.rounds;
+  if (rounds.owns() && (!rounds.may_depart() || is_group_busy(now, turn_period))) used_ = now;
+  const bool has_use =
+      is_free && status_ == Status::held && now < std::max(used_, entered_) + idle_turns * turn_period;
+  const bool is_bound = status_ == Status::moving || !promised(now).empty();
+  const bool has_rest = status_ == Status::lost || (rests && !is_bound && !has_use);
+  if (!rounds.may_go_on(has_rest)) return;
+  rounds.go_on();
+  entered_ = now;
+  plans_ = 0;
+}
+
 Speech Agreement::say(double now, double turn_period) const noexcept {
   const bool is_forgotten = now > plan_.start() + soonest_forgotten;
-  const Header header{.sender = static_cast<std::uint8_t>(self_),
+  const Header header{.sender = static_cast<std::uint8_t>(vehicle_),
+                      .round = others_.rounds.told(),
                       .epoch = is_forgotten ? Epoch{} : plan_.epoch,
                       .sent = now,
                       .status = status_,
                       .acknowledged = acknowledged_,
                       .departed = departed_,
                       .heard = known_};
-  const bool tells_plan = status_ != Status::lost && !is_news(now, turn_period) &&
+  // whose group has no turn tells where it is held, which the others wait for
+  const bool tells_plan = status_ != Status::lost && !is_news(now, turn_period) && others_.rounds.owns() &&
                           (is_pending(now) || (status_ == Status::moving && header.epoch));
   Members without_me;
-  for (std::size_t i = 0; i < terms_.count; ++i)
+  for (std::size_t i = 0; i < count_; ++i)
     if (i != self_ && !heard_by_[i][self_]) without_me.set(i);
   const bool is_odd_turn = std::fmod(std::floor(now / turn_period), 2.0) != 0.0;
   if (tells_plan && (without_me.none() || is_odd_turn)) return encode(PlanWord{header, plan_}, terms_.datum);
@@ -374,6 +426,8 @@ std::string_view Agreement::reason(double now) const noexcept {
   if (status_ == Status::arrived) return "has arrived, and is held for ever";
   if (status_ == Status::lost) return "is off its promised way, holds and says so";
   if (known_ != everyone()) return "waits for the state of another member";
+  if (!others_.rounds.owns()) return "waits until it is its group's turn";
+  if (!others_.rounds.knows_places()) return "waits to hear where the other groups are held";
   if (search_) return "looks for a plan";
   if (is_pending(now))
     return acknowledged_[self_] ? "waits for acknowledgements, and for the start"

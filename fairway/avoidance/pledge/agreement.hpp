@@ -7,6 +7,7 @@
 #include <optional>
 #include <string_view>
 
+#include "fairway/avoidance/pledge/other_groups.hpp"
 #include "fairway/avoidance/pledge/search.hpp"
 
 namespace fairway::pledge {
@@ -27,12 +28,15 @@ namespace fairway::pledge {
 ///    was lost departs sooner than a turn after it is held again.
 /// 4. It passes a gate only if it knows that the one who stood there has departed; or else it stops there,
 ///    and that is its anchor from then on.
+/// Where there are several groups a member also keeps to the rules of `Rounds`, and its way off the places at
+/// which vehicles of other groups are held.
 ///
 /// Nothing here depends on when a word arrives, or whether. A value; nothing allocates or throws.
 class Agreement {
  public:
   Agreement() = default;
-  Agreement(std::size_t self, const Terms& terms) noexcept : self_{self}, terms_{terms} {}
+  /// Of the vehicle of that number.
+  Agreement(std::size_t vehicle, const Terms& terms) noexcept;
 
   /// Own ship is held at an anchor, to go to a destination. To be called once, before anything else.
   void hold(const Member& member) noexcept;
@@ -45,6 +49,15 @@ class Agreement {
   /// apart. `patience` is how many turns more than the least it gives acknowledgements to come in; `chart` is
   /// what stands.
   void go_on(double now, double period, const Link& link, double patience, const Chart& chart = {}) noexcept;
+
+  /// Goes on to the next round of the groups when it may (`Rounds`) and has nothing to do in this one. To be
+  /// called at every decision. `is_free`: its mission would let it depart; `rests`: it is where it says.
+  void take_turns(double now, double turn_period, bool is_free, bool rests) noexcept;
+
+  /// What stands, and where vehicles of other groups are held, which is written to `room`.
+  Chart chart(std::span<const Obstacle> standing, std::array<Obstacle, most_vehicles>& room) const noexcept {
+    return {standing, others_.places(terms_.tubes, room)};
+  }
 
   /// Own ship is within its arrival of its destination, and stays at `place`, the end of its reference.
   void arrive(const Vec3& place) noexcept;
@@ -73,6 +86,10 @@ class Agreement {
   /// it has acknowledged that and its start is to come.
   Reference promised(double now) const noexcept;
   const Member& member(std::size_t i) const { return members_[i]; }
+  const Member& own() const { return members_[self_]; }
+  std::size_t self() const { return self_; }    ///< which member it is
+  std::size_t count() const { return count_; }  ///< members of its group
+  const Rounds& rounds() const { return others_.rounds; }
   const Plan& plan() const { return plan_; }
   /// What it waits for, in a few words.
   std::string_view reason(double now) const noexcept;
@@ -101,14 +118,23 @@ class Agreement {
   std::array<Reference, most_members> ways_of_others() const noexcept;
   Clearance scene_of(const Plan& plan) const noexcept;
   double next_gate() const noexcept;
-  Members everyone() const noexcept { return Members{(1U << terms_.count) - 1U}; }
+  Members everyone() const noexcept { return Members{(1U << count_) - 1U}; }
+  bool is_ahead(std::size_t i) const noexcept;
+  bool is_group_busy(double now, double turn_period) const noexcept;
   bool is_pending(double now) const noexcept { return plan_.epoch && now < plan_.start(); }
   /// Whether it is held elsewhere than before, and has had no turn yet to tell where.
   bool is_news(double now, double turn_period) const noexcept { return now < held_since_ + turn_period; }
 
-  std::size_t self_{};
   Terms terms_{};
+  std::size_t vehicle_{}, self_{};   ///< its numbers among all, and in its group
+  std::size_t count_{most_members};  ///< members of its group
   Status status_{Status::held};
+
+  // of other groups, and of the round
+  OtherGroups others_{};
+  double entered_ = -std::numeric_limits<double>::infinity();  ///< when it came to this round [s]
+  double used_ = -std::numeric_limits<double>::infinity();     ///< until when the round was of use [s]
+  int plans_{};                                                ///< that it has known in this round
 
   // of everybody
   std::array<Member, most_members> members_{};

@@ -106,21 +106,26 @@ void Clearance::place(std::size_t member, const Reference& reference) noexcept {
   placed_.set(member);
 }
 
-bool keeps_off(const Reference& reference, const Chart& chart, double distance, double from,
+bool keeps_off(const Reference& reference, const Obstacle& obstacle, double distance, double from,
                double to) noexcept {
   const std::span<const Knot> all = reference.knots();
-  for (const Obstacle& obstacle : chart) {
-    Vec3 place = reference.at(std::max(from, all.front().time));
-    Walk walk{obstacle, std::min(distance, nearest_point(obstacle, place).distance - hair)};
-    for (const Knot& knot : all) {
-      if (knot.time <= from) continue;
-      const Vec3 next = knot.time < to ? knot.position : reference.at(to);
-      if (!walk.is_clear_along(place, next)) return false;
-      place = next;
-      if (knot.time >= to) break;
-    }
-    if (!walk.is_clear_at(place)) return false;
+  Vec3 place = reference.at(std::max(from, all.front().time));
+  Walk walk{obstacle, std::min(distance, nearest_point(obstacle, place).distance - hair)};
+  for (const Knot& knot : all) {
+    if (knot.time <= from) continue;
+    const Vec3 next = knot.time < to ? knot.position : reference.at(to);
+    if (!walk.is_clear_along(place, next)) return false;
+    place = next;
+    if (knot.time >= to) break;
   }
+  return walk.is_clear_at(place);
+}
+
+bool keeps_off(const Reference& reference, const Chart& chart, double distance, double from,
+               double to) noexcept {
+  for (const std::span<const Obstacle> part : chart.parts())
+    for (const Obstacle& obstacle : part)
+      if (!keeps_off(reference, obstacle, distance, from, to)) return false;
   return true;
 }
 

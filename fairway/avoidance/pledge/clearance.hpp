@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <span>
 
@@ -76,12 +77,26 @@ class Clearance {
   std::array<Stops, most_members> stops_{};
 };
 
-/// What stands, as far as a member knows it.
-using Chart = std::span<const Obstacle>;
+/// What stands, as far as a member knows it, and the places at which vehicles of other groups are held.
+class Chart {
+ public:
+  Chart() = default;
+  template <class Obstacles>
+    requires std::convertible_to<const Obstacles&, std::span<const Obstacle>>
+  Chart(const Obstacles& standing, std::span<const Obstacle> held = {}) : parts_{standing, held} {}
+
+  bool empty() const { return parts_[0].empty() && parts_[1].empty(); }
+  std::span<const std::span<const Obstacle>> parts() const { return parts_; }
+
+ private:
+  std::array<std::span<const Obstacle>, 2> parts_{};
+};
 
 /// Whether a reference is never nearer than `distance` [m] to what stands between two times, or, where it is
 /// nearer at the first of them, comes no nearer. To 3 cm. O(obstacles x length) at worst, few steps for each
 /// obstacle that is far off.
+bool keeps_off(const Reference& reference, const Obstacle& obstacle, double distance, double from = -never,
+               double to = never) noexcept;
 bool keeps_off(const Reference& reference, const Chart& chart, double distance, double from = -never,
                double to = never) noexcept;
 

@@ -25,7 +25,7 @@ constexpr double settling = 4.0;     // for so long, before who was lost is held
 /// The course on which a member that is held will depart, once it is time to turn to it: who departs while it
 /// turns the other way is late. Not in a current, in which nobody who has turned aside stays where it is.
 std::optional<double> first_course(const Situation& s, const Agreement& agreement) noexcept {
-  const double turn = agreement.member(number(s.own.id)).turn;
+  const double turn = agreement.own().turn;
   if (pledge::is_in_current(s) || agreement.plan().start() - s.time > turn + settling) return {};
   const Reference way = agreement.promised(s.time);
   return way.empty() ? std::nullopt : pledge::next_course(s, way, turn);
@@ -48,7 +48,7 @@ Command evaded(const Situation& s, const Agreement& agreement, const Vec3& stay,
   std::array<Track, pledge::most_members> tracks;
   std::size_t count = 0;
   for (std::size_t i = 0; i < pledge::most_members; ++i) {
-    const Reference way = i == number(s.own.id) ? Reference{} : agreement.whereabouts(i);
+    const Reference way = i == agreement.self() ? Reference{} : agreement.whereabouts(i);
     if (way.empty()) continue;
     tracks[count++] = {.id = TrackId{static_cast<std::uint32_t>(i)},
                        .position = way.at(s.time),
@@ -75,15 +75,18 @@ Command Pledge::decide(const Situation& s, Memory& memory, Context& context) con
   if (number(s.own.id) >= static_cast<std::uint32_t>(params.team_count))
     return refused("its id is beyond those of the group (team_count)");
   if (!memory.begun && !begin(s, memory)) return refused("it is too far from the datum for its words");
-  take_part(s, memory);
-  watch(s, memory);
+  hear(s, memory);
+  std::array<Obstacle, pledge::most_vehicles> room;
+  const pledge::Chart chart = memory.agreement.chart(s.obstacles, room);
+  take_part(s, chart, memory);
+  watch(s, chart, memory);
   const Agreement& agreement = memory.agreement;
   const Reference* way = agreement.way();
   if (way == nullptr) {
     const bool is_lost = agreement.status() == pledge::Status::lost;
-    const Vec3 stay = is_lost ? memory.stay : agreement.member(number(s.own.id)).anchor;
+    const Member& own = agreement.own();
+    const Vec3 stay = is_lost ? memory.stay : own.anchor;
     if (memory.gives_way) return evaded(s, agreement, stay, context);
-    const Member& own = agreement.member(number(s.own.id));
     const bool waits = agreement.status() == pledge::Status::held;
     const std::string_view hemmed =
         waits ? hemmed_in(s, own, pledge::berth(own, tubes())) : std::string_view{};
@@ -91,8 +94,7 @@ Command Pledge::decide(const Situation& s, Memory& memory, Context& context) con
                 is_lost ? std::nullopt : first_course(s, agreement));
   }
   if (context.sketch != nullptr) pledge::draw(*way, s.time, params.tube_m, *context.sketch);
-  return pledge::followed(s, *way, agreement.member(number(s.own.id)).turn,
-                          {.gain = params.gain_hz, .tube = params.tube_m});
+  return pledge::followed(s, *way, agreement.own().turn, {.gain = params.gain_hz, .tube = params.tube_m});
 }
 
 /// Enters the group where it will come to rest. False if that is too far away to be told.
@@ -108,26 +110,31 @@ bool Pledge::begin(const Situation& s, Memory& memory) const noexcept {
   return memory.begun = true;
 }
 
-/// Hears what has come in, and goes on with the agreement as far as its mission lets it.
-void Pledge::take_part(const Situation& s, Memory& memory) const noexcept {
-  Agreement& agreement = memory.agreement;
+void Pledge::hear(const Situation& s, Memory& memory) const noexcept {
   memory.time = s.time;
   memory.turn_period = s.link->turn_period;
   for (const Heard& heard : s.link->heard) {
     if (number(heard.from) >= memory.heard.size()) continue;
     std::optional<double>& last = memory.heard[number(heard.from)];
     const bool is_new = !last || heard.sent > *last;
-    if (is_new && agreement.hear(heard.speech, s.time)) last = heard.sent;
+    if (is_new && memory.agreement.hear(heard.speech, s.time)) last = heard.sent;
   }
+}
+
+/// Goes on with the agreement as far as its mission lets it.
+void Pledge::take_part(const Situation& s, const pledge::Chart& chart, Memory& memory) const noexcept {
+  Agreement& agreement = memory.agreement;
   if (s.attendance == Attendance::arrived && agreement.status() != pledge::Status::arrived &&
       agreement.status() != pledge::Status::lost) {
     const Reference* gone = agreement.way();
     agreement.arrive(gone != nullptr ? gone->knots().back().position : s.own.position);
   }
   // where the clock has not begun there is time
-  if (s.attendance == Attendance::ready)
-    agreement.go_on(s.time, s.period, *s.link, params.patience_count, s.obstacles);
-  if (s.attendance == Attendance::under_way) agreement.go_on(s.time, s.period, *s.link, 0.0, s.obstacles);
+  const double patience = s.attendance == Attendance::ready ? params.patience_count : 0.0;
+  const bool is_free = s.attendance == Attendance::ready || s.attendance == Attendance::under_way;
+  if (is_free) agreement.go_on(s.time, s.period, *s.link, patience, chart);
+  const bool rests = (agreement.own().anchor - s.own.position).norm() <= params.tube_m;
+  agreement.take_turns(s.time, s.link->turn_period, is_free, rests);
 }
 
 /// Who is off its tube by as much again is lost; before that it is best to come back. Who is held and
@@ -135,13 +142,13 @@ void Pledge::take_part(const Situation& s, Memory& memory) const noexcept {
 /// would come near somebody who is lost, or is held beside its promised way, or near something that it did
 /// not know to stand there, stops where it is and is held there; who is held where somebody comes who is lost
 /// goes out of the way, and tells where it is by then.
-void Pledge::watch(const Situation& s, Memory& memory) const noexcept {
+void Pledge::watch(const Situation& s, const pledge::Chart& chart, Memory& memory) const noexcept {
   Agreement& agreement = memory.agreement;
   if (agreement.status() == pledge::Status::lost) return recover(s, memory);
   const Reference* way = agreement.way();
   if (way == nullptr) {
     memory.gives_way = agreement.meets_lost(Reference{s.own.position}, s.time, s.time + threatened);
-    const double off = (agreement.member(number(s.own.id)).anchor - s.own.position).norm();
+    const double off = (agreement.own().anchor - s.own.position).norm();
     if (memory.gives_way && off > 0.5 * params.tube_m) {
       stay_at(s, s.own.position, agreement);
     } else if (off > params.tube_m && agreement.promised(s.time).empty()) {
@@ -158,7 +165,7 @@ void Pledge::watch(const Situation& s, Memory& memory) const noexcept {
     agreement.lose(s.own.position, s.own.velocity);
   } else if (agreement.meets_lost(*way, s.time, s.time + soon) ||
              agreement.meets_held(*way, s.time, s.time + soon) ||
-             !pledge::keeps_off(*way, s.obstacles, s.own.radius + params.tube_m, s.time, s.time + soon)) {
+             !pledge::keeps_off(*way, chart, s.own.radius + params.tube_m, s.time, s.time + soon)) {
     stay_at(s, resting_place(s), agreement);
   }
 }

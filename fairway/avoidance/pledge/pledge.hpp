@@ -9,7 +9,8 @@ namespace fairway {
 /// Acknowledged commitments over a modem: a group of up to eight stays where it is until a plan for all has
 /// every member's acknowledgement, and then each keeps to its reference in a tube. What is lost on the way
 /// delays it, and never brings two together (README.md, whose claims are the rules of `Agreement`). It keeps
-/// off what the chart shows, and avoids nobody outside its group. A decision is O(knots + obstacles), and
+/// off what the chart shows. More than eight are up to four groups, which move in turns. It avoids nobody who
+/// does not agree. A decision is O(knots + obstacles), and
 /// while a plan is sought up to 0.5 ms more.
 struct Pledge {
   static constexpr AlgorithmInfo info{
@@ -38,7 +39,9 @@ struct Pledge {
     static consteval auto fields() {
       using P = Params;
       return std::tuple{
-          field<&P::team_count>({2, 8}, "members of the group, whose ids are 0 to one less"),
+          field<&P::team_count>({2, pledge::most_vehicles},
+                                "vehicles that agree, whose ids are 0 to one less; more than eight are "
+                                "several groups, which move in turns"),
           field<&P::tube_m>({0.05, 100}, "a member is never farther than this from its promised place"),
           field<&P::speed_ratio>({0.1, 1}, "of its greatest speed at which a member plans to go"),
           field<&P::gain_hz>({0, 10}, "speed by which it returns to its reference, for each metre off it"),
@@ -60,7 +63,7 @@ struct Pledge {
     Vec3 stay = Vec3::Zero();  ///< where a lost member holds [m, NED]
     int losses{};              ///< how often it was lost
     bool gives_way{false};     ///< to somebody who is lost
-    std::array<std::optional<double>, pledge::most_members>
+    std::array<std::optional<double>, pledge::most_vehicles>
         heard{};  ///< when each said what was taken last [s]
     pledge::Agreement agreement{};
   };
@@ -73,8 +76,9 @@ struct Pledge {
  private:
   pledge::Tubes tubes() const noexcept { return {.radius = params.tube_m, .told = 0.1}; }
   bool begin(const Situation& s, Memory& memory) const noexcept;
-  void take_part(const Situation& s, Memory& memory) const noexcept;
-  void watch(const Situation& s, Memory& memory) const noexcept;
+  void hear(const Situation& s, Memory& memory) const noexcept;
+  void take_part(const Situation& s, const pledge::Chart& chart, Memory& memory) const noexcept;
+  void watch(const Situation& s, const pledge::Chart& chart, Memory& memory) const noexcept;
   void stay_at(const Situation& s, const Vec3& place, pledge::Agreement& agreement) const noexcept;
   void recover(const Situation& s, Memory& memory) const noexcept;
 };

@@ -67,23 +67,24 @@ void Search::find_hubs(const Chart& chart, const Vec2& datum) noexcept {
   };
   std::array<Found, 16> found{};
   std::size_t count = 0;
-  for (const Obstacle& obstacle : chart) {
+  const auto find = [&](const Obstacle& obstacle) {
     std::size_t hindered = 0;
     double widest = 0.0;
     for (std::size_t i = 0; i < most_members; ++i) {
       const Reference straight =
           asked_[i] ? reference_of(members_[i], Plan{.epoch = at_zero}, Code{}) : Reference{};
       const double off = berth(members_[i], tubes_);
-      if (straight.empty() || keeps_off(straight, {&obstacle, 1}, off)) continue;
+      if (straight.empty() || keeps_off(straight, obstacle, off)) continue;
       ++hindered;
       widest = math::fmax(widest, off);
     }
-    if (hindered == 0 || count == found.size()) continue;
+    if (hindered == 0 || count == found.size()) return;
     const double radius = extent_of(obstacle) + widest;
     std::uint8_t scale = 0;
     while (scale + 1U < ring_scale.size() && ring_scale[scale] * ring_radius[rings - 2] < radius) ++scale;
     found[count++] = {{centre_as_told(centre_of(obstacle).head<2>(), datum), scale}, hindered};
-  }
+  };
+  for (const std::span<const Obstacle> part : chart.parts()) std::ranges::for_each(part, find);
   std::ranges::stable_sort(std::span{found}.first(count), std::ranges::greater{}, &Found::hindered);
   if (count == 0) return;
   for (std::uint8_t scale = 1; scale < 3; ++scale) hubs_[hub_count_++] = {hubs_[0].centre, scale};

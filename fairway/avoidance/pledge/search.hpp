@@ -8,11 +8,13 @@
 
 namespace fairway::pledge {
 
-/// What all members of a group have to have in common.
+/// What all vehicles that agree have to have in common.
 struct Terms {
-  std::size_t count{most_members};  ///< members are 0 to count - 1
+  std::size_t count{most_members};  ///< vehicles are 0 to count - 1
   Vec2 datum = Vec2::Zero();        ///< to which places are told [m, north and east]
   Tubes tubes{};
+
+  Groups groups() const { return {.vehicles = count}; }
 };
 
 /// Looks for a plan by which all of those who are held get to their destinations, soonest in the mean. First

@@ -8,8 +8,10 @@
 namespace fairway::pledge {
 namespace {
 
-constexpr std::uint32_t version = 2;
-constexpr std::uint32_t says_state = 1, says_plan = 2;
+constexpr std::uint32_t version = 3;
+constexpr std::uint32_t says_state = 0, says_plan = 1;
+constexpr int vehicle_bits = 5;
+static_assert(most_vehicles == 1U << static_cast<unsigned>(vehicle_bits));
 
 constexpr Scale coarse_across{12, 0.1, -204.8}, coarse_depth{12, 0.1, -0.5};
 constexpr Scale centre_across{10, 0.32, -163.84};
@@ -49,8 +51,9 @@ bool can_be_meant(const Epoch& epoch, double now) {
 
 void put_header(BitWriter& bits, std::uint32_t kind, const Header& header) {
   bits.put(version, 2);
-  bits.put(kind, 2);
-  bits.put(std::uint32_t{header.sender}, 3);
+  bits.put(kind, 1);
+  bits.put(std::uint32_t{header.sender}, vehicle_bits);
+  bits.put(std::uint32_t{header.round}, 2);
   put_epoch(bits, header.epoch);
   bits.put(told_time(header.sent), clock_bits);
   bits.put(static_cast<std::uint32_t>(header.status), 2);
@@ -61,7 +64,8 @@ void put_header(BitWriter& bits, std::uint32_t kind, const Header& header) {
 
 Header get_header(BitReader& bits, double now) {
   Header header;
-  header.sender = static_cast<std::uint8_t>(bits.get(3));
+  header.sender = static_cast<std::uint8_t>(bits.get(vehicle_bits));
+  header.round = static_cast<std::uint8_t>(bits.get(2));
   header.epoch = get_epoch(bits, now);
   header.sent = time_of(bits.get(clock_bits), now);
   header.status = static_cast<Status>(bits.get(2));
@@ -125,11 +129,11 @@ std::optional<Word> decode(const Speech& speech, const Vec2& datum, double now) 
   if (!is_intact(speech)) return {};
   BitReader bits{speech.view()};
   if (bits.get(2) != version) return {};
-  const std::uint32_t kind = bits.get(2);
+  const std::uint32_t kind = bits.get(1);
   const Header header = get_header(bits, now);
   if (!can_be_meant(header.epoch, now)) return {};
   if (kind == says_state) return StateWord{header, get_member(bits, datum)};
-  if (kind != says_plan || !header.epoch) return {};
+  if (!header.epoch) return {};
   PlanWord word{header, {.epoch = header.epoch}};
   const double north = bits.get(centre_across), east = bits.get(centre_across);
   word.plan.centre = datum + Vec2{north, east};

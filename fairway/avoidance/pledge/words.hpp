@@ -10,13 +10,12 @@
 #include <optional>
 #include <variant>
 
+#include "fairway/avoidance/pledge/rounds.hpp"
 #include "fairway/core/speech.hpp"
 #include "fairway/core/vec.hpp"
 
 namespace fairway::pledge {
 
-/// Members of a group are numbered by their vehicles' ids.
-inline constexpr std::size_t most_members = 8;
 using Members = std::bitset<most_members>;
 
 /// Where a member is held, where it is to go, and how it goes there. All that anybody reckons of its way
@@ -43,6 +42,7 @@ enum class Status : std::uint8_t {
             ///< will be `foretold` later if it goes on so
 };
 inline constexpr double foretold = 10.0;  ///< [s]
+inline constexpr double wandering = 1.0;  ///< of who is lost, beyond what it foretold [m]
 
 /// Which plan. Of two plans the one that starts later is the later one, and of two that start together that
 /// of the larger author. There is no number to run out of: what is told is the start modulo 58 hours, and
@@ -63,8 +63,9 @@ inline constexpr double farthest_start = 1000.0;                                
 
 /// What every word has.
 struct Header {
-  std::uint8_t sender{};  ///< a member
-  Epoch epoch{};          ///< of the newest plan that it knows
+  std::uint8_t sender{};  ///< a vehicle, of any group
+  std::uint8_t round{};   ///< that it is in, modulo four (Rounds)
+  Epoch epoch{};          ///< of the newest plan of its group that it knows
   double sent{};          ///< [s], to 0.1 s
   Status status{};
   Members acknowledged{};  ///< who has acknowledged that plan, as far as it knows
@@ -115,6 +116,10 @@ struct PlanWord {
 };
 
 using Word = std::variant<StateWord, PlanWord>;
+
+inline const Header& header_of(const Word& word) noexcept {
+  return std::visit([](const auto& w) -> const Header& { return w.header; }, word);
+}
 
 /// At most 25 bytes. Positions are told relative to `datum`, +-163 m from it and down to 327 m, in steps of
 /// 2 cm; farther ones saturate (fits()). O(1).

@@ -25,7 +25,8 @@ Member any_member(Rng& rng) {
 }
 
 Header any_header(Rng& rng, double now) {
-  return {.sender = static_cast<std::uint8_t>(rng.uniform(0, 8)),
+  return {.sender = static_cast<std::uint8_t>(rng.uniform(0, 32)),
+          .round = static_cast<std::uint8_t>(rng.uniform(0, 4)),
           .epoch = {static_cast<std::int64_t>(10.0 * now + rng.uniform(-300'000, 10'000)),
                     static_cast<std::uint8_t>(rng.uniform(0, 8))},
           .sent = now - rng.uniform(0, 200),
@@ -37,6 +38,7 @@ Header any_header(Rng& rng, double now) {
 
 void expect_same(const Header& a, const Header& b) {
   EXPECT_EQ(a.sender, b.sender);
+  EXPECT_EQ(a.round, b.round);
   EXPECT_EQ(a.epoch, b.epoch);
   EXPECT_NEAR(a.sent, b.sent, 0.0501);
   EXPECT_EQ(a.status, b.status);
@@ -125,7 +127,8 @@ TEST(Words, WhatWasDamagedOrIsNoneIsRefused) {
     for (std::uint8_t& byte : noise.bytes) byte = static_cast<std::uint8_t>(rng.uniform(0, 256));
     taken += decode(noise, datum, 10.0) ? 1 : 0;
   }
-  EXPECT_LT(taken, 100) << "of bytes at random, 2 in 16 are of a kind and of them 1 in 256 has the right sum";
+  EXPECT_LT(taken, 100)
+      << "of bytes at random, 1 in 4 is of this version and of them 1 in 256 has the right sum";
 }
 
 TEST(Words, TooFarFromTheDatumDoesNotFit) {

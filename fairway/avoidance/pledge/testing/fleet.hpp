@@ -21,8 +21,8 @@ struct Said {
   double heard;  ///< when [s]
 };
 
-/// A model of a group: members that keep to their references exactly, and a modem that loses what a test has
-/// it lose.
+/// A model of all groups: members that keep to their references exactly, and a modem that loses what a test
+/// has it lose.
 struct Fleet {
   std::vector<Said> said;
   std::vector<Agreement> members;
@@ -40,7 +40,7 @@ struct Fleet {
     const Terms terms{.count = all.size(), .tubes = {.radius = 1.0, .told = 0.1}};
     for (std::size_t i = 0; i < all.size(); ++i) {
       members.emplace_back(i, terms).hold(all[i]);
-      places.push_back(members[i].member(i).anchor);
+      places.push_back(members[i].own().anchor);
       last_ways.emplace_back();
     }
     charts.resize(all.size());
@@ -64,10 +64,12 @@ struct Fleet {
     }
     std::erase_if(said, [&](const Said& word) { return word.heard <= time + 1e-9; });
     for (std::size_t i = 0; i < members.size(); ++i) {
-      members[i].go_on(time, period, {{}, turn_period, turn(i, time)}, patience, charts[i]);
+      std::array<Obstacle, most_vehicles> room;
+      members[i].go_on(time, period, {{}, turn_period, turn(i, time)}, patience,
+                       members[i].chart(charts[i], room));
       if (const Reference* way = members[i].way()) {
         places[i] = way->at(time);
-        const Member& m = members[i].member(i);
+        const Member& m = members[i].own();
         if ((places[i] - m.destination).norm() <= m.arrival) {
           last_ways[i] = *way;
           members[i].arrive(way->knots().back().position);
@@ -75,6 +77,8 @@ struct Fleet {
       } else if (members[i].status() == Status::arrived && !last_ways[i].empty()) {
         places[i] = last_ways[i].at(time);
       }
+      const bool rests = (places[i] - members[i].own().anchor).norm() <= 1.0;
+      members[i].take_turns(time, turn_period, true, rests);
     }
     for (std::size_t i = 0; i < members.size(); ++i)
       for (std::size_t j = 0; j < i; ++j) least = std::min(least, (places[i] - places[j]).norm());
@@ -140,7 +144,7 @@ class LossesInRuns {
 
  private:
   Rng rng_;
-  std::array<std::array<bool, most_members>, most_members> loses_{};
+  std::array<std::array<bool, most_vehicles>, most_vehicles> loses_{};
 };
 
 inline const auto always = [](std::size_t, std::size_t) { return true; };

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// More than eight: groups that move in turns, whatever is lost.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <set>
+#include <vector>
+
+#include "fairway/avoidance/pledge/agreement.hpp"
+#include "fairway/avoidance/pledge/testing/fleet.hpp"
+#include "fairway/core/rng.hpp"
+
+namespace fairway::pledge {
+namespace {
+
+/// Everybody goes to the other side of a ring.
+std::vector<Member> ring_of(int count, double radius) {
+  std::vector<Member> all;
+  for (int i = 0; i < count; ++i) {
+    const double bearing = 2.0 * std::numbers::pi * i / count;
+    const Vec3 from{radius * std::cos(bearing), radius * std::sin(bearing), 5.0};
+    all.push_back(crossing(from, {-from.x(), -from.y(), 5.0}));
+  }
+  return all;
+}
+
+std::set<std::size_t> groups_that_move(const Fleet& fleet) {
+  std::set<std::size_t> groups;
+  for (std::size_t i = 0; i < fleet.members.size(); ++i)
+    if (fleet.members[i].status() == Status::moving)
+      groups.insert(fleet.members[i].rounds().groups().group_of(i));
+  return groups;
+}
+
+TEST(PledgeGroups, OfMoreThanEightOneGroupMovesAtATimeAndAllArriveAtAnyLoss) {
+  for (const auto& [count, radius] : {std::pair{9, 20.0}, {12, 20.0}, {16, 24.0}, {24, 34.0}, {32, 44.0}}) {
+    for (const double loss : {0.0, 0.3}) {
+      Rng rng = Rng{static_cast<std::uint64_t>(count)}.stream("ring");
+      Fleet fleet{ring_of(count, radius), 0.4 * count};
+      while (!fleet.is_done() && fleet.time < 6000.0) {
+        fleet.go_on([&](std::size_t, std::size_t) { return rng.uniform(0, 1) >= loss; });
+        ASSERT_LE(groups_that_move(fleet).size(), 1U) << count << " at " << fleet.time;
+      }
+      EXPECT_TRUE(fleet.is_done()) << count << ", loss " << loss;
+      EXPECT_GE(fleet.least, 3.0 + 1.5) << count << ", loss " << loss;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace fairway::pledge
