@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/sim/misfits.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cstdint>
+#include <optional>
 #include <string_view>
 #include <utility>
+#include <variant>
 
 #include "fairway/core/math.hpp"
 #include "fairway/sim/agent.hpp"
@@ -17,6 +22,7 @@ struct Ground {
   bool has_obstacles = false;
   bool has_others = false;
   bool is_silent = false;                                     ///< nobody tells anything
+  std::vector<std::uint32_t> ids;                             ///< of all vehicles
   double shallowest = Limits::none, deepest = -Limits::none;  ///< [m]
 
   explicit Ground(const Scenario& scenario)
@@ -31,6 +37,7 @@ struct Ground {
     }
     for (const VehicleSpec& vehicle : scenario.vehicles) {
       see(vehicle.position.z());
+      ids.push_back(vehicle.id);
       for (const Leg& leg : vehicle.mission)
         if (leg.kind == LegKind::transit) see(leg.position.z());
     }
@@ -42,6 +49,35 @@ struct Ground {
     deepest = math::fmax(deepest, depth);
   }
 };
+
+/// How many vehicles agree with this one, whose ids are 0 to one less; nothing where its method does not
+/// agree in such a team.
+std::optional<ParamInfo> team_of(const VehicleSpec& spec, std::string_view name, const Catalog& avoiders) {
+  for (ParamInfo& param : avoiders.params(name)) {
+    if (param.name != "team_count") continue;
+    for (const auto& [key, value] : spec.avoider.params)
+      if (key == param.name) param.value = value;
+    return std::move(param);
+  }
+  return {};
+}
+
+/// What is amiss with the team of a vehicle, as a clause about its method; empty for nothing.
+std::string amiss_in_team(const VehicleSpec& spec, std::string_view name, const Ground& ground,
+                          const Catalog& avoiders) {
+  const std::optional<ParamInfo> team = team_of(spec, name, avoiders);
+  const double* count = team ? std::get_if<double>(&team->value) : nullptr;
+  if (count == nullptr || !ground.has_others) return {};
+  const auto size = static_cast<std::uint32_t>(*count);
+  const std::string ids = fmt::format("the ids 0 to {} (team_count: {})", size - 1, size);
+  if (spec.id >= size)
+    return fmt::format("agrees among {}, at most {}, and stays where it is with any other id", ids,
+                       team->range.hi);
+  const auto is_in_it = [&](std::uint32_t id) { return id < size; };
+  if (std::ranges::count_if(ground.ids, is_in_it) < static_cast<std::ptrdiff_t>(size))
+    return fmt::format("waits for words of {}, and not all of these are there", ids);
+  return {};
+}
 
 /// What is amiss with one vehicle, each thing as a clause about its method.
 std::vector<std::string> amiss(const VehicleSpec& spec, const Limits& limits, const Ground& ground,
@@ -70,6 +106,8 @@ std::vector<std::string> amiss(const VehicleSpec& spec, const Limits& limits, co
   }
   if (speaks && ground.is_silent)
     clauses.emplace_back("waits for the words of others, and the exchange is none");
+  if (std::string clause = amiss_in_team(spec, name, ground, avoiders); !clause.empty())
+    clauses.push_back(std::move(clause));
   const auto sees_no_more = [](const Catalog::Entry* layer) {
     return layer->info.needs_chart || layer->info.ignores_obstacles;
   };

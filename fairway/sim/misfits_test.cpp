@@ -106,6 +106,32 @@ TEST(Misfits, TellOfGroundThatAMethodDoesNotSee) {
   EXPECT_THAT(told(transport, "orca3d", "raw", deep), IsEmpty());
 }
 
+TEST(Misfits, TellWhoIsInNoTeamAndWhoseTeamIsNotThere) {
+  const auto told_of = [](int count, const std::string& team) {
+    return misfits(
+        parse_scenario("{fairway: 1, name: s, exchange: acoustic, defaults: {model: sparus2, avoider: "
+                       "{algorithm: pledge" +
+                           team + "}}, fleet: {count: " + std::to_string(count) +
+                           ", places: {lattice: {spacing_m: 11}}}}",
+                       "s.yaml"),
+        builtin_catalogs());
+  };
+  EXPECT_THAT(told_of(8, ""), IsEmpty());
+  EXPECT_THAT(
+      told_of(10, ""),
+      ElementsAre("robot8 and 1 other: pledge agrees among the ids 0 to 7 (team_count: 8), at most 32, "
+                  "and stays where it is with any other id"));
+  EXPECT_THAT(told_of(10, ", team_count: 10"), IsEmpty());
+  EXPECT_THAT(
+      told_of(34, ", team_count: 32"),
+      ElementsAre("robot32 and 1 other: pledge agrees among the ids 0 to 31 (team_count: 32), at most "
+                  "32, and stays where it is with any other id"));
+  EXPECT_THAT(
+      told_of(7, ""),
+      ElementsAre("robot0 and 6 others: pledge waits for words of the ids 0 to 7 (team_count: 8), and "
+                  "not all of these are there"));
+}
+
 TEST(Misfits, NameTheFirstOfManyAndCountTheOthers) {
   const Scenario scenario = parse_scenario(
       "{fairway: 1, name: s, defaults: {model: sparus2, avoider: orca3d, tracking: raw}, "

@@ -16,6 +16,7 @@ constexpr double most_patience = 9.0;      // turns from a plan's word to its st
 constexpr double silent_for_good = 8.0;    // turns after which, of who has gone, the way is assumed
 constexpr double turning_away = 0.1;       // likewise, for each second since [m/s]
 constexpr double longest_drift = 120.0;    // for which it is foretold [s]
+constexpr double no_way = 1.0;             // from its destination a member has nowhere to go [m]
 constexpr double idle_turns = 4.0;         // after so many without use a group lets the next one move
 constexpr int most_plans = 8;              // in a round, of which some came to nothing
 constexpr double most_late = 2.0;          // who looks at its clock so long after a start has missed it [s]
@@ -39,12 +40,13 @@ Agreement::Agreement(std::size_t vehicle, const Terms& terms) noexcept
       count_{terms.groups().size_of(terms.groups().group_of(vehicle))},
       others_{vehicle, terms.groups()} {}
 
-void Agreement::hold(const Member& member) noexcept {
+void Agreement::hold(const Member& member, bool aside) noexcept {
   const std::uint8_t version =
       known_[self_] ? static_cast<std::uint8_t>((members_[self_].version + 1) % 16) : 0;
   members_[self_] = as_told(member, terms_.datum);
   members_[self_].version = version;
   known_.set(self_);
+  aside_ = aside;
   heard_by_ = {};
   held_since_ = looked_;
   status_ = statuses_[self_] = Status::held;
@@ -292,19 +294,20 @@ double Agreement::next_gate() const noexcept {
 /// Rule 4.
 void Agreement::stop_at_gate(double now) noexcept {
   if (status_ != Status::moving) return;
-  const bool leads_there = first_within(way_, members_[self_].destination, members_[self_].arrival) < never;
+  const bool leads_there =
+      !aside_ && first_within(way_, members_[self_].destination, members_[self_].arrival) < never;
   const double stops = leads_there ? next_gate() : std::min(next_gate(), way_.end());
   if (now < stops) return;
   Member member = members_[self_];
   member.anchor = way_.at(stops);
-  hold(member);
+  hold(member, aside_);
 }
 
 Members Agreement::held() const noexcept {
   Members all;
   for (std::size_t i = 0; i < count_; ++i)
     // of those who departed by the plan, only who has said since that it is held again
-    if (known_[i] && statuses_[i] == Status::held && !is_ahead(i) &&
+    if (known_[i] && statuses_[i] == Status::held && !is_done_here(i) &&
         (i == self_ || !departed_[i] || last_heard_[i] > plan_.start()))
       all.set(i);
   return all;
@@ -313,7 +316,7 @@ Members Agreement::held() const noexcept {
 std::array<Reference, most_members> Agreement::ways_of_others() const noexcept {
   std::array<Reference, most_members> ways;
   for (std::size_t i = 0; i < count_; ++i) {
-    if (i != self_ && (settled_[i] || is_ahead(i))) ways[i] = Reference{members_[i].anchor};
+    if (i != self_ && (settled_[i] || is_done_here(i))) ways[i] = Reference{members_[i].anchor};
     if (i != self_ && is_lost(i)) ways[i] = adrift(i);
   }
   return ways;
@@ -371,11 +374,14 @@ void Agreement::propose(double now, double period, const Link& link, double pati
   }
 }
 
-/// Of who is on its way to no round but the next: it departs by no plan of this one.
-bool Agreement::is_ahead(std::size_t i) const noexcept {
-  const Groups& groups = others_.rounds.groups();
-  return i != self_ &&
-         others_.rounds.heard_in(i * groups.count() + groups.group_of(vehicle_)) > others_.rounds.round();
+/// Who departs by no plan of this round any more: it has gone on to the next one, or has gone aside.
+bool Agreement::is_done_here(std::size_t i) const noexcept {
+  const Rounds& rounds = others_.rounds;
+  const Groups& groups = rounds.groups();
+  if (groups.count() == 1) return false;
+  const bool is_ahead =
+      i != self_ && rounds.heard_in(i * groups.count() + groups.group_of(vehicle_)) > rounds.round();
+  return is_ahead || (members_[i].anchor - members_[i].destination).norm() < no_way;
 }
 
 /// Somebody of it moves, or has proposed something, as long as proposals are not in vain.
@@ -390,8 +396,8 @@ bool Agreement::is_group_busy(double now, double turn_period) const noexcept {
 void Agreement::take_turns(double now, double turn_period, bool is_free, bool rests) noexcept {
   Rounds& rounds = others_.rounds;
   if (rounds.owns() && (!rounds.may_depart() || is_group_busy(now, turn_period))) used_ = now;
-  const bool has_use =
-      is_free && status_ == Status::held && now < std::max(used_, entered_) + idle_turns * turn_period;
+  const bool has_use = is_free && status_ == Status::held && !is_done_here(self_) &&
+                       now < std::max(used_, entered_) + idle_turns * turn_period;
   const bool is_bound = status_ == Status::moving || !promised(now).empty();
   const bool has_rest = status_ == Status::lost || (rests && !is_bound && !has_use);
   if (!rounds.may_go_on(has_rest)) return;

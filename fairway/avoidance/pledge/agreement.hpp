@@ -38,8 +38,9 @@ class Agreement {
   /// Of the vehicle of that number.
   Agreement(std::size_t vehicle, const Terms& terms) noexcept;
 
-  /// Own ship is held at an anchor, to go to a destination. To be called once, before anything else.
-  void hold(const Member& member) noexcept;
+  /// Own ship is held at an anchor, to go to a destination. To be called once, before anything else. Where
+  /// that is only `aside`, and not where its mission leads, it is held there once it has come there.
+  void hold(const Member& member, bool aside = false) noexcept;
 
   /// A word that came in, to be heard once: its clock goes round. What it says is believed if it was made by
   /// a member. False if its clock is ahead of own ship's, and it may be heard again later.
@@ -89,7 +90,9 @@ class Agreement {
   const Member& own() const { return members_[self_]; }
   std::size_t self() const { return self_; }    ///< which member it is
   std::size_t count() const { return count_; }  ///< members of its group
+  const Terms& terms() const { return terms_; }
   const Rounds& rounds() const { return others_.rounds; }
+  std::span<const Bystander> bystanders() const { return others_.bystanders(); }
   const Plan& plan() const { return plan_; }
   /// What it waits for, in a few words.
   std::string_view reason(double now) const noexcept;
@@ -119,7 +122,7 @@ class Agreement {
   Clearance scene_of(const Plan& plan) const noexcept;
   double next_gate() const noexcept;
   Members everyone() const noexcept { return Members{(1U << count_) - 1U}; }
-  bool is_ahead(std::size_t i) const noexcept;
+  bool is_done_here(std::size_t i) const noexcept;
   bool is_group_busy(double now, double turn_period) const noexcept;
   bool is_pending(double now) const noexcept { return plan_.epoch && now < plan_.start(); }
   /// Whether it is held elsewhere than before, and has had no turn yet to tell where.
@@ -133,6 +136,7 @@ class Agreement {
   // of other groups, and of the round
   OtherGroups others_{};
   double entered_ = -std::numeric_limits<double>::infinity();  ///< when it came to this round [s]
+  bool aside_{false};                                          ///< its destination is not that of its mission
   double used_ = -std::numeric_limits<double>::infinity();     ///< until when the round was of use [s]
   int plans_{};                                                ///< that it has known in this round
 

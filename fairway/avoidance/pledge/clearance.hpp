@@ -86,6 +86,8 @@ class Chart {
   Chart(const Obstacles& standing, std::span<const Obstacle> held = {}) : parts_{standing, held} {}
 
   bool empty() const { return parts_[0].empty() && parts_[1].empty(); }
+  std::span<const Obstacle> standing() const { return parts_[0]; }
+  std::span<const Obstacle> held() const { return parts_[1]; }
   std::span<const std::span<const Obstacle>> parts() const { return parts_; }
 
  private:

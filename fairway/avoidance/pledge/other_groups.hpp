@@ -11,11 +11,22 @@
 
 namespace fairway::pledge {
 
+/// A vehicle of another group, as it last told where it rests.
+struct Bystander {
+  bool known{false};                                        ///< whether it did
+  Vec3 place = Vec3::Zero();                                ///< [m, NED]
+  double radius{};                                          ///< [m]
+  Vec3 destination = Vec3::Zero();                          ///< [m, NED]
+  double heard = -std::numeric_limits<double>::infinity();  ///< when the last word was said [s]
+};
+
 /// What a member knows of the vehicles of other groups: whose round it is, and where they are held.
 class OtherGroups {
  public:
   OtherGroups() = default;
   OtherGroups(std::size_t self, const Groups& groups) noexcept : rounds{self, groups} {}
+
+  Rounds rounds;
 
   /// A word of a vehicle of another group; one that was said before the last that was heard is passed over.
   void hear(const Word& word) noexcept;
@@ -25,16 +36,10 @@ class OtherGroups {
   std::span<const Obstacle> places(const Tubes& tubes,
                                    std::array<Obstacle, most_vehicles>& room) const noexcept;
 
-  Rounds rounds;
+  std::span<const Bystander> bystanders() const { return bystanders_; }
 
  private:
-  struct Sphere {
-    bool known{false};
-    Vec3 place = Vec3::Zero();
-    double radius{};
-    double heard = -std::numeric_limits<double>::infinity();  ///< when the last word was said [s]
-  };
-  std::array<Sphere, most_vehicles> spheres_{};
+  std::array<Bystander, most_vehicles> bystanders_{};
 };
 
 }  // namespace fairway::pledge

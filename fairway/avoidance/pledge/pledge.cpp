@@ -5,6 +5,7 @@
 
 #include "fairway/avoidance/orca3d/orca3d.hpp"
 #include "fairway/avoidance/pledge/following.hpp"
+#include "fairway/avoidance/pledge/making_room.hpp"
 
 namespace fairway {
 namespace {
@@ -16,11 +17,12 @@ using pledge::Member;
 using pledge::Reference;
 using pledge::resting_place;
 
-constexpr double soon = 8.0;         // within it nobody who is lost may come near a promised way [s]
-constexpr double threatened = 12.0;  // likewise a member that is held [s]
-constexpr int most_losses = 1;       // after which a member that is lost again is so for good
-constexpr double at_rest = 0.05;     // slower than this a member is held [m/s]
-constexpr double settling = 4.0;     // for so long, before who was lost is held again [s]
+constexpr double soon = 8.0;          // within it nobody who is lost may come near a promised way [s]
+constexpr double threatened = 12.0;   // likewise a member that is held [s]
+constexpr int most_losses = 1;        // after which a member that is lost again is so for good
+constexpr double aside_within = 0.5;  // of a place to which a member goes aside it comes [m]
+constexpr double at_rest = 0.05;      // slower than this a member is held [m/s]
+constexpr double settling = 4.0;      // for so long, before who was lost is held again [s]
 
 /// The course on which a member that is held will depart, once it is time to turn to it: who departs while it
 /// turns the other way is late. Not in a current, in which nobody who has turned aside stays where it is.
@@ -132,9 +134,33 @@ void Pledge::take_part(const Situation& s, const pledge::Chart& chart, Memory& m
   // where the clock has not begun there is time
   const double patience = s.attendance == Attendance::ready ? params.patience_count : 0.0;
   const bool is_free = s.attendance == Attendance::ready || s.attendance == Attendance::under_way;
-  if (is_free) agreement.go_on(s.time, s.period, *s.link, patience, chart);
+  if (is_free) {
+    aim(s, chart, memory);
+    agreement.go_on(s.time, s.period, *s.link, patience, chart);
+  }
   const bool rests = (agreement.own().anchor - s.own.position).norm() <= params.tube_m;
-  agreement.take_turns(s.time, s.link->turn_period, is_free, rests);
+  agreement.take_turns(s.time, s.link->turn_period, is_free && !memory.waits, rests);
+}
+
+/// Where there are several groups it says once a round of its own where it is to go in that.
+void Pledge::aim(const Situation& s, const pledge::Chart& chart, Memory& memory) const noexcept {
+  Agreement& agreement = memory.agreement;
+  const pledge::Rounds& rounds = agreement.rounds();
+  const bool can_choose = rounds.groups().count() > 1 && rounds.may_depart() &&
+                          rounds.round() > memory.aimed_round && agreement.status() == pledge::Status::held;
+  if (!can_choose) return;
+  memory.aimed_round = rounds.round();
+  const pledge::Aim aim = pledge::aim_of(agreement, s.goal.position, chart, s.limits);
+  memory.waits = aim.kind == pledge::Aim::Kind::none;
+  Member member = pledge::member_of(s, params.speed_ratio);
+  member.anchor = agreement.own().anchor;
+  const bool aside = aim.kind == pledge::Aim::Kind::aside;
+  if (aside) {
+    member.destination = aim.place;
+    member.arrival = aside_within;
+  }
+  const Vec3 told = agreement.own().destination;
+  if ((told - member.destination).norm() > 0.2) agreement.hold(member, aside);
 }
 
 /// Who is off its tube by as much again is lost; before that it is best to come back. Who is held and

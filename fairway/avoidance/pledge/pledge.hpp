@@ -57,7 +57,9 @@ struct Pledge {
 
   struct Memory {
     bool begun{false};
-    double moved{};  ///< when it was not at rest, since it was lost [s]
+    std::int64_t aimed_round{-1};  ///< the last one in which it chose where to go
+    bool waits{false};             ///< it has chosen to stay for this round
+    double moved{};                ///< when it was not at rest, since it was lost [s]
     double turn_period{};
     double time{};
     Vec3 stay = Vec3::Zero();  ///< where a lost member holds [m, NED]
@@ -78,6 +80,7 @@ struct Pledge {
   bool begin(const Situation& s, Memory& memory) const noexcept;
   void hear(const Situation& s, Memory& memory) const noexcept;
   void take_part(const Situation& s, const pledge::Chart& chart, Memory& memory) const noexcept;
+  void aim(const Situation& s, const pledge::Chart& chart, Memory& memory) const noexcept;
   void watch(const Situation& s, const pledge::Chart& chart, Memory& memory) const noexcept;
   void stay_at(const Situation& s, const Vec3& place, pledge::Agreement& agreement) const noexcept;
   void recover(const Situation& s, Memory& memory) const noexcept;

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "fairway/avoidance/pledge/agreement.hpp"
+#include "fairway/core/limits.hpp"
+
+namespace fairway::pledge {
+
+/// What a member wants of a round of its group.
+struct Aim {
+  enum class Kind {
+    goal,   ///< to go where its mission leads
+    aside,  ///< to go out of somebody's destination, since its own is taken by somebody of another group
+    none,   ///< to stay, since its own is taken and it is in nobody's
+  };
+  Kind kind{};
+  Vec3 place = Vec3::Zero();  ///< to which it goes [m, NED]
+};
+
+/// The aim of own ship, which lies at its anchor and is to go to `goal` [m, NED]. Where it goes aside, that
+/// is to a free place near its goal, or else near its anchor, within the depths of `limits`; to stay where
+/// there is none. Two groups that have each other's places so get to them in three rounds. O(vehicles +
+/// obstacles).
+Aim aim_of(const Agreement& agreement, const Vec3& goal, const Chart& chart, const Limits& limits) noexcept;
+
+}  // namespace fairway::pledge
