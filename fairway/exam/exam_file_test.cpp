@@ -166,21 +166,21 @@ TEST(Entrance, WhoAgreesByWordsMeetsItsLikeAndNothingElse) {
   with_silent.replace(with_silent.find("vehicles:\n  - {"), 15, silent);
   const std::string with_drifter =
       "obstacles: [{sphere: {position_m: [5, 5, 5], radius_m: 1, velocity_mps: [0.1, 0, 0]}}]\n";
-  std::string nine = pair;
-  for (int i = 0; i < 7; ++i)
-    nine += "  - {model: kinematic, avoider: orca3d, start: {position_m: [0, " + std::to_string(20 + 5 * i) +
+  std::string many = pair;
+  for (int i = 0; i < 31; ++i)
+    many += "  - {model: kinematic, avoider: orca3d, start: {position_m: [0, " + std::to_string(20 + 5 * i) +
             ", 5]}, mission: [{transit: {position_m: [9, 9, 5]}}]}\n";
   for (const char* method : {"pledge", "delay_check"}) {
     EXPECT_EQ(why(method, pair), "") << method;
     EXPECT_EQ(why(method, with_silent), "avoids whoever speaks as it does, and not everything there speaks");
     EXPECT_EQ(why(method, pair + with_drifter), why(method, with_silent));
   }
-  EXPECT_EQ(why("pledge", nine), "is for groups of 2 to 8, and b has 9");
-  EXPECT_EQ(why("delay_check", nine), "");
+  EXPECT_EQ(why("pledge", many), "is for groups of 2 to 32, and b has 33");
+  EXPECT_EQ(why("delay_check", many), "");
   const std::string rock = "obstacles: [{sphere: {position_m: [5, 5, 5], radius_m: 1}}]\n";
   EXPECT_EQ(why("pledge", pair + rock), "");
   const std::string lone = std::string{pair}.substr(0, std::string{pair}.rfind("  - {"));
-  EXPECT_EQ(why("pledge", lone), "is for groups of 2 to 8, and b has 1");
+  EXPECT_EQ(why("pledge", lone), "is for groups of 2 to 32, and b has 1");
   EXPECT_EQ(why("orca3d", with_silent), "");
 }
 

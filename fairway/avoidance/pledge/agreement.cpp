@@ -9,6 +9,7 @@ namespace {
 
 constexpr int codes_at_once = 200;         // of the search, in one decision, for its 1 ms
 constexpr int charted_codes_at_once = 80;  // likewise, where something stands
+constexpr int crowded_codes_at_once = 40;  // likewise, where vehicles of other groups are held
 constexpr double search_decisions = 30.0;  // before a turn in which a search begins, for all its codes
 constexpr double last_decisions = 1.5;     // before a turn in which a proposal is made
 constexpr double silent_turns = 3.0;       // after so many the next member may propose
@@ -25,6 +26,11 @@ constexpr double most_late = 2.0;          // who looks at its clock so long aft
 /// speaks right after that word may have chosen its own before it had come in, and then acknowledges a turn
 /// later; its word takes as long as a slot.
 double least_patience(std::size_t count) { return 1.02 + 2.0 / static_cast<double>(count); }
+
+int codes_in_one_decision(const Chart& chart) {
+  if (!chart.held().empty()) return crowded_codes_at_once;
+  return chart.empty() ? codes_at_once : charted_codes_at_once;
+}
 
 /// Turns before a plan's start after which nobody acknowledges it any more: one in which to say so, and half
 /// of what more there is, for others to pass it on. Who acknowledges at the last moment divides the group
@@ -353,7 +359,7 @@ void Agreement::propose(double now, double period, const Link& link, double pati
     for (Reference& other : others) other = other.later(-(now + 2.0 * link.turn_period));
     search_.emplace(members_, held(), others, terms_, searches_ % 2 == 0 ? 0 : (searches_ + 1) / 2, chart);
   }
-  const bool has_ended = search_->go_on(chart.empty() ? codes_at_once : charted_codes_at_once, chart);
+  const bool has_ended = search_->go_on(codes_in_one_decision(chart), chart);
   const bool is_best = chart.empty() || has_ended || search_->found_all();
   if (search_->found() && is_best && ahead <= last_decisions * period) {
     const double turns = std::min(least_patience(terms_.count) + patience + attempts_, most_patience);

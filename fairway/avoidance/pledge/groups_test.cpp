@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <set>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "fairway/avoidance/pledge/agreement.hpp"
 #include "fairway/avoidance/pledge/testing/fleet.hpp"
 #include "fairway/core/rng.hpp"
+#include "fairway/core/testing/allocations.hpp"
 
 namespace fairway::pledge {
 namespace {
@@ -45,6 +47,40 @@ TEST(PledgeGroups, OfMoreThanEightOneGroupMovesAtATimeAndAllArriveAtAnyLoss) {
       EXPECT_TRUE(fleet.is_done()) << count << ", loss " << loss;
       EXPECT_GE(fleet.least, 3.0 + 1.5) << count << ", loss " << loss;
     }
+  }
+}
+
+TEST(PledgeGroups, NobodyAllocatesWhereOneHasRoundsToCountAndPlacesToKeepClearOf) {
+  Fleet fleet{ring_of(16, 24.0), 6.4};
+  fleet.said.reserve(64);
+  const std::function<bool(std::size_t, std::size_t)> all_heard = always;
+  const long before = allocation_count();
+  while (!fleet.is_done() && fleet.time < 600.0) fleet.go_on(all_heard);
+  EXPECT_EQ(allocation_count(), before);
+  EXPECT_TRUE(fleet.is_done());
+}
+
+TEST(PledgeGroups, WhileOneIsSilentNobodyMoves) {
+  for (const std::size_t silent : {3U, 4U}) {
+    Fleet fleet{ring_of(12, 20.0), 4.8};
+    std::set<std::size_t> moved;
+    while (fleet.time < 600.0) {
+      fleet.go_on([&](std::size_t from, std::size_t) { return from != silent; });
+      moved.merge(groups_that_move(fleet));
+    }
+    EXPECT_TRUE(moved.empty()) << "its own waits for its acknowledgement, and the other for its place";
+  }
+}
+
+TEST(PledgeGroups, WhoIsOfNoGroupIsNotListenedTo) {
+  Agreement member{0, {.count = 9}};
+  member.hold(crossing({0, 0, 5}, {20, 0, 5}));
+  for (const std::size_t vehicle : {9U, 31U}) {
+    Agreement stranger{vehicle, {.count = 32}};
+    stranger.hold(crossing({10, 0, 5}, {-20, 0, 5}));
+    EXPECT_TRUE(member.hear(stranger.say(0.0, 3.6), 0.0));
+    EXPECT_EQ(member.rounds().heard_in(vehicle), -1) << vehicle;
+    EXPECT_FALSE(member.bystanders()[vehicle].known) << vehicle;
   }
 }
 

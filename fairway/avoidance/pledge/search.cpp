@@ -64,17 +64,19 @@ void Search::find_hubs(const Chart& chart, const Vec2& datum) noexcept {
   struct Found {
     Hub hub;
     std::size_t hindered;  ///< whose straight ways it stands in
+    std::size_t number;    ///< as found
   };
+  std::array<Reference, most_members> straight{};
+  for (std::size_t i = 0; i < most_members; ++i)
+    if (asked_[i]) straight[i] = reference_of(members_[i], Plan{.epoch = at_zero}, Code{});
   std::array<Found, 16> found{};
   std::size_t count = 0;
   const auto find = [&](const Obstacle& obstacle) {
     std::size_t hindered = 0;
     double widest = 0.0;
     for (std::size_t i = 0; i < most_members; ++i) {
-      const Reference straight =
-          asked_[i] ? reference_of(members_[i], Plan{.epoch = at_zero}, Code{}) : Reference{};
       const double off = berth(members_[i], tubes_);
-      if (straight.empty() || keeps_off(straight, obstacle, off)) continue;
+      if (straight[i].empty() || keeps_off(straight[i], obstacle, off)) continue;
       ++hindered;
       widest = math::fmax(widest, off);
     }
@@ -82,10 +84,13 @@ void Search::find_hubs(const Chart& chart, const Vec2& datum) noexcept {
     const double radius = extent_of(obstacle) + widest;
     std::uint8_t scale = 0;
     while (scale + 1U < ring_scale.size() && ring_scale[scale] * ring_radius[rings - 2] < radius) ++scale;
-    found[count++] = {{centre_as_told(centre_of(obstacle).head<2>(), datum), scale}, hindered};
+    found[count] = {{centre_as_told(centre_of(obstacle).head<2>(), datum), scale}, hindered, count};
+    ++count;
   };
   for (const std::span<const Obstacle> part : chart.parts()) std::ranges::for_each(part, find);
-  std::ranges::stable_sort(std::span{found}.first(count), std::ranges::greater{}, &Found::hindered);
+  std::ranges::sort(std::span{found}.first(count), [](const Found& a, const Found& b) {
+    return a.hindered != b.hindered ? a.hindered > b.hindered : a.number < b.number;
+  });
   if (count == 0) return;
   for (std::uint8_t scale = 1; scale < 3; ++scale) hubs_[hub_count_++] = {hubs_[0].centre, scale};
   const std::size_t room = most_hubs - hub_count_;
