@@ -47,7 +47,7 @@ std::string_view hemmed_in(const Situation& s, const Member& member, double bert
 
 /// Out of the way of who is lost: by ORCA among all whose whereabouts are known.
 Command evaded(const Situation& s, const Agreement& agreement, const Vec3& stay, Context& context) noexcept {
-  std::array<Track, pledge::most_members> tracks;
+  std::array<Track, pledge::most_members + pledge::most_vehicles> tracks;
   std::size_t count = 0;
   for (std::size_t i = 0; i < pledge::most_members; ++i) {
     const Reference way = i == agreement.self() ? Reference{} : agreement.whereabouts(i);
@@ -57,6 +57,14 @@ Command evaded(const Situation& s, const Agreement& agreement, const Vec3& stay,
                        .velocity = way.velocity(s.time),
                        .radius = agreement.member(i).radius,
                        .reacts = !agreement.is_lost(i)};
+  }
+  for (std::size_t i = 0; i < pledge::most_vehicles; ++i) {
+    const pledge::Bystander& other = agreement.bystanders()[i];
+    if (other.known)
+      tracks[count++] = {.id = TrackId{static_cast<std::uint32_t>(pledge::most_members + i)},
+                         .position = other.place,
+                         .radius = other.radius,
+                         .reacts = false};
   }
   const auto distance = [&](const Track& track) { return (track.position - s.own.position).squaredNorm(); };
   std::ranges::sort(std::span{tracks}.first(count), {}, distance);
