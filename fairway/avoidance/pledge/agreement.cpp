@@ -11,6 +11,7 @@ constexpr int codes_at_once = 200;         // of the search, in one decision, fo
 constexpr int charted_codes_at_once = 80;  // likewise, where something stands
 constexpr int crowded_codes_at_once = 40;  // likewise, where vehicles of other groups are held
 constexpr double search_decisions = 30.0;  // before a turn in which a search begins, for all its codes
+constexpr double search_turns = 1.5;       // that it goes on for more to go, where others are held
 constexpr double last_decisions = 1.5;     // before a turn in which a proposal is made
 constexpr double silent_turns = 3.0;       // after so many the next member may propose
 constexpr double most_patience = 9.0;      // turns from a plan's word to its start
@@ -354,13 +355,16 @@ void Agreement::propose(double now, double period, const Link& link, double pati
   if (!search_) {
     const double parts = chart.empty() ? 1.0 : 2.0 * static_cast<double>(Search::most_hubs);
     if (ahead > parts * search_decisions * period) return;
+    search_began_ = now;
     // it plans from time 0 on
     std::array<Reference, most_members> others = ways_of_others();
     for (Reference& other : others) other = other.later(-(now + 2.0 * link.turn_period));
     search_.emplace(members_, held(), others, terms_, searches_ % 2 == 0 ? 0 : (searches_ + 1) / 2, chart);
   }
   const bool has_ended = search_->go_on(codes_in_one_decision(chart), chart);
-  const bool is_best = chart.empty() || has_ended || search_->found_all();
+  // who cannot go while others are held may go later
+  const bool is_enough = !chart.held().empty() && now > search_began_ + search_turns * link.turn_period;
+  const bool is_best = chart.empty() || has_ended || is_enough || search_->found_all();
   if (search_->found() && is_best && ahead <= last_decisions * period) {
     const double turns = std::min(least_patience(terms_.count) + patience + attempts_, most_patience);
     plan_ = search_->best();
@@ -408,6 +412,8 @@ void Agreement::take_turns(double now, double turn_period, bool is_free, bool re
   const bool has_rest = status_ == Status::lost || (rests && !is_bound && !has_use);
   if (!rounds.may_go_on(has_rest)) return;
   rounds.go_on();
+  if (search_) ++searches_;  // it came to nothing
+  search_.reset();
   entered_ = now;
   plans_ = 0;
 }

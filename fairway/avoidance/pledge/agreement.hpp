@@ -167,6 +167,7 @@ class Agreement {
   // a search under way
   std::size_t searches_{0};  ///< that own ship has made; every other one has the centre of the first
   std::optional<Search> search_;
+  double search_began_{};                                     ///< [s]
   double looked_ = -std::numeric_limits<double>::infinity();  ///< when it was last asked to go on [s]
   double held_since_ =
       -std::numeric_limits<double>::infinity();  ///< where it is [s]; -infinity: since it began
