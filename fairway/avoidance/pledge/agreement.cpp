@@ -116,63 +116,6 @@ bool Agreement::meets_held(const Reference& own, double now, double time) const 
   return false;
 }
 
-bool Agreement::hear(const Speech& speech, double now) noexcept {
-  const std::optional<Word> word = decode(speech, terms_.datum, now);
-  if (!word) return true;
-  const Header& header = header_of(*word);
-  if (header.sent > now + 1.0) return false;
-  const Groups& groups = others_.rounds.groups();
-  if (header.sender >= groups.vehicles || header.sender == vehicle_) return true;
-  if (groups.group_of(header.sender) != groups.group_of(vehicle_)) {
-    others_.hear(*word);
-    return true;
-  }
-  const std::size_t from = groups.member_of(header.sender);
-  if (header.sent <= last_heard_[from]) return true;
-  others_.rounds.hear(header.sender, header.round, false);
-  if (const auto* state = std::get_if<StateWord>(&*word)) {
-    members_[from] = state->member;
-    if (header.status == Status::lost) members_[from].radius += wandering;
-    known_.set(from);
-    settled_[from] = header.status == Status::arrived;
-  } else {
-    learn(std::get<PlanWord>(*word));
-  }
-  learn(header);
-  return true;
-}
-
-void Agreement::learn(const Header& header) noexcept {
-  const std::size_t from = others_.rounds.groups().member_of(header.sender);
-  last_heard_[from] = header.sent;
-  statuses_[from] = header.status;
-  heard_by_[from] = header.heard;
-  newest_epoch_ = std::max(newest_epoch_, header.epoch);
-  if (header.epoch == plan_.epoch) {
-    acknowledged_ |= header.acknowledged;
-    departed_ |= header.departed;
-    left_ |= header.departed;
-  }
-  const bool has_gone = header.status == Status::moving || header.status == Status::arrived;
-  if (has_gone && header.sent > plan_.start()) left_.set(from);
-  if (header.status == Status::held || header.status == Status::lost) ends_[from].reset();
-  if (header.status != Status::moving || !departed_[from] || !plan_.participants[from] || ends_[from]) return;
-  // nothing but a gate can stop it any more
-  Clearance scene = scene_of(plan_);
-  const Reference& way = scene.reference(from);
-  double gate = never;
-  for (std::size_t i = 0; i < count_; ++i) gate = std::min(gate, scene.gate(from, i));
-  if (gate == never) ends_[from] = way.knots().back();
-}
-
-void Agreement::learn(const PlanWord& word) noexcept {
-  if (word.plan.epoch <= plan_.epoch) return;
-  plan_ = word.plan;
-  ++plans_;
-  acknowledged_ = departed_ = {};
-  search_.reset();
-}
-
 void Agreement::go_on(double now, double period, const Link& link, double patience,
                       const Chart& chart) noexcept {
   assume(now, link.turn_period);
@@ -416,41 +359,6 @@ void Agreement::take_turns(double now, double turn_period, bool is_free, bool re
   search_.reset();
   entered_ = now;
   plans_ = 0;
-}
-
-Speech Agreement::say(double now, double turn_period) const noexcept {
-  const bool is_forgotten = now > plan_.start() + soonest_forgotten;
-  const Header header{.sender = static_cast<std::uint8_t>(vehicle_),
-                      .round = others_.rounds.told(),
-                      .epoch = is_forgotten ? Epoch{} : plan_.epoch,
-                      .sent = now,
-                      .status = status_,
-                      .acknowledged = acknowledged_,
-                      .departed = departed_,
-                      .heard = known_};
-  // whose group has no turn tells where it is held, which the others wait for
-  const bool tells_plan = status_ != Status::lost && !is_news(now, turn_period) && others_.rounds.owns() &&
-                          (is_pending(now) || (status_ == Status::moving && header.epoch));
-  Members without_me;
-  for (std::size_t i = 0; i < count_; ++i)
-    if (i != self_ && !heard_by_[i][self_]) without_me.set(i);
-  const bool is_odd_turn = std::fmod(std::floor(now / turn_period), 2.0) != 0.0;
-  if (tells_plan && (without_me.none() || is_odd_turn)) return encode(PlanWord{header, plan_}, terms_.datum);
-  return encode(StateWord{header, members_[self_]}, terms_.datum);
-}
-
-std::string_view Agreement::reason(double now) const noexcept {
-  if (status_ == Status::moving) return "goes by a plan that everybody has acknowledged";
-  if (status_ == Status::arrived) return "has arrived, and is held for ever";
-  if (status_ == Status::lost) return "is off its promised way, holds and says so";
-  if (known_ != everyone()) return "waits for the state of another member";
-  if (!others_.rounds.owns()) return "waits until it is its group's turn";
-  if (!others_.rounds.knows_places()) return "waits to hear where the other groups are held";
-  if (search_) return "looks for a plan";
-  if (is_pending(now))
-    return acknowledged_[self_] ? "waits for acknowledgements, and for the start"
-                                : "cannot acknowledge the plan";
-  return "waits for a plan";
 }
 
 }  // namespace fairway::pledge

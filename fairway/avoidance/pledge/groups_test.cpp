@@ -50,6 +50,34 @@ TEST(PledgeGroups, OfMoreThanEightOneGroupMovesAtATimeAndAllArriveAtAnyLoss) {
   }
 }
 
+/// From drawn places to others, none of which is near another.
+std::vector<Member> drawn(int count, Rng& rng) {
+  std::vector<Vec3> places;
+  while (static_cast<int>(places.size()) < 2 * count) {
+    const Vec3 place{rng.uniform(-30, 30), rng.uniform(-30, 30), rng.uniform(3, 33)};
+    if (std::ranges::all_of(places, [&](const Vec3& other) { return (place - other).norm() > 8.0; }))
+      places.push_back(place);
+  }
+  std::vector<Member> all;
+  for (std::size_t i = 0; i + 1 < places.size(); i += 2) all.push_back(crossing(places[i], places[i + 1]));
+  return all;
+}
+
+TEST(PledgeGroups, AtDrawnPlacesAllKeepClearAndArriveThoughHalfIsLostInRuns) {
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    Rng rng = Rng{seed}.stream("drawn");
+    const int count = 9 + static_cast<int>(seed % 12);
+    Fleet fleet{drawn(count, rng), 0.4 * count};
+    LossesInRuns losses{rng};
+    while (!fleet.is_done() && fleet.time < 7200.0) {
+      fleet.go_on([&](std::size_t from, std::size_t to) { return losses(from, to); });
+      ASSERT_LE(groups_that_move(fleet).size(), 1U) << "seed " << seed << " at " << fleet.time;
+    }
+    EXPECT_TRUE(fleet.is_done()) << "seed " << seed;
+    EXPECT_GE(fleet.least, 3.0 + 1.5) << "seed " << seed;
+  }
+}
+
 TEST(PledgeGroups, NobodyAllocatesWhereOneHasRoundsToCountAndPlacesToKeepClearOf) {
   Fleet fleet{ring_of(16, 24.0), 6.4};
   fleet.said.reserve(64);
