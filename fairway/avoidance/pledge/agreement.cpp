@@ -20,6 +20,7 @@ constexpr double turning_away = 0.1;       // likewise, for each second since [m
 constexpr double longest_drift = 120.0;    // for which it is foretold [s]
 constexpr double no_way = 1.0;             // from its destination a member has nowhere to go [m]
 constexpr double idle_turns = 4.0;         // after so many without use a group lets the next one move
+constexpr double idle_decisions = 160.0;   // and so many, for a search about one centre
 constexpr int most_plans = 8;              // in a round, of which some came to nothing
 constexpr double most_late = 2.0;          // who looks at its clock so long after a start has missed it [s]
 
@@ -346,11 +347,12 @@ bool Agreement::is_group_busy(double now, double turn_period) const noexcept {
   return is_pending(now) && plans_ < most_plans;
 }
 
-void Agreement::take_turns(double now, double turn_period, bool is_free, bool rests) noexcept {
+void Agreement::take_turns(double now, double period, double turn_period, bool is_free, bool rests) noexcept {
   Rounds& rounds = others_.rounds;
   if (rounds.owns() && (!rounds.may_depart() || is_group_busy(now, turn_period))) used_ = now;
-  const bool has_use = is_free && status_ == Status::held && !is_done_here(self_) &&
-                       now < std::max(used_, entered_) + idle_turns * turn_period;
+  const bool has_use =
+      is_free && status_ == Status::held && !is_done_here(self_) &&
+      now < std::max(used_, entered_) + std::max(idle_turns * turn_period, idle_decisions * period);
   const bool is_bound = status_ == Status::moving || !promised(now).empty();
   const bool has_rest = status_ == Status::lost || (rests && !is_bound && !has_use);
   if (!rounds.may_go_on(has_rest)) return;

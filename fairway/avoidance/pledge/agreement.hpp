@@ -53,7 +53,7 @@ class Agreement {
 
   /// Goes on to the next round of the groups when it may (`Rounds`) and has nothing to do in this one. To be
   /// called at every decision. `is_free`: its mission would let it depart; `rests`: it is where it says.
-  void take_turns(double now, double turn_period, bool is_free, bool rests) noexcept;
+  void take_turns(double now, double period, double turn_period, bool is_free, bool rests) noexcept;
 
   /// What stands, and where vehicles of other groups are held, which is written to `room`.
   Chart chart(std::span<const Obstacle> standing, std::array<Obstacle, most_vehicles>& room) const noexcept {

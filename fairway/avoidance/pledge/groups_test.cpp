@@ -78,6 +78,13 @@ TEST(PledgeGroups, AtDrawnPlacesAllKeepClearAndArriveThoughHalfIsLostInRuns) {
   }
 }
 
+TEST(PledgeGroups, WhereWordsComeAtEveryStepAGroupStillHasTheTimeToFindAPlan) {
+  Fleet fleet{ring_of(16, 24.0), step};
+  while (!fleet.is_done() && fleet.time < 600.0) fleet.go_on(always);
+  EXPECT_TRUE(fleet.is_done());
+  EXPECT_GE(fleet.least, 3.0 + 1.5);
+}
+
 TEST(PledgeGroups, NobodyAllocatesWhereOneHasRoundsToCountAndPlacesToKeepClearOf) {
   Fleet fleet{ring_of(16, 24.0), 6.4};
   fleet.said.reserve(64);

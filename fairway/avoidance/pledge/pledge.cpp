@@ -147,7 +147,7 @@ void Pledge::take_part(const Situation& s, const pledge::Chart& chart, Memory& m
     agreement.go_on(s.time, s.period, *s.link, patience, chart);
   }
   const bool rests = (agreement.own().anchor - s.own.position).norm() <= params.tube_m;
-  agreement.take_turns(s.time, s.link->turn_period, is_free && !memory.waits, rests);
+  agreement.take_turns(s.time, s.period, s.link->turn_period, is_free && !memory.waits, rests);
 }
 
 /// Where there are several groups it says once a round of its own where it is to go in that.

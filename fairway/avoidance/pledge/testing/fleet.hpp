@@ -78,7 +78,7 @@ struct Fleet {
         places[i] = last_ways[i].at(time);
       }
       const bool rests = (places[i] - members[i].own().anchor).norm() <= 1.0;
-      members[i].take_turns(time, turn_period, true, rests);
+      members[i].take_turns(time, period, turn_period, true, rests);
     }
     for (std::size_t i = 0; i < members.size(); ++i)
       for (std::size_t j = 0; j < i; ++j) least = std::min(least, (places[i] - places[j]).norm());
