@@ -121,6 +121,7 @@ class Agreement {
   std::array<Reference, most_members> ways_of_others() const noexcept;
   Clearance scene_of(const Plan& plan) const noexcept;
   double next_gate() const noexcept;
+  const Speech* passed_on(double now, double turn_period) const noexcept;
   Members everyone() const noexcept { return Members{(1U << count_) - 1U}; }
   bool is_done_here(std::size_t i) const noexcept;
   bool is_group_busy(double now, double turn_period) const noexcept;
@@ -148,6 +149,12 @@ class Agreement {
   std::array<std::optional<Knot>, most_members> ends_{};     ///< of who departed by a way without gates
   std::array<double, most_members> last_heard_ = not_yet();  ///< when what was heard last was said [s]
   std::array<Members, most_members> heard_by_{};             ///< whose states each of them has
+  std::array<double, most_members> known_since_{};           ///< of whose states have been heard [s]
+  struct Said {
+    Speech speech{};
+    double sent{};  ///< [s]
+  };
+  std::array<Said, most_members> said_{};  ///< of itself, by whom last
 
   // the newest plan
   Plan plan_{};

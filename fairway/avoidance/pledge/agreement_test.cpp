@@ -111,6 +111,15 @@ TEST(Agreement, WhereHalfIsLostAndThereIsPatienceHardlyAnyGroupIsDivided) {
   EXPECT_LE(divided, 1) << "five in a hundred and more, if they acknowledged to the last moment";
 }
 
+/// Two of three who are out of each other's reach, and one between them.
+TEST(Agreement, WhoDoesNotHearSomebodyIsToldItsStateByWhoDoes) {
+  Fleet fleet{three_in_a_plane(), 3.0};
+  const auto by_the_middle = [](std::size_t from, std::size_t to) { return from == 1 || to == 1; };
+  while (!fleet.is_done() && fleet.time < 900.0) fleet.go_on(by_the_middle);
+  EXPECT_TRUE(fleet.is_done());
+  EXPECT_GT(fleet.least, 3.0);
+}
+
 TEST(Agreement, NobodyAcknowledgesWhatNotAllMightHearOf) {
   Fleet fleet{three_in_a_plane(), 3.0}, before = fleet;
   while (std::ranges::none_of(fleet.members, has_plan)) {

@@ -6,6 +6,13 @@
 #include "fairway/avoidance/pledge/agreement.hpp"
 
 namespace fairway::pledge {
+namespace {
+
+constexpr double long_unheard = 6.0;     // turns after which a state is passed on to who has not heard it
+constexpr double longest_kept = 100.0;   // an older word is not passed on [s]
+constexpr std::int64_t passes_each = 3;  // turns, of which one is for passing on
+
+}  // namespace
 
 bool Agreement::hear(const Speech& speech, double now) noexcept {
   const std::optional<Word> word = decode(speech, terms_.datum, now);
@@ -24,7 +31,9 @@ bool Agreement::hear(const Speech& speech, double now) noexcept {
   if (const auto* state = std::get_if<StateWord>(&*word)) {
     members_[from] = state->member;
     if (header.status == Status::lost) members_[from].radius += wandering;
+    if (!known_[from]) known_since_[from] = now;
     known_.set(from);
+    said_[from] = {speech, header.sent};
     settled_[from] = header.status == Status::arrived;
   } else {
     learn(std::get<PlanWord>(*word));
@@ -64,7 +73,26 @@ void Agreement::learn(const PlanWord& word) noexcept {
   search_.reset();
 }
 
+/// In some turns: the state of somebody whom another has not heard for long, in the very bytes that it said.
+/// For all who hear it that is a word that took longer.
+const Speech* Agreement::passed_on(double now, double turn_period) const noexcept {
+  const auto turn = static_cast<std::int64_t>(std::floor(now / turn_period));
+  if (turn % passes_each != 0) return nullptr;
+  for (std::size_t k = 0; k < count_; ++k) {
+    const std::size_t of = (static_cast<std::size_t>(turn / passes_each) + k) % count_;
+    if (of == self_ || !known_[of] || said_[of].sent < now - longest_kept ||
+        now < known_since_[of] + long_unheard * turn_period)
+      continue;
+    for (std::size_t to = 0; to < count_; ++to)
+      if (to != self_ && to != of && known_[to] && !heard_by_[to][of]) return &said_[of].speech;
+  }
+  return nullptr;
+}
+
 Speech Agreement::say(double now, double turn_period) const noexcept {
+  if (status_ != Status::lost && !is_news(now, turn_period)) {
+    if (const Speech* other = passed_on(now, turn_period)) return *other;
+  }
   const bool is_forgotten = now > plan_.start() + soonest_forgotten;
   const Header header{.sender = static_cast<std::uint8_t>(vehicle_),
                       .round = others_.rounds.told(),
