@@ -79,10 +79,14 @@ struct Surroundings {
 
 }  // namespace
 
-Aim aim_of(const Agreement& agreement, const Vec3& goal, const Chart& chart, const Limits& limits) noexcept {
+Aim aim_of(const Agreement& agreement, const Vec3& goal, const Chart& chart, const Limits& limits,
+           bool stuck) noexcept {
   const Surroundings about{agreement, chart, limits};
   const Vec3& anchor = agreement.own().anchor;
-  if (!Surroundings::is_in(chart.held(), goal, about.berth_of_own())) return {Aim::Kind::goal, goal};
+  if (!Surroundings::is_in(chart.held(), goal, about.berth_of_own())) {
+    const std::optional<Vec3> other = stuck ? about.free_place_about(anchor) : std::nullopt;
+    return other ? Aim{Aim::Kind::aside, *other} : Aim{Aim::Kind::goal, goal};
+  }
   if (!about.is_wanted(anchor, 0.0)) return {Aim::Kind::none, anchor};
   std::optional<Vec3> place = about.free_place_about(goal);
   if (!place) place = about.free_place_about(anchor);

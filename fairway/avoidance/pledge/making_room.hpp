@@ -17,10 +17,12 @@ struct Aim {
   Vec3 place = Vec3::Zero();  ///< to which it goes [m, NED]
 };
 
-/// The aim of own ship, which lies at its anchor and is to go to `goal` [m, NED]. Where it goes aside, that
-/// is to a free place near its goal, or else near its anchor, within the depths of `limits`; to stay where
-/// there is none. Two groups that have each other's places so get to them in three rounds. O(vehicles +
-/// obstacles).
-Aim aim_of(const Agreement& agreement, const Vec3& goal, const Chart& chart, const Limits& limits) noexcept;
+/// The aim of own ship, which lies at its anchor and is to go to `goal` [m, NED]. Who is `stuck`, since in
+/// some rounds no plan led it there, goes aside too, near its anchor: it may be in the only way of another.
+/// Where it goes aside, that is to a free place near its goal, or else near its anchor, within the depths of
+/// `limits`; to stay where there is none. Two groups that have each other's places so get to them in three
+/// rounds. O(vehicles + obstacles).
+Aim aim_of(const Agreement& agreement, const Vec3& goal, const Chart& chart, const Limits& limits,
+           bool stuck = false) noexcept;
 
 }  // namespace fairway::pledge

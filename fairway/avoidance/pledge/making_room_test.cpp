@@ -73,6 +73,14 @@ TEST(MakingRoom, AMateThatIsToGoToOnesPlaceIsMadeRoomForToo) {
   EXPECT_EQ(nine.aim().kind, Aim::Kind::aside);
 }
 
+TEST(MakingRoom, WhoIsStuckGoesAsideNearWhereItLies) {
+  Nine nine;
+  const Agreement own = nine.heard();
+  const Aim aim = aim_of(own, nine.all[0].destination, own.chart({}, nine.room), nine.limits, true);
+  ASSERT_EQ(aim.kind, Aim::Kind::aside);
+  EXPECT_LT((aim.place - nine.all[0].anchor).norm(), 8.0);
+}
+
 TEST(MakingRoom, NobodyGoesAsideAboveTheSurfaceOrIntoWhatStands) {
   Nine nine;
   nine.all[0] = crossing({0, 0, 2}, {0, 40, 2});

@@ -21,6 +21,7 @@ constexpr double soon = 8.0;          // within it nobody who is lost may come n
 constexpr double threatened = 12.0;   // likewise a member that is held [s]
 constexpr int most_losses = 1;        // after which a member that is lost again is so for good
 constexpr double aside_within = 0.5;  // of a place to which a member goes aside it comes [m]
+constexpr int patient_rounds = 2;     // without a plan, before a member goes aside
 constexpr double at_rest = 0.05;      // slower than this a member is held [m/s]
 constexpr double settling = 4.0;      // for so long, before who was lost is held again [s]
 
@@ -158,10 +159,16 @@ void Pledge::aim(const Situation& s, const pledge::Chart& chart, Memory& memory)
                           rounds.round() > memory.aimed_round && agreement.status() == pledge::Status::held;
   if (!can_choose) return;
   memory.aimed_round = rounds.round();
-  const pledge::Aim aim = pledge::aim_of(agreement, s.goal.position, chart, s.limits);
+  const Vec3& anchor = agreement.own().anchor;
+  memory.idle_rounds = (anchor - memory.aimed_from).norm() < 1.0 ? memory.idle_rounds + 1 : 0;
+  memory.aimed_from = anchor;
+  // not all who are stuck at once
+  const auto own_round = static_cast<std::size_t>(rounds.round()) / rounds.groups().count();
+  const bool is_stuck = memory.idle_rounds >= patient_rounds && (own_round + agreement.self()) % 2 == 0;
+  const pledge::Aim aim = pledge::aim_of(agreement, s.goal.position, chart, s.limits, is_stuck);
   memory.waits = aim.kind == pledge::Aim::Kind::none;
   Member member = pledge::member_of(s, params.speed_ratio);
-  member.anchor = agreement.own().anchor;
+  member.anchor = anchor;
   const bool aside = aim.kind == pledge::Aim::Kind::aside;
   if (aside) {
     member.destination = aim.place;

@@ -57,9 +57,11 @@ struct Pledge {
 
   struct Memory {
     bool begun{false};
-    std::int64_t aimed_round{-1};  ///< the last one in which it chose where to go
-    bool waits{false};             ///< it has chosen to stay for this round
-    double moved{};                ///< when it was not at rest, since it was lost [s]
+    std::int64_t aimed_round{-1};    ///< the last one in which it chose where to go
+    Vec3 aimed_from = Vec3::Zero();  ///< where it lay then [m, NED]
+    int idle_rounds{};               ///< of its own, since it lay elsewhere
+    bool waits{false};               ///< it has chosen to stay for this round
+    double moved{};                  ///< when it was not at rest, since it was lost [s]
     double turn_period{};
     double time{};
     Vec3 stay = Vec3::Zero();  ///< where a lost member holds [m, NED]
