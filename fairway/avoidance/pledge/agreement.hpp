@@ -133,13 +133,12 @@ class Agreement {
   std::size_t vehicle_{}, self_{};   ///< its numbers among all, and in its group
   std::size_t count_{most_members};  ///< members of its group
   Status status_{Status::held};
+  bool aside_{false};  ///< its destination is not that of its mission
 
   // of other groups, and of the round
   OtherGroups others_{};
   double entered_ = -std::numeric_limits<double>::infinity();  ///< when it came to this round [s]
-  bool aside_{false};                                          ///< its destination is not that of its mission
   double used_ = -std::numeric_limits<double>::infinity();     ///< until when the round was of use [s]
-  int plans_{};                                                ///< that it has known in this round
 
   // of everybody
   std::array<Member, most_members> members_{};
@@ -164,6 +163,7 @@ class Agreement {
   Epoch acknowledged_epoch_{};  ///< the newest that own ship has acknowledged
   Epoch refused_epoch_{};       ///< the newest that it has looked at and not acknowledged
   int attempts_{};              ///< plans that came to nothing
+  int plans_{};                 ///< that it has known in this round
 
   // own way
   Reference way_{};

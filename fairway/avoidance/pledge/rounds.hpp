@@ -38,7 +38,7 @@ struct Groups {
 /// O(vehicles) a call; nothing allocates or throws.
 class Rounds {
  public:
-  static constexpr std::uint8_t modulus = 4;
+  static constexpr std::int64_t modulus = 4;
 
   Rounds() = default;
   Rounds(std::size_t self, const Groups& groups) noexcept;
