@@ -8,6 +8,7 @@
 #include "fairway/avoidance/catalog.hpp"
 #include "fairway/avoidance/orca2d/orca2d.hpp"
 #include "fairway/avoidance/orca3d/orca3d.hpp"
+#include "fairway/avoidance/testing/boat.hpp"
 #include "fairway/avoidance/testing/encounters.hpp"
 
 namespace fairway {
@@ -56,6 +57,17 @@ void avoider(benchmark::State& bench, const char* name, Scene scene) {
   run(bench, scene, [&](const Situation& s) { return avoider.decide(s); });
 }
 
+/// The same on a boat that must turn, whose envelope is known.
+void on_a_boat(benchmark::State& bench, const char* name, Scene scene) {
+  static const Envelope boat = encounters::of_a_boat();
+  Avoider avoider = builtin_avoiders().make(name);
+  run(bench, scene, [&](Situation s) {
+    s.envelope = &boat;
+    s.limits.sway = false;
+    return avoider.decide(s);
+  });
+}
+
 BENCHMARK_CAPTURE(orca3d, crowd, encounters::crowd)->Arg(7);
 BENCHMARK_CAPTURE(orca3d, congested, encounters::congested)->Arg(7);
 BENCHMARK_CAPTURE(avoider, orca3d_crowd, "orca3d", encounters::crowd)->Arg(7)->Arg(20)->Arg(100)->Arg(500);
@@ -81,6 +93,13 @@ BENCHMARK_CAPTURE(avoider, bvc_crowd, "bvc", encounters::crowd)->Arg(7)->Arg(20)
 BENCHMARK_CAPTURE(avoider, bvc_congested, "bvc", encounters::congested)->Arg(7)->Arg(20)->Arg(50);
 BENCHMARK_CAPTURE(avoider, hrvo_crowd, "hrvo", encounters::crowd)->Arg(7)->Arg(20)->Arg(50);
 BENCHMARK_CAPTURE(avoider, hrvo_congested, "hrvo", encounters::congested)->Arg(7)->Arg(20)->Arg(50);
+
+BENCHMARK_CAPTURE(on_a_boat, direct_crowd, "direct+trackable", encounters::crowd)->Arg(7);
+BENCHMARK_CAPTURE(on_a_boat, direct_congested, "direct+trackable", encounters::congested)->Arg(7);
+BENCHMARK_CAPTURE(on_a_boat, orca2d_crowd, "orca2d+trackable", encounters::crowd)->Arg(7);
+BENCHMARK_CAPTURE(on_a_boat, orca2d_congested, "orca2d+trackable", encounters::congested)->Arg(7);
+BENCHMARK_CAPTURE(on_a_boat, hrvo_crowd, "hrvo+trackable", encounters::crowd)->Arg(7);
+BENCHMARK_CAPTURE(on_a_boat, hrvo_congested, "hrvo+trackable", encounters::congested)->Arg(7);
 
 /// The same swarms in the horizontal plane.
 template <Scene scene>

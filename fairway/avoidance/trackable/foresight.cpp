@@ -15,6 +15,7 @@ constexpr double kept_of_lost = 0.9;    // of what is left of a margin
 constexpr double most_crab_sine = 0.7;  // of the angle that is headed up into the drift
 constexpr double least_lag = 0.02;      // [s]
 constexpr double least_drift = 0.03;    // slower is none [m/s]
+constexpr double least_rounding = 1.0 + 1e-12;
 
 double squared(double x) { return x * x; }
 
@@ -48,6 +49,9 @@ Foresight::Foresight(const TurnLaw& law, const Situation& s, const Outlook& outl
       turn_share_{1.0 - math::exp(-step_ / std::max(law.envelope().turn_lag, least_lag))},
       surge_share_{1.0 - math::exp(-step_ / std::max(law.envelope().surge_lag, least_lag))},
       sway_share_{1.0 - math::exp(-step_ / std::max(law.envelope().sway_lag, least_lag))},
+      most_turn_{law.envelope().turn_acceleration * step_},
+      most_faster_{law.envelope().acceleration * step_},
+      most_slower_{law.envelope().deceleration * step_},
       hold_steps_{
           std::clamp<std::size_t>(static_cast<std::size_t>(std::ceil(outlook.hold / step_)), 1, steps)},
       room_now_{std::numeric_limits<double>::infinity()} {
@@ -123,9 +127,8 @@ TurnOrder Foresight::order(const Plan& plan) const noexcept {
 void Foresight::advance(Motion& m, const TurnOrder& order) const noexcept {
   const Envelope& can = law_.envelope();
   const double rate = m.turn_rate, speed = m.speed;
-  m.turn_rate = towards(rate, order.turn_rate, turn_share_, -can.turn_acceleration * step_,
-                        can.turn_acceleration * step_);
-  m.speed = towards(speed, order.surge, surge_share_, -can.deceleration * step_, can.acceleration * step_);
+  m.turn_rate = towards(rate, order.turn_rate, turn_share_, -most_turn_, most_turn_);
+  m.speed = towards(speed, order.surge, surge_share_, -most_slower_, most_faster_);
 
   // half the turn, the way, the other half
   const double half = 0.25 * step_ * (rate + m.turn_rate);
@@ -197,6 +200,7 @@ double Foresight::room_of(const Plan& plan, double too_little) const noexcept {
       const Vec2 p = m.position - static_cast<double>(k + 1) * step_ * hazard.velocity;
       const double d2 =
           hazard.is_disc ? (p - hazard.from).squaredNorm() : distance2(hazard.from, hazard.to, p);
+      if (d2 > least_rounding * squared(std::max(0.0, room + hazard.contact))) continue;
       room = std::min(room, std::sqrt(d2) - hazard.contact);
     }
   }

@@ -109,6 +109,7 @@ class Foresight {
   double own_radius_;
   double step_;
   double turn_share_, surge_share_, sway_share_;  // of the way to what is ordered, gone in a step
+  double most_turn_, most_faster_, most_slower_;  // by which turn rate and speed change in a step
   std::size_t hold_steps_;
   double reach_;
   double room_now_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+
 #include "fairway/core/envelope.hpp"
 #include "fairway/core/math.hpp"
 #include "fairway/core/vec.hpp"
@@ -26,19 +28,29 @@ class TurnLaw {
   TurnLaw(const Envelope& envelope, double max_turn_rate) noexcept;
 
   /// Where a course needs `error` [rad] more to starboard, at `speed` [m/s] through the water.
-  double turn_rate(double error, double speed) const noexcept;
+  double turn_rate(double error, double speed) const noexcept {
+    const double most = greatest_turn_rate(speed);
+    return std::clamp(gain_ * error, -most, most);
+  }
 
   /// Speed ahead [m/s], of the `wanted` one; `along` is the cosine of the angle by which the heading is off.
-  double surge(double wanted, double along) const noexcept;
+  double surge(double wanted, double along) const noexcept {
+    const double share = std::max(0.0, along);
+    return std::max(wanted * share * share, envelope_->least);
+  }
 
   TurnOrder order(double wanted, double error, double speed) const noexcept {
     return {surge(wanted, math::cos(error)), turn_rate(error, speed)};
   }
 
   const Envelope& envelope() const noexcept { return *envelope_; }
-  double greatest_turn_rate(double speed) const noexcept;
+  double greatest_turn_rate(double speed) const noexcept {
+    return std::min(turn_share * envelope_->turn_rate(speed), max_turn_rate_);
+  }
 
  private:
+  static constexpr double turn_share = 0.9;  // of the greatest turn rate
+
   const Envelope* envelope_;
   double max_turn_rate_;
   double gain_;

@@ -45,6 +45,27 @@ Crossings circle_with_circle(const Boundary& a, const Boundary& b) {
 
 }  // namespace
 
+void Stretch::keep_positive(double offset, double slope) noexcept {
+  const double end = -offset / slope;
+  if (slope > 0.0) {
+    from = std::max(from, end);
+  } else if (slope < 0.0) {
+    to = std::min(to, end);
+  } else if (!(offset > 0.0)) {
+    to = from;
+  }
+}
+
+void Stretch::keep_disc(const Boundary& line, const Vec2& centre, double radius) noexcept {
+  const Vec2 out = centre - line.point;
+  const double along = out.dot(line.direction);
+  const double across = cross(line.direction, out);
+  const double half2 = radius * radius - across * across;
+  const double half = radius > 0.0 && half2 > 0.0 ? std::sqrt(half2) : 0.0;
+  from = std::max(from, along - half);
+  to = std::min(to, along + half);
+}
+
 Vec2 nearest_on_segment(const Vec2& a, const Vec2& b, const Vec2& v) noexcept {
   const Vec2 ab = b - a;
   const double length2 = ab.squaredNorm();

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 
 #include "fairway/core/vec.hpp"
 
@@ -23,6 +24,18 @@ struct Boundary {
   static Boundary line(const Vec2& point, const Vec2& direction) { return {point, direction, 0.0}; }
   static Boundary circle(const Vec2& centre, double radius) { return {centre, Vec2::Zero(), radius}; }
   bool is_line() const { return direction != Vec2::Zero(); }
+};
+
+/// A part of a line, by how far its ends are from the line's point along its direction [m/s].
+struct Stretch {
+  double from = -std::numeric_limits<double>::infinity();
+  double to = std::numeric_limits<double>::infinity();
+
+  bool is_empty() const { return !(from < to); }
+  /// Cuts off where `offset` + `slope` t is not positive.
+  void keep_positive(double offset, double slope) noexcept;
+  /// Cuts off what is outside of a disc.
+  void keep_disc(const Boundary& line, const Vec2& centre, double radius) noexcept;
 };
 
 /// None, one or two points where boundaries meet.

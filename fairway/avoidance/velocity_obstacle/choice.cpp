@@ -9,14 +9,16 @@
 #include <utility>
 
 #include "fairway/core/angles.hpp"
+#include "fairway/core/math.hpp"
 
 namespace fairway::velocity_obstacle {
 namespace {
 
-/// A boundary, and how far v_d is from it.
+/// A boundary, and where it is nearest to v_d.
 struct Candidate {
   Boundary boundary;
-  double distance;
+  Vec2 nearest;
+  double distance;  ///< of `nearest` from v_d [m/s]
   std::size_t order;
 };
 
@@ -27,13 +29,34 @@ constexpr std::size_t max_candidates =
 constexpr int rings = 8;
 constexpr int spokes = 32;
 
+const std::array<math::SinCos, spokes> spoke_angles = [] {
+  std::array<math::SinCos, spokes> all;
+  for (int spoke = 0; spoke < spokes; ++spoke) all[spoke] = math::sin_cos(2.0 * pi * spoke / spokes);
+  return all;
+}();
+
 /// Rounding, as part of the largest speed that matters.
 constexpr double rounding = 1e-9;
 
+/// What is this much deeper in an obstacle than the slack is in it whatever rounding does, as part of the
+/// lengths that enter.
+constexpr double certain = 1e-6;
+
 /// By more than rounding.
 bool is_to_port(const Wish& wish, const Vec2& v) {
-  return cross(wish.ahead, v) < -rounding * (v.norm() + wish.velocity.norm());
+  const double across = cross(wish.ahead, v);
+  return across < 0.0 && across < -rounding * (v.norm() + wish.velocity.norm());
 }
+
+/// When a velocity has its turn to be tried: by the distance from v_d of what it comes from, then as listed.
+struct Turn {
+  double distance;
+  std::size_t order;
+  std::size_t part;
+  friend auto operator<=>(const Turn&, const Turn&) = default;
+};
+
+constexpr std::size_t nobody = max_obstacles;
 
 /// One decision: what is tried, and the best of it so far.
 class Search {
@@ -48,17 +71,17 @@ class Search {
 
   /// Tries v_d and all that can be nearest to it. False if nothing keeps clear of all.
   bool find_nearest() {
-    const auto consider = [&](const Vec2& v) { consider_clear(v); };
-    consider(wish_.velocity);
+    consider_clear(wish_.velocity);
     if (is_found()) return true;
 
     collect_boundaries();
-    consider(reachable_.middle());
-    consider(Vec2::Zero());
-    for (const Candidate& candidate : candidates()) consider(nearest(candidate.boundary, wish_.velocity));
-    for (std::size_t i = 0; i < count_ && candidates_[i].distance <= best_cost_; ++i) {
+    consider_clear(reachable_.middle());
+    consider_clear(Vec2::Zero());
+    for (const Candidate& candidate : candidates()) consider_clear(candidate.nearest);
+    collect_seen();
+    for (std::size_t i = 0; i < seen_count_ && seen_[i]->distance <= best_cost_; ++i) {
       for (std::size_t j = 0; j < i; ++j) {
-        for (const Vec2& v : crossings(candidates_[i].boundary, candidates_[j].boundary)) consider(v);
+        for (const Vec2& v : crossings(seen_[i]->boundary, seen_[j]->boundary)) consider_clear(v);
       }
     }
     return is_found();
@@ -66,18 +89,21 @@ class Search {
 
   /// Tries samples, and where the boundaries are nearest to v_d or leave what is reachable.
   void find_least_bad() {
-    const auto consider = [&](const Vec2& v) { consider_any(v); };
-    consider(reachable_.middle());
-    consider(Vec2::Zero());
-    consider_rings();
+    const std::size_t worst = consider_any(reachable_.middle(), {-2.0, 0, 0});
+    consider_any(Vec2::Zero(), {-2.0, 1, 0});
     std::array<Boundary, ReachableSet::max_boundaries> rim;
     const std::size_t rim_count = reachable_.boundaries(rim);
     for (const Candidate& candidate : candidates()) {
-      consider(nearest(candidate.boundary, wish_.velocity));
+      Turn turn{candidate.distance, candidate.order, 0};
+      consider_any(candidate.nearest, turn);
       for (std::size_t k = 0; k < rim_count; ++k) {
-        for (const Vec2& v : crossings(candidate.boundary, rim[k])) consider(v);
+        for (const Vec2& v : crossings(candidate.boundary, rim[k])) {
+          ++turn.part;
+          consider_any(v, turn);
+        }
       }
     }
+    consider_rings(worst);
   }
 
   const Vec2& best() const { return best_; }
@@ -87,7 +113,6 @@ class Search {
 
   std::span<const Candidate> candidates() const { return {candidates_.data(), count_}; }
 
-  /// Nearest to v_d first.
   void collect_boundaries() {
     std::array<Boundary, VelocityObstacle::max_boundaries> own;
     for (const VelocityObstacle& obstacle : obstacles_) add(own, obstacle.boundaries(own));
@@ -96,31 +121,105 @@ class Search {
     // on either side of the course wanted, costs differ
     const std::array<Boundary, 1> course{Boundary::line(Vec2::Zero(), wish_.ahead)};
     add(course, course.size());
-    std::sort(candidates_.begin(), candidates_.begin() + static_cast<std::ptrdiff_t>(count_),
-              [](const Candidate& a, const Candidate& b) {
-                return std::tie(a.distance, a.order) < std::tie(b.distance, b.order);
-              });
   }
 
   void add(std::span<const Boundary> boundaries, std::size_t count) {
     for (std::size_t k = 0; k < count; ++k) {
-      const double distance = (nearest(boundaries[k], wish_.velocity) - wish_.velocity).norm();
-      candidates_[count_] = {boundaries[k], distance, count_};
+      const Vec2 point = nearest(boundaries[k], wish_.velocity);
+      candidates_[count_] = {boundaries[k], point, (point - wish_.velocity).norm(), count_};
       ++count_;
     }
   }
 
-  void consider_rings() {
+  /// The boundaries on which something may be better than the best so far, nearest to v_d first.
+  void collect_seen() {
+    for (const Candidate& candidate : candidates()) {
+      if (candidate.distance <= best_cost_ && !is_hidden(candidate.boundary))
+        seen_[seen_count_++] = &candidate;
+    }
+    std::sort(seen_.begin(), seen_.begin() + static_cast<std::ptrdiff_t>(seen_count_),
+              [](const Candidate* a, const Candidate* b) {
+                return std::tie(a->distance, a->order) < std::tie(b->distance, b->order);
+              });
+  }
+
+  /// Whether all of it that can be reached, and is not farther from v_d than the best so far, is in velocity
+  /// obstacles, rounding apart.
+  bool is_hidden(const Boundary& boundary) const {
+    const double margin = slack_ + certain * (1.0 + boundary.point.lpNorm<1>() + boundary.radius);
+    if (!boundary.is_line()) {
+      return std::ranges::any_of(obstacles_, [&](const VelocityObstacle& obstacle) {
+        return obstacle.holds_disc(boundary.point,
+                                   boundary.radius + margin + certain * obstacle.apex().lpNorm<1>());
+      });
+    }
+    const Boundary line = Boundary::line(nearest(boundary, Vec2::Zero()), boundary.direction);
+    Stretch rest = reachable_.stretch(line, margin);
+    if (is_found()) rest.keep_disc(line, wish_.velocity, best_cost_ + margin);
+    if (rest.is_empty()) return true;
+
+    // from one end of what is left to where it comes out of the obstacle that it is in
+    for (bool goes_on = true; goes_on;) {
+      goes_on = false;
+      for (const VelocityObstacle& obstacle : obstacles_) {
+        const Vec2 end = line.point + rest.from * line.direction;
+        const double deep = margin + certain * obstacle.apex().lpNorm<1>();
+        if (obstacle.depth(end) <= deep) continue;
+        const Stretch hidden = obstacle.stretch(line, deep);
+        if (hidden.from > rest.from || hidden.to <= rest.from) continue;
+        rest.from = hidden.to;
+        if (rest.is_empty()) return true;
+        goes_on = true;
+      }
+    }
+    return false;
+  }
+
+  /// `worst` is what keeps the middle from being the best.
+  void consider_rings(std::size_t worst) {
     const double reach = std::min(reachable_.max_change(),
                                   limit_or(reachable_.max_speed(), scale_) + reachable_.middle().norm());
-    for (int spoke = 0; spoke < spokes; ++spoke) {
-      const double angle = 2.0 * pi * spoke / spokes;
-      const Vec2 out = reach * fairway::turned(reachable_.bow(), angle);
-      for (int ring = 1; ring <= rings; ++ring) consider_any(reachable_.middle() + ring * out / rings);
+    for (std::size_t spoke = 0; spoke < spoke_angles.size(); ++spoke) {
+      const auto& [sine, cosine] = spoke_angles[spoke];
+      const Vec2 out = reach * turned(reachable_.bow(), cosine, sine);
+      consider_between(out, spoke, {0, worst}, {rings, consider_ring(out, spoke, rings)});
     }
   }
 
+  Vec2 on_ring(const Vec2& out, int ring) const { return reachable_.middle() + ring * out / rings; }
+
+  std::size_t consider_ring(const Vec2& out, std::size_t spoke, int ring) {
+    return consider_any(on_ring(out, ring), {-1.0, spoke, static_cast<std::size_t>(ring)});
+  }
+
+  /// A sample of a spoke, and the obstacle that keeps it from being the best.
+  struct Sample {
+    int ring;
+    std::size_t worst;
+  };
+
+  /// All samples of a spoke between two that were tried. The velocities that lead into an obstacle before a
+  /// certain time are convex: where it is too urgent at both ends it is so in between.
+  void consider_between(const Vec2& out, std::size_t spoke, const Sample& a, const Sample& b) {
+    if (b.ring - a.ring < 2 || is_too_urgent(a.worst, on_ring(out, b.ring)) ||
+        is_too_urgent(b.worst, on_ring(out, a.ring))) {
+      return;
+    }
+    const int ring = (a.ring + b.ring) / 2;
+    const Sample middle{ring, consider_ring(out, spoke, ring)};
+    consider_between(out, spoke, a, middle);
+    consider_between(out, spoke, middle, b);
+  }
+
+  bool is_too_urgent(std::size_t k, const Vec2& v) const {
+    if (k >= obstacles_.size()) return false;
+    const VelocityObstacle& obstacle = obstacles_[k];
+    return obstacle.depth(v) > slack_ + certain * (1.0 + obstacle.apex().lpNorm<1>()) &&
+           wish_.collision_weight * obstacle.urgency(v) > (1.0 + certain) * best_cost_;
+  }
+
   void consider_clear(const Vec2& v) {
+    if ((v - wish_.velocity).norm() > best_cost_) return;
     const double cost = wish_.cost(v);
     if (!precedes(v, cost) || !reachable_.contains(v, slack_)) return;
     if (!obstacles_.empty() && is_in(last_in_, v)) return;
@@ -133,24 +232,39 @@ class Search {
     take(v, cost);
   }
 
-  void consider_any(const Vec2& v) {
+  /// Answers with an obstacle that is by itself too urgent for this to be the best, or nobody.
+  std::size_t consider_any(const Vec2& v, const Turn& turn) {
+    if (is_too_urgent(last_in_, v)) return last_in_;
+    if ((v - wish_.velocity).norm() > best_cost_) return nobody;
     const double deviation = wish_.cost(v);
-    if (!precedes(v, deviation) || !reachable_.contains(v, slack_)) return;
+    if (!precedes(v, deviation, turn) || !reachable_.contains(v, slack_)) return nobody;
     double cost = deviation;
-    for (std::size_t k = 0; k < obstacles_.size() && cost <= best_cost_; ++k) {
-      if (is_in(k, v)) cost = std::max(cost, deviation + wish_.collision_weight * obstacles_[k].urgency(v));
+    for (std::size_t k = 0; k < obstacles_.size(); ++k) {
+      if (!is_in(k, v)) continue;
+      cost = std::max(cost, deviation + wish_.collision_weight * obstacles_[k].urgency(v));
+      if (cost <= best_cost_) continue;
+      last_in_ = k;
+      return is_too_urgent(k, v) ? k : nobody;
     }
-    if (precedes(v, cost)) take(v, cost);
+    if (precedes(v, cost, turn)) {
+      take(v, cost);
+      turn_ = turn;
+    }
+    return nobody;
   }
 
   bool is_in(std::size_t obstacle, const Vec2& v) const { return obstacles_[obstacle].depth(v) > slack_; }
 
   /// Less cost; of equal cost the one more to starboard, then the one more ahead.
   bool precedes(const Vec2& v, double cost) const {
-    if (cost != best_cost_) return cost < best_cost_;
-    const auto rank = [&](const Vec2& u) { return std::pair{cross(wish_.ahead, u), wish_.ahead.dot(u)}; };
-    return rank(v) > rank(best_);
+    return cost < best_cost_ || (cost == best_cost_ && rank(v) > rank(best_));
   }
+  /// Then the one whose turn is first.
+  bool precedes(const Vec2& v, double cost, const Turn& turn) const {
+    return precedes(v, cost) || (cost == best_cost_ && rank(v) == rank(best_) && turn < turn_);
+  }
+
+  std::pair<double, double> rank(const Vec2& v) const { return {cross(wish_.ahead, v), wish_.ahead.dot(v)}; }
 
   void take(const Vec2& v, double cost) {
     best_ = v;
@@ -164,8 +278,11 @@ class Search {
   double slack_;  ///< [m/s]
   std::array<Candidate, max_candidates> candidates_;
   std::size_t count_ = 0;
+  std::array<const Candidate*, max_candidates> seen_;
+  std::size_t seen_count_ = 0;
   std::size_t last_in_ = 0;  ///< of the obstacles; likely to be in the way of what is tried next too
   Vec2 best_ = Vec2::Zero();
+  Turn turn_{};  ///< of the best
   double best_cost_ = std::numeric_limits<double>::infinity();
 };
 

@@ -53,6 +53,21 @@ bool ReachableSet::contains(const Vec2& v, double slack) const noexcept {
          is_within_turn(v, slack) && makes_way(v, slack);
 }
 
+Stretch ReachableSet::stretch(const Boundary& line, double slack) const noexcept {
+  Stretch stretch;
+  if (max_speed_ < Limits::none) stretch.keep_disc(line, Vec2::Zero(), max_speed_ + slack);
+  if (max_change_ < Limits::none) stretch.keep_disc(line, middle_, max_change_ + slack);
+  if (!turns_freely_ && turn_cosine_ >= 0.0) {
+    // between the rays of the turn
+    const Vec2 to_port = starboard_of(turned(bow_, turn_cosine_, -turn_sine_));
+    const Vec2 to_starboard = -starboard_of(turned(bow_, turn_cosine_, turn_sine_));
+    stretch.keep_positive(line.point.dot(to_port) + slack, line.direction.dot(to_port));
+    stretch.keep_positive(line.point.dot(to_starboard) + slack, line.direction.dot(to_starboard));
+  }
+  if (only_ahead_) stretch.keep_positive(line.point.dot(bow_) + slack, line.direction.dot(bow_));
+  return stretch;
+}
+
 std::size_t ReachableSet::boundaries(std::span<Boundary, max_boundaries> out) const noexcept {
   std::size_t count = 0;
   if (max_speed_ < Limits::none) out[count++] = Boundary::circle(Vec2::Zero(), max_speed_);

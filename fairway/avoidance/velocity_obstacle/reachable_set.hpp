@@ -23,6 +23,9 @@ class ReachableSet {
   /// With `slack` [m/s] to every side. O(1).
   bool contains(const Vec2& v, double slack) const noexcept;
 
+  /// A part of a line that holds all of it that is in the set with that slack [m/s]. O(1).
+  Stretch stretch(const Boundary& line, double slack) const noexcept;
+
   static constexpr std::size_t max_boundaries = 6;
   std::size_t boundaries(std::span<Boundary, max_boundaries> out) const noexcept;
 

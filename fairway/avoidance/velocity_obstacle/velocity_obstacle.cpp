@@ -58,7 +58,8 @@ VelocityObstacle::VelocityObstacle(const RelativeCapsule& solid, const Horizons&
       radius_{solid.radius},
       inverse_horizon_{1.0 / outlook.horizon},
       inverse_interval_{1.0 / outlook.interval},
-      gain_{1.0} {
+      gain_{1.0},
+      is_disc_{from_ == to_} {
   const Vec2 p = nearest_on_segment(from_, to_, Vec2::Zero());
   const double d = p.norm();
   overlaps_ = solid.within || d <= radius_ * (1.0 + in_line);
@@ -113,9 +114,47 @@ double VelocityObstacle::depth(const Vec2& v) const noexcept {
   if (overlaps_) return rate_ - w.dot(away_);
 
   // before the cut: the nearest of what is left of the cone is where the solid looks at us
-  const Vec2 out = w - nearest_on_segment(near_end(), far_end(), w);
+  const Vec2 out = w - (is_disc_ ? near_end() : nearest_on_segment(near_end(), far_end(), w));
   if (out.dot(port_) <= 0.0 && out.dot(starboard_) <= 0.0) return radius_ * inverse_horizon_ - out.norm();
   return std::min(cross(port_, w), cross(w, starboard_));
+}
+
+Stretch VelocityObstacle::stretch(const Boundary& line, double margin) const noexcept {
+  const Vec2 w = line.point - apex_;
+  const Vec2& d = line.direction;
+  Stretch stretch;
+  if (overlaps_) {
+    stretch.keep_positive(rate_ - w.dot(away_) - margin, -d.dot(away_));
+    return stretch;
+  }
+
+  // between the legs, beyond where the cut touches them
+  stretch.keep_positive(cross(port_, w) - margin, cross(port_, d));
+  stretch.keep_positive(cross(w, starboard_) - margin, cross(d, starboard_));
+  if (stretch.is_empty()) return stretch;
+  const double radius = radius_ * inverse_horizon_;
+  const Vec2 near = near_end();
+  if (is_disc_) {
+    const double tangent2 = near.squaredNorm() - radius * radius;
+    if (tangent2 > 0.0) stretch.keep_positive(w.dot(near) - tangent2 - margin * near.norm(), d.dot(near));
+    Stretch cut;
+    cut.keep_disc({line.point - apex_, d, 0.0}, near, radius - margin);
+    if (cut.is_empty()) return stretch;
+    if (stretch.is_empty()) return cut;
+    return {std::min(cut.from, stretch.from), std::max(cut.to, stretch.to)};
+  }
+  const Vec2 along = port_ + starboard_;
+  const double cut = std::max(near.dot(along), far_end().dot(along));
+  stretch.keep_positive(w.dot(along) - cut - margin, d.dot(along));
+  return stretch;
+}
+
+bool VelocityObstacle::holds_disc(const Vec2& centre, double radius) const noexcept {
+  if (depth(centre) <= radius) return false;
+  if (overlaps_ || is_disc_) return true;
+  const Vec2 along = port_ + starboard_;
+  const double cut = std::max(near_end().dot(along), far_end().dot(along));
+  return (centre - apex_).dot(along) - cut > radius * along.norm();
 }
 
 double VelocityObstacle::urgency(const Vec2& v) const noexcept {
@@ -124,8 +163,9 @@ double VelocityObstacle::urgency(const Vec2& v) const noexcept {
     const double missing = gain_ * rate_ - w.dot(away_);
     return missing > 0.0 ? inverse_interval_ + missing / std::max(radius_, in_line) : 0.0;
   }
-  const double ends = std::max(urgency_of_disc(from_, radius_, w), urgency_of_disc(to_, radius_, w));
-  return std::max(ends, urgency_of_side(from_, to_, radius_, w));
+  const double at_from = urgency_of_disc(from_, radius_, w);
+  if (is_disc_) return at_from;
+  return std::max({at_from, urgency_of_disc(to_, radius_, w), urgency_of_side(from_, to_, radius_, w)});
 }
 
 std::size_t VelocityObstacle::boundaries(std::span<Boundary, max_boundaries> out) const noexcept {
@@ -137,7 +177,7 @@ std::size_t VelocityObstacle::boundaries(std::span<Boundary, max_boundaries> out
   out[0] = Boundary::line(apex_, port_);
   out[1] = Boundary::line(apex_, starboard_);
   out[2] = Boundary::circle(apex_ + near_end(), radius);
-  if (from_ == to_) return 3;
+  if (is_disc_) return 3;
 
   out[3] = Boundary::circle(apex_ + far_end(), radius);
   const Vec2 normal = facing(from_, to_);

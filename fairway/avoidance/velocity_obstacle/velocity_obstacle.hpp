@@ -65,6 +65,13 @@ class VelocityObstacle {
   /// everywhere; the distance to the boundary where one of its parts is nearest from both sides. O(1).
   double depth(const Vec2& v) const noexcept;
 
+  /// A stretch of the line that is deeper than `margin` [m/s]: all of it of a disc's, less where the cut of a
+  /// wall is met. O(1).
+  Stretch stretch(const Boundary& line, double margin) const noexcept;
+
+  /// Whether a disc of velocities is all inside; false too where that is not sure, next to the cut of a wall.
+  bool holds_disc(const Vec2& centre, double radius) const noexcept;
+
   /// 1 / t of the first contact if own ship goes on at `v` (at 2 v - v_u in RVO and HRVO), 0 if there is
   /// none, and at least 1 / interval where it overlaps already and does not get apart within it. [1/s] O(1).
   double urgency(const Vec2& v) const noexcept;
@@ -99,6 +106,7 @@ class VelocityObstacle {
   double gain_;
   double rate_;  ///< [m/s]
   bool overlaps_;
+  bool is_disc_;
 };
 
 }  // namespace fairway::velocity_obstacle
