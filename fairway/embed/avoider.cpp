@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "fairway/avoidance/catalog.hpp"
+#include "fairway/core/envelope_numbers.hpp"
 #include "fairway/core/text.hpp"
 #include "fairway/embed/nearest.hpp"
 
@@ -82,6 +83,24 @@ fairway::OnboardModel converted(const OnboardModel& model) {
           .greatest = wrench(model.greatest)};
 }
 
+fairway::Envelope converted(const Envelope& envelope) {
+  return {.ahead = envelope.ahead,
+          .astern = envelope.astern,
+          .sideways = envelope.sideways,
+          .up = envelope.up,
+          .down = envelope.down,
+          .least = envelope.least,
+          .acceleration = envelope.acceleration,
+          .deceleration = envelope.deceleration,
+          .surge_lag = envelope.surge_lag,
+          .turn_acceleration = envelope.turn_acceleration,
+          .turn_lag = envelope.turn_lag,
+          .pivot = envelope.pivot,
+          .sway_lag = envelope.sway_lag,
+          .turn_rates = envelope.turn_rates,
+          .following_errors = envelope.following_errors};
+}
+
 Command converted(const fairway::Command& command, std::size_t left_out) {
   Command c;
   c.velocity = triple(command.velocity);
@@ -111,18 +130,30 @@ bool has_what_it_counts(const Situation& s) {
                      [](const Obstacle& o) { return o.vertices != nullptr || vertex_count(o) == 0; });
 }
 
+/// "name=value" in two.
+std::pair<std::string, std::string> named(const std::string& setting) {
+  const std::size_t equals = setting.find('=');
+  if (equals == std::string::npos || equals == 0) {
+    throw InputError("setting \"" + setting + "\": expected name=value");
+  }
+  return {setting.substr(0, equals), setting.substr(equals + 1)};
+}
+
+Command standstill(std::string_view why) {
+  Command command;
+  command.mode = Mode::infeasible;
+  command.note = why;
+  return command;
+}
+
 ParamValues values_of(const std::vector<std::string>& settings) {
   ParamValues values;
   for (const std::string& setting : settings) {
-    const std::size_t equals = setting.find('=');
-    if (equals == std::string::npos || equals == 0) {
-      throw InputError("setting \"" + setting + "\": expected name=value");
-    }
-    const std::string name = setting.substr(0, equals);
+    const auto [name, value] = named(setting);
     if (std::ranges::find(values, name, &ParamValues::value_type::first) != values.end()) {
       throw InputError("setting " + name + ": given twice");
     }
-    values.emplace_back(name, parse_value(std::string_view{setting}.substr(equals + 1)));
+    values.emplace_back(name, parse_value(value));
   }
   return values;
 }
@@ -211,21 +242,21 @@ struct Avoider::Self {
   }
 
   Command decide(const Situation& s) noexcept {
-    if (!has_what_it_counts(s)) {
-      Command standstill;
-      standstill.mode = Mode::infeasible;
-      standstill.note = "a pointer is null where its count is not 0";
-      return standstill;
-    }
+    if (!has_what_it_counts(s)) return standstill("a pointer is null where its count is not 0");
     take_tracks(s);
     take_obstacles(s);
     if (s.model != nullptr) model = converted(*s.model);
+    if (s.envelope != nullptr) {
+      envelope = converted(*s.envelope);
+      if (const std::string_view why = why_unusable(envelope); !why.empty()) return standstill(why);
+    }
     const fairway::Command command = avoider.decide({.time = s.time,
                                                      .period = s.period,
                                                      .own = converted(s.own),
                                                      .goal = converted(s.goal),
                                                      .limits = converted(s.limits),
                                                      .model = s.model != nullptr ? &model : nullptr,
+                                                     .envelope = s.envelope != nullptr ? &envelope : nullptr,
                                                      .tracks = tracks,
                                                      .obstacles = obstacles});
     return converted(command, s.track_count - tracks.size() + s.obstacle_count - obstacles.size());
@@ -239,6 +270,7 @@ struct Avoider::Self {
   Nearest nearest_tracks;
   Nearest nearest_obstacles;
   fairway::OnboardModel model;
+  fairway::Envelope envelope;
 };
 
 Avoider::Avoider(std::string_view algorithm, const std::vector<std::string>& settings,
@@ -253,6 +285,15 @@ Avoider& Avoider::operator=(Avoider&& other) noexcept = default;
 Avoider::~Avoider() = default;
 
 Command Avoider::decide(const Situation& situation) noexcept { return self_->decide(situation); }
+
+Envelope envelope_of(const std::vector<std::string>& numbers) {
+  std::vector<std::pair<std::string, std::string>> given;
+  std::ranges::transform(numbers, std::back_inserter(given), named);
+  const fairway::Envelope e = envelope_of_numbers(given);
+  return {e.ahead,    e.astern,       e.sideways,     e.up,         e.down,
+          e.least,    e.acceleration, e.deceleration, e.surge_lag,  e.turn_acceleration,
+          e.turn_lag, e.pivot,        e.sway_lag,     e.turn_rates, e.following_errors};
+}
 
 std::vector<std::string> algorithms() {
   const Catalog catalog = builtin_avoiders();

@@ -103,6 +103,33 @@ struct OnboardModel {
   SixAxes greatest{};           ///< likewise
 };
 
+/// What the vehicle under its autopilot does in still water, where a method asks for it, as `+trackable`
+/// does. `fairway describe VEHICLE` shows those of the simulated ones; envelope_of() makes one of such
+/// numbers.
+struct Envelope {
+  double ahead{};              ///< greatest speed ahead [m/s]
+  double astern{};             ///< greatest speed astern [m/s]
+  double sideways{};           ///< greatest speed to either side [m/s]
+  double up{};                 ///< fastest up, while going ahead [m/s]
+  double down{};               ///< fastest down, while going ahead [m/s]
+  double least{};              ///< it can go no slower and steer [m/s]
+  double acceleration{};       ///< mean from the least speed to four fifths of the greatest [m/s2]
+  double deceleration{};       ///< constant, of the same stopping distance as from the greatest speed [m/s2]
+  double surge_lag{};          ///< in which 63 % of a small change of speed is made [s]
+  double turn_acceleration{};  ///< greatest change of the turn rate [rad/s2]
+  double turn_lag{};           ///< in which 63 % of a small change of the turn rate is made [s]
+  double pivot{};              ///< ahead of the origin, where the hull does not slip in a steady turn [m]
+  double sway_lag{};           ///< in which 63 % of a motion sideways dies away [s]
+  std::array<double, 4> turn_rates{};        ///< greatest, at 0, 1/3, 2/3 and 1 of the greatest speed [rad/s]
+  std::array<double, 6> following_errors{};  ///< bound on the distance from a point that takes up a course at
+                                             ///< once, for changes by 30, 60, ... 180 degrees [m]
+};
+
+/// Of numbers by the names that `fairway describe VEHICLE` shows: "ahead_mps=1.6", "turn_rates_radps=0.2 0.3
+/// 0.4 0.5". Those that are not given are zero; the greatest speed ahead, the accelerations and the turn
+/// rates have to be. Throws std::runtime_error with what is wrong and the nearest valid name; std::bad_alloc.
+Envelope envelope_of(const std::vector<std::string>& numbers);
+
 /// All that an avoider may know at one instant. What it points to must live until decide() returns.
 struct Situation {
   Ownship own;
@@ -111,6 +138,7 @@ struct Situation {
   double time{};                       ///< since the start of the mission [s]
   double period{};                     ///< until the next decision [s], > 0
   const OnboardModel* model{nullptr};  ///< null where nothing is known of forces
+  const Envelope* envelope{nullptr};   ///< null where it is not known what the vehicle can do
   const Track* tracks{nullptr};        ///< in any order
   std::size_t track_count{};
   const Obstacle* obstacles{nullptr};  ///< in any order
@@ -166,10 +194,10 @@ class Avoider {
   ~Avoider();
 
   /// Decides, and holds the decision to the limits. A situation that is not usable (NaN, no period, a null
-  /// pointer with a count) is answered with zero velocity and Mode::infeasible. Where there is more than the
-  /// capacity the nearest are kept, of a polygon's vertices all or none; `Command::left_out` counts the
-  /// others. Does not throw, allocate or lock, the first time no more than later. O(n log n) for n tracks and
-  /// obstacles, besides the method's own cost.
+  /// pointer with a count, an envelope without speed) is answered with zero velocity and Mode::infeasible.
+  /// Where there is more than the capacity the nearest are kept, of a polygon's vertices all or none;
+  /// `Command::left_out` counts the others. Does not throw, allocate or lock, the first time no more than
+  /// later. O(n log n) for n tracks and obstacles, besides the method's own cost.
   [[nodiscard]] Command decide(const Situation& situation) noexcept;
 
  private:

@@ -10,8 +10,10 @@
 #include <vector>
 
 #include "fairway/avoidance/catalog.hpp"
+#include "fairway/avoidance/testing/boat.hpp"
 #include "fairway/avoidance/testing/encounters.hpp"
 #include "fairway/core/testing/allocations.hpp"
+#include "fairway/core/text.hpp"
 #include "fairway/embed/avoider.hpp"
 #include "fairway/embed/testing/interruptions.hpp"
 #include "fairway/embed/testing/plain.hpp"
@@ -71,6 +73,7 @@ struct Scene {
                       .from = s.own.position + 4.0 * encounters::direction(rng),
                       .to = s.own.position + 9.0 * encounters::direction(rng)}};
     }
+    if (i % 4 != 0) s.envelope = &envelope;
     if (i % 6 == 0) {
       model.mass << 80, 90, 90, 5, 8, 8;
       model.linear_damping << 10, 20, 20, 3, 3, 3;
@@ -86,6 +89,7 @@ struct Scene {
   OwnedSituation e;
   std::vector<Vec3> corners;
   fairway::OnboardModel model;
+  fairway::Envelope envelope = encounters::of_a_boat();
 };
 
 class Embedded : public testing::TestWithParam<std::string> {
@@ -260,6 +264,67 @@ TEST(EmbeddedAvoider, AnswersNonsenseWithAStandstillWhereverItStands) {
   hollow.vertex_count = 3;
   nothing_there.obstacles = &hollow;
   EXPECT_EQ(avoider.decide(nothing_there).mode, Mode::infeasible);
+}
+
+/// As text; what is given by it, back again.
+std::vector<std::string> numbers_of(const fairway::Envelope& envelope) {
+  std::vector<std::string> numbers;
+  const auto add = [&](std::string name, const double* first, std::size_t count) {
+    name += "=";
+    for (std::size_t i = 0; i < count; ++i) name += (i > 0 ? " " : "") + number_text(first[i]);
+    numbers.push_back(std::move(name));
+  };
+  for_each_member<fairway::Envelope>([&](const auto& m) {
+    const auto& value = envelope.*(m.at);
+    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(value)>, double>) {
+      add(m.name_with_unit(), &value, 1);
+    } else {
+      add(m.name_with_unit(), value.data(), value.size());
+    }
+  });
+  return numbers;
+}
+
+TEST(EmbeddedAvoider, WhatTheVehicleCanDoIsGivenAsNumbers) {
+  // every member is another number, so that none is taken for another
+  fairway::Envelope envelope = encounters::of_a_boat();
+  double next = 0.5;
+  for_each_member<fairway::Envelope>([&](const auto& m) {
+    auto& value = envelope.*(m.at);
+    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(value)>, double>) {
+      value = (next -= 0.01);
+    } else {
+      for (double& v : value) v = (next -= 0.01);
+    }
+  });
+  const Envelope given = envelope_of(numbers_of(envelope));
+  static_assert(sizeof(Envelope) == sizeof(fairway::Envelope));
+  OwnedSituation e = encounters::under_way(envelope);
+  e.obstacles = {encounters::buoy(9.0, 0.2)};
+  PlainSituation s{e};
+  s.envelope = given;
+  const fairway::Command expected = builtin_avoiders().make("direct+trackable").decide(e);
+  EXPECT_TRUE(expected.turn_rate.has_value());
+  EXPECT_TRUE(same(Avoider{"direct+trackable"}.decide(s.view()), expected));
+  EXPECT_EQ(plain(envelope).ahead, given.ahead);
+  EXPECT_EQ(plain(envelope).following_errors, given.following_errors);
+
+  const auto refusal = [](const std::vector<std::string>& numbers) -> std::string {
+    try {
+      envelope_of(numbers);
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  EXPECT_EQ(refusal({"ahead"}), "setting \"ahead\": expected name=value");
+  EXPECT_EQ(refusal({"ahed_mps=1"}).substr(0, 27), "ahed_mps: unknown number; d");
+  EXPECT_EQ(refusal({"ahead_mps=-1"}), "ahead_mps: is \"-1\"; expected a number, 0 or more");
+
+  s.envelope->ahead = std::numeric_limits<double>::quiet_NaN();
+  const Command command = Avoider{"direct+trackable"}.decide(s.view());
+  EXPECT_EQ(command.mode, Mode::infeasible);
+  EXPECT_THAT(std::string(command.note), HasSubstr("envelope"));
 }
 
 std::string refusal(const std::string& algorithm, const std::vector<std::string>& settings) {

@@ -109,6 +109,25 @@ TEST(AvoiderHost, WhatTheVehicleCannotDoIsSaidByTheModelOrTheSettings) {
   EXPECT_EQ(note_towards_astern({}), "");
 }
 
+TEST(AvoiderHost, WhatTheVehicleCanDoIsGivenAsNumbers) {
+  // towards what is abeam, a boat of these numbers is told to turn no faster than nine tenths of what it can
+  const Settings boat{
+      {"envelope.ahead_mps", "1.6"},         {"envelope.acceleration_mps2", "0.3"},
+      {"envelope.deceleration_mps2", "0.2"}, {"envelope.turn_acceleration_radps2", "0.4"},
+      {"envelope.turn_lag_s", "0.5"},        {"envelope.turn_rates_radps", "0.2 0.2 0.2 0.2"}};
+  const auto request = [](const Settings& settings) {
+    AvoiderHost host{named(settings)};
+    host.own_motion(northward(0), 0);
+    EXPECT_TRUE(host.go_to({0, 100, 0}, 1.0));
+    const Order order = host.update(0);
+    return std::pair{order.request.yaw_rate_radps, host.algorithm()};
+  };
+  const auto [turn_rate, algorithm] = request(boat);
+  EXPECT_NEAR(turn_rate, 0.18, 1e-12);
+  EXPECT_EQ(algorithm, "orca3d+trackable");
+  EXPECT_EQ(request({}).second, "orca3d");
+}
+
 TEST(AvoiderHost, TheModelChoosesTheSteering) {
   // across the wanted course Sparus turns on the spot; a vehicle of unknown dynamics turns while it goes
   for (const auto& [model, surge] :
@@ -144,6 +163,9 @@ TEST(AvoiderHost, WhatIsWrongIsSaidInOneLineWithTheNearestName) {
       {named({{"team.auv_2.radius", "2"}}), "did you mean radius_m?"},
       {named({{"id", "1"}}), "id: 1 is that of two vehicles, one of them auv_2"},
       {named({{"min_depth_m", "30"}, {"max_depth_m", "20"}}), "min_depth_m: is 30, below max_depth_m, 20"},
+      {named({{"envelope.ahed_mps", "1"}}), "envelope.ahed_mps: unknown number; did you mean ahead_mps?"},
+      {named({{"envelope.ahead_mps", "-1"}}), "envelope.ahead_mps: is \"-1\"; expected a number, 0 or more"},
+      {named({{"envelope.astern_mps", "1"}}), "envelope.ahead_mps: is missing"},
       {of_cube({{"team", "robot0 robot9"}}), "\"robot9\" is not in"},
   };
   for (const auto& [options, part] : cases) {

@@ -6,10 +6,12 @@
 #include <functional>
 #include <iterator>
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <string_view>
 #include <type_traits>
 
+#include "fairway/core/envelope_numbers.hpp"
 #include "fairway/core/math.hpp"
 #include "fairway/core/names.hpp"
 #include "fairway/core/record.hpp"
@@ -20,6 +22,7 @@
 namespace fairway::bridge {
 namespace {
 
+constexpr std::string_view envelope_prefix = "envelope.";
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 /// What settings change.
@@ -28,6 +31,7 @@ struct Draft {
   std::size_t own{};  ///< of the scenario's vehicles
   double period{};    ///< between decisions [s]
   HelmSetup helm;
+  Settings envelope{};  ///< numbers of what the vehicle can do, if they are given
   Catalogs catalogs{builtin_catalogs()};
 
   VehicleSpec& vehicle() { return scenario.vehicles[own]; }
@@ -186,6 +190,10 @@ void apply(Draft& draft, const std::string& name, const std::string& text,
   if (name.starts_with("model.")) return put(draft.vehicle().model.params, tail_of("model."), text);
   if (name.starts_with("steering.")) return put(draft.vehicle().steering.params, tail_of("steering."), text);
   if (name.starts_with("policy.")) return set_policy(draft.helm.policy, tail_of("policy."), text);
+  if (name.starts_with(envelope_prefix)) {
+    draft.envelope.emplace_back(tail_of(envelope_prefix), text);
+    return;
+  }
   if (name.starts_with("team.")) return set_mate(draft, name, text);
   const auto found = std::ranges::find(settings(), name, &Setting::name);
   if (found == settings().end()) refuse_unknown(name, also_known);
@@ -205,6 +213,17 @@ void apply_stage(Draft& draft, const AvoiderOptions& options, Stage stage) {
   for (const auto& [name, text] : options.settings) {
     if (name != "team" && stage_of(name) == stage) apply(draft, name, text, options.also_known);
   }
+}
+
+/// The envelope that is given, if it is. What it says that the vehicle cannot do limits it.
+std::optional<Envelope> take_envelope(Draft& draft) {
+  if (draft.envelope.empty()) return {};
+  const Envelope envelope = envelope_of_numbers(draft.envelope, envelope_prefix);
+  Limits& limits = draft.vehicle().limits;
+  limits.min_speed = math::fmax(limits.min_speed, envelope.least);
+  limits.sternway = limits.sternway && envelope.astern > 0.0;
+  limits.sway = limits.sway && envelope.sideways > 0.0;
+  return envelope;
 }
 
 void check(Draft& draft) {
@@ -318,6 +337,8 @@ AvoiderSetup avoider_setup(const AvoiderOptions& options) {
   Draft draft = draft_of(options, team);
   apply_stage(draft, options, Stage::choices);
   apply_stage(draft, options, Stage::own);
+  const std::optional<Envelope> envelope = take_envelope(draft);
+  if (envelope && options.scenario.empty()) draft.vehicle().tracking = Tracking::automatic;
   if (options.scenario.empty()) {
     for (TeamMate& mate : draft.helm.team) mate.radius = draft.vehicle().radius_m;
   }
@@ -328,6 +349,7 @@ AvoiderSetup avoider_setup(const AvoiderOptions& options) {
   const Catalog& avoiders = draft.catalogs.avoiders;
   Particulars ship =
       particulars_of(own, make_vehicle(own, draft.catalogs.vehicles), draft.scenario.step_s, avoiders);
+  if (envelope) ship.envelope = envelope;
   const Limits limits = ship.limits;
   AvoiderSetup setup{.obstacles = std::move(draft.scenario.obstacles),
                      .algorithm = avoider_in_force(own, limits, avoiders),

@@ -17,6 +17,12 @@ inline Matrix3 plain(const Mat3& m) {
   return {m(0, 0), m(0, 1), m(0, 2), m(1, 0), m(1, 1), m(1, 2), m(2, 0), m(2, 1), m(2, 2)};
 }
 
+inline Envelope plain(const fairway::Envelope& e) {
+  return {e.ahead,    e.astern,       e.sideways,     e.up,         e.down,
+          e.least,    e.acceleration, e.deceleration, e.surge_lag,  e.turn_acceleration,
+          e.turn_lag, e.pivot,        e.sway_lag,     e.turn_rates, e.following_errors};
+}
+
 /// A situation of the C++20 library as a host would put it, with what it points to.
 struct PlainSituation {
   explicit PlainSituation(const fairway::Situation& s) {
@@ -64,6 +70,7 @@ struct PlainSituation {
       model = {plain(s.model->mass),      plain(s.model->linear_damping), plain(s.model->quadratic_damping),
                plain(s.model->restoring), plain(s.model->least),          plain(s.model->greatest)};
     }
+    if (s.envelope != nullptr) envelope = plain(*s.envelope);
   }
 
   /// Valid while this is, and until it is changed.
@@ -74,6 +81,7 @@ struct PlainSituation {
     s.obstacles = obstacles.data();
     s.obstacle_count = obstacles.size();
     s.model = model ? &*model : nullptr;
+    s.envelope = envelope ? &*envelope : nullptr;
     return s;
   }
 
@@ -82,6 +90,7 @@ struct PlainSituation {
   std::vector<Obstacle> obstacles;
   std::vector<std::vector<Triple>> corners;
   std::optional<OnboardModel> model;
+  std::optional<Envelope> envelope;
 };
 
 /// Every number of two answers is the same, to the bit as far as == tells.
