@@ -19,8 +19,9 @@ struct AvoiderOptions {
   std::string scenario;  ///< file, or empty
   std::string vehicle;   ///< of the scenario, or the name of a vehicle that is set up by settings
   /// `algorithm`, `radius_m`, `priority`, `period_s`, `arrival_m`, `max_speed_mps` and the other limits,
-  /// `params.NAME`, `model`, `model.NAME`, `steering`, `steering.NAME`, `envelope.NAME`, `policy.NAME`, `team` ("auv_2
-  /// auv_3"), `team.NAME.radius_m`, `team.NAME.priority`; all of them in words on docs/onboard.md.
+  /// `params.NAME`, `model`, `model.NAME`, `steering`, `steering.NAME`, `envelope.NAME`, `policy.NAME`,
+  /// `team` ("auv_2 auv_3"), `team.NAME.radius_m`, `team.NAME.priority`; all of them in words on
+  /// docs/onboard.md.
   Settings settings;
   std::optional<std::uint64_t> seed;      ///< the scenario's own, or 1, unless given
   std::vector<std::string> also_known{};  ///< settings that the program takes itself: for suggestions

@@ -29,9 +29,9 @@ struct ChosenVelocity {
 
 /// The velocity of least cost in RAV, which is RV without the velocity obstacles (cao2022, eq. 4, and the
 /// choice after eq. 6). It is v_d, or on one boundary where that is nearest to v_d, or where two boundaries
-/// meet (Guy et al. 2009, ClearPath): all of these are tried, so the answer is exact to rounding. Where
-/// RAV is empty: the reachable velocity of least w / t_c + cost, t_c the time to the first contact (van den
-/// Berg, Lin, Manocha 2008, section V-B), among samples of RV and of the boundaries.
+/// meet (Guy et al. 2009, ClearPath): all of these are tried that are not shown to be worse, so the answer is
+/// exact to rounding. Where RAV is empty: the reachable velocity of least w / t_c + cost, t_c the time to the
+/// first contact (van den Berg, Lin, Manocha 2008, section V-B), among samples of RV and of the boundaries.
 /// O(n) for a free v_d, O(n^2) typically, O(n^3) at worst. Does not allocate.
 ChosenVelocity choose(std::span<const VelocityObstacle> obstacles, const ReachableSet& reachable,
                       const Wish& wish) noexcept;

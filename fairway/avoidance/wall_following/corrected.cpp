@@ -30,6 +30,14 @@ class HalfPlanes {
   }
   std::span<const HalfPlane> view() const { return {all_.data(), count_}; }
 
+  /// Speed of what moves fastest [m/s].
+  double fastest() const {
+    double fastest = 0.0;
+    for (std::size_t i = 0; i < count_; ++i)
+      fastest = std::max(fastest, horizontal_norm(hazards_[i].velocity));
+    return fastest;
+  }
+
   /// The half-planes, and the way to the surface whose half-plane leaves `chosen` the least room.
   void draw(const Vec3& own, const Vec3& chosen, bool following, Sketch& sketch) const {
     for (const HalfPlane& h : view()) {
@@ -80,6 +88,12 @@ const HalfPlane* blocking(std::span<const HalfPlane> half_planes, const Vec2& v)
 /// The speed of following: that of the mission, without the slowing down for the goal.
 double following_speed(const Situation& s, const Vec2& preferred) {
   return s.goal.velocity ? preferred.norm() : std::min(s.goal.cruise_speed, s.limits.max_speed);
+}
+
+/// What drifts away from the goal is never left by who waits to be nearer to it than where following began.
+/// So that place is taken to move away as fast as the fastest that is near.
+void carry_along(Round& round, double fastest, double period) {
+  if (round.following) round.hit_distance += fastest * period;
 }
 
 /// Following begins where the wanted velocity is blocked, and ends where it no longer is, nearer to the goal
@@ -188,6 +202,7 @@ Command decide_corrected(const WallFollowing::Params& params, const Situation& s
   const HalfPlanes half_planes{params, s, preferred};
   const HalfPlane* const in_the_way = blocking(half_planes.view(), wanted);
   if (half_planes.view().empty()) round = {};
+  carry_along(round, half_planes.fastest(), s.period);
   begin_or_end(round, in_the_way, wanted, horizontal_norm(s.goal.position - s.own.position));
   if (!round.following && in_the_way == nullptr) return {.velocity = preferred, .mode = Mode::cruise};
 
