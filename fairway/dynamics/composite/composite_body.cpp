@@ -94,6 +94,8 @@ Eigen::Matrix<double, N, 1> CompositeBody::drag_of(const DragLines<N>& lines,
   return drag;
 }
 
+Vector6 CompositeBody::quadratic_drag(const Vector6& nu) const noexcept { return drag_of(whole_.lines, nu); }
+
 Vector6 CompositeBody::quadratic_damping() const {
   Vector6 pure;
   for (int axis = 0; axis < 6; ++axis) pure[axis] = quadratic_drag(Vector6::Unit(axis))[axis];

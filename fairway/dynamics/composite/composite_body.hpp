@@ -54,9 +54,7 @@ class CompositeBody {
   const fossen::Matrix6& linear_damping() const { return whole_.D_l; }  ///< D_l, on all six axes
 
   /// d_q(nu) on all six axes, in water of the first part's density [N, N m, body].
-  fossen::Vector6 quadratic_drag(const fossen::Vector6& nu) const noexcept {
-    return drag_of(whole_.lines, nu);
-  }
+  fossen::Vector6 quadratic_drag(const fossen::Vector6& nu) const noexcept;
 
   /// What the drag comes to along one axis alone: d_q,j(e_j) for each axis j [kg/m, kg m2/rad2].
   fossen::Vector6 quadratic_damping() const;
