@@ -12,11 +12,11 @@ namespace {
 
 double log10_of(double x) noexcept { return math::log(x) / std::numbers::ln10; }
 double ten_to(double x) noexcept { return math::exp(x * std::numbers::ln10); }
-double square(double x) noexcept { return x * x; }
 
 /// Of a substance that relaxes at `relaxation` [kHz].
 double relaxing(double frequency, double relaxation) noexcept {
-  return relaxation * square(frequency) / (square(relaxation) + square(frequency));
+  const double f2 = frequency * frequency;
+  return relaxation * f2 / (relaxation * relaxation + f2);
 }
 
 /// Francois and Garrison's viscous part [dB/(km kHz^2)]: of pure water, by temperature [C].
@@ -32,7 +32,7 @@ double decibels(double ratio) noexcept { return 10.0 * log10_of(ratio); }
 double power_ratio(double decibels) noexcept { return ten_to(decibels / 10.0); }
 
 double thorp_absorption(double frequency_khz) noexcept {
-  const double f2 = square(frequency_khz);
+  const double f2 = frequency_khz * frequency_khz;
   return 3.3e-3 + 0.11 * f2 / (1.0 + f2) + 44.0 * f2 / (4100.0 + f2) + 3.0e-4 * f2;
 }
 
@@ -51,7 +51,7 @@ double francois_garrison_absorption(double frequency_khz, const SeaWater& water)
   const double water_pressure = 1.0 - 3.83e-5 * d + 4.9e-10 * d * d;
   return boric * relaxing(frequency_khz, boric_relaxation) +
          magnesium * magnesium_pressure * relaxing(frequency_khz, magnesium_relaxation) +
-         viscosity(t) * water_pressure * square(frequency_khz);
+         viscosity(t) * water_pressure * (frequency_khz * frequency_khz);
 }
 
 double ambient_noise(double frequency_khz, double shipping, double wind) noexcept {
