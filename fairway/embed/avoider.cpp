@@ -83,7 +83,9 @@ fairway::OnboardModel converted(const OnboardModel& model) {
           .greatest = wrench(model.greatest)};
 }
 
-fairway::Envelope converted(const Envelope& envelope) {
+/// From one of the two kinds of envelope to the other.
+template <typename To, typename From>
+To same_numbers(const From& envelope) {
   return {.ahead = envelope.ahead,
           .astern = envelope.astern,
           .sideways = envelope.sideways,
@@ -247,7 +249,7 @@ struct Avoider::Self {
     take_obstacles(s);
     if (s.model != nullptr) model = converted(*s.model);
     if (s.envelope != nullptr) {
-      envelope = converted(*s.envelope);
+      envelope = same_numbers<fairway::Envelope>(*s.envelope);
       if (const std::string_view why = why_unusable(envelope); !why.empty()) return standstill(why);
     }
     const fairway::Command command = avoider.decide({.time = s.time,
@@ -289,10 +291,7 @@ Command Avoider::decide(const Situation& situation) noexcept { return self_->dec
 Envelope envelope_of(const std::vector<std::string>& numbers) {
   std::vector<std::pair<std::string, std::string>> given;
   std::ranges::transform(numbers, std::back_inserter(given), named);
-  const fairway::Envelope e = envelope_of_numbers(given);
-  return {e.ahead,    e.astern,       e.sideways,     e.up,         e.down,
-          e.least,    e.acceleration, e.deceleration, e.surge_lag,  e.turn_acceleration,
-          e.turn_lag, e.pivot,        e.sway_lag,     e.turn_rates, e.following_errors};
+  return same_numbers<Envelope>(envelope_of_numbers(given));
 }
 
 std::vector<std::string> algorithms() {

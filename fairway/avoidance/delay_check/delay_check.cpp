@@ -105,7 +105,7 @@ bool DelayCheck::is_first_to_plan(const Situation& s, const Memory& memory) cons
   if (s.link->turn_period > 1.5 * s.period) return true;
   const auto heard = std::span{memory.others}.first(memory.count);
   const auto before = std::ranges::count_if(heard, [&](const Other& other) { return other.id < s.own.id; });
-  const auto turn = static_cast<std::size_t>(s.time / s.period + 0.5);
+  const auto turn = static_cast<std::size_t>(std::llround(s.time / s.period));
   return turn % (memory.count + 1) == static_cast<std::size_t>(before);
 }
 

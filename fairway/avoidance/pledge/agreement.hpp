@@ -98,6 +98,12 @@ class Agreement {
   std::string_view reason(double now) const noexcept;
 
  private:
+  /// A word as it was said.
+  struct Said {
+    Speech speech{};
+    double sent{};  ///< [s]
+  };
+
   static constexpr std::array<double, most_members> not_yet() {
     std::array<double, most_members> times{};
     times.fill(-std::numeric_limits<double>::infinity());
@@ -148,12 +154,8 @@ class Agreement {
   std::array<std::optional<Knot>, most_members> ends_{};     ///< of who departed by a way without gates
   std::array<double, most_members> last_heard_ = not_yet();  ///< when what was heard last was said [s]
   std::array<Members, most_members> heard_by_{};             ///< whose states each of them has
-  std::array<double, most_members> known_since_{};           ///< of whose states have been heard [s]
-  struct Said {
-    Speech speech{};
-    double sent{};  ///< [s]
-  };
-  std::array<Said, most_members> said_{};  ///< of itself, by whom last
+  std::array<double, most_members> known_since_{};           ///< when its first state was heard [s]
+  std::array<Said, most_members> said_{};                    ///< the last state that each told
 
   // the newest plan
   Plan plan_{};

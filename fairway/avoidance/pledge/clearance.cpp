@@ -42,8 +42,7 @@ struct Walk {
 /// How far two have to be from each other who begin at these places.
 double Clearance::apart(std::size_t a, std::size_t b, const Vec3& from, const Vec3& to,
                         double beyond) const noexcept {
-  const double all = members_[a].radius + members_[b].radius + 2.0 * tubes_.radius + tubes_.told + beyond;
-  return std::min(all, (from - to).norm() - hair);
+  return std::min(least_apart(members_[a], members_[b], tubes_) + beyond, (from - to).norm() - hair);
 }
 
 Clearance::Gates Clearance::gates_of(std::size_t member, const Reference& reference) const noexcept {

@@ -17,6 +17,11 @@ struct Tubes {
   double told{};    ///< of all that is rounded, and of clocks that differ, for a pair
 };
 
+/// How far the centres of two have to be from each other [m].
+inline double least_apart(const Member& a, const Member& b, const Tubes& tubes) noexcept {
+  return a.radius + b.radius + 2.0 * tubes.radius + tubes.told;
+}
+
 /// Members with the references that they have been given, and whether these keep clear of each other whatever
 /// words are lost:
 ///

@@ -91,21 +91,24 @@ Command Pledge::decide(const Situation& s, Memory& memory, Context& context) con
   const pledge::Chart chart = memory.agreement.chart(s.obstacles, room);
   take_part(s, chart, memory);
   watch(s, chart, memory);
-  const Agreement& agreement = memory.agreement;
-  const Reference* way = agreement.way();
-  if (way == nullptr) {
-    const bool is_lost = agreement.status() == pledge::Status::lost;
-    const Member& own = agreement.own();
-    const Vec3 stay = is_lost ? memory.stay : own.anchor;
-    if (memory.gives_way) return evaded(s, agreement, stay, context);
-    const bool waits = agreement.status() == pledge::Status::held;
-    const std::string_view hemmed =
-        waits ? hemmed_in(s, own, pledge::berth(own, tubes())) : std::string_view{};
-    return held(s, stay, hemmed.empty() ? agreement.reason(s.time) : hemmed,
-                is_lost ? std::nullopt : first_course(s, agreement));
-  }
+  const Reference* way = memory.agreement.way();
+  if (way == nullptr) return stayed(s, memory, context);
   if (context.sketch != nullptr) pledge::draw(*way, s.time, params.tube_m, *context.sketch);
-  return pledge::followed(s, *way, agreement.own().turn, {.gain = params.gain_hz, .tube = params.tube_m});
+  return pledge::followed(s, *way, memory.agreement.own().turn,
+                          {.gain = params.gain_hz, .tube = params.tube_m});
+}
+
+/// Where it is held, or out of the way of who is lost.
+Command Pledge::stayed(const Situation& s, const Memory& memory, Context& context) const noexcept {
+  const Agreement& agreement = memory.agreement;
+  const bool is_lost = agreement.status() == pledge::Status::lost;
+  const Member& own = agreement.own();
+  const Vec3 stay = is_lost ? memory.stay : own.anchor;
+  if (memory.gives_way) return evaded(s, agreement, stay, context);
+  const bool waits = agreement.status() == pledge::Status::held;
+  const std::string_view hemmed = waits ? hemmed_in(s, own, pledge::berth(own, tubes())) : std::string_view{};
+  return held(s, stay, hemmed.empty() ? agreement.reason(s.time) : hemmed,
+              is_lost ? std::nullopt : first_course(s, agreement));
 }
 
 /// Enters the group where it will come to rest. False if that is too far away to be told.

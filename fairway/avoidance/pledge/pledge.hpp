@@ -79,6 +79,7 @@ struct Pledge {
 
  private:
   pledge::Tubes tubes() const noexcept { return {.radius = params.tube_m, .told = 0.1}; }
+  Command stayed(const Situation& s, const Memory& memory, Context& context) const noexcept;
   bool begin(const Situation& s, Memory& memory) const noexcept;
   void hear(const Situation& s, Memory& memory) const noexcept;
   void take_part(const Situation& s, const pledge::Chart& chart, Memory& memory) const noexcept;

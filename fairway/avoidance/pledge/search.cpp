@@ -137,9 +137,9 @@ Members Search::chain_from(std::size_t head) const noexcept {
     before = chain;
     for (std::size_t i = 0; i < most_members; ++i) {
       for (std::size_t j = 0; before[i] && j < most_members; ++j) {
-        const double room = members_[i].radius + members_[j].radius + 2.0 * tubes_.radius + tubes_.told;
         const double off = (members_[i].destination - members_[j].anchor).norm();
-        if (asked_[j] && off < room + ends_before(members_[i])) chain.set(j);
+        const double needed = least_apart(members_[i], members_[j], tubes_) + ends_before(members_[i]);
+        if (asked_[j] && off < needed) chain.set(j);
       }
     }
   }

@@ -6,13 +6,7 @@
 #include <cstdlib>
 #include <new>
 
-#if defined(__SANITIZE_THREAD__)  // as g++ says it
-#define FAIRWAY_THREAD_SANITIZED 1
-#elif defined(__has_feature)  // and clang
-#define FAIRWAY_THREAD_SANITIZED __has_feature(thread_sanitizer)
-#else
-#define FAIRWAY_THREAD_SANITIZED 0
-#endif
+#include "fairway/core/testing/sanitizers.hpp"
 
 namespace {
 std::atomic<long> count{0};

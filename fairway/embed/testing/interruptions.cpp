@@ -3,15 +3,9 @@
 
 #include <atomic>
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)  // as g++ says it
-#define FAIRWAY_SANITIZED 1
-#elif defined(__has_feature)  // and clang
-#define FAIRWAY_SANITIZED (__has_feature(address_sanitizer) || __has_feature(thread_sanitizer))
-#else
-#define FAIRWAY_SANITIZED 0
-#endif
+#include "fairway/core/testing/sanitizers.hpp"
 
-#if FAIRWAY_SANITIZED
+#if FAIRWAY_ADDRESS_SANITIZED || FAIRWAY_THREAD_SANITIZED
 
 fairway::Interruptions fairway::interruptions() { return {}; }
 bool fairway::counts_interruptions() { return false; }
