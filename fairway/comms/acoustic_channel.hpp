@@ -155,6 +155,8 @@ class AcousticChannel {
   /// As Exchange.
   void pass_on(Tick now, const Mailbox& said, std::span<const Vec3> places,
                std::span<const Obstacle> obstacles = {});
+  /// Whether it is its turn, if nobody else is heard.
+  bool may_transmit(std::size_t vehicle, Tick now) const;
   std::span<const Message> heard_by(std::size_t receiver) const;
   void add_under_way(std::vector<MessageFlight>& flights) const;
   double turn_period() const;
@@ -213,7 +215,6 @@ class AcousticChannel {
   };
 
   static Ray ray_of(const AcousticParams& params);
-  bool may_transmit(std::size_t vehicle, Tick now) const;
   bool waits_for_silence(std::size_t vehicle, Tick now);
   void transmit(std::size_t from, Tick now, const Mailbox& said, std::span<const Vec3> places,
                 std::span<const Obstacle> obstacles);

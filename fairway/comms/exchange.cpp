@@ -39,6 +39,11 @@ void Exchange::add_under_way(std::vector<MessageFlight>& flights) const {
   if (const auto* channel = std::get_if<AcousticChannel>(&way_)) channel->add_under_way(flights);
 }
 
+bool Exchange::may_take(std::size_t vehicle, Tick now) const {
+  const auto* channel = std::get_if<AcousticChannel>(&way_);
+  return channel != nullptr ? channel->may_transmit(vehicle, now) : carries_at_once();
+}
+
 double Exchange::turn_period() const {
   const auto* channel = std::get_if<AcousticChannel>(&way_);
   return channel != nullptr ? channel->turn_period() : period_;

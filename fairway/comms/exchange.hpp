@@ -31,6 +31,9 @@ class Exchange {
   void pass_on(Tick now, const Mailbox& said, std::span<const Vec3> places,
                std::span<const Obstacle> obstacles = {});
 
+  /// Whether pass_on() may take at `now` what a vehicle says; where telling takes time only in its turn.
+  bool may_take(std::size_t vehicle, Tick now) const;
+
   /// The last message that `receiver` has heard of each vehicle, `said` being what was passed on last; its
   /// own may be among them, and so may vehicles that never told anything (`told` is false). Valid until the
   /// next pass_on(), and for as long as `said` is.

@@ -45,7 +45,7 @@ Mover mover_of(const Drifter& drifter) {
 }
 
 /// What a vehicle says of itself, as it believes to be.
-Message message_of(const Agent& agent, Tick now, bool is_silent) {
+Message message_of(const Agent& agent, Tick now, bool is_told) {
   const Leg* leg = agent.mission.leg();
   const bool going =
       leg != nullptr && leg->kind != LegKind::rendezvous && leg->kind != LegKind::keep_position;
@@ -57,8 +57,8 @@ Message message_of(const Agent& agent, Tick now, bool is_silent) {
           .radius = agent.ship().radius,
           .priority = agent.own.priority,
           .destination = going ? std::optional{leg->position} : std::nullopt,
-          .told = agent.cooperative && !is_silent,
-          .speech = agent.avoider.speech()};
+          .told = is_told,
+          .speech = is_told ? agent.avoider.speech() : Speech{}};
 }
 
 Viewpoint viewpoint_of(const Agent& agent) {
@@ -267,7 +267,8 @@ void Simulation::locate(std::size_t index, Hand& /*hand*/) {
 void Simulation::tell(std::size_t index, Hand& hand) {
   const Agent& agent = agents_[index];
   const bool is_silent = agent.has_failed(FailureKind::silent, time());
-  mailbox_[index] = message_of(agent, tick_, is_silent);
+  const bool is_told = agent.cooperative && !is_silent && exchange_.may_take(index, tick_);
+  mailbox_[index] = message_of(agent, tick_, is_told);
   // of who told all at once nothing is left to go by but what is seen
   if (is_silent && exchange_.carries_at_once()) movers_[index].silent = true;
   places_[index] = agent.vehicle.state().p_n;

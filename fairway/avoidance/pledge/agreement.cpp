@@ -206,8 +206,7 @@ bool Agreement::is_clear(const Chart& chart) noexcept {
 }
 
 Reference Agreement::promised(double now) const noexcept {
-  const bool is_mine = is_pending(now) && acknowledged_epoch_ == plan_.epoch && plan_.participants[self_];
-  return is_mine ? reference_of(members_[self_], plan_, plan_.codes[self_]) : Reference{};
+  return has_promised(now) ? reference_of(members_[self_], plan_, plan_.codes[self_]) : Reference{};
 }
 
 /// Rule 3.
@@ -244,7 +243,7 @@ double Agreement::next_gate() const noexcept {
 
 /// Rule 4.
 void Agreement::stop_at_gate(double now) noexcept {
-  if (status_ != Status::moving) return;
+  if (status_ != Status::moving || now < std::min(next_gate(), way_.end())) return;
   const bool leads_there =
       !aside_ && first_within(way_, members_[self_].destination, members_[self_].arrival) < never;
   const double stops = leads_there ? next_gate() : std::min(next_gate(), way_.end());
@@ -353,7 +352,7 @@ void Agreement::take_turns(double now, double period, double turn_period, bool i
   const bool has_use =
       is_free && status_ == Status::held && !is_done_here(self_) &&
       now < std::max(used_, entered_) + std::max(idle_turns * turn_period, idle_decisions * period);
-  const bool is_bound = status_ == Status::moving || !promised(now).empty();
+  const bool is_bound = status_ == Status::moving || has_promised(now);
   const bool has_rest = status_ == Status::lost || (rests && !is_bound && !has_use);
   if (!rounds.may_go_on(has_rest)) return;
   rounds.go_on();

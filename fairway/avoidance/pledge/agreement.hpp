@@ -86,6 +86,9 @@ class Agreement {
   /// By which own ship departs at the start of the newest plan if nothing comes between: without knots unless
   /// it has acknowledged that and its start is to come.
   Reference promised(double now) const noexcept;
+  bool has_promised(double now) const noexcept {
+    return is_pending(now) && acknowledged_epoch_ == plan_.epoch && plan_.participants[self_];
+  }
   const Member& member(std::size_t i) const { return members_[i]; }
   const Member& own() const { return members_[self_]; }
   std::size_t self() const { return self_; }    ///< which member it is

@@ -58,11 +58,10 @@ void Agreement::learn(const Header& header) noexcept {
   if (header.status == Status::held || header.status == Status::lost) ends_[from].reset();
   if (header.status != Status::moving || !departed_[from] || !plan_.participants[from] || ends_[from]) return;
   // nothing but a gate can stop it any more
-  Clearance scene = scene_of(plan_);
-  const Reference& way = scene.reference(from);
-  double gate = never;
-  for (std::size_t i = 0; i < count_; ++i) gate = std::min(gate, scene.gate(from, i));
-  if (gate == never) ends_[from] = way.knots().back();
+  const Reference way = reference_of(members_[from], plan_, plan_.codes[from]);
+  const Clearance::Gates gates =
+      Clearance{members_, plan_.participants, terms_.tubes, plan_.start()}.gates_of(from, way);
+  if (*std::ranges::min_element(gates) == never) ends_[from] = way.knots().back();
 }
 
 void Agreement::learn(const PlanWord& word) noexcept {

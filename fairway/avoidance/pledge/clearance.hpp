@@ -34,6 +34,9 @@ inline double least_apart(const Member& a, const Member& b, const Tubes& tubes) 
 /// Two whose references begin nearer to each other than that come no nearer.
 class Clearance {
  public:
+  /// Of a member, by whom it has to know departed [s]; infinity where it never comes near.
+  using Gates = std::array<double, most_members>;
+
   Clearance() = default;
   Clearance(const std::array<Member, most_members>& members, const Members& participants, const Tubes& tubes,
             double start)
@@ -49,12 +52,11 @@ class Clearance {
   const Members& placed() const { return placed_; }
   const Reference& reference(std::size_t member) const { return references_[member]; }
 
-  /// When the member has to know that the other has departed [s]; infinity where it never comes near.
+  /// Of a member that goes so, placed or not. O(members knots).
+  Gates gates_of(std::size_t member, const Reference& reference) const noexcept;
   double gate(std::size_t member, std::size_t other) const noexcept { return gates_[member][other]; }
 
  private:
-  using Gates = std::array<double, most_members>;
-
   /// A place where a member may stay for ever from a time on.
   struct Stop {
     double time{};
@@ -68,7 +70,6 @@ class Clearance {
 
   double apart(std::size_t a, std::size_t b, const Vec3& from, const Vec3& to,
                double beyond = 0.0) const noexcept;
-  Gates gates_of(std::size_t member, const Reference& reference) const noexcept;
   Stops stops_of(std::size_t member, const Reference& reference, const Gates& gates) const noexcept;
   static bool are_clear(const Stops& stops, const Reference& of_other, double apart) noexcept;
 

@@ -87,8 +87,13 @@ Command Pledge::decide(const Situation& s, Memory& memory, Context& context) con
     return refused("its id is beyond those of the group (team_count)");
   if (!memory.begun && !begin(s, memory)) return refused("it is too far from the datum for its words");
   hear(s, memory);
+  if (memory.agreement.rounds().groups().count() == 1) return decided(s, s.obstacles, memory, context);
   std::array<Obstacle, pledge::most_vehicles> room;
-  const pledge::Chart chart = memory.agreement.chart(s.obstacles, room);
+  return decided(s, memory.agreement.chart(s.obstacles, room), memory, context);
+}
+
+Command Pledge::decided(const Situation& s, const pledge::Chart& chart, Memory& memory,
+                        Context& context) const noexcept {
   take_part(s, chart, memory);
   watch(s, chart, memory);
   const Reference* way = memory.agreement.way();
@@ -195,7 +200,7 @@ void Pledge::watch(const Situation& s, const pledge::Chart& chart, Memory& memor
     const double off = (agreement.own().anchor - s.own.position).norm();
     if (memory.gives_way && off > 0.5 * params.tube_m) {
       stay_at(s, s.own.position, agreement);
-    } else if (off > params.tube_m && agreement.promised(s.time).empty()) {
+    } else if (off > params.tube_m && !agreement.has_promised(s.time)) {
       stay_at(s, resting_place(s), agreement);
     }
     return;

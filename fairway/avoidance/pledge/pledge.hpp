@@ -79,6 +79,8 @@ struct Pledge {
 
  private:
   pledge::Tubes tubes() const noexcept { return {.radius = params.tube_m, .told = 0.1}; }
+  Command decided(const Situation& s, const pledge::Chart& chart, Memory& memory,
+                  Context& context) const noexcept;
   Command stayed(const Situation& s, const Memory& memory, Context& context) const noexcept;
   bool begin(const Situation& s, Memory& memory) const noexcept;
   void hear(const Situation& s, Memory& memory) const noexcept;

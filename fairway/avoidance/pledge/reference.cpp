@@ -12,6 +12,8 @@ namespace {
 
 // of a ring, by one straight piece at most [rad]
 constexpr double piece = std::numbers::pi / 9.0;
+// at a corner sharper than this a member halts and turns [rad]; the corners of a ring are 0.35
+constexpr double sharp = 0.5;
 // within it of the destination a member may end, beyond what it is off its way when it arrives [m]
 constexpr double surely = 0.8;
 
@@ -23,48 +25,6 @@ struct Line {
   void add(const Vec2& corner) {
     if (count < corners.size()) corners[count++] = corner;
   }
-};
-
-/// A horizontal way in time, from 0 on: straight on at a constant speed, and at sharp corners a halt in which
-/// a member turns.
-class Passage {
- public:
-  Passage(const Line& line, double speed, double turn) {
-    double time = 0.0;
-    for (std::size_t i = 0; i < line.count; ++i) {
-      const Vec2& corner = line.corners[i];
-      if (i > 0) time += (corner - line.corners[i - 1]).norm() / speed;
-      add(time, corner);
-      if (i == 0 || i + 1 == line.count) continue;
-      const Vec2 before = corner - line.corners[i - 1], after = line.corners[i + 1] - corner;
-      const double angle = std::fabs(math::atan2(cross(before, after), before.dot(after)));
-      if (angle > sharp) add(time += turn * angle / std::numbers::pi, corner);
-    }
-  }
-
-  std::span<const double> times() const { return {times_.data(), count_}; }
-  double duration() const { return times_[count_ - 1]; }
-
-  Vec2 at(double time) const {
-    std::size_t i = 1;
-    while (i + 1 < count_ && times_[i] < time) ++i;
-    if (count_ < 2 || times_[i] <= times_[i - 1]) return places_[count_ < 2 ? 0 : i];
-    const double share = std::clamp((time - times_[i - 1]) / (times_[i] - times_[i - 1]), 0.0, 1.0);
-    return places_[i - 1] + share * (places_[i] - places_[i - 1]);
-  }
-
- private:
-  static constexpr double sharp = 0.5;  // [rad]; the corners of a ring are 0.35
-
-  void add(double time, const Vec2& place) {
-    if (count_ == times_.size()) return;
-    times_[count_] = time;
-    places_[count_++] = place;
-  }
-
-  std::array<double, 24> times_{};
-  std::array<Vec2, 24> places_{};
-  std::size_t count_{0};
 };
 
 /// Where on the ring the way from `from` meets it, as a bearing from the centre: by a tangent, or from within
@@ -154,11 +114,36 @@ Reference Reference::later(double seconds) const noexcept {
   return moved;
 }
 
-Reference reference_of(const Member& member, const Plan& plan, const Code& code) noexcept {
-  const Vec2 from = member.anchor.head<2>(), to = member.destination.head<2>();
+Passage::Passage(const Member& member, const Plan& plan, std::uint8_t ring) noexcept {
+  const Line line = line_of(member.anchor.head<2>(), member.destination.head<2>(), plan,
+                            ring_radius[ring] * ring_scale[plan.scale]);
   const double speed = math::fmax(member.speed, 0.01);
-  const Passage passage{line_of(from, to, plan, ring_radius[code.ring] * ring_scale[plan.scale]), speed,
-                        member.turn};
+  double time = 0.0;
+  for (std::size_t i = 0; i < line.count; ++i) {
+    const Vec2& corner = line.corners[i];
+    if (i > 0) time += (corner - line.corners[i - 1]).norm() / speed;
+    add(time, corner);
+    if (i == 0 || i + 1 == line.count) continue;
+    const Vec2 before = corner - line.corners[i - 1], after = line.corners[i + 1] - corner;
+    const double angle = std::fabs(math::atan2(cross(before, after), before.dot(after)));
+    if (angle > sharp) add(time += member.turn * angle / std::numbers::pi, corner);
+  }
+}
+
+Vec2 Passage::at(double time) const noexcept {
+  std::size_t i = 1;
+  while (i + 1 < count_ && times_[i] < time) ++i;
+  if (count_ < 2 || times_[i] <= times_[i - 1]) return places_[count_ < 2 ? 0 : i];
+  const double share = std::clamp((time - times_[i - 1]) / (times_[i] - times_[i - 1]), 0.0, 1.0);
+  return places_[i - 1] + share * (places_[i] - places_[i - 1]);
+}
+
+Reference reference_of(const Member& member, const Plan& plan, const Code& code) noexcept {
+  return reference_of(member, plan, code, Passage{member, plan, code.ring});
+}
+
+Reference reference_of(const Member& member, const Plan& plan, const Code& code,
+                       const Passage& passage) noexcept {
   const double leaves = plan.start() + delay_step * code.delay, goes = leaves + member.turn;
   const double down = member.destination.z() - member.anchor.z();
   const double rate = math::fmax(down > 0.0 ? member.descent : member.climb, 0.01);

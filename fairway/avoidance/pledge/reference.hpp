@@ -52,10 +52,36 @@ class Reference {
   std::size_t count_{0};
 };
 
+/// The horizontal way of one member by a ring of a plan, from 0 on: straight on at its constant speed, and at
+/// sharp corners a halt in which it turns.
+class Passage {
+ public:
+  Passage() = default;
+  Passage(const Member& member, const Plan& plan, std::uint8_t ring) noexcept;
+
+  std::span<const double> times() const { return {times_.data(), count_}; }  ///< of its corners [s]
+  double duration() const { return times_[count_ - 1]; }                     ///< [s]
+  Vec2 at(double time) const noexcept;                                       ///< [m, north and east]
+
+ private:
+  void add(double time, const Vec2& place) noexcept {
+    if (count_ == times_.size()) return;
+    times_[count_] = time;
+    places_[count_++] = place;
+  }
+
+  std::array<double, 24> times_{};
+  std::array<Vec2, 24> places_{};
+  std::size_t count_{0};
+};
+
 /// The way of one member by a plan: it waits for its delay, turns, and goes by the tangents of its ring,
 /// while it climbs or dives, each at its constant rate. It ends as far from the destination as the member
 /// arrives for certain. O(1).
 Reference reference_of(const Member& member, const Plan& plan, const Code& code) noexcept;
+/// The same, where its passage by that ring is known.
+Reference reference_of(const Member& member, const Plan& plan, const Code& code,
+                       const Passage& passage) noexcept;
 
 /// So far from its destination it ends [m].
 double ends_before(const Member& member) noexcept;

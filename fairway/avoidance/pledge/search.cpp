@@ -14,6 +14,7 @@ constexpr int carousel_cost = 4;              // of one carousel, in codes
 constexpr int codes = 256;
 constexpr std::size_t centres = 2 + most_members;  // of rings, one for each attempt
 constexpr Epoch at_zero{.tenths = 0};              // plans are looked for as if they began then
+constexpr double rounding = 1e-6;                  // of times [s]
 
 /// First where the straight ways cross, in the mean; then the middle of where all are, to go round each other
 /// there; then where each of them is, to go round it.
@@ -231,15 +232,25 @@ void Search::end_carousels() noexcept {
     if (plan_.participants[i]) scene_.place(i, reference_of(members_[i], plan_, plan_.codes[i]));
 }
 
+/// The code of that number takes the member whose turn it is, if it is there before `limit` by it. Of codes
+/// that differ in the delay alone the later ones are so much later.
+void Search::try_code(double limit, const Chart& chart) noexcept {
+  const Code code = Code::of(static_cast<std::uint8_t>(number_));
+  const Member& member = members_[member_];
+  const bool is_first_of_ring = code.delay == 0 && code.dive == 0;
+  if (is_first_of_ring) passage_ = Passage{member, plan_, code.ring};
+  if (code.delay > 0 && undelayed_[code.dive] + delay_step * code.delay > limit + rounding) return;
+  const Reference reference = reference_of(member, plan_, code, passage_);
+  if (code.delay == 0) undelayed_[code.dive] = reference.end();
+  if (reference.end() >= limit || !accepts(member_, reference, scene_, chart)) return;
+  soonest_ = reference.end();
+  code_ = code;
+}
+
 /// One code of the member whose turn it is; when all were tried it takes the soonest, or stays.
 void Search::try_next_code(const Chart& chart) noexcept {
   if (!participants_[member_]) number_ = codes;
-  const Code code = Code::of(static_cast<std::uint8_t>(number_));
-  const Reference reference = reference_of(members_[member_], plan_, code);
-  if (number_ < codes && reference.end() < soonest_ && accepts(member_, reference, scene_, chart)) {
-    soonest_ = reference.end();
-    code_ = code;
-  }
+  if (number_ < codes) try_code(soonest_, chart);
   if (++number_ < codes) return;
   if (soonest_ < never) {
     plan_.codes[member_] = code_;
@@ -264,13 +275,7 @@ void Search::improve_next(const Chart& chart) noexcept {
     number_ = codes - 1;
   } else {
     if (number_ == 0) scene_.take_away(member_);
-    const Code code = Code::of(static_cast<std::uint8_t>(number_));
-    const Reference reference = reference_of(members_[member_], plan_, code);
-    const double now = scene_.reference(member_).end();
-    if (reference.end() < math::fmin(soonest_, now - 0.05) && accepts(member_, reference, scene_, chart)) {
-      soonest_ = reference.end();
-      code_ = code;
-    }
+    try_code(math::fmin(soonest_, scene_.reference(member_).end() - 0.05), chart);
   }
   if (++number_ < codes) return;
   if (plan_.participants[member_]) {

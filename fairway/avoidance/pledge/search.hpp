@@ -64,6 +64,7 @@ class Search {
                const Chart& chart) const noexcept;
   void try_carousel(int number, const Chart& chart) noexcept;
   void end_carousels() noexcept;
+  void try_code(double limit, const Chart& chart) noexcept;
   void try_next_code(const Chart& chart) noexcept;
   void improve_next(const Chart& chart) noexcept;
   void end_hub() noexcept;
@@ -102,7 +103,9 @@ class Search {
   std::size_t member_{0};  ///< that member
   Clearance scene_{};
   Plan plan_{};
-  double soonest_{};  ///< of the member's codes that were tried
+  Passage passage_{};                  ///< of that member by the ring of its code
+  std::array<double, 4> undelayed_{};  ///< when it is there by that ring, by how it dives [s]
+  double soonest_{};                   ///< of the member's codes that were tried
   Code code_{};
 
   Option of_hub_{}, best_{};
