@@ -161,6 +161,11 @@ double AcousticChannel::next_turn(std::size_t vehicle, Tick now) const {
   return (first + cycle * std::ceil((due - instant - first) / cycle)) * period_;
 }
 
+double AcousticChannel::clock_ahead(std::size_t vehicle, Tick now) const {
+  const Transmitter& its = transmitters_[vehicle];
+  return (its.clock_ahead + its.clock_drift * static_cast<double>(count(now))) * period_;
+}
+
 void AcousticChannel::add_under_way(std::vector<MessageFlight>& flights) const {
   for (const Flight& flight : std::span{flights_}.first(under_way_)) {
     if (flight.is_noise) continue;
@@ -340,11 +345,10 @@ void AcousticChannel::hand_over(Tick now) {
 
 Message AcousticChannel::as_read(const Flight& flight, Tick now) const {
   Message read = flight.message;
-  if (params_.clock_offset_s == 0.0 && params_.clock_drift_ratio == 0.0) return read;
-  const auto ahead = [](const Transmitter& its, Tick at) {
-    return its.clock_ahead + its.clock_drift * static_cast<double>(count(at));
-  };
-  const double wrong = ahead(transmitters_[flight.from], read.sent) - ahead(transmitters_[flight.to], now);
+  // who speaks tells the time itself
+  if (!read.speech.empty() || (params_.clock_offset_s == 0.0 && params_.clock_drift_ratio == 0.0))
+    return read;
+  const double wrong = (clock_ahead(flight.from, read.sent) - clock_ahead(flight.to, now)) / period_;
   read.sent =
       std::min(now, Tick{count(read.sent) + std::llround(wrong)});  // nothing is taken to be of the future
   return read;

@@ -161,6 +161,7 @@ class AcousticChannel {
   void add_under_way(std::vector<MessageFlight>& flights) const;
   double turn_period() const;
   double next_turn(std::size_t vehicle, Tick now) const;
+  double clock_ahead(std::size_t vehicle, Tick now) const;
 
   const AcousticParams& params() const { return params_; }
   const AcousticCounts& counts() const { return counts_; }

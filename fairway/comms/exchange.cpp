@@ -54,6 +54,11 @@ double Exchange::next_turn(std::size_t vehicle, Tick now) const {
   return channel != nullptr ? channel->next_turn(vehicle, now) : seconds(next(now), period_);
 }
 
+double Exchange::clock_ahead(std::size_t vehicle, Tick now) const {
+  const auto* channel = std::get_if<AcousticChannel>(&way_);
+  return channel != nullptr ? channel->clock_ahead(vehicle, now) : 0.0;
+}
+
 double Exchange::unforeseen_acceleration() const {
   const auto* channel = std::get_if<AcousticChannel>(&way_);
   return channel != nullptr ? channel->params().unforeseen_acceleration_mps2 : 0.0;

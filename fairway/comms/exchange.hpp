@@ -57,6 +57,9 @@ class Exchange {
   double turn_period() const;
   double next_turn(std::size_t vehicle, Tick now) const;
 
+  /// By how much a vehicle's own clock is ahead of the true time [s].
+  double clock_ahead(std::size_t vehicle, Tick now) const;
+
   /// Standard deviation of what a sender does to its velocity between messages, which no prediction knows
   /// [m/s2].
   double unforeseen_acceleration() const;

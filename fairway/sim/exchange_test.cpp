@@ -49,6 +49,41 @@ TEST(AcousticExchange, TheSameScenarioGivesTheSameBits) {
   EXPECT_NE(measured_of(other), measured_of(scenario)) << "other messages are lost";
 }
 
+/// What the clocks on board show, beside the true time.
+struct Clocks final : DecisionObserver {
+  explicit Clocks(const Simulation& simulation) : simulation_{simulation} {}
+  void see(std::size_t index, const Situation& situation, const Command&) override {
+    ahead[index] = situation.time - simulation_.time();
+    for (const Heard& heard : situation.link->heard)
+      sent[index].push_back(heard.sent - ahead[number(heard.from)]);
+  }
+  std::array<double, 2> ahead{};
+  std::array<std::vector<double>, 2> sent;  ///< the true times of what each has heard, at every decision
+
+ private:
+  const Simulation& simulation_;
+};
+
+TEST(AcousticExchange, WhoSpeaksGoesByTheClockOnBoard) {
+  Scenario scenario = meeting({{"update_rate_hz", 1.0}, {"clock_offset_s", 0.5}});
+  scenario.duration_s = 20;
+  for (VehicleSpec& spec : scenario.vehicles)
+    spec.avoider = {.name = "pledge", .params = {{"team_count", 2.0}}, .path = "avoider"};
+  Simulation simulation{scenario, builtin_catalogs()};
+  Clocks clocks{simulation};
+  simulation.observe(&clocks);
+  simulation.run({});
+  EXPECT_GT(std::abs(clocks.ahead[0]), 1e-3);
+  EXPECT_GT(std::abs(clocks.ahead[0] - clocks.ahead[1]), 1e-3);
+  for (const std::vector<double>& sent : clocks.sent) {
+    ASSERT_FALSE(sent.empty());
+    EXPECT_GE(sent.back(), 10.0);
+    EXPECT_LE(sent.back(), 20.0);
+    const double slots = sent.back() / 0.4;
+    EXPECT_NEAR(slots, std::round(slots), 1e-6) << "they were said when slots truly begin";
+  }
+}
+
 TEST(AcousticExchange, AnIdealModemIsPerfectExchange) {
   const std::vector<Measure> perfect = measured_of(meeting({}, "perfect"));
   EXPECT_EQ(measured_of(meeting(ideal)), perfect);

@@ -175,7 +175,7 @@ class Simulation {
   bool everyone_is_at(const Agent& agent) const;
   static bool waits_for_method(const Agent& agent);
   std::optional<Command> attend(std::size_t index, Hand& hand);
-  void listen(std::size_t index, Hand& hand);
+  void listen(std::size_t index, Hand& hand, Situation& shown);
   bool is_deciding(const Agent& agent) const;
   bool joins(std::size_t index) const;
   void join(std::size_t index, Hand& hand);

@@ -65,9 +65,8 @@ std::optional<Command> Simulation::attend(std::size_t index, Hand& hand) {
   const Leg here{.kind = LegKind::transit, .position = agent.own.position};
   const Leg* leg = phase == Phase::waiting ? agent.mission.next_transit() : &here;
   if (leg == nullptr) return {};
-  listen(index, hand);
   Situation shown = agent.pilot.situation(time(), agent.own, *leg, {}, obstacles_.fixed());
-  shown.link = &hand.link;
+  listen(index, hand, shown);
   shown.current = agent.estimated_current;
   shown.attendance = phase == Phase::arrived                            ? Attendance::arrived
                      : waits_for_method(agent) && everyone_is_at(agent) ? Attendance::ready
@@ -78,14 +77,21 @@ std::optional<Command> Simulation::attend(std::size_t index, Hand& hand) {
   return stays ? std::optional{command} : std::nullopt;
 }
 
-/// What of all that was said has come in, and when its own turns are.
-void Simulation::listen(std::size_t index, Hand& hand) {
+/// What of all that was said has come in, and when its own turns are; all times are those of the clocks on
+/// board.
+void Simulation::listen(std::size_t index, Hand& hand, Situation& shown) {
   hand.heard.clear();
-  for (const Message& message : exchange_.heard_by(index, mailbox_)) {
-    if (message.told && !message.speech.empty() && message.from != agents_[index].ship().id)
-      hand.heard.push_back({message.from, seconds(message.sent, period_), message.speech});
+  const std::span<const Message> all = exchange_.heard_by(index, mailbox_);
+  for (std::size_t from = 0; from < all.size(); ++from) {
+    const Message& message = all[from];
+    if (!message.told || message.speech.empty() || message.from == agents_[index].ship().id) continue;
+    const double sent = seconds(message.sent, period_) + exchange_.clock_ahead(from, message.sent);
+    hand.heard.push_back({message.from, sent, message.speech});
   }
-  hand.link = {hand.heard, exchange_.turn_period(), exchange_.next_turn(index, tick_)};
+  const double ahead = exchange_.clock_ahead(index, tick_);
+  hand.link = {hand.heard, exchange_.turn_period(), exchange_.next_turn(index, tick_) + ahead};
+  shown.link = &hand.link;
+  shown.time += ahead;
 }
 
 Situation Simulation::situation(std::size_t index) const { return situation(index, kept_[index]); }
@@ -102,8 +108,7 @@ Command Simulation::ask(std::size_t index, Hand& hand) {
   Agent& agent = agents_[index];
   Situation shown = situation(index, keeping_ ? kept_[index] : hand.passing);
   if (agent.avoider.speaks() && exchange_.carries_anything()) {
-    listen(index, hand);
-    shown.link = &hand.link;
+    listen(index, hand, shown);
   }
   const Order* order = order_of(index);
   Command command = order != nullptr ? *order->command
