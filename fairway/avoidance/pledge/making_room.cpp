@@ -54,8 +54,9 @@ struct Surroundings {
            !is_in(chart.standing(), place, off) && !is_in(chart.held(), place, off);
   }
 
-  /// The first free place about another: back to own ship, below, above, on either side and beyond.
-  std::optional<Vec3> free_place_about(const Vec3& middle) const {
+  /// The first free place about another: back to own ship, below, above, on either side and beyond; or from
+  /// another of these on.
+  std::optional<Vec3> free_place_about(const Vec3& middle, std::size_t first = 0) const {
     const Vec2 apart = agreement.own().anchor.head<2>() - middle.head<2>();
     const Vec2 back = apart.norm() > 1.0 ? Vec2{apart.normalized()} : Vec2{1.0, 0.0};
     const Vec2 side = starboard_of(back);
@@ -67,7 +68,8 @@ struct Surroundings {
                                          Vec3{-back.x(), -back.y(), 0}};
     const double least = 2.0 * berth_of_own() + 2.0 * to_spare;
     for (const double ratio : {1.0, 1.5, 2.0, 3.0}) {
-      for (const Vec3& direction : directions) {
+      for (std::size_t i = 0; i < directions.size(); ++i) {
+        const Vec3& direction = directions[(first + i) % directions.size()];
         if (direction.z() != 0.0 && limits.max_climb_rate <= 0.0) continue;
         const Vec3 place = middle + ratio * least * direction;
         if (is_free(place)) return place;
@@ -80,11 +82,11 @@ struct Surroundings {
 }  // namespace
 
 Aim aim_of(const Agreement& agreement, const Vec3& goal, const Chart& chart, const Limits& limits,
-           bool stuck) noexcept {
+           std::optional<std::size_t> stuck) noexcept {
   const Surroundings about{agreement, chart, limits};
   const Vec3& anchor = agreement.own().anchor;
   if (!Surroundings::is_in(chart.held(), goal, about.berth_of_own())) {
-    const std::optional<Vec3> other = stuck ? about.free_place_about(anchor) : std::nullopt;
+    const std::optional<Vec3> other = stuck ? about.free_place_about(anchor, *stuck) : std::nullopt;
     return other ? Aim{Aim::Kind::aside, *other} : Aim{Aim::Kind::goal, goal};
   }
   if (!about.is_wanted(anchor, 0.0)) return {Aim::Kind::none, anchor};

@@ -76,9 +76,12 @@ TEST(MakingRoom, AMateThatIsToGoToOnesPlaceIsMadeRoomForToo) {
 TEST(MakingRoom, WhoIsStuckGoesAsideNearWhereItLies) {
   Nine nine;
   const Agreement own = nine.heard();
-  const Aim aim = aim_of(own, nine.all[0].destination, own.chart({}, nine.room), nine.limits, true);
+  const Aim aim = aim_of(own, nine.all[0].destination, own.chart({}, nine.room), nine.limits, 0);
   ASSERT_EQ(aim.kind, Aim::Kind::aside);
   EXPECT_LT((aim.place - nine.all[0].anchor).norm(), 8.0);
+  const Aim next = aim_of(own, nine.all[0].destination, own.chart({}, nine.room), nine.limits, 1);
+  ASSERT_EQ(next.kind, Aim::Kind::aside);
+  EXPECT_GT((next.place - aim.place).norm(), 4.0) << "another side";
 }
 
 TEST(MakingRoom, NobodyGoesAsideAboveTheSurfaceOrIntoWhatStands) {

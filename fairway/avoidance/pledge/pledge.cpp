@@ -173,7 +173,8 @@ void Pledge::aim(const Situation& s, const pledge::Chart& chart, Memory& memory)
   // not all who are stuck at once
   const auto own_round = static_cast<std::size_t>(rounds.round()) / rounds.groups().count();
   const bool is_stuck = memory.idle_rounds >= patient_rounds && (own_round + agreement.self()) % 2 == 0;
-  const pledge::Aim aim = pledge::aim_of(agreement, s.goal.position, chart, s.limits, is_stuck);
+  const auto stuck = is_stuck ? std::optional{memory.asides++} : std::nullopt;
+  const pledge::Aim aim = pledge::aim_of(agreement, s.goal.position, chart, s.limits, stuck);
   memory.waits = aim.kind == pledge::Aim::Kind::none;
   Member member = pledge::member_of(s, params.speed_ratio);
   member.anchor = anchor;

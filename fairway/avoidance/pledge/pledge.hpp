@@ -60,6 +60,7 @@ struct Pledge {
     std::int64_t aimed_round{-1};    ///< the last one in which it chose where to go
     Vec3 aimed_from = Vec3::Zero();  ///< where it lay then [m, NED]
     int idle_rounds{};               ///< of its own, since it lay elsewhere
+    std::size_t asides{};            ///< how often it went aside, since no plan led it on
     bool waits{false};               ///< it has chosen to stay for this round
     double moved{};                  ///< when it was not at rest, since it was lost [s]
     double turn_period{};
