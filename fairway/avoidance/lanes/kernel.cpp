@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "fairway/avoidance/lanes/fan_text.hpp"
 #include "fairway/avoidance/lanes/kernel_text.hpp"
 
 namespace fairway::lanes {
@@ -14,7 +15,8 @@ extern const Kernel avx2_kernel, avx512_kernel;  // kernel_avx2.cpp, kernel_avx5
 namespace {
 
 constexpr Kernel two_lanes{
-    "two lanes", 2, half_spaces_in_lanes<2>, decide_in_lanes<2>, within_in_lanes<2>, order_in_lanes<2>};
+    "two lanes",     2, half_spaces_in_lanes<2>, decide_in_lanes<2>, within_in_lanes<2>, order_in_lanes<2>,
+    roll_in_lanes<2>};
 
 // addresses are known before anything runs: a decision waits for no initialisation
 #if defined(__x86_64__)

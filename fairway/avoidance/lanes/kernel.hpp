@@ -5,6 +5,10 @@
 #include <cstdint>
 #include <span>
 
+namespace fairway::trackable {
+struct Fan;
+}
+
 /// ORCA in space in the lanes of a processor's registers: the half-spaces of
 /// several neighbours at once, or the decisions of several vehicles. Whatever
 /// lane a number is in, it comes to the bits that it comes to alone.
@@ -67,6 +71,9 @@ struct Kernel {
 
   /// Writes their numbers nearest first; of equal distances what was found first. At most `most_found`.
   void (*order)(const Found& found, std::size_t count, std::uint32_t* ordered);
+
+  /// Rolls out `lanes` plans of a vehicle that must turn (trackable/fan.hpp).
+  void (*roll)(trackable::Fan& fan);
 };
 
 /// Those that this processor can run, the widest last: two lanes always, four

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -11,7 +14,9 @@
 #include "fairway/avoidance/lanes/kernel.hpp"
 #include "fairway/avoidance/orca3d/half_space.hpp"
 #include "fairway/avoidance/testing/encounters.hpp"
+#include "fairway/avoidance/trackable/fan.hpp"
 #include "fairway/avoidance/velocity_program/velocity_program.hpp"
+#include "fairway/core/angles.hpp"
 
 namespace fairway::lanes {
 namespace {
@@ -202,6 +207,110 @@ TEST(Lanes, WhoIsWithinReachIsFoundAndPutInOrder) {
     }
     EXPECT_GT(all, 2000U) << kernel.name;
   }
+}
+
+using trackable::Fan;
+
+std::array<double, Fan::motion_columns> members(const trackable::Motion<double>& m) {
+  return {m.north, m.east, m.ahead_north, m.ahead_east, m.turn_rate, m.speed, m.sway, m.error};
+}
+
+TEST(Lanes, PlansRolledOutSideBySideComeToTheBitsThatTheyComeToAlone) {
+  int kept_clear = 0, touched = 0;
+  for (std::uint64_t index = 0; index < 2000; ++index) {
+    Rng rng = Rng{1}.stream("fans", index);
+    const auto any = [&](double least, double most) { return rng.uniform(least, most); };
+    const trackable::Response can{.law = {.gain = any(0.3, 2.0),
+                                          .turn_share = 0.9,
+                                          .max_turn_rate = any(0.2, 1.0),
+                                          .ahead = any(1.0, 3.0)},
+                                  .step = any(0.1, 0.4),
+                                  .turn_share = any(0.1, 1.0),
+                                  .surge_share = any(0.1, 1.0),
+                                  .sway_share = any(0.1, 1.0),
+                                  .most_turn = any(0.02, 0.2),
+                                  .most_faster = any(0.05, 0.5),
+                                  .most_slower = any(0.05, 0.5),
+                                  .pivot = any(0.0, 1.0),
+                                  .drift_north = any(-0.2, 0.2),
+                                  .drift_east = any(-0.2, 0.2)};
+    trackable::Response response = can;
+    for (double& rate : response.law.turn_rates) rate = any(0.2, 1.0);
+    response.law.sure_turn_rate = index % 2 == 0 ? 0.17 : 0.0;
+
+    std::array<trackable::Hazard, 3> hazards;
+    std::array<double, 3> near2;
+    for (std::size_t i = 0; i < hazards.size(); ++i) {
+      hazards[i] = {.north = any(-8, 8), .east = any(-8, 8), .velocity_north = any(-1, 1), .contact = 2.0};
+      near2[i] = any(0.0, 5.0);
+    }
+    hazards[2].along_north = 3.0;
+    hazards[2].along_east = any(-3, 3);
+    hazards[2].length2 = 9.0 + hazards[2].along_east * hazards[2].along_east;
+    const std::array<std::size_t, 3> first_steps{0, 5, 0};
+
+    Fan given;
+    given.response = &response;
+    given.hazards = hazards.data();
+    given.near2 = near2.data();
+    given.first_steps = first_steps.data();
+    given.hazard_count = hazards.size();
+    given.begin = index % 3 == 0 ? 4 : 0;
+    given.hold_steps = 6;
+    given.circles = index % 5 == 0;
+    given.asks_room = true;
+    std::array<trackable::Motion<double>, most_lanes> starts;
+    for (std::size_t lane = 0; lane < most_lanes; ++lane) {
+      const Vec2 ahead = unit_at(any(-pi, pi)), heading = unit_at(any(-pi, pi));
+      starts[lane] = {any(-1, 1),     any(-1, 1),    ahead.x(),      ahead.y(),
+                      any(-0.5, 0.5), any(0.0, 2.0), any(-0.1, 0.1), any(-pi, pi)};
+      for (std::size_t c = 0; c < Fan::motion_columns; ++c) given.motion[c][lane] = members(starts[lane])[c];
+      given.heading_north[lane] = heading.x();
+      given.heading_east[lane] = heading.y();
+      given.speed[lane] = any(0.0, 2.0);
+    }
+
+    for (const Kernel* kernel : kernels()) {
+      Fan fan = given;
+      kernel->roll(fan);
+      for (std::size_t lane = 0; lane < kernel->lanes; ++lane) {
+        trackable::Motion<double> m = starts[lane], held = m;
+        std::array<double, 3> least2;
+        least2.fill(std::numeric_limits<double>::infinity());
+        std::size_t k = fan.begin;
+        for (; k < trackable::foresight_steps; ++k) {
+          if (k == fan.hold_steps) held = m;
+          if (fan.circles)
+            trackable::advance(response, m.speed, fan.heading_north[lane], m);
+          else
+            trackable::follow(response, fan.heading_north[lane], fan.heading_east[lane], fan.speed[lane], m);
+          bool is_near = false;
+          for (std::size_t i = 0; i < hazards.size(); ++i) {
+            if (k < first_steps[i]) continue;
+            const double time = static_cast<double>(k + 1) * response.step;
+            const double d2 = trackable::distance2(hazards[i], time, m.north, m.east);
+            least2[i] = std::min(least2[i], d2);
+            is_near = is_near || d2 < near2[i];
+          }
+          if (is_near) break;
+        }
+        EXPECT_EQ(fan.clear_steps[lane], static_cast<double>(k)) << kernel->name << ' ' << index;
+        if (k > fan.hold_steps) {
+          for (std::size_t c = 0; c < Fan::motion_columns; ++c)
+            EXPECT_EQ(std::bit_cast<std::uint64_t>(fan.held[c][lane]),
+                      std::bit_cast<std::uint64_t>(members(held)[c]))
+                << kernel->name << ' ' << index << ' ' << c;
+        }
+        ++(k == trackable::foresight_steps ? kept_clear : touched);
+        if (k < trackable::foresight_steps) continue;
+        double room = std::numeric_limits<double>::infinity();
+        for (const double d2 : least2) room = std::min(room, std::sqrt(d2) - 2.0);
+        EXPECT_EQ(fan.room[lane], room) << kernel->name << ' ' << index;
+      }
+    }
+  }
+  EXPECT_GT(kept_clear, 500);
+  EXPECT_GT(touched, 500);
 }
 
 }  // namespace

@@ -6,8 +6,10 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <span>
 
 #include "fairway/avoidance/situation.hpp"
+#include "fairway/avoidance/trackable/fan.hpp"
 #include "fairway/avoidance/trackable/turn_law.hpp"
 
 namespace fairway::trackable {
@@ -49,8 +51,8 @@ enum class Prospect : std::uint8_t {
 /// side.
 class Foresight {
  public:
-  static constexpr std::size_t steps = 48;
-  static constexpr std::size_t most_hazards = 64;
+  static constexpr std::size_t steps = foresight_steps;
+  static constexpr std::size_t most_plans = 80;
 
   /// `law` must outlive it. O(solids).
   Foresight(const TurnLaw& law, const Situation& s, const Outlook& outlook) noexcept;
@@ -66,57 +68,55 @@ class Foresight {
     return std::max(-most_rising_, std::min(most_sinking_, sinking));
   }
 
-  /// What the plan comes to; one that is not clear is `lost` where no backup is sought. O(steps x hazards).
-  Prospect of(const Plan& plan, bool seeks_backup = true) const noexcept;
-  /// The least distance that the plan leaves beyond contact on the whole window [m]; of a plan that leaves no
-  /// more than `too_little`, something that is no more than that. Likewise.
-  double room_of(const Plan& plan, double too_little) const noexcept;
+  /// Whether nothing comes nearer than the margin on the whole window. O(steps x hazards).
+  bool is_clear(const Plan& plan) const noexcept;
+
+  /// One of many plans.
+  struct Pick {
+    std::size_t at;  ///< as many as there are plans: the one that was asked for
+    Prospect prospect;
+  };
+  /// The first of the plans that is clear; else the first that is backed up; else the one that leaves most
+  /// room, the one that was asked for among them, which is known not to be clear. All are for a course, and
+  /// at most `most_plans`. O(plans x steps x hazards).
+  Pick best_of(const Plan& asked, std::span<const Plan> plans) const noexcept;
+
   /// What the autopilot is ordered now.
   TurnOrder order(const Plan& plan) const noexcept;
   /// Where the vehicle is after each step. [m]
   std::array<Vec2, steps> path(const Plan& plan) const noexcept;
 
  private:
-  struct Hazard {
-    Vec2 from, to;  // of its middle line, relative to own ship
-    Vec2 velocity;
-    double contact;  // own radius and its own [m]
-    double keep;     // from the middle line, squared [m2]
-    bool is_disc;
-  };
-  struct Motion {
-    Vec2 position = Vec2::Zero();
-    Vec2 ahead;  // unit
-    double turn_rate;
-    double speed;
-    double sway;
-    double error{};  // from the heading to that of the plan [rad]
-  };
+  /// Several plans and what has been found out of them, in the order of the plans.
+  struct Search;
 
   void add(const Vec2& from, const Vec2& to, double radius, const Vec2& velocity) noexcept;
-  bool is_kept(const Vec2& position, double time) const noexcept;
   /// Towards where the heading has to point for the direction to be made good.
   Vec2 heading_for(const Plan& plan) const noexcept;
-  void advance(Motion& m, const TurnOrder& order) const noexcept;
   /// Follows the plan for one step; `heading` is its heading_for(), and `m.error` the way there.
-  void follow(Motion& m, const Plan& plan, const Vec2& heading) const noexcept;
-  /// `m` is where the plan was given up.
-  bool stops(Motion m) const noexcept;
-  bool circles(Motion m, double turn_rate) const noexcept;
+  void follow(Motion<double>& m, const Plan& plan, const Vec2& heading) const noexcept;
+  Motion<double> start_of(const Vec2& heading) const noexcept;
+  /// Of the way, a bound for every plan of no more than `speed` and `turn_rate`. [m/s]
+  double fastest_way(double speed, double turn_rate) const noexcept;
+  /// Of a hazard: so many steps are over before any plan whose way is no faster comes near.
+  std::size_t first_step(std::size_t hazard, double fastest) const noexcept;
+  /// The least distance beyond contact that the plan leaves, which is not clear. [m]
+  double room_of(const Plan& plan) const noexcept;
 
   const TurnLaw& law_;
   Outlook outlook_;
   double own_radius_;
-  double step_;
-  double turn_share_, surge_share_, sway_share_;  // of the way to what is ordered, gone in a step
-  double most_turn_, most_faster_, most_slower_;  // by which turn rate and speed change in a step
+  Response response_;
   std::size_t hold_steps_;
   double reach_;
   double room_now_;
   double most_sinking_ = std::numeric_limits<double>::infinity();
   double most_rising_ = std::numeric_limits<double>::infinity();
-  Motion now_;
+  Motion<double> now_;
   std::array<Hazard, most_hazards> hazards_;
+  std::array<double, most_hazards> keep2_;  // from the middle line, squared [m2]
+  std::array<double, most_hazards> spare_;  // way to what is nearer than the margin [m]
+  std::array<double, most_hazards> speeds_;
   std::size_t count_ = 0;
 };
 

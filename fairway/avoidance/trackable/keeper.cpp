@@ -16,11 +16,6 @@ constexpr double standing_share = 0.1;  // of the preferred speed: slower stands
 constexpr double turn_step = pi / 12;   // between plans
 constexpr double slack_s = 1.0;         // of the window, beyond the manoeuvres that it is to hold
 
-Vec2 turned_by(const Vec2& v, double angle) {
-  const double c = math::cos(angle), s = math::sin(angle);
-  return {c * v.x() - s * v.y(), s * v.x() + c * v.y()};
-}
-
 /// To turn a quarter and to stop; of who cannot stop, to go once round.
 double window_of(const TurnLaw& law, const Situation& s, double hold) {
   const Envelope& can = law.envelope();
@@ -68,6 +63,8 @@ Plan plan_of(const Situation& s, const Command& asked, const Vec2& drift) {
   return {.direction = wanted / speed, .speed = speed};
 }
 
+static_assert(Deviations::count <= Foresight::most_plans);
+
 struct Choice {
   Plan plan;
   Prospect prospect;
@@ -77,28 +74,19 @@ struct Choice {
 /// The cheapest deviation that is clear, else the cheapest that has a backup, else what leaves most room.
 Choice choose(const Deviations& deviations, const Foresight& foresight, const Plan& asked, double cruise,
               double side) {
-  const auto plan_at = [&](const Deviation& d) {
-    const double speed = std::max(asked.speed, 0.5 * cruise);
-    return Plan{turned_by(asked.direction, side * d.turn), d.speed_ratio * speed, {}};
-  };
-  std::optional<Choice> backed_up;
-  for (const Deviation& d : deviations) {
-    const Plan plan = plan_at(d);
-    const Prospect prospect = foresight.of(plan, !backed_up);
-    Choice choice{plan, prospect, d.turn * side < 0.0 ? -1.0 : d.turn != 0.0 ? 1.0 : side};
-    if (prospect == Prospect::clear) return choice;
-    if (prospect == Prospect::backed_up && !backed_up) backed_up = choice;
-  }
-  if (backed_up) return *backed_up;
-  Choice best{asked, Prospect::lost, side};
-  double most = foresight.room_of(asked, -std::numeric_limits<double>::infinity());
-  for (const Deviation& d : deviations) {
-    const Plan plan = plan_at(d);
-    const double room = foresight.room_of(plan, most);
-    if (room > most) best.plan = plan;
-    most = std::max(most, room);
-  }
-  return best;
+  std::array<Plan, Deviations::count> plans;
+  const double speed = std::max(asked.speed, 0.5 * cruise);
+  std::ranges::transform(deviations, plans.begin(), [&](const Deviation& d) {
+    const double sine = side * d.sine;
+    const Vec2& v = asked.direction;
+    return Plan{
+        {d.cosine * v.x() - sine * v.y(), sine * v.x() + d.cosine * v.y()}, d.speed_ratio * speed, {}};
+  });
+  const auto [at, prospect] = foresight.best_of(asked, plans);
+  const Plan& plan = at < plans.size() ? plans[at] : asked;
+  if (prospect == Prospect::lost) return {plan, prospect, side};
+  const double turn = std::next(deviations.begin(), static_cast<std::ptrdiff_t>(at))->turn;
+  return {plan, prospect, turn * side < 0.0 ? -1.0 : turn != 0.0 ? 1.0 : side};
 }
 
 }  // namespace
@@ -108,12 +96,13 @@ Deviations::Deviations(double slow_cost_ratio) {
   for (std::size_t i = 0; i < turn_count; ++i) {
     const std::size_t steps_aside = (i + 1) / 2;
     const double turn = (i % 2 == 1 ? 1.0 : -1.0) * turn_step * static_cast<double>(steps_aside);
+    const auto [sine, cosine] = math::sin_cos(turn);
     for (std::size_t k = 0; k < speed_count; ++k) {
       const double ratio = 1.0 - static_cast<double>(k) / speed_count;
-      all_[n++] = {1.0 - math::cos(turn) + slow_cost_ratio * (1.0 - ratio), ratio, turn};
+      all_[n++] = {1.0 - cosine + slow_cost_ratio * (1.0 - ratio), ratio, turn, cosine, sine};
     }
   }
-  all_[n++] = {1.7, 0.0, 0.0};
+  all_[n++] = {1.7, 0.0, 0.0, 1.0, 0.0};
   std::ranges::stable_sort(all_, {}, &Deviation::cost);
 }
 
@@ -155,7 +144,7 @@ void Keeper::draw(Sketch& sketch, const Plan& plan, const Command& asked) const 
 Command Keeper::keep(const Command& asked, const Deviations& deviations, Sketch* sketch) noexcept {
   Plan plan = plan_of(s_, asked, drift_);
   Command command = asked;
-  if (!foresight_.is_open() && foresight_.of(plan) != Prospect::clear) {
+  if (!foresight_.is_open() && !foresight_.is_clear(plan)) {
     const Choice choice = choose(deviations, foresight_, plan, s_.goal.cruise_speed, course_.side);
     course_.side = choice.side;
     plan = choice.plan;

@@ -16,7 +16,8 @@ namespace fairway::trackable {
 struct Deviation {
   double cost;
   double speed_ratio;
-  double turn;  ///< to the side that is preferred [rad]
+  double turn;          ///< to the side that is preferred [rad]
+  double cosine, sine;  ///< of the turn
 };
 
 /// Of stopping; that of turning round is 2.
@@ -26,14 +27,16 @@ inline constexpr double usual_slow_cost = 0.5;
 /// 1 - cos(turn) + slow_cost_ratio (1 - speed ratio).
 class Deviations {
  public:
+  static constexpr std::size_t turn_count = 25;
+  static constexpr std::size_t speed_count = 3;
+  static constexpr std::size_t count = turn_count * speed_count + 1;
+
   explicit Deviations(double slow_cost_ratio);
   auto begin() const noexcept { return all_.begin(); }
   auto end() const noexcept { return all_.end(); }
 
  private:
-  static constexpr std::size_t turn_count = 25;
-  static constexpr std::size_t speed_count = 3;
-  std::array<Deviation, turn_count * speed_count + 1> all_{};
+  std::array<Deviation, count> all_{};
 };
 
 /// How a vehicle that must turn is kept clear.

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "fairway/avoidance/catalog.hpp"
 #include "fairway/avoidance/direct/direct.hpp"
@@ -24,6 +25,10 @@ using trackable::Foresight;
 using trackable::Plan;
 using trackable::Prospect;
 using trackable::TurnLaw;
+
+Prospect prospect_of(const Foresight& foresight, const Plan& plan) {
+  return foresight.is_clear(plan) ? Prospect::clear : foresight.best_of(plan, {&plan, 1}).prospect;
+}
 
 Avoider around_direct_trackable() { return Avoider{Trackable{{}}, Avoider{Direct{{}}}}; }
 
@@ -56,39 +61,94 @@ TEST(Trackable, AForeseenStopNeedsItsWay) {
   const auto comes_to = [&](double gap) {
     e.obstacles = {buoy(e.situation.own.position.x() + gap + 1.0 + 5.0, 0.0, 5.0)};
     const Situation s = e;
-    return Foresight{law, s, {.hold = 0.2, .window = 8.0, .margin = 0.1}}.of({.speed = 1.0});
+    return prospect_of(Foresight{law, s, {.hold = 0.2, .window = 8.0, .margin = 0.1}}, {.speed = 1.0});
   };
   EXPECT_EQ(comes_to(0.8), Prospect::lost);
   EXPECT_EQ(comes_to(2.0), Prospect::backed_up);
   EXPECT_EQ(comes_to(20.0), Prospect::clear);
 }
 
-TEST(Trackable, WhatIsNotAskedForIsNotForeseenAndAllElseIsTheSame) {
-  const Envelope boat = of_a_boat();
-  OwnedSituation e = under_way(boat);
-  const TurnLaw law{boat, Limits::none};
-  const double any = -std::numeric_limits<double>::infinity();
-  int backed_up = 0, too_little = 0;
-  for (std::uint64_t i = 0; i < 300; ++i) {
-    Rng rng = Rng{3}.stream("plans", i);
-    const double bearing = rng.uniform(-1.0, 1.0), distance = rng.uniform(6.2, 12.0);
-    e.obstacles = {buoy(e.situation.own.position.x() + distance * std::cos(bearing),
-                        e.situation.own.position.y() + distance * std::sin(bearing), 5.0)};
-    const Situation s = e;
-    const Foresight foresight{law, s, {.hold = 0.2, .window = 8.0, .margin = 0.1}};
-    const double course = rng.uniform(-1.0, 1.0), bound = rng.uniform(-2.0, 2.0);
-    const Plan plan{.direction = {std::cos(course), std::sin(course)}, .speed = 1.0};
+/// What a plan comes to, by its path alone.
+struct Alone {
+  bool is_clear = true;
+  double room = std::numeric_limits<double>::infinity();
+};
 
-    const Prospect prospect = foresight.of(plan);
-    backed_up += prospect == Prospect::backed_up ? 1 : 0;
-    EXPECT_EQ(foresight.of(plan, false), prospect == Prospect::backed_up ? Prospect::lost : prospect) << i;
-
-    const double room = foresight.room_of(plan, any), bounded = foresight.room_of(plan, bound);
-    too_little += room <= bound ? 1 : 0;
-    EXPECT_TRUE(room > bound ? bounded == room : bounded <= bound) << i;
+Alone alone(const Foresight& foresight, const Situation& s, double window, double margin, const Plan& plan) {
+  Alone found;
+  const auto path = foresight.path(plan);
+  for (const Track& t : s.tracks) {
+    const Vec2 from = (t.position - s.own.position).head<2>();
+    const double contact = t.radius + s.own.radius, gap = from.norm() - contact;
+    const double kept = contact + std::min(margin, gap > 0.0 ? 0.9 * gap : gap) - 1e-9;
+    for (std::size_t k = 0; k < path.size(); ++k) {
+      const double time = static_cast<double>(k + 1) * (window / Foresight::steps);
+      const double distance = (path[k] - time * t.velocity.head<2>() - from).norm();
+      found.is_clear = found.is_clear && !(distance < kept);
+      found.room = std::min(found.room, distance - contact);
+    }
   }
-  EXPECT_GT(backed_up, 20);
-  EXPECT_GT(too_little, 20);
+  return found;
+}
+
+TEST(Trackable, OfManyPlansSideBySideTheOneIsTakenThatOneAtATimeIsFound) {
+  constexpr double window = 8.0, margin = 0.3;
+  const Envelope boat = of_a_boat(), torpedo = of_a_torpedo();
+  int clear = 0, backed_up = 0, lost = 0;
+  for (std::uint64_t i = 0; i < 400; ++i) {
+    Rng rng = Rng{3}.stream("plans", i);
+    OwnedSituation e = i % 2 == 0 ? encounters::crowd(12, rng) : encounters::congested(7, rng);
+    const Envelope& envelope = i % 3 == 0 ? torpedo : boat;
+    for (Track& t : e.tracks) t.position.z() = e.situation.own.position.z();
+    e.situation.envelope = &envelope;
+    const Situation s = e.sorted();
+    const TurnLaw law{envelope, Limits::none};
+    const Foresight foresight{law, s, {.hold = 1.0, .window = window, .margin = margin}};
+
+    std::vector<Plan> plans(i % 4 < 2 ? 1 + rng.index(3) : 70);
+    for (Plan& plan : plans)
+      plan = {.direction = unit_at(rng.uniform(-pi, pi)), .speed = rng.uniform(0.0, 1.5)};
+    std::size_t first_clear = plans.size(), roomiest = plans.size();
+    double most = -std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < plans.size(); ++k) {
+      const Alone found = alone(foresight, s, window, margin, plans[k]);
+      EXPECT_EQ(foresight.is_clear(plans[k]), found.is_clear) << i << ' ' << k;
+      if (found.is_clear) first_clear = std::min(first_clear, k);
+      if (found.room > most) {
+        roomiest = k;
+        most = found.room;
+      }
+    }
+    const auto [at, prospect] = foresight.best_of(plans[0], plans);
+    EXPECT_EQ(prospect == Prospect::clear, first_clear < plans.size()) << i;
+    if (prospect == Prospect::clear) {
+      EXPECT_EQ(at, first_clear) << i;
+    } else if (prospect == Prospect::backed_up) {
+      for (std::size_t k = 0; k < at; ++k)
+        EXPECT_EQ(prospect_of(foresight, plans[k]), Prospect::lost) << i << ' ' << k;
+      EXPECT_EQ(prospect_of(foresight, plans[at]), Prospect::backed_up) << i;
+    } else {
+      EXPECT_EQ(at == plans.size() ? 0 : at, roomiest) << i;
+    }
+    ++(prospect == Prospect::clear ? clear : prospect == Prospect::backed_up ? backed_up : lost);
+  }
+  EXPECT_GT(clear, 50);
+  EXPECT_GT(backed_up, 2);
+  EXPECT_GT(lost, 50);
+}
+
+TEST(Trackable, TheLawTurnsAsFastAsTheEnvelopeSays) {
+  Envelope envelope = of_a_boat();
+  envelope.turn_rates = {0.2, 0.5, 0.4, 0.3};
+  for (const double limit : {0.33, Limits::none}) {
+    const TurnLaw law{envelope, limit};
+    for (int i = -10; i <= 60; ++i) {
+      const double speed = 0.05 * i;
+      EXPECT_EQ(law.greatest_turn_rate(speed), std::min(0.9 * envelope.turn_rate(speed), limit)) << speed;
+      EXPECT_EQ(law.order(1.0, 3.0, speed).turn_rate, law.greatest_turn_rate(speed)) << speed;
+      EXPECT_EQ(law.order(1.0, 0.1, speed).turn_rate, 0.1 * law.law().gain) << speed;
+    }
+  }
 }
 
 TEST(Trackable, WhoCannotStopNeedsRoomForACircle) {
@@ -99,7 +159,7 @@ TEST(Trackable, WhoCannotStopNeedsRoomForACircle) {
   const auto comes_to = [&](double gap) {
     e.obstacles = {buoy(e.situation.own.position.x() + gap + 1.0 + 50.0, 0.0, 50.0)};
     const Situation s = e;
-    return Foresight{law, s, {.hold = 0.2, .window = 16.0, .margin = 0.1}}.of({.speed = 1.0});
+    return prospect_of(Foresight{law, s, {.hold = 0.2, .window = 16.0, .margin = 0.1}}, {.speed = 1.0});
   };
   EXPECT_EQ(comes_to(1.5), Prospect::lost);
   EXPECT_EQ(comes_to(6.0), Prospect::backed_up);

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <algorithm>
-
+#include "fairway/avoidance/trackable/roll.hpp"
 #include "fairway/core/envelope.hpp"
 #include "fairway/core/math.hpp"
-#include "fairway/core/vec.hpp"
 
 namespace fairway::trackable {
 
@@ -27,33 +25,21 @@ class TurnLaw {
   /// `max_turn_rate` [rad/s] is that of the mission, or infinite.
   TurnLaw(const Envelope& envelope, double max_turn_rate) noexcept;
 
-  /// Where a course needs `error` [rad] more to starboard, at `speed` [m/s] through the water.
-  double turn_rate(double error, double speed) const noexcept {
-    const double most = greatest_turn_rate(speed);
-    return std::clamp(gain_ * error, -most, most);
-  }
-
-  /// Speed ahead [m/s], of the `wanted` one; `along` is the cosine of the angle by which the heading is off.
-  double surge(double wanted, double along) const noexcept {
-    const double share = std::max(0.0, along);
-    return std::max(wanted * share * share, envelope_->least);
-  }
-
+  /// Of the `wanted` speed [m/s] on a course that needs `error` [rad] more to starboard, at `speed` [m/s]
+  /// through the water. O(1).
   TurnOrder order(double wanted, double error, double speed) const noexcept {
-    return {surge(wanted, math::cos(error)), turn_rate(error, speed)};
+    return {surge_order(law_, wanted, math::cos(error)), turn_order(law_, error, speed)};
   }
 
   const Envelope& envelope() const noexcept { return *envelope_; }
+  const Law& law() const noexcept { return law_; }
   double greatest_turn_rate(double speed) const noexcept {
-    return std::min(turn_share * envelope_->turn_rate(speed), max_turn_rate_);
+    return trackable::greatest_turn_rate(law_, speed);
   }
 
  private:
-  static constexpr double turn_share = 0.9;  // of the greatest turn rate
-
   const Envelope* envelope_;
-  double max_turn_rate_;
-  double gain_;
+  Law law_;
 };
 
 }  // namespace fairway::trackable

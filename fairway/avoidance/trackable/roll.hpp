@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+
+#include "fairway/avoidance/lanes/number.hpp"
+
+/// How a vehicle moves that keeps to a plan, written once for one plan and for several side by side: `Real`
+/// is a number or a pack of them (lanes/number.hpp), to the same bits.
+namespace fairway::trackable {
+
+using lanes::larger;
+using lanes::magnitude;
+using lanes::none;
+using lanes::select;
+using lanes::smaller;
+
+/// What the turn law takes of a vehicle and of its mission.
+struct Law {
+  static constexpr std::size_t rates = 4;
+
+  double gain{};               ///< of the turn rate over the error of the heading [1/s]
+  double turn_share{};         ///< of the greatest turn rate that is used
+  double max_turn_rate{};      ///< of the mission, or infinite [rad/s]
+  double sure_turn_rate{};     ///< it may turn that fast at any speed [rad/s]
+  double top_turn_rate{};      ///< and never faster [rad/s]
+  double least{};              ///< speed [m/s]
+  double ahead{};              ///< greatest speed [m/s]
+  double turn_rates[rates]{};  ///< greatest, at 0, 1/3, 2/3 and 1 of the greatest speed [rad/s]
+};
+
+/// How the vehicle answers to what is ordered, in steps of equal length.
+struct Response {
+  Law law;
+  double step{};                                     ///< [s]
+  double turn_share{}, surge_share{}, sway_share{};  ///< of the way to what is ordered, gone in a step
+  double most_turn{};                                ///< by which the turn rate changes in a step [rad/s]
+  double most_faster{}, most_slower{};               ///< by which the speed does [m/s]
+  double pivot{};                                    ///< as in Envelope [m]
+  double drift_north{}, drift_east{};                ///< across the heading [m/s]
+};
+
+/// Relative to where it is now. [m, m/s, rad, rad/s, NED]
+template <class Real>
+struct Motion {
+  Real north, east;
+  Real ahead_north, ahead_east;  ///< unit
+  Real turn_rate;
+  Real speed;
+  Real sway;   ///< through the water
+  Real error;  ///< from the heading to that of the plan
+};
+
+/// A disc or all near a segment, at time 0 relative to own ship, that keeps its velocity. [m, m/s, NED]
+struct Hazard {
+  double north{}, east{};              ///< of one end of its middle line
+  double along_north{}, along_east{};  ///< from there to the other end
+  double length2{};                    ///< of the middle line, squared [m2]; 0: a disc
+  double velocity_north{}, velocity_east{};
+  double contact{};  ///< own radius and its own
+};
+
+/// As std::clamp().
+template <class Real>
+Real clamped(const Real& value, const Real& least, const Real& most) {
+  return select(value < least, least, select(most < value, most, value));
+}
+
+/// As Envelope::turn_rate(), and what the law and the mission leave of it.
+template <class Real>
+Real greatest_turn_rate(const Law& law, const Real& speed) {
+  constexpr std::size_t last = Law::rates - 1;
+  Real rate{law.turn_rates[0]};
+  if (law.ahead > 0.0) {
+    const Real place = magnitude(speed) / law.ahead * static_cast<double>(last);
+    rate = law.turn_rates[0] + place * (law.turn_rates[1] - law.turn_rates[0]);
+    for (std::size_t i = 1; i < last; ++i) {
+      const double from = static_cast<double>(i);
+      rate = select(place < from, rate,
+                    law.turn_rates[i] + (place - from) * (law.turn_rates[i + 1] - law.turn_rates[i]));
+    }
+    rate = select(place < static_cast<double>(last), rate, Real{law.turn_rates[last]});
+  }
+  return smaller<Real>(law.turn_share * rate, law.max_turn_rate);
+}
+
+/// Ordered where a course needs `error` [rad] more to starboard, at `speed` [m/s] through the water. What may
+/// be turned at any speed does not wait for the speed to be known.
+template <class Real>
+Real turn_order(const Law& law, const Real& error, const Real& speed) {
+  const Real wanted = law.gain * error;
+  if (none(magnitude(wanted) > law.sure_turn_rate)) return wanted;
+  const Real most = greatest_turn_rate(law, speed);
+  return clamped<Real>(wanted, -most, most);
+}
+
+/// Ordered of the `wanted` speed; `along` is the cosine of the angle by which the heading is off.
+template <class Real>
+Real surge_order(const Law& law, const Real& wanted, const Real& along) {
+  const Real share = larger<Real>(0.0, along);
+  return larger<Real>(wanted * share * share, law.least);
+}
+
+template <class Real>
+Real towards(const Real& from, const Real& to, double share, double least, double most) {
+  return from + clamped<Real>(share * (to - from), least, most);
+}
+
+template <class Real>
+void turn_half(const Real& sine, const Real& cosine, Motion<Real>& m) {
+  const Real north = cosine * m.ahead_north - sine * m.ahead_east;
+  const Real east = sine * m.ahead_north + cosine * m.ahead_east;
+  const Real to_unit = 1.5 - 0.5 * (north * north + east * east);
+  m.ahead_north = north * to_unit;
+  m.ahead_east = east * to_unit;
+}
+
+/// One step: turn rate and speed approach what is ordered, and the hull slips about its pivot.
+template <class Real>
+[[gnu::always_inline]] inline void advance(const Response& can, const Real& surge, const Real& turn_rate,
+                                           Motion<Real>& m) {
+  const Real rate = m.turn_rate, speed = m.speed;
+  m.turn_rate = towards(rate, turn_rate, can.turn_share, -can.most_turn, can.most_turn);
+  m.speed = towards(speed, surge, can.surge_share, -can.most_slower, can.most_faster);
+
+  // half the turn, the way, the other half
+  const Real half = 0.25 * can.step * (rate + m.turn_rate);
+  const Real sine = half * (1.0 - half * half / 6.0), cosine = 1.0 - 0.5 * half * half;
+  turn_half(sine, cosine, m);
+  Real slip{0.0};
+  if (can.law.ahead > 0.0) slip = -can.pivot * m.turn_rate * magnitude(m.speed) / can.law.ahead;
+  m.sway = m.sway + can.sway_share * (slip - m.sway);
+  const Real along = 0.5 * (speed + m.speed);
+  const Real across =
+      can.drift_north * -m.ahead_east + can.drift_east * m.ahead_north + m.sway;  // to starboard
+  m.north = m.north + can.step * (along * m.ahead_north + across * -m.ahead_east);
+  m.east = m.east + can.step * (along * m.ahead_east + across * m.ahead_north);
+  turn_half(sine, cosine, m);
+}
+
+/// One step towards a heading, at a speed.
+template <class Real>
+[[gnu::always_inline]] inline void follow(const Response& can, const Real& heading_north,
+                                          const Real& heading_east, const Real& speed, Motion<Real>& m) {
+  const Real before = m.turn_rate;
+  const Real along = m.ahead_north * heading_north + m.ahead_east * heading_east;
+  advance<Real>(can, surge_order(can.law, speed, along), turn_order(can.law, m.error, m.speed), m);
+  m.error = m.error - 0.5 * can.step * (before + m.turn_rate);
+}
+
+/// Squared distance from the middle line of a hazard, after `time` [s]. [m2]
+template <class Real>
+Real distance2(const Hazard& hazard, double time, const Real& north, const Real& east) {
+  const Real to_north = north - time * hazard.velocity_north - hazard.north;
+  const Real to_east = east - time * hazard.velocity_east - hazard.east;
+  if (!(hazard.length2 > 0.0)) return to_north * to_north + to_east * to_east;
+  const Real share =
+      clamped<Real>((hazard.along_north * to_north + hazard.along_east * to_east) / hazard.length2, 0.0, 1.0);
+  const Real off_north = to_north - share * hazard.along_north;
+  const Real off_east = to_east - share * hazard.along_east;
+  return off_north * off_north + off_east * off_east;
+}
+
+}  // namespace fairway::trackable
