@@ -42,6 +42,17 @@ class ReadRecording {
     return all;
   }
 
+  py::list words() const {
+    py::list all;
+    for (const SpokenWord& word : recording_.words()) {
+      const std::span<const std::uint8_t> bytes = word.speech.view();
+      all.append(
+          py::dict{py::arg("time_s") = word.sent, py::arg("vehicle") = word.from,
+                   py::arg("bytes") = py::bytes{reinterpret_cast<const char*>(bytes.data()), bytes.size()}});
+    }
+    return all;
+  }
+
   /// As the run was measured.
   std::vector<Measure> measures() const {
     const Scenario scenario = recorded_scenario(recording_, file_);
@@ -121,6 +132,9 @@ void bind_recordings(py::module_& m) {
           "perception", [](const R& r) { return r.info().perception; }, "tracks are kept, too")
       .def_property_readonly(
           "sketches", [](const R& r) { return r.info().sketches; }, "drawings are kept, too")
+      .def_property_readonly(
+          "words", &R::words,
+          "what methods said of their own, in order: time_s, vehicle (its index) and bytes of each")
       .def("__len__", [](const R& r) { return r.recording().size(); });
   for (const char* name : {"times", "positions", "velocities", "quaternions", "yaws", "commands", "goals",
                            "powers", "modes", "phases"}) {

@@ -159,6 +159,9 @@ class AcousticChannel {
   bool may_transmit(std::size_t vehicle, Tick now) const;
   std::span<const Message> heard_by(std::size_t receiver) const;
   void add_under_way(std::vector<MessageFlight>& flights) const;
+  bool has_spoken(std::size_t vehicle, Tick now) const {
+    return transmitters_[vehicle].began == static_cast<double>(count(now));
+  }
   double turn_period() const;
   double next_turn(std::size_t vehicle, Tick now) const;
   double clock_ahead(std::size_t vehicle, Tick now) const;

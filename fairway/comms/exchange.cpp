@@ -44,6 +44,11 @@ bool Exchange::may_take(std::size_t vehicle, Tick now) const {
   return channel != nullptr ? channel->may_transmit(vehicle, now) : carries_at_once();
 }
 
+bool Exchange::has_spoken(std::size_t vehicle, Tick now) const {
+  if (const auto* channel = std::get_if<AcousticChannel>(&way_)) return channel->has_spoken(vehicle, now);
+  return carries_at_once();
+}
+
 double Exchange::turn_period() const {
   const auto* channel = std::get_if<AcousticChannel>(&way_);
   return channel != nullptr ? channel->turn_period() : period_;

@@ -43,6 +43,9 @@ class Exchange {
   /// time.
   void add_under_way(std::vector<MessageFlight>& flights) const;
 
+  /// Whether `vehicle` put what it says on the air at the tick `now`, which was passed on last.
+  bool has_spoken(std::size_t vehicle, Tick now) const;
+
   /// What became of all that was sent so far; nothing where telling takes no time.
   std::optional<AcousticCounts> counts() const;
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "fairway/core/record.hpp"
+#include "fairway/core/speech.hpp"
 
 namespace fairway {
 
@@ -29,6 +30,16 @@ struct MessageFlight {
   }
 
   friend bool operator==(const MessageFlight&, const MessageFlight&) = default;
+};
+
+/// What a vehicle's method said of its own in a turn, whether or not anybody hears it. The flights of that
+/// message have the same sender and the same `sent`.
+struct SpokenWord {
+  std::uint32_t from{};  ///< index of the sender
+  double sent{};         ///< when its transmission began [s]
+  Speech speech{};
+
+  friend bool operator==(const SpokenWord&, const SpokenWord&) = default;
 };
 
 }  // namespace fairway

@@ -32,6 +32,7 @@ Bytes sample() {
   SampleRun run{2, 3};
   run.perceive();
   run.sketch();
+  run.speak();
   return testing::recorded_bytes(run);
 }
 

@@ -2,6 +2,7 @@
 #include "fairway/record/diff.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "fairway/core/text.hpp"
 #include "fairway/record/quantities.hpp"
@@ -32,6 +33,7 @@ std::vector<std::string> compare_setup(const Recording& a, const Recording& b) {
   compare("stride", std::to_string(a.stride()), std::to_string(b.stride()));
   compare("perception", recorded_or_not(x.perception), recorded_or_not(y.perception));
   compare("sketches", recorded_or_not(x.sketches), recorded_or_not(y.sketches));
+  compare("word_count", std::to_string(a.words().size()), std::to_string(b.words().size()));
   compare("vehicle_count", std::to_string(x.vehicles.size()), std::to_string(y.vehicles.size()));
   for (std::size_t i = 0; i < std::min(x.vehicles.size(), y.vehicles.size()); ++i) {
     const std::string vehicle = "vehicles[" + std::to_string(i) + "].";
@@ -64,6 +66,29 @@ void compare_frames(const Frame& a, const Frame& b, const RecordingInfo& info, I
   if (auto q = first_flight_difference(a.flights, b.flights)) {
     difference.first = {a.tick, a.time, "", std::move(q->quantity), std::move(q->a), std::move(q->b)};
   }
+}
+
+/// Words are compared one by one, since each recording has all of them, whichever frames it has.
+void compare_words(const Recording& a, const Recording& b, Difference& difference) {
+  const std::span<const SpokenWord> in_a = a.words(), in_b = b.words();
+  if (in_a.empty() || in_b.empty()) return;
+  const auto differs = [&](const SpokenWord& word, const std::string& quantity, std::string x,
+                           std::string y) {
+    if (difference.first && difference.first->time <= word.sent) return;
+    difference.first = {
+        Tick{std::llround(word.sent / a.info().period)}, word.sent, "", quantity, std::move(x), std::move(y)};
+  };
+  const std::size_t both = std::min(in_a.size(), in_b.size());
+  for (std::size_t i = 0; i < both; ++i) {
+    if (auto q = first_word_difference(in_a[i], in_b[i])) {
+      const SpokenWord& first = in_a[i].sent <= in_b[i].sent ? in_a[i] : in_b[i];
+      return differs(first, "words[" + std::to_string(i) + "]." + q->quantity, std::move(q->a),
+                     std::move(q->b));
+    }
+  }
+  if (in_a.size() != in_b.size())
+    differs((in_a.size() > both ? in_a : in_b)[both], "word_count", std::to_string(in_a.size()),
+            std::to_string(in_b.size()));
 }
 
 }  // namespace
@@ -101,6 +126,7 @@ Difference diff(const Recording& a, const Recording& b) {
   }
   difference.only_in_a += a.size() - i;
   difference.only_in_b += b.size() - j;
+  compare_words(a, b, difference);
   return difference;
 }
 

@@ -38,6 +38,8 @@ struct Frame {
   double period{};                         ///< to the next frame [s]
   std::span<const VehicleFrame> vehicles;  ///< by index, as in the scenario
   std::span<const MessageFlight> flights;  ///< messages under way; empty unless someone is looking
+  std::span<const SpokenWord> words;       ///< said at this instant, in the order of the vehicles, and of a
+                                           ///< recording also since the frame before
 };
 
 /// Takes the frames of a run, in order. May throw on I/O errors; the run then ends.

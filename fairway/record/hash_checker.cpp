@@ -42,6 +42,7 @@ void HashChecker::write(const Frame& frame) {
   const std::uint64_t perceived = perception ? perception_hash(frame) : 0;
   if (perception) run_perception_hash_ = mix_hash(run_perception_hash_, perceived);
   ++seen_;
+  check_words(frame);
 
   // ticks that this run left out were not matched
   while (next_ < recording_.size() && recording_.frame(next_).tick < frame.tick) ++next_;
@@ -58,9 +59,22 @@ void HashChecker::write(const Frame& frame) {
   }
 }
 
+/// Of a recording without any nothing is known: they may have been left out.
+void HashChecker::check_words(const Frame& frame) {
+  const std::span<const SpokenWord> recorded = recording_.words();
+  if (recorded.empty()) return;
+  for (const SpokenWord& word : frame.words) {
+    const std::size_t i = next_word_++;
+    if (mismatch_ || i >= recorded.size()) continue;
+    if (const auto q = first_word_difference(recorded[i], word))
+      mismatch_ = {frame.tick, frame.time, 0, 0, "words[" + std::to_string(i) + "]." + text_of(*q)};
+  }
+}
+
 bool HashChecker::same() const {
   return !mismatch_ && matched_ == recording_.size() && seen_ == recording_.run_frame_count() &&
-         run_hash_ == recording_.run_hash() && run_perception_hash_ == recording_.run_perception_hash();
+         next_word_ == recording_.words().size() && run_hash_ == recording_.run_hash() &&
+         run_perception_hash_ == recording_.run_perception_hash();
 }
 
 std::string HashChecker::describe() const {
@@ -70,6 +84,7 @@ std::string HashChecker::describe() const {
     return "the same to the bit: " + frames + " of " + frames + " recorded frames" +
            (info.perception ? ", and what was perceived" : "") +
            (info.sketches ? ", and what was drawn" : "") +
+           (recording_.words().empty() ? "" : ", and what was said") +
            (recording_.stopped() ? "; the recorded run was stopped there" : "");
   }
   if (mismatch_) {
@@ -78,6 +93,10 @@ std::string HashChecker::describe() const {
   if (seen_ != recording_.run_frame_count()) {
     return "another length: " + std::to_string(recording_.run_frame_count()) + " frames were run, now " +
            std::to_string(seen_);
+  }
+  if (next_word_ != recording_.words().size()) {
+    return "another number of words: " + std::to_string(recording_.words().size()) + " were said, now " +
+           std::to_string(next_word_);
   }
   return "differs between the recorded frames, of which " + std::to_string(matched_) + " of " + frames +
          " match";

@@ -12,7 +12,8 @@
 namespace fairway {
 
 /// Compares a run, as it happens, with the recording of an earlier one, and remembers where they part;
-/// perception and sketches too if they are recorded; the run then has to show its thoughts.
+/// perception, sketches and words too if they are recorded; where sketches are, the run has to show its
+/// thoughts.
 /// Keep the recording alive as long as this.
 class HashChecker : public FrameSink {
  public:
@@ -20,7 +21,7 @@ class HashChecker : public FrameSink {
     Tick tick{};
     double time{};             ///< [s]
     std::uint64_t expected{};  ///< frame_hash() in the recording
-    std::uint64_t actual{};    ///< the same if it is perception or a sketch that differs
+    std::uint64_t actual{};    ///< the same if it is perception, a sketch or a word that differs
     std::string what;          ///< "otter_1 x_m: 1 was recorded, now 1.0000000000000002"
   };
 
@@ -42,8 +43,11 @@ class HashChecker : public FrameSink {
   std::string describe() const;
 
  private:
+  void check_words(const Frame& frame);
+
   const Recording& recording_;
-  std::size_t next_{};  // frame of the recording
+  std::size_t next_{};       // frame of the recording
+  std::size_t next_word_{};  // likewise
   std::size_t matched_{};
   std::uint64_t seen_{};
   std::uint64_t run_hash_{};

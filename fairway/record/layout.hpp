@@ -12,6 +12,7 @@ inline constexpr std::string_view frame_topic = "/fairway/frame";
 inline constexpr std::string_view transforms_topic = "/tf";
 inline constexpr std::string_view perception_topic = "/fairway/perception";
 inline constexpr std::string_view flights_topic = "/fairway/flights";  ///< where sketches are recorded
+inline constexpr std::string_view words_topic = "/fairway/words";      ///< where methods speak
 inline constexpr std::string_view odometry_topic = "odometry";         ///< behind "/<vehicle>/"
 inline constexpr std::string_view status_topic = "status";             ///< likewise
 inline constexpr std::string_view tracks_topic = "tracks";       ///< likewise, where perception is recorded

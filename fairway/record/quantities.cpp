@@ -9,6 +9,7 @@
 
 #include "fairway/core/text.hpp"
 #include "fairway/record/record_text.hpp"
+#include "fairway/record/word_messages.hpp"
 
 namespace fairway {
 
@@ -175,6 +176,13 @@ Found first_sketch_difference(std::span<const Stroke> a, std::span<const Stroke>
     if (!same_stroke(a[i], b[i])) return difference_between(a[i], b[i], "sketch[" + std::to_string(i) + "]");
   }
   return first_of("", {{"stroke_count", std::to_string(a.size()), std::to_string(b.size())}});
+}
+
+Found first_word_difference(const SpokenWord& a, const SpokenWord& b) {
+  if (a == b) return {};
+  return first_of("", {{"from_index", std::to_string(a.from), std::to_string(b.from)},
+                       {"sent_s", number_text(a.sent), number_text(b.sent)},
+                       {"bytes", hexadecimal(a.speech), hexadecimal(b.speech)}});
 }
 
 Found first_flight_difference(std::span<const MessageFlight> a, std::span<const MessageFlight> b) {

@@ -57,6 +57,9 @@ std::optional<QuantityDifference> first_sketch_difference(std::span<const Stroke
 std::optional<QuantityDifference> first_flight_difference(std::span<const MessageFlight> a,
                                                           std::span<const MessageFlight> b);
 
+/// Likewise of two words: "from_index", "sent_s" or "bytes".
+std::optional<QuantityDifference> first_word_difference(const SpokenWord& a, const SpokenWord& b);
+
 /// Whether neither of these finds anything in two frames.
 bool same_sketches(const Frame& a, const Frame& b);
 

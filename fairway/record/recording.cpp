@@ -109,7 +109,8 @@ Frame Recording::frame(std::size_t i) const {
           .time = mark.time,
           .period = mark.period,
           .vehicles = std::span{vehicles_}.subspan(i * n, n),
-          .flights = mark.flights.of(flights_)};
+          .flights = mark.flights.of(flights_),
+          .words = mark.words.of(words_)};
 }
 
 void Recording::play(FrameSink& sink) const {

@@ -50,6 +50,10 @@ class Recording {
   /// As run_hash(), of perception_hash().
   std::uint64_t run_perception_hash() const { return run_perception_hash_; }
 
+  /// Every word that methods said, in order: of instants between the frames too. Empty where nobody spoke,
+  /// and of a run that was recorded before words were.
+  std::span<const SpokenWord> words() const { return words_; }
+
   // Where info().sketches says so, strokes and messages under way are in the frames; else they are empty.
 
   /// Gives every frame to `sink`, in order.
@@ -72,6 +76,7 @@ class Recording {
     double time{};
     double period{};
     Part flights;
+    Part words;
   };
 
   Recording() = default;
@@ -92,6 +97,7 @@ class Recording {
   std::vector<Echo> echoes_;
   std::vector<Stroke> strokes_;
   std::vector<MessageFlight> flights_;
+  std::vector<SpokenWord> words_;
 };
 
 }  // namespace fairway

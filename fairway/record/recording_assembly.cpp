@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/record/recording_assembly.hpp"
 
+#include <algorithm>
 #include <span>
 
 #include "fairway/record/frame_hash.hpp"
 #include "fairway/record/layout.hpp"
 #include "fairway/record/sketch_messages.hpp"
+#include "fairway/record/word_messages.hpp"
 
 namespace fairway {
 
@@ -27,12 +29,19 @@ void Recording::Assembly::read_frames() {
   find_channel(layout::frame_topic, frame_schema(), {Role::frame, 0});
   if (info_.perception) find_channel(layout::perception_topic, perception_schema(), {Role::perception, 0});
   if (info_.sketches) find_channel(layout::flights_topic, flights_schema(), {Role::flights, 0});
+  if (has_channel(layout::words_topic)) find_channel(layout::words_topic, word_schema(), {Role::words, 0});
   shown_.resize(info_.vehicles.size());
 
   mcap_.for_each_message([this](const McapReader::Message& message) { see(message); });
   finish_frame();
   point_into_buffers();
+  share_out_words();
   verify();
+}
+
+bool Recording::Assembly::has_channel(std::string_view topic) const {
+  return std::ranges::any_of(mcap_.channels(),
+                             [&](const auto& channel) { return channel.second.topic == topic; });
 }
 
 void Recording::Assembly::find_channel(std::string_view topic, const MessageSchema& type, Target target) {
@@ -59,6 +68,8 @@ void Recording::Assembly::see(const McapReader::Message& message) {
     begin_frame(decode_frame(message.data));
   } else if (role == Role::odometry || role == Role::status) {
     see_vehicle(role, vehicle, message.data);
+  } else if (role == Role::words) {
+    see_word(decode_word(message.data));
   } else {
     see_shown(role, vehicle, message.data);
   }
@@ -112,6 +123,14 @@ void Recording::Assembly::see_perception(const PerceptionMark& mark) {
   recording_.perception_hashes_.push_back(mark.hash);
 }
 
+void Recording::Assembly::see_word(SpokenWord word) {
+  std::vector<SpokenWord>& words = recording_.words_;
+  if (word.from >= info_.vehicles.size()) damaged("a word of a vehicle that is not there");
+  if (recording_.marks_.empty() || !(word.sent >= (words.empty() ? 0.0 : words.back().sent)))
+    damaged("words are not in order");
+  words.push_back(word);
+}
+
 void Recording::Assembly::begin_frame(const FrameMark& mark) {
   auto& marks = recording_.marks_;
   if (!marks.empty() && mark.tick <= marks.back().tick) damaged("ticks do not ascend");
@@ -143,6 +162,17 @@ void Recording::Assembly::point_into_buffers() {
     recording_.vehicles_[i].tracks = history_[i].tracks.of(recording_.tracks_);
     recording_.vehicles_[i].echoes = history_[i].echoes.of(recording_.echoes_);
     recording_.vehicles_[i].strokes = history_[i].strokes.of(recording_.strokes_);
+  }
+}
+
+// each to the first frame that is not before it
+void Recording::Assembly::share_out_words() {
+  const std::vector<SpokenWord>& words = recording_.words_;
+  std::size_t end = 0;
+  for (auto& mark : recording_.marks_) {
+    const std::size_t begin = end;
+    while (end < words.size() && words[end].sent <= mark.time) ++end;
+    mark.words = {begin, end};
   }
 }
 

@@ -28,7 +28,7 @@ class Recording::Assembly {
   void read_frames();
 
  private:
-  enum class Role { frame, odometry, status, perception, tracks, echoes, flights, sketch };
+  enum class Role { frame, odometry, status, perception, tracks, echoes, flights, sketch, words };
   /// What a vehicle perceived and drew, as last written.
   struct Shown {
     Part tracks;
@@ -41,15 +41,18 @@ class Recording::Assembly {
   };
 
   void find_channel(std::string_view topic, const MessageSchema& type, Target target);
+  bool has_channel(std::string_view topic) const;
 
   void see(const McapReader::Message& message);
   void see_vehicle(Role role, std::size_t vehicle, ByteView message);
   void see_shown(Role role, std::size_t vehicle, ByteView message);
   void see_perception(const PerceptionMark& mark);
+  void see_word(SpokenWord word);
   void begin_frame(const FrameMark& mark);
   void finish_frame();
 
   void point_into_buffers();
+  void share_out_words();
   void verify() const;
   [[noreturn]] void incomplete(const char* missing = "all its vehicles") const;
 

@@ -13,6 +13,7 @@
 #include "fairway/record/messages.hpp"
 #include "fairway/record/schemas.hpp"
 #include "fairway/record/sketch_messages.hpp"
+#include "fairway/record/word_messages.hpp"
 
 namespace fairway {
 
@@ -138,12 +139,13 @@ void RecordingWriter::write(const Frame& frame) {
   const std::uint64_t perceived = info_.perception ? perception_hash(frame) : 0;
   if (info_.perception) perception_hash_ = mix_hash(perception_hash_, perceived);
   last_tick_ = count(frame.tick);
-  if (frames_seen_++ % static_cast<std::uint64_t>(stride_) != 0) return;
-
-  write_state(frame, hash);
-  if (info_.perception) write_perception(frame, perceived);
-  if (info_.sketches) write_sketches(frame);
-  ++frames_kept_;
+  if (frames_seen_++ % static_cast<std::uint64_t>(stride_) == 0) {
+    write_state(frame, hash);
+    if (info_.perception) write_perception(frame, perceived);
+    if (info_.sketches) write_sketches(frame);
+    ++frames_kept_;
+  }
+  write_words(frame);
 }
 
 // the frame, its vehicles, and their transforms for viewers
@@ -182,6 +184,15 @@ void RecordingWriter::write_sketches(const Frame& frame) {
   for (std::size_t i = 0; i < frame.vehicles.size(); ++i) {
     encode_sketch(message_, stamp, frame.vehicles[i].strokes);
     write_if_changed(channels_[i].sketch, stamp.nanoseconds, shown_[i].sketch);
+  }
+}
+
+// every one, of frames that are left out too; where nobody speaks there is no topic
+void RecordingWriter::write_words(const Frame& frame) {
+  for (const SpokenWord& word : frame.words) {
+    if (!words_channel_) words_channel_ = add_channel(add_schema(*mcap_, word_schema()), layout::words_topic);
+    encode_word(message_, word);
+    mcap_->write(*words_channel_, stamp_of(word.sent).nanoseconds, message_);
   }
 }
 

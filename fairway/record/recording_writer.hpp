@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -53,8 +54,8 @@ struct RecordingInfo {
 /// is never reached, there is none, and a file that was there is as it was (OutputFile).
 class RecordingWriter : public FrameSink {
  public:
-  /// Keeps the first frame and then every `stride`-th. Throws InputError if the file cannot be written or
-  /// `stride` is not positive.
+  /// Keeps the first frame and then every `stride`-th, and the words of all. Throws InputError if the file
+  /// cannot be written or `stride` is not positive.
   RecordingWriter(std::string path, RecordingInfo info, std::int64_t stride = 1);
   ~RecordingWriter() override;
   RecordingWriter(const RecordingWriter&) = delete;
@@ -94,6 +95,7 @@ class RecordingWriter : public FrameSink {
   void write_state(const Frame& frame, std::uint64_t hash);
   void write_perception(const Frame& frame, std::uint64_t hash);
   void write_sketches(const Frame& frame);
+  void write_words(const Frame& frame);
   void write_if_changed(std::uint16_t channel, std::uint64_t time, Bytes& last);
 
   std::string path_;
@@ -104,10 +106,11 @@ class RecordingWriter : public FrameSink {
   std::uint16_t transforms_channel_{};
   std::uint16_t perception_channel_{};
   std::uint16_t flights_channel_{};
-  std::vector<Channels> channels_;         // by vehicle
-  std::vector<std::string> child_frames_;  // by vehicle
-  std::vector<Shown> shown_;               // by vehicle
-  Bytes flights_;                          // last message of those under way
+  std::optional<std::uint16_t> words_channel_;  // from the first word on
+  std::vector<Channels> channels_;              // by vehicle
+  std::vector<std::string> child_frames_;       // by vehicle
+  std::vector<Shown> shown_;                    // by vehicle
+  Bytes flights_;                               // last message of those under way
   Bytes message_;
   std::uint64_t frames_seen_{};
   std::uint64_t frames_kept_{};

@@ -199,6 +199,22 @@ MessageSchema flights_schema() {
            {header, time, flight})};
 }
 
+MessageSchema word_schema() {
+  return {
+      "fairway_msgs/msg/Word",
+      with(
+          "# What a vehicle's method said of its own in a turn, whether or not anybody heard it. Flights of\n"
+          "# the same from_index and sent_s are on their way with it.\n"
+          "std_msgs/Header header\n"
+          "# index of the vehicle\n"
+          "uint32 from_index\n"
+          "# when its transmission began\n"
+          "float64 sent_s\n"
+          "# what it said, 1 to 25 bytes, which its method can read\n"
+          "uint8[] bytes\n",
+          {header, time})};
+}
+
 MessageSchema perception_schema() {
   return {"fairway_msgs/msg/Perception",
           with("# What the vehicles perceived at one instant. It comes behind the frame's own message.\n"

@@ -31,4 +31,7 @@ MessageSchema perception_schema();
 MessageSchema sketch_schema();
 MessageSchema flights_schema();
 
+/// Where methods speak: a word.
+MessageSchema word_schema();
+
 }  // namespace fairway

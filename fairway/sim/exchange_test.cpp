@@ -2,6 +2,8 @@
 // What a way of telling each other makes of a run.
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "fairway/metrics/run_metrics.hpp"
 #include "fairway/sim/simulation.hpp"
 
@@ -135,6 +137,57 @@ TEST(AcousticExchange, WhoIsOutOfRangeIsNotKnown) {
     EXPECT_TRUE(simulation.situation(0).tracks.empty());
     simulation.act({});
   }
+}
+
+/// All words of a run and, of those on their way, when and by whom they were sent.
+struct Ear final : FrameSink {
+  void write(const Frame& frame) override {
+    for (const SpokenWord& word : frame.words) {
+      EXPECT_EQ(word.sent, frame.time);
+      words.push_back(word);
+    }
+    for (const MessageFlight& flight : frame.flights) sent.emplace(flight.from, flight.sent);
+  }
+  bool wants_thoughts() const override { return true; }
+
+  std::vector<SpokenWord> words;
+  std::set<std::pair<std::uint32_t, double>> sent;
+};
+
+/// What two that agree by `pledge` say in 20 s.
+Ear ear_at(const ParamValues& params, const std::string& kind = "acoustic", bool shown = true) {
+  Scenario scenario = meeting(params, kind);
+  scenario.duration_s = 20;
+  for (VehicleSpec& vehicle : scenario.vehicles)
+    vehicle.avoider = {.name = "pledge", .params = {{"team_count", 2.0}}, .path = "avoider"};
+  Ear ear;
+  const std::array<FrameSink*, 1> sinks{&ear};
+  Simulation simulation{scenario, builtin_catalogs()};
+  simulation.show_thoughts(shown);
+  simulation.run(sinks);
+  return ear;
+}
+
+TEST(Words, AreThoseOfTheMessagesThatAreSent) {
+  const Ear ear = ear_at({{"update_rate_hz", 1.0}});
+  EXPECT_GT(ear.words.size(), 30u);
+  for (const SpokenWord& word : ear.words) {
+    EXPECT_FALSE(word.speech.empty());
+    EXPECT_TRUE(ear.sent.contains({word.from, word.sent})) << word.from << " at " << word.sent;
+  }
+  EXPECT_EQ(ear_at({{"update_rate_hz", 1.0}}, "acoustic", false).words, ear.words) << "looked at or not";
+}
+
+TEST(Words, AreSaidWhetherOrNotAnybodyHearsThem) {
+  const Ear lost = ear_at({{"update_rate_hz", 1.0}, {"loss_ratio", 1.0}});
+  EXPECT_GT(lost.words.size(), 30u);
+  EXPECT_TRUE(lost.sent.empty());
+}
+
+TEST(Words, AreAtEveryStepWhereTellingTakesNoTimeAndNoneWhereNobodyTells) {
+  const Ear ear = ear_at({}, "perfect");
+  EXPECT_GE(ear.words.size(), 2u * 20u * 19u);
+  EXPECT_TRUE(ear_at({}, "none").words.empty());
 }
 
 TEST(AcousticExchange, BadParametersAreRefusedWithTheirPlace) {

@@ -154,6 +154,7 @@ void Simulation::make_room(bool keeping) {
     if (hand.near.capacity() > 0) continue;
     std::size_t most_alone = 0, most_together = 0;
     for (const Agent& agent : agents_) {
+      if (agent.avoider.speaks()) words_.reserve(agents_.size());
       std::size_t& most = agent.avoider.decides_for_many() ? most_together : most_alone;
       most = std::max(most, agent.avoider.most_tracks());
     }
@@ -206,7 +207,10 @@ void Simulation::in_parts(Works... /*in this order*/) {
 void Simulation::look(bool keeping) {
   if (divergence_) return;
   make_room(keeping);
-  for (Hand& hand : hands_) hand.rendezvous_reached = std::numeric_limits<int>::max();
+  for (Hand& hand : hands_) {
+    hand.rendezvous_reached = std::numeric_limits<int>::max();
+    hand.anyone_speaks = false;
+  }
   in_parts(Work<Stage::locate, &Simulation::locate>{}, Work<Stage::deliver, &Simulation::tell>{});
   if (timing_stages_) hands_[0].stages.begin();
   deliver();
@@ -267,8 +271,13 @@ void Simulation::locate(std::size_t index, Hand& /*hand*/) {
 void Simulation::tell(std::size_t index, Hand& hand) {
   const Agent& agent = agents_[index];
   const bool is_silent = agent.has_failed(FailureKind::silent, time());
+<<<<<<< HEAD
   const bool is_told = agent.cooperative && !is_silent && exchange_.may_take(index, tick_);
   mailbox_[index] = message_of(agent, tick_, is_told);
+=======
+  mailbox_[index] = message_of(agent, tick_, is_silent);
+  hand.anyone_speaks = hand.anyone_speaks || !mailbox_[index].speech.empty();
+>>>>>>> ec8992b (A recording keeps every word that methods say)
   // of who told all at once nothing is left to go by but what is seen
   if (is_silent && exchange_.carries_at_once()) movers_[index].silent = true;
   places_[index] = agent.vehicle.state().p_n;
@@ -377,11 +386,23 @@ void Simulation::record(std::size_t index, Hand& /*hand*/) {
       .strokes = drawings_[index].strokes()};
 }
 
+/// What methods have said at this tick, where any of them has something to say.
+void Simulation::collect_words() {
+  words_.clear();
+  if (std::ranges::none_of(hands_, &Hand::anyone_speaks)) return;
+  for (std::size_t i = 0; i < agents_.size(); ++i) {
+    const Message& said = mailbox_[i];
+    if (said.told && !said.speech.empty() && exchange_.has_spoken(i, tick_))
+      words_.push_back({static_cast<std::uint32_t>(i), time(), said.speech});
+  }
+}
+
 void Simulation::show(std::span<FrameSink* const> sinks) {
   if (!watched_) return;
   flights_.clear();
   if (showing_) exchange_.add_under_way(flights_);
-  const Frame frame{tick_, time(), period_, frame_, flights_};
+  collect_words();
+  const Frame frame{tick_, time(), period_, frame_, flights_, words_};
   if (timing_stages_) hands_[0].stages.begin();
   for (FrameSink* sink : sinks) sink->write(frame);
   if (timing_stages_) hands_[0].stages.finish(Stage::record);

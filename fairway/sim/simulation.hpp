@@ -98,6 +98,10 @@ class Simulation {
   void time_decisions() { timing_ = true; }
   DecisionTimes decision_times() const;
 
+  /// The last word of each of the others that vehicle `index` has heard, if their methods speak. Valid behind
+  /// a step, of the tick before.
+  std::vector<Heard> heard_by(std::size_t index) const;
+
   /// What became of the messages that were sent, where telling takes time.
   std::optional<AcousticCounts> message_counts() const { return exchange_.counts(); }
 
@@ -138,6 +142,7 @@ class Simulation {
     Company company;
     std::vector<Near> near;
     int rendezvous_reached{};  // by all of its parts
+    bool anyone_speaks{};      // likewise
     std::optional<Divergence> divergence;
     DecisionTimes times;
     StageTimes stages;
@@ -162,6 +167,7 @@ class Simulation {
   void decide_together(Hand& hand);
   void control(std::size_t index, Hand& hand);
   void record(std::size_t index, Hand& hand);
+  void collect_words();
   void show(std::span<FrameSink* const> sinks);
   void move(std::size_t index, Hand& hand);
   void notice(std::size_t index, std::string_view impossible, Tick when, Hand& hand);
@@ -175,7 +181,12 @@ class Simulation {
   bool everyone_is_at(const Agent& agent) const;
   static bool waits_for_method(const Agent& agent);
   std::optional<Command> attend(std::size_t index, Hand& hand);
+<<<<<<< HEAD
   void listen(std::size_t index, Hand& hand, Situation& shown);
+=======
+  void listen(std::size_t index, Hand& hand);
+  void hear(std::size_t index, std::vector<Heard>& heard) const;
+>>>>>>> ec8992b (A recording keeps every word that methods say)
   bool is_deciding(const Agent& agent) const;
   bool joins(std::size_t index) const;
   void join(std::size_t index, Hand& hand);
@@ -209,6 +220,7 @@ class Simulation {
   std::vector<VehicleFrame> frame_;
   std::vector<Drawing> drawings_;       // by vehicle, of its last decision
   std::vector<MessageFlight> flights_;  // likewise empty unless showing
+  std::vector<SpokenWord> words_;       // of the present tick
   DecisionObserver* observer_{nullptr};
   int rendezvous_reached_{};  // by all
   bool stop_when_done_;

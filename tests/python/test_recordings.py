@@ -33,6 +33,20 @@ def test_a_recording_says_what_it_is_of_and_the_run_can_be_made_again(recorded):
     assert fw.run(fw.Scenario.parse(recording.scenario_yaml)).fleet == run.fleet
 
 
+def test_a_recording_holds_what_methods_said(scenarios, tmp_path):
+    scenario = fw.Scenario.load(scenarios / "pledge_cube.yaml", overrides={"duration_s": 30})
+    fw.run(scenario, record=tmp_path / "pledge.mcap")
+    words = fw.Recording.read(tmp_path / "pledge.mcap").words
+    assert len(words) > 30
+    assert {word["vehicle"] for word in words} <= set(range(8))
+    assert all(len(word["bytes"]) == 25 for word in words)
+    assert [word["time_s"] for word in words] == sorted(word["time_s"] for word in words)
+
+
+def test_a_recording_of_nobody_who_speaks_has_no_words(recorded):
+    assert recorded[1].words == []
+
+
 def test_csv_is_that_of_the_command(recorded, fairway_command, tmp_path):
     _, recording = recorded
     said = subprocess.run(

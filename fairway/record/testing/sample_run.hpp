@@ -129,6 +129,22 @@ class SampleRun {
     }
   }
 
+  /// From now on methods speak: in every second frame the vehicle of its index, from the first again behind
+  /// the last, says as many bytes as the frame's index and one more, at most 25; in frames before the third
+  /// nobody.
+  void speak() {
+    Rng rng{45};
+    words.resize(size());
+    for (std::size_t f = 2; f < words.size(); f += 2) {
+      SpokenWord& word = words[f].emplace_back();
+      word.from = static_cast<std::uint32_t>(f % info.vehicles.size());
+      word.sent = frame(f).time;
+      word.speech.size = static_cast<std::uint8_t>(std::min(f + 1, Speech::most_bytes));
+      for (std::size_t i = 0; i < word.speech.size; ++i)
+        word.speech.bytes[i] = static_cast<std::uint8_t>(rng.index(256));
+    }
+  }
+
   SampleRun(const SampleRun&) = delete;
   SampleRun& operator=(const SampleRun&) = delete;
 
@@ -153,7 +169,8 @@ class SampleRun {
             .time = seconds(tick, info.period),
             .period = info.period,
             .vehicles = std::span{vehicles}.subspan(i * n, n),
-            .flights = flights.empty() ? std::span<const MessageFlight>{} : flights[i]};
+            .flights = flights.empty() ? std::span<const MessageFlight>{} : flights[i],
+            .words = words.empty() ? std::span<const SpokenWord>{} : words[i]};
   }
 
   void record(const std::string& path, std::int64_t stride = 1) const {
@@ -174,6 +191,7 @@ class SampleRun {
   std::vector<std::vector<Echo>> echoes;
   std::vector<std::vector<Stroke>> strokes;
   std::vector<std::vector<MessageFlight>> flights;  // by frame
+  std::vector<std::vector<SpokenWord>> words;       // likewise
 };
 
 /// A sample run with what one of its functions adds.
@@ -187,6 +205,7 @@ struct SampleRunWith : SampleRun {
 
 using PerceivingRun = SampleRunWith<&SampleRun::perceive>;
 using SketchingRun = SampleRunWith<&SampleRun::sketch>;
+using SpeakingRun = SampleRunWith<&SampleRun::speak>;
 
 inline Bytes bytes_in(const std::string& file) {
   std::ifstream stream{file, std::ios::binary};
