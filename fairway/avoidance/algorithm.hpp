@@ -3,7 +3,9 @@
 
 #include <array>
 #include <concepts>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "fairway/avoidance/command.hpp"
 #include "fairway/avoidance/situation.hpp"
@@ -86,6 +88,19 @@ concept AvoidanceAlgorithm =
 template <class A>
 concept Speaks = requires(const A& a, const typename A::Memory& memory) {
   { a.speech(memory) } noexcept -> std::same_as<Speech>;
+};
+
+/// A word in plain words, for people who look at a run.
+struct Reading {
+  std::string text;                  ///< a line, whose subject is who said it: "is held at [1, 2, 3] m NED"
+  std::vector<VehicleId> awaited{};  ///< whose words its sender waits for, as far as the word tells
+};
+
+/// An algorithm that says how a word of its kind is read. What is no such word it says to be none. Words are
+/// never read in a step.
+template <class A>
+concept ReadsWords = requires(const A& a, const Heard& word) {
+  { a.reading(word) } -> std::same_as<Reading>;
 };
 
 class Avoider;

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -48,6 +49,9 @@ class Avoider {
   /// Whether it has something to say of its own, and what it would say now; see `Speaks`.
   bool speaks() const { return self_->speaks(); }
   Speech speech() const { return self_->speech(); }
+
+  /// How its algorithm reads a word; nothing where it does not say how (`ReadsWords`).
+  std::optional<Reading> reading(const Heard& word) const { return self_->reading(word); }
 
   /// Decides, then holds the decision to the limits, so that no algorithm has to. What the vehicle cannot
   /// carry out of it (see `shortfall`) stands in the note unless the method says something itself, and what
@@ -97,6 +101,7 @@ class Avoider {
     virtual std::size_t most_tracks() const { return std::numeric_limits<std::size_t>::max(); }
     virtual bool speaks() const { return false; }
     virtual Speech speech() const { return {}; }
+    virtual std::optional<Reading> reading(const Heard& /*word*/) const { return {}; }
     virtual bool decides_with(const Interface& /*other*/) const noexcept { return false; }
     virtual void decide_many(std::span<const Situation* const>, std::span<Command* const>) noexcept {}
   };
@@ -117,6 +122,10 @@ class Avoider {
     bool speaks() const override { return Speaks<A>; }
     Speech speech() const override {
       if constexpr (Speaks<A>) return algorithm.speech(memory);
+      return {};
+    }
+    std::optional<Reading> reading(const Heard& word) const override {
+      if constexpr (ReadsWords<A>) return algorithm.reading(word);
       return {};
     }
     bool decides_with(const Interface& other) const noexcept override {
@@ -161,6 +170,7 @@ struct Avoider::Wrapped final : Avoider::Interface {
   const AlgorithmInfo& info() const override { return W::info; }
   bool speaks() const override { return inner.speaks(); }
   Speech speech() const override { return inner.speech(); }
+  std::optional<Reading> reading(const Heard& word) const override { return inner.reading(word); }
 
   W wrapper;
   Avoider inner;

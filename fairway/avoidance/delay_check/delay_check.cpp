@@ -7,6 +7,7 @@
 
 #include "fairway/avoidance/pledge/bits.hpp"
 #include "fairway/avoidance/pledge/following.hpp"
+#include "fairway/avoidance/pledge/reading.hpp"
 #include "fairway/core/angles.hpp"
 #include "fairway/core/math.hpp"
 
@@ -184,6 +185,20 @@ Command DelayCheck::decide(const Situation& s, Memory& memory, Context& context)
 
 Speech DelayCheck::speech(const Memory& memory) const noexcept {
   return memory.begun ? delay_check::encode(memory.own, datum(), memory.time) : Speech{};
+}
+
+Reading DelayCheck::reading(const Heard& heard) const {
+  const std::optional<delay_check::Word> word = delay_check::decode(heard.speech, datum(), heard.sent);
+  if (!word) return {.text = "not a word of delay_check"};
+  const auto way = [](const Trajectory& t) {
+    return pledge::place_words(t.to) + " from " + pledge::instant_words(t.departs) + " to " +
+           pledge::instant_words(t.ends);
+  };
+  const Trajectory& committed = word->committed;
+  std::string text = committed.ends > committed.departs ? "has committed itself to go to " + way(committed)
+                                                        : "stands at " + pledge::place_words(committed.to);
+  if (word->next) text += "; will go to " + way(*word->next) + " if nothing speaks against it";
+  return {.text = std::move(text)};
 }
 
 }  // namespace fairway

@@ -81,6 +81,7 @@ struct DelayCheck {
 
   Command decide(const Situation& s, Memory& memory, Context& context) const noexcept;
   Speech speech(const Memory& memory) const noexcept;
+  Reading reading(const Heard& word) const;
 
  private:
   Vec2 datum() const noexcept { return {params.datum_north_m, params.datum_east_m}; }
@@ -96,6 +97,6 @@ struct DelayCheck {
 };
 
 static_assert(AvoidanceAlgorithm<DelayCheck>);
-static_assert(Speaks<DelayCheck>);
+static_assert(Speaks<DelayCheck> && ReadsWords<DelayCheck>);
 
 }  // namespace fairway

@@ -62,6 +62,24 @@ TEST(DelayCheck, ADamagedWordIsRefused) {
   EXPECT_FALSE(decode(speech, Vec2::Zero(), 0.0));
 }
 
+TEST(DelayCheckWord, IsReadInPlainWords) {
+  const DelayCheck method{};
+  const auto read = [&](const Word& word, double now) {
+    return method.reading({VehicleId{1}, now, encode(word, Vec2::Zero(), now)}).text;
+  };
+  const Word word{.radius = 1.0, .committed = Trajectory::standing({1, 2, 5}, 10.0)};
+  EXPECT_EQ(read(word, 10.0), "stands at [1, 2, 5] m NED");
+  EXPECT_EQ(
+      read({.radius = 1.0,
+            .committed = {{0, 0, 5}, {10, 0, 5}, 12.0, 32.0},
+            .next = Trajectory{{10, 0, 5}, {10, 8, 5}, 32.0, 48.0}},
+           10.0),
+      "has committed itself to go to [10, 0, 5] m NED from 12 s to 32 s; will go to [10, 8, 5] m NED from "
+      "32 s to 48 s if nothing speaks against it");
+  EXPECT_EQ(method.reading({VehicleId{1}, 0.0, {.bytes = {1, 2}, .size = 2}}).text,
+            "not a word of delay_check");
+}
+
 /// Two points that do what they are told and swap places, and a modem that loses what it is told to.
 struct Pair {
   static constexpr double period = 0.2, turn_period = 4.0;

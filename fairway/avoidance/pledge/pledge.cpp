@@ -6,6 +6,7 @@
 #include "fairway/avoidance/orca3d/orca3d.hpp"
 #include "fairway/avoidance/pledge/following.hpp"
 #include "fairway/avoidance/pledge/making_room.hpp"
+#include "fairway/avoidance/pledge/reading.hpp"
 
 namespace fairway {
 namespace {
@@ -239,6 +240,11 @@ void Pledge::recover(const Situation& s, Memory& memory) const noexcept {
 
 Speech Pledge::speech(const Memory& memory) const noexcept {
   return memory.begun ? memory.agreement.say(memory.time, memory.turn_period) : Speech{};
+}
+
+Reading Pledge::reading(const Heard& word) const {
+  return pledge::reading_of(word, {params.datum_north_m, params.datum_east_m},
+                            {.vehicles = static_cast<std::size_t>(params.team_count)});
 }
 
 }  // namespace fairway

@@ -77,6 +77,7 @@ struct Pledge {
 
   Command decide(const Situation& s, Memory& memory, Context& context) const noexcept;
   Speech speech(const Memory& memory) const noexcept;
+  Reading reading(const Heard& word) const;
 
  private:
   pledge::Tubes tubes() const noexcept { return {.radius = params.tube_m, .told = 0.1}; }
@@ -93,6 +94,6 @@ struct Pledge {
 };
 
 static_assert(AvoidanceAlgorithm<Pledge>);
-static_assert(Speaks<Pledge>);
+static_assert(Speaks<Pledge> && ReadsWords<Pledge>);
 
 }  // namespace fairway

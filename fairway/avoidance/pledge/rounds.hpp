@@ -22,6 +22,7 @@ struct Groups {
   std::size_t group_of(std::size_t vehicle) const { return vehicle % count(); }
   std::size_t member_of(std::size_t vehicle) const { return vehicle / count(); }
   std::size_t size_of(std::size_t group) const { return (vehicles - group + count() - 1) / count(); }
+  std::size_t vehicle_of(std::size_t group, std::size_t member) const { return member * count() + group; }
 };
 
 /// Whose turn it is to move, where there are several groups. Every vehicle counts rounds for itself, and

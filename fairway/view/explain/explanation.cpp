@@ -195,10 +195,30 @@ ExplanationSection method_section(const Choice& avoider, const Catalog& avoiders
   return section;
 }
 
+/// What its method had said and heard.
+ExplanationSection words_section(const Scenario& scenario, const FoundWords& words) {
+  ExplanationSection section{"Words", {}, {}};
+  section.lines.push_back(
+      words.said ? fmt::format("Said last, {} ago: {}.", time_words(words.said->age), words.said->text)
+                 : "It has said nothing yet.");
+  if (words.heard.empty()) {
+    section.lines.emplace_back("It has heard nobody yet.");
+    return section;
+  }
+  section.lines.push_back(
+      fmt::format("Heard of {}, the last word of each, with its age since it was said:", words.heard.size()));
+  section.table.columns = {"said_by", "age_s", "word"};
+  for (const FoundWord& word : words.heard)
+    section.table.rows.push_back({scenario.vehicles[word.from].name, word.age, word.text});
+  return section;
+}
+
 ExplanationSection unasked_section(const FoundDecision& found) {
   ExplanationSection section{"Who steers", {}, {}};
   section.lines.push_back(
-      fmt::format("Phase: {}. Avoiders are asked on transits only.", enum_name(found.phase)));
+      fmt::format("Phase: {}. Avoiders are asked on transits only{}.", enum_name(found.phase),
+                  found.words ? "; one that speaks may choose where to stay meanwhile" : ""));
+  if (!found.note.empty()) section.lines.push_back(fmt::format("It says: {}.", found.note));
   section.lines.push_back(found.asked
                               ? fmt::format("In this recording its avoider is asked from {} to {}.",
                                             time_words(found.asked->first), time_words(found.asked->second))
@@ -233,7 +253,9 @@ Explanation explain(const Scenario& scenario, const FoundDecision& found, const 
   auto& sections = explanation.sections;
   if (!found.decision) {
     explanation.headline = headline_of_unasked(scenario, found);
-    sections = {unasked_section(found), found_section(found)};
+    sections = {unasked_section(found)};
+    if (found.words) sections.push_back(words_section(scenario, *found.words));
+    sections.push_back(found_section(found));
     return explanation;
   }
   const KeptDecision& decision = *found.decision;
@@ -243,6 +265,7 @@ Explanation explain(const Scenario& scenario, const FoundDecision& found, const 
   explanation.headline = headline_of(scenario, found, facts, drawn);
   sections = {command_section(decision, facts), own_section(decision.situation(), facts),
               neighbours_section(scenario, facts)};
+  if (found.words) sections.push_back(words_section(scenario, *found.words));
   if (!facts.obstacles.empty()) sections.push_back(obstacles_section(facts));
   for (ExplanationSection& section : drawn_sections(scenario, drawn, facts.preferred, commanded)) {
     sections.push_back(std::move(section));

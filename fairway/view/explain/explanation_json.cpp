@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "fairway/record/record_kinds.hpp"
+#include "fairway/record/word_messages.hpp"
 #include "fairway/view/explain/decision_facts.hpp"
 #include "fairway/view/explain/explanation.hpp"
 #include "fairway/view/explain/headline.hpp"
@@ -151,6 +152,21 @@ json decision_json(const Scenario& scenario, const KeptDecision& decision) {
           {"strokes", std::move(strokes)}};
 }
 
+json word_json(const Scenario& scenario, const FoundWord& word) {
+  const VehicleSpec& vehicle = scenario.vehicles[word.from];
+  return {{"id", vehicle.id},
+          {"name", vehicle.name},
+          {"age_s", exact(word.age)},
+          {"bytes", hexadecimal(word.speech)},
+          {"text", word.text}};
+}
+
+json words_json(const Scenario& scenario, const FoundWords& words) {
+  json heard = json::array();
+  for (const FoundWord& word : words.heard) heard.push_back(word_json(scenario, word));
+  return {{"said", words.said ? word_json(scenario, *words.said) : json()}, {"heard", std::move(heard)}};
+}
+
 }  // namespace
 
 json page_json(const Explanation& explanation) {
@@ -184,6 +200,7 @@ json exact_json(const Scenario& scenario, const FoundDecision& found, const Expl
           {"difference", std::move(difference)},
           {"headline", explanation.headline},
           {"sections", sections_json(explanation, [](double value) { return exact(value); })},
+          {"words", found.words ? words_json(scenario, *found.words) : json()},
           {"decision", found.decision ? decision_json(scenario, *found.decision) : json()}};
 }
 

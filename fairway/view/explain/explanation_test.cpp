@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "fairway/avoidance/label.hpp"
+#include "fairway/record/word_messages.hpp"
 #include "fairway/view/explain/headline.hpp"
 #include "fairway/view/explain/testing/recorded_run.hpp"
 
@@ -220,6 +221,53 @@ TEST(Explanation, SaysWhoSteersWhereNoAvoiderIsAsked) {
   const Explanation told = explain(scenario, *found, builtin_avoiders());
   EXPECT_EQ(told.headline, "surveyor asks no avoider: guidance steers it straight to (0.0, 0.0, 8.0) m.");
   EXPECT_TRUE(exact_json(scenario, *found, told)["decision"].is_null());
+}
+
+TEST(Explanation, SaysWhatAVehicleThatSpeaksHasSaidAndHeard) {
+  const Scenario scenario =
+      testing::scenario_of("pledge_cube", {{"duration_s", "65"}, {"exchange.loss_ratio", "0"}});
+  const Recording recording = testing::recorded(scenario, 4);
+  ASSERT_FALSE(recording.words().empty());
+  const std::size_t last = recording.size() - 1;
+  const auto found = find_decision(recording, scenario, builtin_catalogs(), {3, last});
+  ASSERT_TRUE(found && found->words && found->words->said);
+  const double time = recording.frame(last).time;
+
+  // the last of its own words in the recording
+  const SpokenWord* said = nullptr;
+  for (const SpokenWord& word : recording.words())
+    if (word.from == 3 && word.sent <= time) said = &word;
+  ASSERT_NE(said, nullptr);
+  EXPECT_EQ(found->words->said->speech, said->speech);
+  EXPECT_EQ(found->words->said->age, time - said->sent);
+
+  // of every other one that was said a turn ago at the latest
+  ASSERT_EQ(found->words->heard.size(), 7u);
+  for (const FoundWord& heard : found->words->heard) {
+    EXPECT_NE(heard.from, 3u);
+    EXPECT_LE(heard.age, 4.0);
+    EXPECT_TRUE(std::ranges::any_of(recording.words(), [&](const SpokenWord& word) {
+      return word.from == heard.from && word.sent == time - heard.age && word.speech == heard.speech;
+    }));
+    EXPECT_THAT(heard.text, Not(HasSubstr("not a word")));
+  }
+
+  const Explanation told = explain(scenario, *found, builtin_avoiders());
+  const ExplanationSection words = section_of(told, "Words");
+  EXPECT_THAT(words.lines[0], StartsWith("Said last, "));
+  EXPECT_EQ(words.table.rows.size(), 7u);
+  const auto json = exact_json(scenario, *found, told)["words"];
+  EXPECT_EQ(json["said"]["bytes"], hexadecimal(said->speech));
+  EXPECT_EQ(json["heard"].size(), 7u);
+}
+
+TEST(Explanation, OfAVehicleThatSaysNothingOfItsOwnHasNoWords) {
+  const Scenario scenario = testing::scenario_of("head_on", {{"duration_s", "2"}});
+  const Recording recording = testing::recorded(scenario);
+  const auto found = find_decision(recording, scenario, builtin_catalogs(), {0, 10});
+  ASSERT_TRUE(found);
+  EXPECT_FALSE(found->words);
+  EXPECT_TRUE(exact_json(scenario, *found, explain(scenario, *found, builtin_avoiders()))["words"].is_null());
 }
 
 TEST(Explanation, CallsTracksByWhatTheyAre) {

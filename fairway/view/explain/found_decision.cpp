@@ -8,6 +8,7 @@
 #include "fairway/experiment/measure_run.hpp"
 #include "fairway/record/hash_checker.hpp"
 #include "fairway/sim/simulation.hpp"
+#include "fairway/view/word_reader.hpp"
 
 namespace fairway {
 namespace {
@@ -59,7 +60,11 @@ class Witness final : public FrameSink, public DecisionObserver {
       decided_ = frame.tick;
       kept_->strokes.assign(vehicle.strokes.begin(), vehicle.strokes.end());
     }
-    if (frame.tick <= asked_.tick) command_ = vehicle.command;
+    if (frame.tick <= asked_.tick) {
+      command_ = vehicle.command;
+      const auto own = std::ranges::find(frame.words, instant_.vehicle, &SpokenWord::from);
+      if (own != frame.words.end()) said_ = *own;
+    }
     if (sink_ != nullptr) sink_->write(frame);
   }
 
@@ -69,6 +74,9 @@ class Witness final : public FrameSink, public DecisionObserver {
     throw InputError("this is another run, so its decisions are others: " + checker_.describe() +
                      " (ask with the build, and on the kind of machine, that recorded it)");
   }
+
+  /// The last word of the vehicle asked about.
+  const std::optional<SpokenWord>& said() const { return said_; }
 
   FoundDecision found() {
     const VehicleFrame& recorded = asked_.vehicles[instant_.vehicle];
@@ -81,6 +89,8 @@ class Witness final : public FrameSink, public DecisionObserver {
                         .asked = avoiding_span(recording_, instant_.vehicle),
                         .difference = first_difference({.command = recorded.command}, {.command = command_}),
                         .progress = progress_.state(instant_.vehicle),
+                        .note = command_.note,
+                        .words = {},
                         .matched = checker_.matched()};
     if (is_avoiding(recorded.phase)) found.decision = std::move(kept_);
     return found;
@@ -110,11 +120,31 @@ class Witness final : public FrameSink, public DecisionObserver {
   HashChecker checker_;
   std::size_t next_{};  // frame of the recording
   std::optional<KeptDecision> kept_;
+  std::optional<SpokenWord> said_;
   std::optional<Tick> decided_;  // when that was
   Command command_;              // in force, at most until the frame asked about
   bool fresh_{false};
   bool only_commands_{false};
 };
+
+/// Behind the step of the frame asked about, which was at `time`.
+std::optional<FoundWords> words_of(const Simulation& simulation, std::size_t vehicle,
+                                   const std::optional<SpokenWord>& said, double time) {
+  const std::span<const Agent> agents = simulation.agents();
+  const Avoider& avoider = agents[vehicle].avoider;
+  if (!avoider.speaks()) return {};
+  const auto read = [&](std::size_t from, const Heard& word) -> FoundWord {
+    const std::optional<Reading> reading = avoider.reading(word);
+    return {from, time - word.sent, word.speech, reading ? reading->text : unread_text(word.speech)};
+  };
+  FoundWords words;
+  if (said) words.said = read(vehicle, {agents[vehicle].ship().id, said->sent, said->speech});
+  for (const Heard& word : simulation.heard_by(vehicle)) {
+    const auto from = std::ranges::find(agents, word.from, [](const Agent& a) { return a.ship().id; });
+    words.heard.push_back(read(static_cast<std::size_t>(from - agents.begin()), word));
+  }
+  return words;
+}
 
 std::int64_t ticks_of(double time, double period) {
   return static_cast<std::int64_t>(std::ceil(time / period));
@@ -166,6 +196,7 @@ std::optional<FoundDecision> find_decision(const Recording& recording, const Sce
     found = witness.found();
     const Leg* leg = simulation.agents()[instant.vehicle].mission.leg();
     if (leg != nullptr) found->leg = *leg;
+    found->words = words_of(simulation, instant.vehicle, witness.said(), asked.time);
   }
   if (!found) throw InputError("this is another run: it ends before tick " + std::to_string(target));
   return found;

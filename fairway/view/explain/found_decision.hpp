@@ -6,6 +6,8 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -43,6 +45,20 @@ class KeptDecision {
   std::vector<std::vector<Vec3>> vertices_;  // of the obstacles
 };
 
+/// A word that a method said, as the vehicle asked about reads it.
+struct FoundWord {
+  std::size_t from{};  ///< index of who said it
+  double age{};        ///< at the frame asked about [s]
+  Speech speech{};
+  std::string text;  ///< what it says, in a line
+};
+
+/// What a vehicle whose method speaks had said and heard.
+struct FoundWords {
+  std::optional<FoundWord> said;  ///< the last one
+  std::vector<FoundWord> heard;   ///< the last one of each of the others, by vehicle
+};
+
 /// What was found of an instant of a recorded run by simulating it again.
 struct FoundDecision {
   Instant instant;
@@ -55,8 +71,10 @@ struct FoundDecision {
   std::optional<std::pair<double, double>> asked;
   /// Between the recorded command and the one found; none if they are the same to the bit.
   std::optional<QuantityDifference> difference;
-  ProgressReport progress;  ///< as of the frame asked about; `with` as `ProgressMetric` has it
-  std::size_t matched{};    ///< recorded frames met on the way, all the same to the bit
+  ProgressReport progress;          ///< as of the frame asked about; `with` as `ProgressMetric` has it
+  std::string_view note;            ///< of the command found: why, in the method's words
+  std::optional<FoundWords> words;  ///< as of the frame asked about; none where its method does not speak
+  std::size_t matched{};            ///< recorded frames met on the way, all the same to the bit
 };
 
 /// For whoever wants to see what surrounds the decision: all frames of the run until some time after it, with
