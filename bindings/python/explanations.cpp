@@ -55,7 +55,7 @@ struct ViewChoice {
 void write_view(const ViewChoice& choice, const Catalogs& catalogs, const std::atomic<bool>& stop) {
   const Recording recording = Recording::read(choice.recording);
   const Scenario scenario = recorded_scenario(recording, choice.recording);
-  Film film{scenario, choice.limits};
+  Film film{scenario, choice.limits, &catalogs.avoiders};
   const FilmWatch watch{&stop, {}};
   const bool complete = choice.sketch && !holds_thoughts(recording)
                             ? show_again(recording, scenario, catalogs, choice.recording, film, watch)

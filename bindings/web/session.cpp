@@ -48,7 +48,7 @@ Session::Session(Order order)
       metrics_{metrics_for(scenario(), catalogs().vehicles)},
       sinks_{this, &metrics_} {
   run_.simulation().show_thoughts(order_.filmed);
-  if (order_.filmed) sinks_.push_back(&film_.emplace(scenario(), FilmLimits{.thinkers = order_.thinkers}));
+  if (order_.filmed) sinks_.push_back(&begin_film());
   if (order_.recording) {
     sinks_.push_back(&checker_.emplace(*order_.recording));
     run_.simulation().show_thoughts(order_.filmed || order_.recording->info().sketches);
@@ -80,10 +80,14 @@ json Session::layout() const {
   return web::layout(order_.yaml, order_.file, set, order_.seed, stretches_.back().scenario);
 }
 
+Film& Session::begin_film() {
+  return film_.emplace(scenario(), FilmLimits{.thinkers = order_.thinkers}, &catalogs().avoiders);
+}
+
 void Session::think(std::vector<std::size_t> vehicles) {
   order_.thinkers = std::move(vehicles);
   if (!film_) return;
-  Film& film = film_.emplace(scenario(), FilmLimits{.thinkers = order_.thinkers});
+  Film& film = begin_film();
   ChangingRun again{stretches_, catalogs()};
   again.simulation().show_thoughts(true);
   FrameSink* sink = &film;

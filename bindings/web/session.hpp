@@ -98,6 +98,7 @@ class Session final : private FrameSink {
   void refuse_absent() const;
   std::vector<Stretch> stretches() const;
   std::string recorded() const;
+  Film& begin_film();
   const Scenario& scenario() const { return stretches_.front().scenario; }
 
   Order order_;

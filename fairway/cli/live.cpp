@@ -22,7 +22,7 @@ void wait_for(const std::atomic<bool>& stop) {
 RunOutcome run_live(const Scenario& scenario, const RecordingChoice& recording, const LiveChoice& choice,
                     std::ostream& out, const Program& program) {
   const Simulation accepted{scenario, program.catalogs};  // or it says here what is wrong with the scenario
-  LiveRun run{scenario, {.speed = choice.speed, .paused = choice.paused}};
+  LiveRun run{scenario, {.speed = choice.speed, .paused = choice.paused}, {}, &program.catalogs.avoiders};
   LiveServer server{choice.port};
   const PlaybackInfo info{.version = std::string(fairway_version),
                           .command = program.typed,

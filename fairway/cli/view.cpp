@@ -110,7 +110,7 @@ int view(const ViewOptions& options, const Outputs& outputs, const Program& prog
   const Recording recording = Recording::read(options.recording);
   const RecordingInfo& info = recording.info();
   const Scenario scenario = recorded_scenario(recording, options.recording);
-  Film film{scenario, film_limits_of(options)};
+  Film film{scenario, film_limits_of(options), &program.catalogs.avoiders};
   const bool again = options.sketch && !holds_thoughts(recording);
   bool complete = false;
   {

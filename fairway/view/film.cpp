@@ -18,13 +18,13 @@
 namespace fairway {
 
 struct Film::Contents {
-  Contents(const Scenario& scenario, const FilmLimits& its_limits)
+  Contents(const Scenario& scenario, const FilmLimits& its_limits, const Catalog* avoiders)
       : limits{its_limits},
         surroundings{surroundings_of(scenario)},
         water{scenario},
         events{{scenario.exam.crit_dist_m, scenario.exam.safety_distance_m}, scenario.vehicles.size()},
         progress{scenario.exam.progress_window_s, surroundings},
-        thoughts{scenario.vehicles.size(), limits.thought_bytes, limits.thinkers},
+        thoughts{{scenario, avoiders}, scenario.vehicles.size(), limits.thought_bytes, limits.thinkers},
         columns{scenario.vehicles.size(), current_depths(scenario.water).size()},
         stride{limits.every} {}
 
@@ -63,8 +63,8 @@ void Film::Contents::thin() {
   ++generation;
 }
 
-Film::Film(const Scenario& scenario, const FilmLimits& limits)
-    : contents_{std::make_unique<Contents>(scenario, limits)} {}
+Film::Film(const Scenario& scenario, const FilmLimits& limits, const Catalog* avoiders)
+    : contents_{std::make_unique<Contents>(scenario, limits, avoiders)} {}
 Film::~Film() = default;
 
 void Film::write(const Frame& frame) {

@@ -15,6 +15,8 @@
 
 namespace fairway {
 
+class Catalog;
+
 /// How much of a run a page holds, and how much of that before it is thinned.
 struct FilmLimits {
   std::size_t vehicle_frames = 400'000;               ///< frames times vehicles
@@ -39,8 +41,9 @@ enum class Packing : std::uint8_t {
 /// those of all frames. viewer/README.md describes what it writes.
 class Film final : public FrameSink {
  public:
-  /// The scenario must outlive it. Its names and parameters were accepted before, by whoever ran it.
-  explicit Film(const Scenario& scenario, const FilmLimits& limits = {});
+  /// The scenario must outlive it, and `avoiders`, by which words are read (WordReader). Its names and
+  /// parameters were accepted before, by whoever ran it.
+  explicit Film(const Scenario& scenario, const FilmLimits& limits = {}, const Catalog* avoiders = nullptr);
   ~Film() override;
   Film(const Film&) = delete;
   Film& operator=(const Film&) = delete;

@@ -99,6 +99,11 @@ std::string text_of(const MessageFlight& flight) {
                      flight.from, flight.to, flight.sent, flight.begins, flight.arrives, flight.drowned);
 }
 
+std::string text_of(const SpokenWord& word, const ReadWord& read) {
+  return fmt::format(R"({{"sent_s":{},"text":{},"awaited":{}}})", word.sent, json_text(read.text),
+                     json_list(read.awaited, [](std::size_t vehicle) { return std::to_string(vehicle); }));
+}
+
 std::string text_of_place(double time, std::size_t vehicle) {
   return fmt::format(R"("time_s":{},"vehicle":{})", time, vehicle);
 }

@@ -8,6 +8,7 @@
 #include "fairway/avoidance/situation.hpp"
 #include "fairway/core/echo.hpp"
 #include "fairway/core/message_flight.hpp"
+#include "fairway/view/word_reader.hpp"
 
 namespace fairway {
 
@@ -21,6 +22,9 @@ std::string text_of(std::span<const Echo> echoes);
 
 /// One message; its times to the bit.
 std::string text_of(const MessageFlight& flight);
+
+/// One word; the time to the bit.
+std::string text_of(const SpokenWord& word, const ReadWord& read);
 
 /// `"time_s":1.5,"vehicle":2`, the time to the bit.
 std::string text_of_place(double time, std::size_t vehicle);

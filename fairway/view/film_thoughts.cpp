@@ -14,14 +14,14 @@ constexpr std::size_t record_frame_bytes = 48;   // of a record's text besides w
 constexpr std::size_t message_text_bytes = 110;  // about as much as one message takes
 constexpr std::size_t message_share = 4;         // messages may take one part in so many
 
-constexpr std::array<const char*, 3> list_names{"sketches", "tracks", "echoes"};
-constexpr std::array<const char*, 3> content_names{"strokes", "tracks", "echoes"};
+constexpr std::array<const char*, 4> list_names{"sketches", "tracks", "echoes", "words"};
+constexpr std::array<const char*, 4> content_names{"strokes", "tracks", "echoes", "word"};
 
 }  // namespace
 
-FilmThoughts::FilmThoughts(std::size_t vehicles, std::size_t most_bytes,
+FilmThoughts::FilmThoughts(WordReader reader, std::size_t vehicles, std::size_t most_bytes,
                            const std::optional<std::vector<std::size_t>>& thinkers)
-    : most_bytes_{most_bytes}, last_(vehicles) {
+    : reader_{std::move(reader)}, most_bytes_{most_bytes}, last_(vehicles) {
   if (thinkers) {
     std::ranges::copy_if(*thinkers, std::back_inserter(thinkers_),
                          [&](std::size_t i) { return i < vehicles; });
@@ -33,6 +33,7 @@ FilmThoughts::FilmThoughts(std::size_t vehicles, std::size_t most_bytes,
 
 void FilmThoughts::see(const Frame& frame) {
   for (const MessageFlight& flight : frame.flights) see_flight(frame.time, flight);
+  see_words(frame);
   if (frames_ % spacing_ == 0) {
     for (const std::size_t i : thinkers_) see_vehicle(frame, i);
   }
@@ -62,6 +63,21 @@ void FilmThoughts::keep(const Frame& frame, std::size_t index, Kind kind, std::s
   last = text;
   bytes_ += text.size() + record_frame_bytes;
   records_.push_back({frame.time, frames_, index, kind, std::move(text)});
+}
+
+/// Of a vehicle that spoke more than once since words were kept, the last one stays.
+void FilmThoughts::see_words(const Frame& frame) {
+  for (const SpokenWord& word : frame.words) {
+    std::optional<SpokenWord>& last = last_[word.from].word;
+    if (!last) speakers_.push_back(word.from);
+    last = word;
+  }
+  if (frames_ % spacing_ != 0) return;
+  for (const std::size_t i : speakers_) {
+    const SpokenWord word = *std::exchange(last_[i].word, {});
+    keep(frame, i, Kind::word, text_of(word, reader_.read(word)));
+  }
+  speakers_.clear();
 }
 
 void FilmThoughts::see_flight(double time, const MessageFlight& flight) {
@@ -138,7 +154,7 @@ std::string FilmThoughts::between(double after, double until) const {
                                                 std::ranges::upper_bound(records_, until, {}, time);
   if (!anything) return {};
   std::string all = "{";
-  for (const Kind kind : {Kind::sketch, Kind::tracks, Kind::echoes})
+  for (const Kind kind : {Kind::sketch, Kind::tracks, Kind::echoes, Kind::word})
     all.append(records_text(kind, after, until)).append(",");
   return all.append("\"flights\":[").append(flights).append("]}");
 }

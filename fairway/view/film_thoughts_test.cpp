@@ -20,12 +20,13 @@ constexpr double always = std::numeric_limits<double>::infinity();
 /// Plays one vehicle's thoughts, a frame every tenth of a second.
 class Play {
  public:
-  explicit Play(std::size_t most_bytes = 1'000'000) : thoughts{1, most_bytes} {}
+  explicit Play(std::size_t most_bytes = 1'000'000) : thoughts{{scenario, &avoiders}, 1, most_bytes} {}
 
-  Play& frame(const std::vector<Stroke>& strokes, const std::vector<MessageFlight>& flights = {}) {
+  Play& frame(const std::vector<Stroke>& strokes, const std::vector<MessageFlight>& flights = {},
+              const std::vector<SpokenWord>& words = {}) {
     VehicleFrame vehicle;
     vehicle.strokes = strokes;
-    thoughts.see({tick_, seconds(tick_, 0.1), 0.1, {&vehicle, 1}, flights});
+    thoughts.see({tick_, seconds(tick_, 0.1), 0.1, {&vehicle, 1}, flights, words});
     tick_ = next(tick_);
     return *this;
   }
@@ -34,6 +35,8 @@ class Play {
     return text.empty() ? json::array() : json::parse(text).at(list);
   }
 
+  Scenario scenario{.vehicles = {{.id = 3, .avoider = {.name = "pledge"}}}};
+  Catalog avoiders = builtin_avoiders();
   FilmThoughts thoughts;
 
  private:
@@ -55,6 +58,34 @@ TEST(FilmThoughts, AreRecordedWhenTheyChangeAndAtTheVeryTime) {
   EXPECT_EQ(sketches[1]["time_s"].get<double>(), 3 * 0.1);
   EXPECT_EQ(sketches[0]["strokes"][0]["points"], json::parse("[[1,0,0]]"));
   EXPECT_EQ(sketches[2]["strokes"], json::array());
+}
+
+TEST(FilmThoughts, HoldEveryWordAsItsMethodReadsIt) {
+  const SpokenWord garbage{0, 0.1, {.bytes = {0x0a, 0x1f}, .size = 2}};
+  Play play;
+  play.frame({}).frame({}, {}, {garbage}).frame({}).frame({}, {}, {{0, 0.3, garbage.speech}});
+  const json words = play.all("words");
+  ASSERT_EQ(words.size(), 2u);
+  EXPECT_EQ(words[0], json::parse(R"({"time_s":0.1,"vehicle":0,
+      "word":{"sent_s":0.1,"text":"not a word of pledge","awaited":[]}})"));
+  EXPECT_EQ(words[1]["word"]["sent_s"].get<double>(), 0.3);
+
+  WordReader unread{play.scenario, nullptr};
+  EXPECT_EQ(unread.read(garbage).text, "says the bytes 0a1f");
+  play.scenario.vehicles[0].avoider.name = "of another program";
+  WordReader unknown{play.scenario, &play.avoiders};
+  EXPECT_EQ(unknown.read(garbage).text, "says the bytes 0a1f");
+}
+
+TEST(FilmThoughts, BeyondTheirSizeKeepTheLastWordOfEachSpan) {
+  Play play{10'000};
+  for (int i = 0; i < 1000; ++i) play.frame({}, {}, {{0, 0.1 * i, {.bytes = {1}, .size = 1}}});
+  const json words = play.all("words");
+  EXPECT_GT(play.thoughts.spacing(), 1u);
+  EXPECT_GT(words.size(), 10u);
+  EXPECT_LT(words.size(), 200u);
+  for (const json& word : words)
+    EXPECT_LE(word["word"]["sent_s"].get<double>(), word["time_s"].get<double>());
 }
 
 TEST(FilmThoughts, WhereNobodyThinksAnythingAreNothing) {

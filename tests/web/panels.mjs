@@ -86,10 +86,33 @@ test('a film takes in more events and messages than a call can have arguments', 
   const many = Array.from({ length: 300_000 }, (_, i) => ({ time_s: i }));
   film.append({
     first: 0, count: 1, stride: 1, generation: 0, compression: 'none', data: Buffer.alloc(8).toString('base64'), events: many,
-    thoughts: Buffer.from(JSON.stringify({ sketches: [], tracks: [], echoes: [], flights: many })).toString('base64'),
+    thoughts: Buffer.from(JSON.stringify({ sketches: [], tracks: [], echoes: [], words: [], flights: many })).toString('base64'),
   });
   assert.equal(film.events.length, many.length);
   assert.equal(film.flights.at(-1).time_s, many.length - 1);
+});
+
+test('a vehicle has heard the last word of each of the others that has come in', async () => {
+  const { Film } = await load('film.ts');
+  const { words_heard } = await load('thoughts/perceived.ts');
+  const film = new Film([{ name: 'time_s', type: 'f64', per: 'frame', width: 1 }], 3);
+  const word = (time_s, vehicle) => ({ time_s, vehicle, word: { sent_s: time_s, text: `says ${time_s}`, awaited: [] } });
+  const flight = (from, sent_s, drowned = false) => ({ from, to: 0, sent_s, begins_s: sent_s + 0.1, arrives_s: sent_s + 0.5, drowned });
+  const thoughts = {
+    sketches: [], tracks: [], echoes: [], words: [word(1, 1), word(2, 2), word(3, 1), word(4, 1)],
+    // The second of vehicle 1 drowns; a message of vehicle 2 has no word.
+    flights: [flight(1, 1), flight(2, 2), flight(1, 3, true), flight(1, 4), flight(2, 5), { ...flight(1, 1), to: 2 }],
+  };
+  film.append({
+    first: 0, count: 1, stride: 1, generation: 0, compression: 'none', data: Buffer.alloc(8).toString('base64'), events: [],
+    thoughts: Buffer.from(JSON.stringify(thoughts)).toString('base64'),
+  });
+  const texts = (time) => words_heard(film, 0, time).map(({ word: { text } }) => text);
+  assert.deepEqual(texts(1.4), []);
+  assert.deepEqual(texts(1.5), ['says 1']);
+  assert.deepEqual(texts(4.2), ['says 1', 'says 2']);
+  assert.deepEqual(texts(4.5), ['says 4', 'says 2']);
+  assert.deepEqual(texts(5.5), ['says 4']);
 });
 
 test('the axis of a full turn is divided into quarters', async () => {

@@ -68,7 +68,7 @@ for (let i = 0; i < frames; ++i) {
     values.goal_m.push(...goal(id));
     values.force_n.push(10 + 5 * Math.sin(t), 2 * Math.cos(t), 0);
     values.power_w.push(30 + 10 * Math.sin(t / 3 + id));
-    values.mode.push(alert > 0 ? 1 : 0);
+    values.mode.push(id === 0 && t > 40 && t < 80 ? 2 : alert > 0 ? 1 : 0);
     values.phase.push(2);
     values.alert.push(alert);
     values.shortfall.push(shapes[id] === 'torpedo' && alert > 0 ? 2 : 0);
@@ -113,7 +113,7 @@ function strokes(id, t) {
   if (id === 5) marks.push({ kind: 'sphere', meaning: 'stop-and-wait range', points: [[n, e, d]], radius: 6 });
   return marks;
 }
-const thoughts = { sketches: [], tracks: [], echoes: [], flights: [] };
+const thoughts = { sketches: [], tracks: [], echoes: [], words: [], flights: [] };
 const rounded = (_, value) => (typeof value === 'number' ? round(value, 1e5) : value);
 for (let i = 0; i < frames; i += 5) {
   const t = round(i * period);
@@ -123,6 +123,7 @@ for (let i = 0; i < frames; i += 5) {
       id: other.id, position: place(other.id, t - 1), velocity: velocity(other.id, t - 1), radius: 1.5, age_s: 1, sigma_m: 0.8, reacts: true })) });
   }
   thoughts.echoes.push({ time_s: t, vehicle: 0, echoes: Array.from({ length: 9 }, (_, k) => [12 + Math.sin(k + t), (k - 4) / 10]) });
+  if (i % 50 === 0) thoughts.words.push({ time_s: t, vehicle: 0, word: { sent_s: t, text: `has counted to ${i}`, awaited: [1, 3] } });
   if (i % 50 === 0) thoughts.flights.push(...[1, 2, 3, 4, 5].map((to) => ({ from: 0, to, sent_s: t, begins_s: t + 0.3, arrives_s: t + 0.8, drowned: to === 3 })));
 }
 

@@ -152,6 +152,42 @@ async function no_progress_is_said(view, expect) {
   }
 }
 
+async function who_waits_for_whose_word_is_drawn_and_said(view, expect) {
+  const { page } = view;
+  // the first frame in which somebody holds and waits, and the first in which it does not hold though it last said so
+  const [waits, goes] = await page.evaluate(() => [2, 0].map((mode) => {
+    const { film } = window.fairway;
+    for (let i = 0; i < film.count; ++i) {
+      for (let v = 0; v < film.vehicles; ++v) {
+        const word = film.words.at(v, film.time(i))?.word;
+        if (word?.awaited.length > 0 && film.value('mode', i, v) === mode) return { i, v, ...word };
+      }
+    }
+    return null;
+  }));
+  if (waits === null) return;
+  await page.keyboard.press('Escape');
+  await view.layers('messages');
+  const key = page.locator('.picture', { hasText: 'whose word it waits for' });
+  await view.seek_frame(waits.i);
+  const drawn = await view.settled();
+  expect(await key.count() === 1, `frame ${waits.i}: the key does not say who waits`);
+  await view.layers();
+  expect((await view.settled()).differs_from(drawn) > 20, `frame ${waits.i}: nothing is drawn of who waits`);
+  await page.locator('.vehicle').nth(waits.v).click();
+  await page.waitForTimeout(400);
+  const said = plain(await page.locator('.perceived .words').textContent());
+  const names = await page.locator('.vehicle .name').allTextContents();
+  expect(said.includes(`at ${waits.sent_s.toFixed(2)} s: ${waits.text}`), `its last word is not said, but "${said}"`);
+  expect(said.includes(`waits for words of ${waits.awaited.map((v) => names[v]).join(', ')}`), `whom it waits for is not said, but "${said}"`);
+  await page.keyboard.press('Escape');
+  if (goes === null) return;
+  await view.layers('messages');
+  await view.seek_frame(goes.i);
+  await view.settled();
+  expect(await key.count() === 0, `frame ${goes.i}: who goes on is drawn as waiting`);
+}
+
 async function it_plays(view, expect) {
   await view.seek_frame(0);
   await view.page.keyboard.press('ArrowUp');
@@ -338,7 +374,7 @@ async function downloads_are_complete(view, expect) {
 
 export const checks = [
   controls_have_names, vehicles_are_where_they_should_be, spheres_surround_vehicles, alerts_change_at_their_frame, numbers_are_those_of_the_film,
-  what_a_vehicle_cannot_do_is_said, no_progress_is_said, it_plays, it_ends_and_begins_again, keys_and_scrubber_move_time, choosing_changes_the_picture, cameras_and_layers_change_the_picture,
+  what_a_vehicle_cannot_do_is_said, no_progress_is_said, who_waits_for_whose_word_is_drawn_and_said, it_plays, it_ends_and_begins_again, keys_and_scrubber_move_time, choosing_changes_the_picture, cameras_and_layers_change_the_picture,
   the_theme_changes_the_picture, it_fits_a_phone, downloads_are_complete,
 ];
 /** In the other theme: what depends on it. */

@@ -27,7 +27,7 @@ std::optional<ExplainedRecording> explain_recording(const Recording& recording,
   Scenario scenario = recorded_scenario(recording, question.recording);
   check_methods(recording, scenario, catalogs, question.recording);
   const double time = recording.frame(instant.frame).time;
-  Film film{scenario, {.from_s = time - window_s, .to_s = time + window_s}};
+  Film film{scenario, {.from_s = time - window_s, .to_s = time + window_s}, &catalogs.avoiders};
   DecisionWindow window;
   if (!question.page.empty()) window = {window_s, window_s, &film};
 

@@ -17,8 +17,8 @@ constexpr double farthest_s = 1e8;  // three years: what is due later, at next t
 
 }  // namespace
 
-LiveRun::LiveRun(const Scenario& scenario, LivePace pace, const FilmLimits& limits)
-    : pace_{pace}, film_{scenario, limits} {}
+LiveRun::LiveRun(const Scenario& scenario, LivePace pace, const FilmLimits& limits, const Catalog* avoiders)
+    : pace_{pace}, film_{scenario, limits, avoiders} {}
 
 LiveRun::Clock::time_point LiveRun::due_at(double time) {
   const Clock::time_point now = Clock::now();

@@ -26,8 +26,9 @@ struct LivePace {
 /// waits. Nothing here reaches the run itself: it is only told when to go on.
 class LiveRun final : public FrameSink {
  public:
-  /// The scenario must outlive it.
-  LiveRun(const Scenario& scenario, LivePace pace, const FilmLimits& limits = {});
+  /// The scenario must outlive it, and `avoiders` as a Film has them.
+  LiveRun(const Scenario& scenario, LivePace pace, const FilmLimits& limits = {},
+          const Catalog* avoiders = nullptr);
 
   // For the thread that makes the run.
 

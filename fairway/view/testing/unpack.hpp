@@ -89,6 +89,7 @@ inline nlohmann::json thoughts_of(const nlohmann::json& part) {
   return text.empty() ? nlohmann::json{{"sketches", nlohmann::json::array()},
                                        {"tracks", nlohmann::json::array()},
                                        {"echoes", nlohmann::json::array()},
+                                       {"words", nlohmann::json::array()},
                                        {"flights", nlohmann::json::array()}}
                       : nlohmann::json::parse(text);
 }

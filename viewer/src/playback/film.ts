@@ -2,7 +2,7 @@
 // The frames of a run, in typed arrays that grow as parts come in.
 import { decompress } from 'fzstd';
 import { first_index } from '../common/search';
-import type { ColumnSpec, ColumnType, EchoesRecord, Flight, Part, RunEvent, SketchRecord, Thoughts, TracksRecord, Vec3 } from './model';
+import type { ColumnSpec, ColumnType, EchoesRecord, Flight, Part, RunEvent, SketchRecord, Thoughts, TracksRecord, Vec3, WordRecord } from './model';
 
 type Values = Float64Array | Float32Array | Uint8Array;
 const makers: Record<ColumnType, { bytes: number; of: (buffer: ArrayBuffer) => Values; empty: (length: number) => Values }> = {
@@ -67,6 +67,7 @@ export class Film {
   readonly sketches: Standing<SketchRecord>;
   readonly tracks: Standing<TracksRecord>;
   readonly echoes: Standing<EchoesRecord>;
+  readonly words: Standing<WordRecord>;
   private capacity = 0;
   private readonly columns = new Map<string, Column>();
 
@@ -78,6 +79,7 @@ export class Film {
     this.sketches = new Standing(vehicles);
     this.tracks = new Standing(vehicles);
     this.echoes = new Standing(vehicles);
+    this.words = new Standing(vehicles);
   }
 
   /** Adds a part that follows on what is there; one that begins at 0 replaces everything. */
@@ -109,6 +111,7 @@ export class Film {
     this.sketches.add(thoughts.sketches);
     this.tracks.add(thoughts.tracks);
     this.echoes.add(thoughts.echoes);
+    this.words.add(thoughts.words);
     for (const flight of thoughts.flights) this.flights.push(flight);
   }
 
@@ -123,6 +126,7 @@ export class Film {
     this.sketches.clear();
     this.tracks.clear();
     this.echoes.clear();
+    this.words.clear();
   }
 
   private reserve(frames: number): void {

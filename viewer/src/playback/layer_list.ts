@@ -20,7 +20,7 @@ function has_any(layer: Layer, scene: Scene, film: Film): boolean {
     case 'sketch': return film.sketches.any;
     case 'tracks': return film.tracks.any;
     case 'sonar': return scene.sonar !== null;
-    case 'messages': return film.flights.length > 0;
+    case 'messages': return film.flights.length > 0 || film.words.any;
     default: return true;
   }
 }

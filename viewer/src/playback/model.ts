@@ -164,6 +164,7 @@ export interface Thoughts {
   sketches: SketchRecord[];
   tracks: TracksRecord[];
   echoes: EchoesRecord[];
+  words: WordRecord[];
   flights: Flight[];
 }
 /** All that a vehicle drew when it decided; it stands until its next record. `time_s` ascends. */
@@ -196,6 +197,13 @@ export interface EchoesRecord {
   time_s: number;
   vehicle: number;
   echoes: (readonly [range_m: number, bearing_rad: number])[];
+}
+/** What a vehicle's method said of its own in a turn: it stands until the next one. Flights of its sender and `sent_s` are on their way with it. */
+export interface WordRecord {
+  time_s: number;
+  vehicle: number;
+  /** `text` is a line whose subject is who said it; `awaited` are those whose words that one waits for. */
+  word: { sent_s: number; text: string; awaited: number[] };
 }
 /** A message on its way: indices of vehicles; sound leaves at sent_s and has all arrived at arrives_s. */
 export interface Flight {

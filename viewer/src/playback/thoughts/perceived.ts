@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a vehicle knows at a moment: tracks, the last ping, messages under way.
+// What a vehicle knows at a moment: tracks, the last ping, messages under way, and what its method said and heard.
 import { h, swatch, type Child } from '../../common/dom';
 import { fixed } from '../../common/format';
 import { yaw_of } from '../charts/curves';
 import type { Film } from '../film';
-import type { EchoesRecord, Flight, Scene, TracksRecord, Vec3 } from '../model';
+import type { EchoesRecord, Flight, Scene, TracksRecord, Vec3, WordRecord } from '../model';
 import { who_is } from './who';
 
 const most_flights = 8;
@@ -34,6 +34,19 @@ export function bearing_words(bearing_rad: number): string {
   return angle === 0 ? 'ahead' : angle === 180 ? 'astern' : `${angle}° ${bearing_rad > 0 ? 'stbd' : 'port'}`;
 }
 
+/** The last word of each of the others that has come in, in their order. Where messages under way were not kept there is none. */
+export function words_heard(film: Film, vehicle: number, time: number): WordRecord[] {
+  const last = new Map<number, Flight>();
+  for (const flight of film.words.any ? film.flights : []) {
+    if (flight.to !== vehicle || flight.drowned || flight.arrives_s > time) continue;
+    if (flight.sent_s > (last.get(flight.from)?.sent_s ?? -Infinity)) last.set(flight.from, flight);
+  }
+  return [...last.values()].sort((x, y) => x.from - y.from).flatMap(({ from, sent_s }) => {
+    const record = film.words.at(from, sent_s);
+    return record?.word.sent_s === sent_s ? [record] : [];
+  });
+}
+
 export class Perceived {
   readonly element = h('div', { class: 'perceived' });
   private shown = '';
@@ -46,12 +59,15 @@ export class Perceived {
     const echoes = this.film.echoes.at(vehicle, time);
     const flights = this.film.flights.filter(({ from, to, sent_s, arrives_s }) =>
       (from === vehicle || to === vehicle) && sent_s <= time && time < arrives_s);
-    const key = [vehicle, tracks?.time_s, echoes?.time_s, ...flights.map(({ from, to, sent_s }) => `${from}-${to}-${sent_s}`)].join();
+    const said = this.film.words.at(vehicle, time);
+    const heard = words_heard(this.film, vehicle, time);
+    const key = [vehicle, tracks?.time_s, echoes?.time_s, said?.time_s, ...heard.map((word) => `${word.vehicle}:${word.time_s}`), ...flights.map(({ from, to, sent_s }) => `${from}-${to}-${sent_s}`)].join();
     if (key === this.shown) return;
     this.shown = key;
     this.element.replaceChildren(...[
       tracks === null ? null : this.track_table(tracks),
       echoes === null ? null : h('section', {}, h('h3', {}, 'Sonar'), h('p', {}, echo_words(echoes))),
+      said === null && heard.length === 0 ? null : this.word_list(said, heard),
       flights.length === 0 ? null : this.flight_list(vehicle, flights),
     ].filter((part) => part !== null));
   }
@@ -83,10 +99,23 @@ export class Perceived {
     return [swatch(colour), name, reacts ? null : h('small', {}, ' does not react')];
   }
 
+  private word_list(said: WordRecord | null, heard: WordRecord[]): HTMLElement {
+    const awaited = said?.word.awaited ?? [];
+    const line = (who: string, { word }: WordRecord): HTMLElement =>
+      h('li', {}, h('b', {}, who), ` at ${fixed(word.sent_s, 2)} s: ${word.text}`);
+    return h('section', { class: 'words' }, h('h3', {}, 'Words'), h('ul', {},
+      said === null ? null : line('It said', said),
+      awaited.length === 0 ? null : h('li', {}, `So it waits for words of ${awaited.map((k) => this.name(k)).join(', ')}`),
+      ...heard.map((word) => line(this.name(word.vehicle), word))));
+  }
+
+  private name(vehicle: number): string {
+    return this.scene.vehicles[vehicle]?.name ?? `vehicle ${vehicle}`;
+  }
+
   private flight_list(vehicle: number, flights: Flight[]): HTMLElement {
-    const name = (k: number): string => this.scene.vehicles[k]?.name ?? `vehicle ${k}`;
     const items = flights.slice(0, most_flights).map(({ from, to, sent_s, arrives_s, drowned }) => h('li', {},
-      from === vehicle ? `to ${name(to)}` : `from ${name(from)}`,
+      from === vehicle ? `to ${this.name(to)}` : `from ${this.name(from)}`,
       `, sent at ${fixed(sent_s, 2)} s, ${drowned ? 'not heard: the receiver transmits' : `there at ${fixed(arrives_s, 2)} s`}`));
     if (flights.length > most_flights) items.push(h('li', {}, `and ${flights.length - most_flights} more`));
     return h('section', {}, h('h3', {}, 'Messages under way ', h('small', {}, String(flights.length))), h('ul', {}, ...items));
