@@ -169,6 +169,7 @@ async function compareWith(reader, csv, tracksCsv, echoesCsv) {
   };
   const zeros = new Array(36).fill(0);
   const seen = { odometry: 0, status: 0, transforms: 0 };
+  const words = new Set(); // by whom and when
   const byTopic = new Map(vehicles.map((v) => [v.topic, v]));
   for (const { topic, time, value } of messages) {
     const frame = frames.get(time);
@@ -199,6 +200,11 @@ async function compareWith(reader, csv, tracksCsv, echoesCsv) {
       assert.equal(typeof value.hash, "bigint");
     } else if (topic === "/fairway/flights" || topic.endsWith("/sketch")) {
       checkHeader(value.header, time);
+    } else if (topic === "/fairway/words") {
+      checkHeader(value.header, time);
+      assert.ok(value.from_index < vehicles.length && Object.is(value.sent_s, frame.time_s), what);
+      assert.ok(value.bytes.length >= 1 && value.bytes.length <= 25, `${what}: ${value.bytes.length} bytes`);
+      words.add(`${value.from_index} ${value.sent_s}`);
     } else if (!/\/(tracks|echoes)$/.test(topic)) {
       const [, vehicleTopic, kind] = topic.match(/^(.*)\/(odometry|status)$/);
       const row = rowOf(byTopic.get(vehicleTopic));
@@ -228,7 +234,7 @@ async function compareWith(reader, csv, tracksCsv, echoesCsv) {
     ? comparePerception(messages, frames, vehicles, byPerceiver(tracksCsv), byPerceiver(echoesCsv))
     : undefined;
   const drawn = run.get("sketches") === "true" ? compareSketches(messages, frames, vehicles, rows, constants) : undefined;
-  return { frames: frames.size, vehicles: vehicles.length, rows: csv.length, perceived, drawn };
+  return { frames: frames.size, vehicles: vehicles.length, rows: csv.length, words, perceived, drawn };
 }
 
 if (import.meta.url === pathToFileURL(process.argv[1]).href) {

@@ -32,8 +32,12 @@ after(() => rmSync(folder, { recursive: true }));
 const quiet = { stdio: ["ignore", "ignore", "inherit"] };
 
 function record(name, ...flags) {
+  return recordOf(scenario, name, ...flags);
+}
+
+function recordOf(file, name, ...flags) {
   const recording = join(folder, name);
-  execFileSync(fairway, ["run", scenario, "--out", recording, ...flags], quiet);
+  execFileSync(fairway, ["run", file, "--out", recording, ...flags], quiet);
   return recording;
 }
 
@@ -80,3 +84,12 @@ for (const flags of [[], ["--perception"], ["--sketch"]]) {
     assert.ok(readFileSync(record("first.mcap", ...flags)).equals(readFileSync(record("second.mcap", ...flags))));
   });
 }
+
+test("and what methods said, each in a turn of its own", async () => {
+  const pledged = join(root, "scenarios/pledge_cube.yaml");
+  const recording = recordOf(pledged, "said.mcap");
+  const { words } = await compare(recording, ...exported(recording, "csv"));
+  assert.ok(words.size > 100);
+  const silent = record("silent.mcap");
+  assert.equal((await compare(silent, ...exported(silent, "csv"))).words.size, 0);
+});
