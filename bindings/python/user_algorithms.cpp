@@ -145,6 +145,18 @@ class UserAlgorithm {
     return {};
   }
 
+  /// What its reading() says of a word.
+  std::string read(const Heard& word) const {
+    if (failure_ == nullptr || failure_->raised) return {};
+    const py::gil_scoped_acquire lock;
+    try {
+      return py::str(object_->attr("reading")(HeardSpeech{word.from, word.sent, word.speech}));
+    } catch (py::error_already_set& error) {
+      keep(error, ", asked to read a word");
+    }
+    return {};
+  }
+
  private:
   void keep(py::error_already_set& error, const std::string& when) const noexcept {
     try {
@@ -177,8 +189,16 @@ class SpeakingUserAlgorithm : public UserAlgorithm {
   Speech speech(const NoMemory&) const noexcept { return spoken(); }
 };
 
+/// One with a method reading() besides.
+class ReadingUserAlgorithm : public SpeakingUserAlgorithm {
+ public:
+  using SpeakingUserAlgorithm::SpeakingUserAlgorithm;
+  Reading reading(const Heard& word) const { return {.text = read(word)}; }
+};
+
 static_assert(AvoidanceAlgorithm<UserAlgorithm> && !Speaks<UserAlgorithm>);
 static_assert(AvoidanceAlgorithm<SpeakingUserAlgorithm> && Speaks<SpeakingUserAlgorithm>);
+static_assert(Speaks<ReadingUserAlgorithm> && ReadsWords<ReadingUserAlgorithm>);
 
 }  // namespace
 
@@ -191,7 +211,9 @@ struct UserAlgorithms::Self {
     const py::gil_scoped_acquire lock;
     try {
       const py::object made = constructor(values, rng);
-      if (py::hasattr(made, "speech")) return Avoider{SpeakingUserAlgorithm{constructor, failure, made}, rng};
+      const bool speaks = py::hasattr(made, "speech"), reads = py::hasattr(made, "reading");
+      if (speaks && reads) return Avoider{ReadingUserAlgorithm{constructor, failure, made}, rng};
+      if (speaks) return Avoider{SpeakingUserAlgorithm{constructor, failure, made}, rng};
       return Avoider{UserAlgorithm{constructor, failure, made}, rng};
     } catch (py::error_already_set& error) {
       failure.keep(constructor.name(), std::current_exception(), first_line(error));

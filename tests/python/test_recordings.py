@@ -34,7 +34,7 @@ def test_a_recording_says_what_it_is_of_and_the_run_can_be_made_again(recorded):
 
 
 def test_a_recording_holds_what_methods_said(scenarios, tmp_path):
-    scenario = fw.Scenario.load(scenarios / "pledge_cube.yaml", overrides={"duration_s": 30})
+    scenario = fw.Scenario.load(scenarios / "pledge_cube.yaml", overrides={"duration_s": 60})
     fw.run(scenario, record=tmp_path / "pledge.mcap")
     words = fw.Recording.read(tmp_path / "pledge.mcap").words
     assert len(words) > 30

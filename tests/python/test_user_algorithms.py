@@ -347,6 +347,36 @@ def test_it_may_speak_and_hears_what_the_others_say():
     assert Counts.tracks == 0, "its words stand in the place of the record that tells where it is"
 
 
+def test_its_words_are_recorded_and_read_by_it(tmp_path):
+    class Reads(Counts):
+        def reading(self, word):
+            return f"was asked for {word.speech[1]} words by {word.sent} s"
+
+    def words_read_by(kind):
+        slots = {"exchange.update_rate_hz": 1, "duration_s": 20}
+        file = ROOT / "scenarios" / "acoustic_pair.yaml"
+        fairway.run(fairway.Scenario.load(file, overrides=slots).with_algorithm("mine"), algorithms={"mine": kind}, record=tmp_path / "said.mcap")
+        why = fairway.explain(tmp_path / "said.mcap", vehicle=0, time=15, algorithms={"mine": kind})
+        return why["words"]["said"], why["words"]["heard"][0]
+
+    for word in words_read_by(Reads):
+        assert word["text"].startswith(f"was asked for {bytes.fromhex(word['bytes'])[1]} words by ")
+    for word in words_read_by(Counts):
+        assert word["text"] == f"says the bytes {word['bytes']}"
+
+
+def test_what_goes_wrong_in_a_reading_is_raised(tmp_path):
+    class Breaks(Counts):
+        def reading(self, word):
+            raise LookupError("no such word")
+
+    file = ROOT / "scenarios" / "acoustic_pair.yaml"
+    run = fairway.Scenario.load(file, overrides={"duration_s": 20}).with_algorithm("mine")
+    fairway.run(run, algorithms={"mine": Breaks}, record=tmp_path / "said.mcap")
+    with pytest.raises(LookupError, match="no such word"):
+        fairway.explain(tmp_path / "said.mcap", vehicle=0, time=15, algorithms={"mine": Breaks})
+
+
 def test_who_says_nothing_tells_where_it_is():
     class Mute(Counts):
         def speech(self):
