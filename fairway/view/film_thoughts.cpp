@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <iterator>
 #include <numeric>
+#include <ranges>
+#include <utility>
 
 #include "fairway/view/film_text.hpp"
 
