@@ -271,13 +271,9 @@ void Simulation::locate(std::size_t index, Hand& /*hand*/) {
 void Simulation::tell(std::size_t index, Hand& hand) {
   const Agent& agent = agents_[index];
   const bool is_silent = agent.has_failed(FailureKind::silent, time());
-<<<<<<< HEAD
   const bool is_told = agent.cooperative && !is_silent && exchange_.may_take(index, tick_);
   mailbox_[index] = message_of(agent, tick_, is_told);
-=======
-  mailbox_[index] = message_of(agent, tick_, is_silent);
   hand.anyone_speaks = hand.anyone_speaks || !mailbox_[index].speech.empty();
->>>>>>> ec8992b (A recording keeps every word that methods say)
   // of who told all at once nothing is left to go by but what is seen
   if (is_silent && exchange_.carries_at_once()) movers_[index].silent = true;
   places_[index] = agent.vehicle.state().p_n;

@@ -181,12 +181,8 @@ class Simulation {
   bool everyone_is_at(const Agent& agent) const;
   static bool waits_for_method(const Agent& agent);
   std::optional<Command> attend(std::size_t index, Hand& hand);
-<<<<<<< HEAD
   void listen(std::size_t index, Hand& hand, Situation& shown);
-=======
-  void listen(std::size_t index, Hand& hand);
   void hear(std::size_t index, std::vector<Heard>& heard) const;
->>>>>>> ec8992b (A recording keeps every word that methods say)
   bool is_deciding(const Agent& agent) const;
   bool joins(std::size_t index) const;
   void join(std::size_t index, Hand& hand);

@@ -77,34 +77,24 @@ std::optional<Command> Simulation::attend(std::size_t index, Hand& hand) {
   return stays ? std::optional{command} : std::nullopt;
 }
 
-<<<<<<< HEAD
 /// What of all that was said has come in, and when its own turns are; all times are those of the clocks on
 /// board.
 void Simulation::listen(std::size_t index, Hand& hand, Situation& shown) {
-  hand.heard.clear();
+  hear(index, hand.heard);
+  const double ahead = exchange_.clock_ahead(index, tick_);
+  hand.link = {hand.heard, exchange_.turn_period(), exchange_.next_turn(index, tick_) + ahead};
+  shown.link = &hand.link;
+  shown.time += ahead;
+}
+
+void Simulation::hear(std::size_t index, std::vector<Heard>& heard) const {
+  heard.clear();
   const std::span<const Message> all = exchange_.heard_by(index, mailbox_);
   for (std::size_t from = 0; from < all.size(); ++from) {
     const Message& message = all[from];
     if (!message.told || message.speech.empty() || message.from == agents_[index].ship().id) continue;
     const double sent = seconds(message.sent, period_) + exchange_.clock_ahead(from, message.sent);
-    hand.heard.push_back({message.from, sent, message.speech});
-  }
-  const double ahead = exchange_.clock_ahead(index, tick_);
-  hand.link = {hand.heard, exchange_.turn_period(), exchange_.next_turn(index, tick_) + ahead};
-  shown.link = &hand.link;
-  shown.time += ahead;
-=======
-/// What of all that was said has come in, and when its own turns are.
-void Simulation::listen(std::size_t index, Hand& hand) {
-  hear(index, hand.heard);
-  hand.link = {hand.heard, exchange_.turn_period(), exchange_.next_turn(index, tick_)};
-}
-
-void Simulation::hear(std::size_t index, std::vector<Heard>& heard) const {
-  heard.clear();
-  for (const Message& message : exchange_.heard_by(index, mailbox_)) {
-    if (message.told && !message.speech.empty() && message.from != agents_[index].ship().id)
-      heard.push_back({message.from, seconds(message.sent, period_), message.speech});
+    heard.push_back({message.from, sent, message.speech});
   }
 }
 
@@ -112,7 +102,6 @@ std::vector<Heard> Simulation::heard_by(std::size_t index) const {
   std::vector<Heard> heard;
   hear(index, heard);
   return heard;
->>>>>>> ec8992b (A recording keeps every word that methods say)
 }
 
 Situation Simulation::situation(std::size_t index) const { return situation(index, kept_[index]); }
