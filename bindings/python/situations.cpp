@@ -167,10 +167,22 @@ void bind_link(py::module_& m) {
       .required("sent", &HeardSpeech::sent, "when it was said [s], by the mission's time")
       .required("speech", &HeardSpeech::speech, "25 bytes at most")
       .finish();
+  ValueClass<AcousticRange>(
+      m, "AcousticRange",
+      "A distance that a modem has measured by the time that sound took: by one word that of its "
+      "way, with the clocks' difference in it; by a word and its answer the mean of two ways.\n")
+      .required("to", &AcousticRange::to, "id of the other vehicle")
+      .required("distance", &AcousticRange::distance, "[m]")
+      .field("deviation", &AcousticRange::deviation, "standard, of the measurement alone [m]")
+      .field("out", &AcousticRange::out, "when the own word went out, if there was one, else `back` [s]")
+      .field("back", &AcousticRange::back, "when the other's came in [s], by the clock on board")
+      .finish();
   ValueClass<OwnedLink>(m, "Link", "What a vehicle's modem offers a method that speaks.\n")
       .field("heard", &OwnedLink::heard, "of Heard: the last speech of each of the others, by vehicle")
       .field("turn_period", &OwnedLink::turn_period, "from one own turn to the next [s]")
       .field("next_turn", &OwnedLink::next_turn, "when the next one begins [s], by the mission's time")
+      .field("ranges", &OwnedLink::ranges,
+             "of AcousticRange: the last of each of the others, where modems measure")
       .finish();
 }
 
@@ -220,7 +232,9 @@ void bind_situation(py::module_& m) {
 }
 
 OwnedLink owned(const Link& link) {
-  OwnedLink own{.turn_period = link.turn_period, .next_turn = link.next_turn};
+  OwnedLink own{.turn_period = link.turn_period,
+                .next_turn = link.next_turn,
+                .ranges = {link.ranges.begin(), link.ranges.end()}};
   for (const Heard& each : link.heard) own.heard.push_back({each.from, each.sent, each.speech});
   return own;
 }

@@ -24,6 +24,7 @@ struct OwnedLink {
   std::vector<HeardSpeech> heard;
   double turn_period{};
   double next_turn{};
+  std::vector<AcousticRange> ranges;
 };
 
 /// `fairway.Situation`: owns its tracks, its obstacles and their vertices, so that it may be kept.

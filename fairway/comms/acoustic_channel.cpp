@@ -16,16 +16,30 @@ namespace {
 /// Times that differ by less are the same: no way of sound or bits is as short [ticks].
 constexpr double instant = 1e-5;
 
+/// What every packet has besides for each other vehicle that it may answer: a time between two words, in
+/// steps of 10 us up to 167 s.
+constexpr int answer_bytes = 3;
+
+/// Of every packet [bytes].
+int packet_bytes(const AcousticParams& params, std::size_t vehicle_count) {
+  const bool answers = params.ranging == RangingKind::two_way;
+  return params.message_bytes_count + params.overhead_bytes_count +
+         (answers ? answer_bytes * (static_cast<int>(vehicle_count) - 1) : 0);
+}
+
 /// The parameters, if they go together.
 const AcousticParams& checked(const AcousticParams& params, std::size_t vehicle_count) {
   check_params(params);
   const auto number = [](auto value) { return number_text(static_cast<double>(value)); };
-  const int packet = params.message_bytes_count + params.overhead_bytes_count;
+  const int told = params.message_bytes_count + params.overhead_bytes_count;
+  const int packet = packet_bytes(params, vehicle_count);
   if (packet > params.modem_max_bytes_count) {
-    throw InputError({}, "message_bytes_count",
+    const std::string answers = packet > told ? " and " + number(packet - told) + " of answers" : "";
+    throw InputError({}, packet > told ? "modem_max_bytes_count" : "message_bytes_count",
                      number(params.message_bytes_count) + " bytes and " +
-                         number(params.overhead_bytes_count) + " of overhead are more than the " +
-                         number(params.modem_max_bytes_count) + " that the modem takes");
+                         number(params.overhead_bytes_count) + " of overhead" + answers +
+                         " are more than the " + number(params.modem_max_bytes_count) +
+                         " that the modem takes");
   }
   constexpr int record = std::tuple_size_v<TeamRecord>;
   if (params.quantised && params.message_bytes_count < record) {
@@ -36,6 +50,8 @@ const AcousticParams& checked(const AcousticParams& params, std::size_t vehicle_
   if (params.relay && !params.slots)
     throw InputError({}, "slots",
                      "a relay repeats each message in the sender's slot; slots: false leaves it none");
+  if (params.relay && params.ranging != RangingKind::none)
+    throw InputError({}, "ranging", "what comes by a relay tells no distance; relay: false goes with it");
   if (params.carrier_sense && params.slots)
     throw InputError({}, "carrier_sense", "in slots nobody waits for others; slots: false goes with it");
   // so many in a row at least, where every run of losses is followed by one message that gets through
@@ -55,8 +71,8 @@ const AcousticParams& checked(const AcousticParams& params, std::size_t vehicle_
 }
 
 /// How long a packet takes [ticks].
-double transmission_of(const AcousticParams& params, double period) {
-  const double bits = 8.0 * (params.message_bytes_count + params.overhead_bytes_count);
+double transmission_of(const AcousticParams& params, std::size_t vehicle_count, double period) {
+  const double bits = 8.0 * packet_bytes(params, vehicle_count);
   return bits / params.bit_rate_bps / period;
 }
 
@@ -83,7 +99,8 @@ std::size_t most_under_way(const AcousticParams& params, std::size_t vehicle_cou
 
   // in a time t a vehicle that is due every interval transmits at most t / interval + 1 times; one tick more
   // goes by before it does, and one before a message that has arrived is handed over
-  const double longest = transmission_of(params, period) + way_of_sound(params, params.range_m, period);
+  const double longest =
+      transmission_of(params, vehicle_count, period) + way_of_sound(params, params.range_m, period);
   const double most = count * count * (std::ceil(longest / interval) + 3.0);
   if (most > 1e6)
     throw InputError({}, "update_rate_hz", "more than a million messages might be under way at once");
@@ -103,14 +120,15 @@ AcousticChannel::AcousticChannel(const AcousticParams& params, std::size_t vehic
     : params_{checked(params, vehicle_count)},
       vehicle_count_{vehicle_count},
       period_{period},
-      transmission_{transmission_of(params, period)},
+      transmission_{transmission_of(params, vehicle_count, period)},
       interval_{std::max({1.0 / (params.update_rate_hz * period), whole(transmission_), 1.0})},
       slot_ticks_{std::max<std::int64_t>(
           1, std::llround(whole((params.relay ? 2 : 1) *
                                 (transmission_ + way_of_sound(params, params.range_m, period)))))},
       ray_{ray_of(params)},
       flights_(most_under_way(params, vehicle_count, period, interval_)),
-      heard_(vehicle_count * vehicle_count, Message{.told = false}) {
+      heard_(vehicle_count * vehicle_count, Message{.told = false}),
+      ranging_{{params.ranging, params.sound_speed_mps, params.range_deviation_m}, vehicle_count, rng} {
   const double count = static_cast<double>(vehicle_count);
   for (std::size_t i = 0; i < vehicle_count; ++i) {
     Rng clock = rng.stream("clock", i);
@@ -164,6 +182,12 @@ double AcousticChannel::next_turn(std::size_t vehicle, Tick now) const {
 double AcousticChannel::clock_ahead(std::size_t vehicle, Tick now) const {
   const Transmitter& its = transmitters_[vehicle];
   return (its.clock_ahead + its.clock_drift * static_cast<double>(count(now))) * period_;
+}
+
+/// What its clock shows at a true time [ticks] between two ticks [s].
+double AcousticChannel::clock(std::size_t vehicle, double ticks) const {
+  const Transmitter& its = transmitters_[vehicle];
+  return (ticks + its.clock_ahead + its.clock_drift * ticks) * period_;
 }
 
 void AcousticChannel::add_under_way(std::vector<MessageFlight>& flights) const {
@@ -238,6 +262,7 @@ void AcousticChannel::transmit(std::size_t from, Tick now, const Mailbox& said, 
           .begins = begins,
           .ends = begins + transmission_,
           .strength = params_.interference ? power_ratio(-loss_on(last.distance)) : 0.0,
+          .answered = ranging_.answered(from, to),
           .is_noise = !is_through || !is_repeated});
   }
 }
@@ -309,7 +334,7 @@ bool AcousticChannel::is_lucky(Link& link, double distance) const {
   link.is_losing = !lucky;
   if (params_.propagation == Propagation::disc) return lucky;
 
-  const int bits = 8 * (params_.message_bytes_count + params_.overhead_bytes_count);
+  const int bits = 8 * packet_bytes(params_, vehicle_count_);
   const double error = packet_error_ratio(ray_.bit_energy_at_1m - loss_on(distance), bits);
   return link.rng.uniform(0.0, 1.0) >= error && lucky;
 }
@@ -335,6 +360,8 @@ void AcousticChannel::hand_over(Tick now) {
     } else if (!flight.is_noise) {
       ++(flight.drowned ? counts_.drowned : flight.collided ? counts_.collided : counts_.received);
       if (flight.drowned || flight.collided) continue;
+      ranging_.take(flight.from, flight.to,
+                    {clock(flight.from, flight.sent), clock(flight.to, flight.begins)}, flight.answered);
       const Message message = as_read(flight, now);
       Message& known = heard_[flight.to * vehicle_count_ + flight.from];
       if (!known.told || known.sent < message.sent) known = message;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fairway/comms/message.hpp"
+#include "fairway/comms/ranging.hpp"
 #include "fairway/core/message_flight.hpp"
 #include "fairway/core/params.hpp"
 #include "fairway/core/record.hpp"
@@ -56,6 +57,8 @@ struct AcousticParams {
   bool carrier_sense = false;
   double clock_offset_s = 0.0;
   double clock_drift_ratio = 0.0;
+  RangingKind ranging = RangingKind::none;
+  double range_deviation_m = 0.2;
   double sound_speed_mps = 1500.0;
   double bit_rate_bps = 1600.0;
   int message_bytes_count = 25;
@@ -102,6 +105,11 @@ struct AcousticParams {
         field<&P::clock_offset_s>({0, 1000}, "standard deviation of the vehicles' clocks as a run begins"),
         field<&P::clock_drift_ratio>({0, 0.1},
                                      "standard deviation of how much too fast they go; 1e-6 is 1 ppm"),
+        field<&P::ranging>(
+            "none; one_way: of each word how long it took, by the sender's clock and the receiver's; "
+            "two_way: "
+            "of a word and its answer, which takes 3 bytes more of every packet for each other vehicle"),
+        field<&P::range_deviation_m>({0, 1000}, "ranging: standard deviation of one measurement"),
         field<&P::sound_speed_mps>({100, 1e9}, "in water"),
         field<&P::bit_rate_bps>({1, 1e12}, "of the modem"),
         field<&P::message_bytes_count>({1, 65536}, "of what is told; the team record takes 25"),
@@ -165,6 +173,9 @@ class AcousticChannel {
   double turn_period() const;
   double next_turn(std::size_t vehicle, Tick now) const;
   double clock_ahead(std::size_t vehicle, Tick now) const;
+  std::span<const std::optional<AcousticRange>> ranges_by(std::size_t receiver) const {
+    return ranging_.by(receiver);
+  }
 
   const AcousticParams& params() const { return params_; }
   const AcousticCounts& counts() const { return counts_; }
@@ -206,7 +217,8 @@ class AcousticChannel {
     double begins{};  // to be heard
     double ends{};
     double strength{};  // by the receiver's place, of 1 at 1 m
-    bool is_noise{};    // lost, and yet in the others' way
+    std::optional<Ranging::Way> answered{};
+    bool is_noise{};  // lost, and yet in the others' way
     bool drowned{};
     bool collided{};
   };
@@ -219,6 +231,7 @@ class AcousticChannel {
   };
 
   static Ray ray_of(const AcousticParams& params);
+  double clock(std::size_t vehicle, double ticks) const;
   bool waits_for_silence(std::size_t vehicle, Tick now);
   void transmit(std::size_t from, Tick now, const Mailbox& said, std::span<const Vec3> places,
                 std::span<const Obstacle> obstacles);
@@ -248,6 +261,7 @@ class AcousticChannel {
   std::vector<Flight> flights_;  // the first under_way_ in the order of sending; never resized
   std::size_t under_way_{};
   std::vector<Message> heard_;  // by receiver, then sender
+  Ranging ranging_;
   AcousticCounts counts_;
 };
 

@@ -64,6 +64,11 @@ double Exchange::clock_ahead(std::size_t vehicle, Tick now) const {
   return channel != nullptr ? channel->clock_ahead(vehicle, now) : 0.0;
 }
 
+std::span<const std::optional<AcousticRange>> Exchange::ranges_by(std::size_t receiver) const {
+  const auto* channel = std::get_if<AcousticChannel>(&way_);
+  return channel != nullptr ? channel->ranges_by(receiver) : std::span<const std::optional<AcousticRange>>{};
+}
+
 double Exchange::unforeseen_acceleration() const {
   const auto* channel = std::get_if<AcousticChannel>(&way_);
   return channel != nullptr ? channel->params().unforeseen_acceleration_mps2 : 0.0;

@@ -63,6 +63,10 @@ class Exchange {
   /// By how much a vehicle's own clock is ahead of the true time [s].
   double clock_ahead(std::size_t vehicle, Tick now) const;
 
+  /// The last distance to each of the others that `receiver` has measured by sound, by vehicle; empty where
+  /// nothing is measured.
+  std::span<const std::optional<AcousticRange>> ranges_by(std::size_t receiver) const;
+
   /// Standard deviation of what a sender does to its velocity between messages, which no prediction knows
   /// [m/s2].
   double unforeseen_acceleration() const;

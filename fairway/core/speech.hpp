@@ -31,11 +31,24 @@ struct Heard {
   Speech speech{};
 };
 
+/// A distance that a modem has measured by the time that sound took. By one word it is that from where the
+/// other was when it spoke to where this vehicle was at `back`, and has the clocks' difference in it, so that
+/// it may be negative. By a word and its answer it is the mean of the two ways, and `out` is earlier.
+struct AcousticRange {
+  VehicleId to{};
+  double distance{};   ///< [m]
+  double deviation{};  ///< standard, of the measurement alone [m]
+  double out{};        ///< when the own word went out, if there was one, else `back` [s], as `back`
+  double back{};       ///< when the other's came in [s], by the clock on board and the mission's time
+};
+
 /// What a vehicle's modem offers a method that speaks.
 struct Link {
   std::span<const Heard> heard;  ///< the last speech of each of the others that was heard, by vehicle
   double turn_period{};          ///< at most, from one own turn to the next [s]
   double next_turn{};            ///< when the next one begins [s], by the mission's time
+  std::span<const AcousticRange>
+      ranges{};  ///< the last of each of the others, by vehicle; none where none are measured
 };
 
 }  // namespace fairway

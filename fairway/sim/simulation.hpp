@@ -136,7 +136,8 @@ class Simulation {
 
   /// Whoever goes through parts of the fleet: what it finds, and memory to work in.
   struct Hand {
-    std::vector<Heard> heard;  // by whoever decides, of those who speak
+    std::vector<Heard> heard;           // by whoever decides, of those who speak
+    std::vector<AcousticRange> ranges;  // likewise
     Link link;
     Sight passing;  // of whoever decides alone, where none is kept
     Company company;

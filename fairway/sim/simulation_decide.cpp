@@ -81,8 +81,15 @@ std::optional<Command> Simulation::attend(std::size_t index, Hand& hand) {
 /// board.
 void Simulation::listen(std::size_t index, Hand& hand, Situation& shown) {
   hear(index, hand.heard);
+  hand.ranges.clear();
+  const std::span<const std::optional<AcousticRange>> ranges = exchange_.ranges_by(index);
+  for (std::size_t to = 0; to < ranges.size(); ++to) {
+    if (!ranges[to]) continue;
+    hand.ranges.push_back(*ranges[to]);
+    hand.ranges.back().to = agents_[to].ship().id;
+  }
   const double ahead = exchange_.clock_ahead(index, tick_);
-  hand.link = {hand.heard, exchange_.turn_period(), exchange_.next_turn(index, tick_) + ahead};
+  hand.link = {hand.heard, exchange_.turn_period(), exchange_.next_turn(index, tick_) + ahead, hand.ranges};
   shown.link = &hand.link;
   shown.time += ahead;
 }

@@ -91,8 +91,9 @@ class Agreement {
   }
   const Member& member(std::size_t i) const { return members_[i]; }
   const Member& own() const { return members_[self_]; }
-  std::size_t self() const { return self_; }    ///< which member it is
-  std::size_t count() const { return count_; }  ///< members of its group
+  std::size_t vehicle() const { return vehicle_; }  ///< its number among all
+  std::size_t self() const { return self_; }        ///< which member it is
+  std::size_t count() const { return count_; }      ///< members of its group
   const Terms& terms() const { return terms_; }
   const Rounds& rounds() const { return others_.rounds; }
   std::span<const Bystander> bystanders() const { return others_.bystanders(); }

@@ -17,17 +17,20 @@ constexpr double steepest_share = 0.85;  // of a member's speed is at most for c
 constexpr double same_level = 0.5;       // within it a destination needs no climb to speak of [m]
 constexpr double stopping = 2.0;         // from a member's speed, with its lag [s]
 constexpr double return_gain = 0.3;      // to its anchor [1/s]
-constexpr double still = 0.075;       // who would go slower than this through the water does not turn [m/s]
-constexpr int longest_wait = 20;      // of a member for its turn [s]
-constexpr double turn_gain = 0.5;     // [1/s]
-constexpr double fastest_turn = 0.8;  // [rad/s]
+constexpr double still = 0.075;  // who would go slower than this through the water does not turn [m/s]
+constexpr double most_drift_share = 0.5;  // of what a member is to go, that its course makes up for
+constexpr int longest_wait = 20;          // of a member for its turn [s]
+constexpr double turn_gain = 0.5;         // [1/s]
+constexpr double fastest_turn = 0.8;      // [rad/s]
 
 /// The course through the water that makes a velocity over ground. A hull takes up what sets it aside only
-/// slowly, so abeam what counts is how it drifts, not how the water does.
+/// slowly, so abeam what counts is how it drifts, not how the water does. No more of that than a share of
+/// what it is to go, though: who hardly goes would turn after its own drift, round and round.
 double course_of(const Situation& s, const Vec3& over_ground) noexcept {
   Vec2 w = over_ground.head<2>() - s.current.head<2>();
   const Vec2 abeam = starboard_of(unit_at(s.own.yaw));
-  w -= (s.own.velocity - s.current).head<2>().dot(abeam) * abeam;
+  const double most = most_drift_share * w.norm();
+  w -= std::clamp((s.own.velocity - s.current).head<2>().dot(abeam), -most, most) * abeam;
   return math::atan2(w.y(), w.x());
 }
 

@@ -88,9 +88,14 @@ Command Pledge::decide(const Situation& s, Memory& memory, Context& context) con
     return refused("its id is beyond those of the group (team_count)");
   if (!memory.begun && !begin(s, memory)) return refused("it is too far from the datum for its words");
   hear(s, memory);
-  if (memory.agreement.rounds().groups().count() == 1) return decided(s, s.obstacles, memory, context);
+  const bool alone = memory.agreement.rounds().groups().count() == 1;
   std::array<Obstacle, pledge::most_vehicles> room;
-  return decided(s, memory.agreement.chart(s.obstacles, room), memory, context);
+  const pledge::Chart chart = alone ? s.obstacles : memory.agreement.chart(s.obstacles, room);
+  Command command = decided(s, chart, memory, context);
+  memory.datum.look(memory.agreement, s.link->ranges, rests(s, memory));
+  if (memory.datum.doubted().any())
+    command.note = "measures a distance that does not fit: it or another is not where it says";
+  return command;
 }
 
 Command Pledge::decided(const Situation& s, const pledge::Chart& chart, Memory& memory,
@@ -151,13 +156,20 @@ void Pledge::take_part(const Situation& s, const pledge::Chart& chart, Memory& m
   }
   // where the clock has not begun there is time
   const double patience = s.attendance == Attendance::ready ? params.patience_count : 0.0;
-  const bool is_free = s.attendance == Attendance::ready || s.attendance == Attendance::under_way;
+  // who measures that somebody is not where it says does not set out among them
+  const bool is_wary = agreement.status() == pledge::Status::held && memory.datum.doubted().any();
+  const bool is_free =
+      !is_wary && (s.attendance == Attendance::ready || s.attendance == Attendance::under_way);
   if (is_free) {
     aim(s, chart, memory);
     agreement.go_on(s.time, s.period, *s.link, patience, chart);
   }
-  const bool rests = (agreement.own().anchor - s.own.position).norm() <= params.tube_m;
-  agreement.take_turns(s.time, s.period, s.link->turn_period, is_free && !memory.waits, rests);
+  agreement.take_turns(s.time, s.period, s.link->turn_period, is_free && !memory.waits, rests(s, memory));
+}
+
+/// Whether it is where it says, if it is held.
+bool Pledge::rests(const Situation& s, const Memory& memory) const noexcept {
+  return (memory.agreement.own().anchor - s.own.position).norm() <= params.tube_m;
 }
 
 /// Where there are several groups it says once a round of its own where it is to go in that.

@@ -3,6 +3,7 @@
 
 #include "fairway/avoidance/algorithm.hpp"
 #include "fairway/avoidance/pledge/agreement.hpp"
+#include "fairway/avoidance/pledge/datum.hpp"
 
 namespace fairway {
 
@@ -71,6 +72,7 @@ struct Pledge {
     std::array<std::optional<double>, pledge::most_vehicles>
         heard{};  ///< when each said what was taken last [s]
     pledge::Agreement agreement{};
+    pledge::DatumWatch datum{};
   };
 
   Params params;
@@ -87,6 +89,7 @@ struct Pledge {
   bool begin(const Situation& s, Memory& memory) const noexcept;
   void hear(const Situation& s, Memory& memory) const noexcept;
   void take_part(const Situation& s, const pledge::Chart& chart, Memory& memory) const noexcept;
+  bool rests(const Situation& s, const Memory& memory) const noexcept;
   void aim(const Situation& s, const pledge::Chart& chart, Memory& memory) const noexcept;
   void watch(const Situation& s, const pledge::Chart& chart, Memory& memory) const noexcept;
   void stay_at(const Situation& s, const Vec3& place, pledge::Agreement& agreement) const noexcept;
