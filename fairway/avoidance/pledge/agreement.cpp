@@ -167,13 +167,17 @@ Clearance Agreement::scene_of(const Plan& plan) const noexcept {
   return scene;
 }
 
+/// Whether the plan was made from the very states that are known here of those whom it takes along.
+bool Agreement::is_as_told() const noexcept {
+  return (plan_.participants & ~known_).none() &&
+         digest_of(members_, plan_.participants, terms_.datum) == plan_.digest;
+}
+
 /// Rules 1 and 2, at least `ahead` before the start.
 void Agreement::acknowledge(double now, double ahead, const Chart& chart) noexcept {
   if (plan_.epoch <= std::max(acknowledged_epoch_, refused_epoch_) || !is_pending(now + ahead)) return;
-  const bool knows_them = (plan_.participants & ~known_).none() &&
-                          digest_of(members_, plan_.participants, terms_.datum) == plan_.digest;
   const bool may_go = !plan_.participants[self_] || others_.rounds.may_depart();
-  if (!knows_them || !may_go || status_ == Status::lost) return;
+  if (!is_as_told() || !may_go || status_ == Status::lost) return;
   if (!is_clear(chart)) {
     refused_epoch_ = plan_.epoch;
     return;
@@ -211,14 +215,16 @@ Reference Agreement::promised(double now) const noexcept {
 
 /// Rule 3.
 void Agreement::depart(double now, double turn_period, const Chart& chart) noexcept {
-  if (status_ != Status::held || !plan_.epoch || now < plan_.start() || acknowledged_epoch_ != plan_.epoch ||
-      !plan_.participants[self_])
+  if (status_ != Status::held || !plan_.epoch || now < plan_.start() || judged_epoch_ == plan_.epoch) return;
+  judged_epoch_ = plan_.epoch;
+  const bool has_all = is_as_told() && (everyone() & ~unneeded(now, turn_period) & ~acknowledged_).none();
+  if (acknowledged_epoch_ != plan_.epoch || !plan_.participants[self_]) {
+    if (!has_all) ++attempts_;
     return;
+  }
   acknowledged_epoch_.author = most_members - 1;  // none that starts together with it any more
   Clearance scene = scene_of(plan_);
   const Reference way = reference_of(members_[self_], plan_, plan_.codes[self_]);
-  const bool is_as_told = digest_of(members_, plan_.participants, terms_.datum) == plan_.digest;
-  const bool has_all = is_as_told && (everyone() & ~unneeded(now, turn_period) & ~acknowledged_).none();
   if (!has_all || now > plan_.start() + most_late || !others_.rounds.may_depart() ||
       !accepts_own(scene, way, chart)) {
     ++attempts_;

@@ -119,6 +119,7 @@ class Agreement {
   void acknowledge(double now, double ahead, const Chart& chart) noexcept;
   void depart(double now, double turn_period, const Chart& chart) noexcept;
   void stop_at_gate(double now) noexcept;
+  bool is_as_told() const noexcept;
   bool is_clear(const Chart& chart) noexcept;
   bool accepts_own(const Clearance& scene, const Reference& way, const Chart& chart) const noexcept;
   void propose(double now, double period, const Link& link, double patience, const Chart& chart) noexcept;
@@ -168,6 +169,7 @@ class Agreement {
   Epoch newest_epoch_{};        ///< that anybody has spoken of
   Epoch acknowledged_epoch_{};  ///< the newest that own ship has acknowledged
   Epoch refused_epoch_{};       ///< the newest that it has looked at and not acknowledged
+  Epoch judged_epoch_{};        ///< the newest whose start it has seen
   int attempts_{};              ///< plans that came to nothing
   int plans_{};                 ///< that it has known in this round
 

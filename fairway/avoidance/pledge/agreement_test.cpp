@@ -40,6 +40,33 @@ TEST(Agreement, OfThreeNeverBringsTwoTogetherWhateverIsLostInTheTurnsThatDecide)
   EXPECT_GT(some_departed, 0) << "patterns that divide the group are among them";
 }
 
+TEST(Agreement, WhoIsTakenAlongByAPlanThatWasMadeFromItsOlderStateTellsTheNewOneUntilThatIsKnown) {
+  Fleet fleet = three_about_to_decide();
+  const auto author =
+      static_cast<std::size_t>(std::ranges::find_if(fleet.members, has_plan) - fleet.members.begin());
+  const std::size_t other = (author + 1) % 3;
+  Member elsewhere = fleet.members[other].own();
+  elsewhere.anchor.x() += 1.0;
+  fleet.members[other].hold(elsewhere);
+  fleet.places[other] = elsewhere.anchor;
+  const double moved = fleet.time;
+  while (!has_plan(fleet.members[other]) || fleet.time < moved + 1.5 * fleet.turn_period)
+    fleet.go_on([&](std::size_t from, std::size_t) { return from != other; });
+  ASSERT_TRUE(fleet.members[other].plan().participants[other]);
+  for (const double turn : {0.0, fleet.turn_period}) {
+    const double now = fleet.time + turn;
+    if (now >= fleet.members[other].plan().start()) break;
+    const auto word = decode(fleet.members[other].say(now, fleet.turn_period), Vec2::Zero(), now);
+    const auto* state = word ? std::get_if<StateWord>(&*word) : nullptr;
+    ASSERT_TRUE(state != nullptr) << "it passes a plan on that comes to nothing";
+    EXPECT_NEAR(state->member.anchor.x(), elsewhere.anchor.x(), 0.1);
+    EXPECT_TRUE((state->header.heard & fleet.members[other].plan().participants).none());
+  }
+  while (!fleet.is_done() && fleet.time < 300.0) fleet.go_on(always);
+  EXPECT_TRUE(fleet.is_done());
+  EXPECT_GE(fleet.least, 3.0 + 1.5);
+}
+
 TEST(Agreement, OfEightKeepsClearAndComesToItsEndAtAnyLoss) {
   for (const double loss : {0.0, 0.1, 0.5}) {
     double sum = 0.0;

@@ -93,6 +93,8 @@ Speech Agreement::say(double now, double turn_period) const noexcept {
     if (const Speech* other = passed_on(now, turn_period)) return *other;
   }
   const bool is_forgotten = now > plan_.start() + soonest_forgotten;
+  // of somebody whom the plan takes along it does not have the state that the plan was made from
+  const bool is_mistaken = is_pending(now) && !is_as_told();
   const Header header{.sender = static_cast<std::uint8_t>(vehicle_),
                       .round = others_.rounds.told(),
                       .epoch = is_forgotten ? Epoch{} : plan_.epoch,
@@ -100,15 +102,20 @@ Speech Agreement::say(double now, double turn_period) const noexcept {
                       .status = status_,
                       .acknowledged = acknowledged_,
                       .departed = departed_,
-                      .heard = known_};
+                      .heard = is_mistaken ? known_ & ~plan_.participants : known_};
   // whose group has no turn tells where it is held, which the others wait for
   const bool tells_plan = status_ != Status::lost && !is_news(now, turn_period) && others_.rounds.owns() &&
                           (is_pending(now) || (status_ == Status::moving && header.epoch));
+  // a plan that it cannot acknowledge comes to nothing, and may have been made from an older state of its
+  // own; of who has arrived no acknowledgement is needed once that is known
+  const bool is_missing = status_ != Status::moving && acknowledged_epoch_ != plan_.epoch;
   Members without_me;
   for (std::size_t i = 0; i < count_; ++i)
     if (i != self_ && !heard_by_[i][self_]) without_me.set(i);
   const bool is_odd_turn = std::fmod(std::floor(now / turn_period), 2.0) != 0.0;
-  if (tells_plan && (without_me.none() || is_odd_turn)) return encode(PlanWord{header, plan_}, terms_.datum);
+  const bool is_known = without_me.none() && !is_missing;
+  if (tells_plan && !(is_missing && status_ == Status::held) && (is_known || is_odd_turn))
+    return encode(PlanWord{header, plan_}, terms_.datum);
   return encode(StateWord{header, members_[self_]}, terms_.datum);
 }
 

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// How a member steers.
+#include "fairway/avoidance/pledge/following.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "fairway/core/angles.hpp"
+
+namespace fairway::pledge {
+namespace {
+
+// A hull without sway thrusters that turns is set aside by its own turning: were all of that made up for, it
+// would go on turning after it, round and round.
+TEST(Following, WhoIsHeldInACurrentTurnsItsBowAgainstItHoweverItIsSetAside) {
+  const Vec3 current{0.1, 0.0, 0.0};
+  for (int tenth = -31; tenth <= 31; ++tenth) {
+    for (const double sway : {-0.2, -0.12, 0.0, 0.12, 0.2}) {
+      Situation s{.period = 0.1, .current = current};
+      s.own.yaw = 0.1 * tenth;
+      const Vec2 abeam = starboard_of(unit_at(s.own.yaw));
+      s.own.velocity = current + sway * Vec3{abeam.x(), abeam.y(), 0.0};
+      s.limits = {.max_speed = 0.5, .max_climb_rate = 0.3};
+      const double off = wrap_angle(std::numbers::pi - s.own.yaw);
+      const double turn_rate = *held(s, Vec3::Zero(), "").turn_rate;
+      if (std::fabs(off) < 0.6 || std::fabs(off) > 2.5) continue;
+      EXPECT_GT(turn_rate * off, 0.0) << "heading " << s.own.yaw << ", set aside by " << sway;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace fairway::pledge
