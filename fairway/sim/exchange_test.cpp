@@ -86,6 +86,46 @@ TEST(AcousticExchange, WhoSpeaksGoesByTheClockOnBoard) {
   }
 }
 
+/// What modems measured, beside the true distance.
+struct Distances final : DecisionObserver {
+  explicit Distances(const Simulation& simulation) : simulation_{simulation} {}
+  void see(std::size_t index, const Situation& situation, const Command&) override {
+    const auto& agents = simulation_.agents();
+    const double truth = (agents[1].own.position - agents[0].own.position).norm();
+    for (const AcousticRange& range : situation.link->ranges) {
+      EXPECT_EQ(number(range.to), 1 - index);
+      if (range.back == last_[index]) continue;
+      last_[index] = range.back;
+      ++count;
+      worst = std::max(worst, std::abs(range.distance - truth));
+    }
+  }
+  int count{};
+  double worst{};  ///< difference [m]
+
+ private:
+  const Simulation& simulation_;
+  std::array<double, 2> last_{};
+};
+
+TEST(AcousticExchange, WhoSpeaksIsToldTheDistancesThatItsModemMeasures) {
+  Scenario scenario = meeting({{"update_rate_hz", 1.0},
+                               {"ranging", std::string("two_way")},
+                               {"range_deviation_m", 0.1},
+                               {"clock_offset_s", 0.5},
+                               {"modem_max_bytes_count", 90.0}});
+  scenario.duration_s = 20;
+  for (VehicleSpec& spec : scenario.vehicles)
+    spec.avoider = {.name = "pledge", .params = {{"team_count", 2.0}}, .path = "avoider"};
+  Simulation simulation{scenario, builtin_catalogs()};
+  Distances distances{simulation};
+  simulation.observe(&distances);
+  simulation.run({});
+  EXPECT_GE(distances.count, 10);
+  EXPECT_LT(distances.worst, 2.5) << "two ways, up to three seconds apart, at 1 m/s together at most";
+  EXPECT_GT(distances.worst, 0.01);
+}
+
 TEST(AcousticExchange, AnIdealModemIsPerfectExchange) {
   const std::vector<Measure> perfect = measured_of(meeting({}, "perfect"));
   EXPECT_EQ(measured_of(meeting(ideal)), perfect);

@@ -335,6 +335,21 @@ def speaking(kind=Counts):
                        algorithms={"mine": kind})
 
 
+def test_it_is_told_the_distances_that_modems_measure():
+    class Measures(Counts):
+        ranges = []
+
+        def decide(self, situation):
+            command = super().decide(situation)
+            Measures.ranges += list(self.link.ranges)
+            return command
+
+    path, slots = ROOT / "scenarios" / "acoustic_pair.yaml", {"exchange.update_rate_hz": 1, "exchange.ranging": "one_way", "duration_s": 20}
+    fairway.run(fairway.Scenario.load(path, overrides=slots).with_algorithm("mine"), algorithms={"mine": Measures})
+    assert {each.to for each in Measures.ranges} == {0, 1}
+    assert all(each.distance > 1 and each.deviation == 0.2 and each.out == each.back <= 20 for each in Measures.ranges)
+
+
 def test_it_may_speak_and_hears_what_the_others_say():
     Counts.heard = {}
     speaking()
