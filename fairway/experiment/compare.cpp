@@ -212,7 +212,11 @@ void adjust(Comparison& comparison) {
 }  // namespace
 
 std::vector<RateQuestion> usual_rates() {
-  return {{.name = "collision_free_ratio", .quantity = "collision_count", .min = 0.0, .max = 0.0},
+  return {{.name = "collision_free_ratio",
+           .quantity = "collision_count",
+           .min = 0.0,
+           .max = 0.0,
+           .also = "pair_collision_count"},
           {.name = "all_arrived_ratio", .quantity = "arrived_ratio", .min = 1.0, .max = 1.0}};
 }
 

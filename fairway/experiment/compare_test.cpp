@@ -115,6 +115,16 @@ TEST(CompareTest, RatesCountRunsWithWilsonsInterval) {
   EXPECT_EQ(c.rates[1].value.successes, 2U);
 }
 
+TEST(CompareTest, WhoCollidedAndWasThenGivenUpAsStuckIsNotFreeOfCollisions) {
+  const auto counted = [](std::uint64_t seed, double each, double pairs) {
+    return run("pledge", seed,
+               {{"collision_count", 0, each}, {"pair_collision_count", Measure::fleet, pairs}});
+  };
+  const Comparison c = compare(std::vector{counted(1, 0, 0), counted(2, 0, 5), counted(3, 1, 0)});
+  EXPECT_EQ(c.rates[0].name, "collision_free_ratio");
+  EXPECT_EQ(c.rates[0].value.successes, 1U);
+}
+
 TEST(CompareTest, FailedRunsCountAgainstRates) {
   std::vector<RunRecord> records;
   for (std::uint64_t seed = 0; seed < 4; ++seed) {

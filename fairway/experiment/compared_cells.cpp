@@ -115,7 +115,9 @@ std::optional<bool> answer_of(const RunRecord& record, const RateQuestion& quest
   if (!record.failure.empty()) return false;
   const double value = run_value(record.measures, question.quantity);
   if (std::isnan(value)) return std::nullopt;
-  return value >= question.min && value <= question.max;
+  const double other = question.also.empty() ? nan : run_value(record.measures, question.also);
+  const auto lies_within = [&](double x) { return x >= question.min && x <= question.max; };
+  return lies_within(value) && (std::isnan(other) || lies_within(other));
 }
 
 /// The same number, or none on both sides.

@@ -83,6 +83,8 @@ class Agreement {
   Status status() const { return status_; }
   /// Own reference; null while it is held.
   const Reference* way() const { return status_ == Status::moving ? &way_ : nullptr; }
+  /// When it stops on its way, if nothing that it hears lets it go on before [s].
+  double stops() const noexcept { return next_gate(); }
   /// By which own ship departs at the start of the newest plan if nothing comes between: without knots unless
   /// it has acknowledged that and its start is to come.
   Reference promised(double now) const noexcept;

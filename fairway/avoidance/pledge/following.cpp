@@ -111,10 +111,12 @@ Command held(const Situation& s, const Vec3& anchor, std::string_view why,
 
 Command followed(const Situation& s, const Reference& way, double turn, const Following& following) noexcept {
   const Vec3 off = way.at(s.time) - s.own.position;
-  const Vec3 ahead = way.velocity(s.time + look_ahead);
+  const bool is_to_stop = s.time + look_ahead >= following.stops;
+  const Vec3 ahead = is_to_stop ? Vec3::Zero() : way.velocity(s.time + look_ahead);
   const Vec3 velocity = within_limits(s, ahead + following.gain * off);
   // while the reference turns on the spot, so does the vehicle
-  const auto course = horizontal_norm(ahead) > 0.02 ? std::nullopt : next_course(s, way, turn);
+  const bool turns = !is_to_stop && horizontal_norm(ahead) <= 0.02;
+  const auto course = turns ? next_course(s, way, turn) : std::nullopt;
   const bool keeps_tube = off.norm() <= following.tube;
   return driven(s, velocity, course, keeps_tube ? Mode::avoid : Mode::infeasible,
                 keeps_tube ? "" : "is farther from its promised place than its tube");

@@ -36,8 +36,9 @@ Command held(const Situation& s, const Vec3& anchor, std::string_view why,
              std::optional<double> course = {}) noexcept;
 
 struct Following {
-  double gain{};  ///< speed by which it returns to its reference, for each metre off it [1/s]
-  double tube{};  ///< farther off than this it says so [m]
+  double gain{};        ///< speed by which it returns to its reference, for each metre off it [1/s]
+  double tube{};        ///< farther off than this it says so [m]
+  double stops{never};  ///< when it will stop, if it hears of nothing that lets it go on [s]
 };
 
 /// The command that keeps to the reference of a member that takes so long to turn round [s].

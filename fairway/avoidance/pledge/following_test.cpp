@@ -31,5 +31,21 @@ TEST(Following, WhoIsHeldInACurrentTurnsItsBowAgainstItHoweverItIsSetAside) {
   }
 }
 
+// Who learns only at a gate that it has to stop there has come a length too far by the time it does.
+TEST(Following, WhoMayHaveToStopAtAGateSlowsDownBeforeIt) {
+  Reference way;
+  way.add({0.0, {0.0, 0.0, 5.0}});
+  way.add({100.0, {40.0, 0.0, 5.0}});
+  Situation s{.time = 50.0, .period = 0.1};
+  s.own.position = way.at(s.time);
+  s.limits = {.max_speed = 0.5, .max_climb_rate = 0.3};
+  const auto ahead = [&](double stops) {
+    return followed(s, way, 5.0, {.gain = 0.3, .tube = 1.0, .stops = stops}).velocity.x();
+  };
+  EXPECT_NEAR(ahead(never), 0.4, 1e-9);
+  EXPECT_NEAR(ahead(53.0), 0.4, 1e-9);
+  EXPECT_NEAR(ahead(51.5), 0.0, 1e-9);
+}
+
 }  // namespace
 }  // namespace fairway::pledge

@@ -106,7 +106,7 @@ Command Pledge::decided(const Situation& s, const pledge::Chart& chart, Memory& 
   if (way == nullptr) return stayed(s, memory, context);
   if (context.sketch != nullptr) pledge::draw(*way, s.time, params.tube_m, *context.sketch);
   return pledge::followed(s, *way, memory.agreement.own().turn,
-                          {.gain = params.gain_hz, .tube = params.tube_m});
+                          {.gain = params.gain_hz, .tube = params.tube_m, .stops = memory.agreement.stops()});
 }
 
 /// Where it is held, or out of the way of who is lost.
