@@ -83,8 +83,8 @@ BodyRequest through_water(const BodyRequest& over_ground, const Vec3& current_b)
           .through_water = true};
 }
 
-/// Asks the memory for a vehicle that a stage will come to: of a large fleet hardly anyone is in the cache, and
-/// to wait for one line of it at a time costs more than what is done with it.
+/// Asks the memory for a vehicle that a stage will come to: of a large fleet hardly anyone is in the cache,
+/// and to wait for one line of it at a time costs more than what is done with it.
 void fetch(const Agent& agent) {
   constexpr std::size_t line = 64;  // [B]
   const std::span<const std::byte> bytes = std::as_bytes(std::span{&agent, 1});
