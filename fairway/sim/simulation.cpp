@@ -185,8 +185,8 @@ void Simulation::make_room(bool keeping) {
 template <class... Works>
 void Simulation::in_parts(Works... /*in this order*/) {
   constexpr std::size_t size = 32;
-  constexpr std::size_t many = 256;  // so few stay in the nearer caches from step to step
-  constexpr std::size_t ahead = 4;   // vehicles are fetched, which hides what the first stage waits
+  constexpr std::size_t many = 1500;  // so few stay in a cache; of 1000 it gains nothing, of 2000 a little
+  constexpr std::size_t ahead = 4;    // are fetched, while the first stage is at another
   const auto go_through = [&](std::size_t part, std::size_t number) {
     Hand& hand = hands_[number];
     const std::size_t first = part * size, end = std::min(first + size, agents_.size());
