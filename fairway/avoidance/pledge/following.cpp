@@ -19,6 +19,9 @@ constexpr double stopping = 2.0;         // from a member's speed, with its lag 
 constexpr double return_gain = 0.3;      // to its anchor [1/s]
 constexpr double still = 0.075;  // who would go slower than this through the water does not turn [m/s]
 constexpr double most_drift_share = 0.5;  // of what a member is to go, that its course makes up for
+constexpr double least_astern = 0.1;      // with which a member that is held goes back astern [m/s]
+constexpr double aside_for_good = 1.5;    // who is held and farther off than this turns to its anchor [m]
+constexpr double slack = 0.2;             // across, that a member that is held does not turn for [m]
 constexpr int longest_wait = 20;          // of a member for its turn [s]
 constexpr double turn_gain = 0.5;         // [1/s]
 constexpr double fastest_turn = 0.8;      // [rad/s]
@@ -44,6 +47,19 @@ Vec3 within_limits(const Situation& s, const Vec3& v) noexcept {
   const double level = horizontal_norm(v);
   const Vec2 horizontal = (level > beside ? beside / level : 1.0) * v.head<2>();
   return {horizontal.x(), horizontal.y(), vertical};
+}
+
+/// A little way back to its anchor, ahead or astern, whichever is nearer: who turns round for that
+/// overshoots, and turns round again.
+Command nudged(const Situation& s, const Vec3& off, const Vec3& back, std::string_view why) noexcept {
+  const Vec2 ahead = unit_at(s.own.yaw);
+  const double along = off.head<2>().dot(ahead), across = off.head<2>().dot(starboard_of(ahead));
+  const double course_off = math::atan2(along < 0.0 ? -across : across, std::fabs(along));
+  const bool is_abeam = std::fabs(across) > slack;
+  const double turn_rate = is_abeam ? std::clamp(turn_gain * course_off, -fastest_turn, fastest_turn) : 0.0;
+  const Vec2 made = back.head<2>().dot(ahead) * ahead;
+  return {
+      .velocity = {made.x(), made.y(), back.z()}, .mode = Mode::hold, .turn_rate = turn_rate, .note = why};
 }
 
 }  // namespace
@@ -106,7 +122,11 @@ Command driven(const Situation& s, const Vec3& wanted, std::optional<double> cou
 
 Command held(const Situation& s, const Vec3& anchor, std::string_view why,
              std::optional<double> course) noexcept {
-  return driven(s, clamp_norm(return_gain * (anchor - s.own.position), 0.3), course, Mode::hold, why);
+  const Vec3 off = anchor - s.own.position;
+  const Vec3 back = clamp_norm(return_gain * off, 0.3);
+  const bool can_back = s.envelope != nullptr && s.envelope->astern > least_astern;
+  const bool turns = course || is_in_current(s) || !can_back || horizontal_norm(off) > aside_for_good;
+  return turns ? driven(s, back, course, Mode::hold, why) : nudged(s, off, back, why);
 }
 
 Command followed(const Situation& s, const Reference& way, double turn, const Following& following) noexcept {

@@ -30,8 +30,9 @@ std::optional<double> next_course(const Situation& s, const Reference& way, doub
 Command driven(const Situation& s, const Vec3& wanted, std::optional<double> course, Mode mode,
                std::string_view note) noexcept;
 
-/// Back to the anchor, ahead: who only stops where it is drifts sideways for long. In a current it lies with
-/// its bow against it. On `course`, if there is one.
+/// Back to the anchor: who only stops where it is drifts sideways for long. A little way it goes back ahead
+/// or astern, if it can, else ahead. In a current it lies with its bow against it. On `course`, if there is
+/// one.
 Command held(const Situation& s, const Vec3& anchor, std::string_view why,
              std::optional<double> course = {}) noexcept;
 

@@ -31,6 +31,22 @@ TEST(Following, WhoIsHeldInACurrentTurnsItsBowAgainstItHoweverItIsSetAside) {
   }
 }
 
+TEST(Following, WhoIsHeldGoesALittleWayBackAsternWithoutTurningRound) {
+  Envelope envelope;
+  envelope.astern = 0.3;
+  Situation s{.period = 0.1, .envelope = &envelope};
+  s.limits = {.max_speed = 0.5, .max_climb_rate = 0.3};
+  s.own.position = {0.5, 0.0, 0.0};
+  const Command astern = held(s, Vec3::Zero(), "");
+  EXPECT_LT(astern.velocity.x(), -0.1);
+  EXPECT_EQ(*astern.turn_rate, 0.0);
+  s.own.position = {0.0, 0.5, 0.0};  // its anchor is to port
+  EXPECT_LT(*held(s, Vec3::Zero(), "").turn_rate, -0.1);
+  envelope.astern = 0.0;
+  s.own.position = {0.5, 0.0, 0.0};
+  EXPECT_GT(std::fabs(*held(s, Vec3::Zero(), "").turn_rate), 0.1) << "who cannot go astern turns round";
+}
+
 // Who learns only at a gate that it has to stop there has come a length too far by the time it does.
 TEST(Following, WhoMayHaveToStopAtAGateSlowsDownBeforeIt) {
   Reference way;
