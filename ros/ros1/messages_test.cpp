@@ -7,7 +7,7 @@
 
 namespace fairway {
 namespace bridge {
-INSTANTIATE_TYPED_TEST_SUITE_P(Ros1, Messages, ros1::Middleware);
+INSTANTIATE_TYPED_TEST_SUITE_P(Ros1, Messages, ros1::Middleware, );
 }
 
 namespace ros1 {

@@ -40,7 +40,8 @@ void check_thrust(const CompositeVehicle& vehicle) {
   for (const auto& [axis, name] : {std::pair{5, "yaw"}, {0, "surge"}, {1, "sway"}, {2, "heave"}}) {
     if (planar && axis == 2) continue;
     const fossen::Vector6 wanted = fossen::Vector6::Unit(axis);
-    if ((B * solver.solve(wanted) - wanted).norm() > 1e-6) {
+    const Eigen::VectorXd u = solver.solve(wanted);
+    if ((B * u - wanted).norm() > 1e-6) {
       throw InputError("layout: its thrusters cannot push along " + std::string(name) + " alone");
     }
   }
