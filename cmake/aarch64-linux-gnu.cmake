@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
-# 64-bit ARM, by Debian's cross compiler (g++-aarch64-linux-gnu); what is built runs under qemu-user. There are no packages for
-# that machine here, so none but Eigen, which is headers, is found: FAIRWAY_COMPONENTS=avoidance;embed.
+# 64-bit ARM, by clang 19 with the libraries and the linker of Debian's cross compiler (g++-aarch64-linux-gnu), which itself takes twice
+# as long; what is built runs under qemu-user. There are no packages for that machine here, so none but Eigen, which is headers, is found:
+# FAIRWAY_COMPONENTS=avoidance;embed.
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR aarch64)
-set(CMAKE_C_COMPILER aarch64-linux-gnu-gcc)
-set(CMAKE_CXX_COMPILER aarch64-linux-gnu-g++)
+set(CMAKE_C_COMPILER clang-19)
+set(CMAKE_C_COMPILER_TARGET aarch64-linux-gnu)
+set(CMAKE_CXX_COMPILER clang++-19)
+set(CMAKE_CXX_COMPILER_TARGET aarch64-linux-gnu)
 set(CMAKE_CROSSCOMPILING_EMULATOR qemu-aarch64 -L /usr/aarch64-linux-gnu)
 
 set(CMAKE_FIND_ROOT_PATH /usr/aarch64-linux-gnu)

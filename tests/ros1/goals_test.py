@@ -24,7 +24,7 @@ def plain_run(scenario, recording):
     subprocess.run([os.path.join(BIN, "fairway"), "run", path, "--out", recording], check=True, capture_output=True)
 
 
-@pytest.mark.parametrize("scenario", ["head_on", "priority_wait", "cube20_8"])
+@pytest.mark.parametrize("scenario", ["head_on", "priority_wait", "cube20_4"])
 def test_a_fleet_in_lockstep_goes_where_it_goes_without_ros(graph, tmp_path, scenario):
     through, plain = str(tmp_path / "through.mcap"), str(tmp_path / "plain.mcap")
     run_through(graph, scenario, dict(speed=0, lockstep=True, lockstep_timeout_s=20, frame="ned", record=through), dict(frame="ned", lockstep=True))

@@ -17,6 +17,7 @@ ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)
 BIN = os.environ.get("FAIRWAY_BIN", os.path.join(ROOT, "build", "bin"))
 SERVICES = os.path.join(os.path.dirname(BIN), "ros1", "python")
 FLEET = {
+    "cube20_4": [f"robot{i}" for i in range(4)],
     "cube20_8": [f"robot{i}" for i in range(8)],
     "head_on": ["north_bound", "south_bound"],
     "priority_wait": ["first", "second", "third"],
