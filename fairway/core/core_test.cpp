@@ -42,6 +42,23 @@ TEST(Angles, WrapIntoHalfATurn) {
   EXPECT_NEAR(wrap_angle(-0.5), -0.5, 0.0);
 }
 
+TEST(Angles, WrapToTheBitsOfTheRemainder) {
+  const auto expect_remainder = [](double angle) {
+    const double wrapped = wrap_angle(angle), remainder = std::remainder(angle, 2 * pi);
+    EXPECT_EQ(wrapped, remainder) << angle;
+    EXPECT_EQ(std::signbit(wrapped), std::signbit(remainder)) << angle;
+  };
+  for (int eighths = -40; eighths <= 40; ++eighths) {
+    const double angle = eighths * (pi / 4);
+    for (const double near : {angle, std::nextafter(angle, -100.0), std::nextafter(angle, 100.0)})
+      expect_remainder(near);
+  }
+  Rng rng{1};
+  for (int i = 0; i < 10'000; ++i) expect_remainder(rng.uniform(-20.0, 20.0));
+  expect_remainder(-0.0);
+  EXPECT_TRUE(std::isnan(wrap_angle(std::nan(""))));
+}
+
 TEST(State, EulerAnglesAndQuaternionAgree) {
   Rng rng{5};
   for (int i = 0; i < 1000; ++i) {

@@ -6,7 +6,7 @@
 namespace fairway {
 
 /// `x` moved along `rate` for `h` [s]; the quaternion is left as it falls.
-inline VehicleState moved(const VehicleState& x, const StateRate& rate, double h) {
+[[gnu::always_inline]] inline VehicleState moved(const VehicleState& x, const StateRate& rate, double h) {
   VehicleState y;
   y.p_n = x.p_n + h * rate.p_n;
   y.q_nb = {x.q_nb.w() + h * rate.q_nb[3], x.q_nb.x() + h * rate.q_nb[0], x.q_nb.y() + h * rate.q_nb[1],
@@ -16,24 +16,37 @@ inline VehicleState moved(const VehicleState& x, const StateRate& rate, double h
   return y;
 }
 
-/// One step of length `h` [s] by the classical Runge-Kutta method of order 4, actuators and water
-/// held. The quaternion is normalised after the step. All that it calls is compiled into it: calls through
-/// memory cost Sparus2 and Kinematic half of the step.
-template <VehicleModel M>
-[[gnu::flatten]] VehicleState rk4(const M& model, const VehicleState& x, const ActuatorValues& u,
-                                  const Water& water, double h) noexcept {
-  const StateRate k1 = model.derivative(x, u, water);
-  const StateRate k2 = model.derivative(moved(x, k1, h / 2), u, water);
-  const StateRate k3 = model.derivative(moved(x, k2, h / 2), u, water);
-  const StateRate k4 = model.derivative(moved(x, k3, h), u, water);
-
+/// The mean of four rates over a step, those of its middle twice.
+[[gnu::always_inline]] inline StateRate mean_of(const StateRate& k1, const StateRate& k2, const StateRate& k3,
+                                                const StateRate& k4) {
   StateRate mean;
   mean.p_n = (k1.p_n + 2 * k2.p_n + 2 * k3.p_n + k4.p_n) / 6;
   for (int i = 0; i < 4; ++i) mean.q_nb[i] = (k1.q_nb[i] + 2 * k2.q_nb[i] + 2 * k3.q_nb[i] + k4.q_nb[i]) / 6;
   mean.v_b = (k1.v_b + 2 * k2.v_b + 2 * k3.v_b + k4.v_b) / 6;
   mean.omega_b = (k1.omega_b + 2 * k2.omega_b + 2 * k3.omega_b + k4.omega_b) / 6;
+  return mean;
+}
 
-  VehicleState y = moved(x, mean, h);
+/// `x` one step of length `h` [s] later, by the classical Runge-Kutta method of order 4; `rate_of(x)` says
+/// how fast it changes. All that it calls is to be compiled into it: calls through memory cost Sparus2 and
+/// Kinematic half of the step.
+template <class State, class RateOf>
+[[gnu::always_inline]] inline State runge_kutta(const State& x, double h, const RateOf& rate_of) {
+  const auto k1 = rate_of(x);
+  const auto k2 = rate_of(moved(x, k1, h / 2));
+  const auto k3 = rate_of(moved(x, k2, h / 2));
+  const auto k4 = rate_of(moved(x, k3, h));
+  return moved(x, mean_of(k1, k2, k3, k4), h);
+}
+
+/// The same of a model, actuators and water held. The quaternion is normalised after the step.
+template <VehicleModel M>
+[[gnu::flatten]] VehicleState rk4(const M& model, const VehicleState& x, const ActuatorValues& u,
+                                  const Water& water, double h) noexcept {
+  const auto rate_of = [&](const VehicleState& at) __attribute__((always_inline)) {
+    return model.derivative(at, u, water);
+  };
+  VehicleState y = runge_kutta(x, h, rate_of);
   y.q_nb.normalize();
   return y;
 }

@@ -63,7 +63,8 @@ class SubmergedBody {
 
     // motion through the water: nu_r = [v; omega]
     const fossen::Matrix3 R = fossen::rotation(x.q_nb);
-    const Vec3 v_c = R.transpose() * water.current_n;
+    const bool flows = water.current_n != Vec3::Zero();
+    const Vec3 v_c = flows ? Vec3{R.transpose() * water.current_n} : Vec3{Vec3::Zero()};
     const Vec3 v = x.v_b - v_c;
 
     // C(nu_r) nu_r = [omega x a; v x a + omega x b] from the momenta a, b
@@ -83,7 +84,8 @@ class SubmergedBody {
     StateRate rate;
     rate.p_n.noalias() = R * x.v_b;
     rate.q_nb = fossen::quaternion_rate(x.q_nb, omega);
-    rate.v_b = v_dot - omega.cross(v_c);
+    rate.v_b = v_dot;
+    if (flows) rate.v_b -= omega.cross(v_c);
     if (water.current_rate_n != Vec3::Zero()) [[unlikely]]
       rate.v_b += carried(x, water);
     rate.omega_b = omega_dot;

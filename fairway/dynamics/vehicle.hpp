@@ -81,7 +81,11 @@ class Vehicle {
     }
     void advance(VehicleState& x, const ActuatorValues& u, const Water& water,
                  double h) const noexcept override {
-      x = rk4(model, x, u, water, h);
+      if constexpr (requires { model.advanced(x, u, water, h); }) {
+        x = model.advanced(x, u, water, h);
+      } else {
+        x = rk4(model, x, u, water, h);
+      }
     }
     StateRate rate(const VehicleState& x, const ActuatorValues& u,
                    const Water& water) const noexcept override {

@@ -29,14 +29,15 @@ void EncounterMetric::set_out(const Frame& frame, std::size_t index) {
   count.last_position = own.state.p_n;
 }
 
-bool EncounterMetric::update_contacts(const Frame& frame, std::size_t index, const Neighbours& near,
+bool EncounterMetric::update_contacts(const Frame& frame, std::size_t index, std::span<const Neighbour> near,
                                       std::vector<OpenEncounter>& detected) {
   Count& count = counts_[index];
   detected.clear();
-  near.visit(index, rules_.crit_dist_m, [&](std::size_t j, double distance2) {
+  for (const auto& [j, distance2] : near) {
+    if (!(distance2 <= rules_.crit_dist_m * rules_.crit_dist_m)) continue;
     const bool collided = distance2 <= rules_.safety_distance_m * rules_.safety_distance_m;
-    detected.push_back({static_cast<std::uint32_t>(j), collided ? Contact::collided : Contact::near});
-  });
+    detected.push_back({j, collided ? Contact::collided : Contact::near});
+  }
   if (detected.empty() && count.open.empty()) return false;
   std::ranges::sort(detected, {}, &OpenEncounter::other);
   const auto hit = std::ranges::find(detected, Contact::collided, &OpenEncounter::worst);
@@ -57,7 +58,13 @@ bool EncounterMetric::update_contacts(const Frame& frame, std::size_t index, con
   return !detected.empty();
 }
 
-void EncounterMetric::see(const Frame& frame, const Neighbours& near, std::size_t index, std::size_t hand) {
+double EncounterMetric::reach(const Frame& frame, std::size_t index) const {
+  const bool counts = !counts_[index].finished && frame.vehicles[index].phase == Phase::under_way;
+  return counts ? rules_.crit_dist_m : -1.0;
+}
+
+void EncounterMetric::see(const Frame& frame, std::span<const Neighbour> near, std::size_t index,
+                          std::size_t hand) {
   Count& count = counts_[index];
   const VehicleFrame& own = frame.vehicles[index];
   if (count.finished || (!count.started && !is_avoiding(own.phase))) return;
@@ -92,8 +99,11 @@ void EncounterMetric::begin(const Frame& frame, std::size_t hands) {
 
 void EncounterMetric::see(const Frame& frame) {
   begin(frame, 1);
-  const Neighbours& near = neighbours_.of(frame);
-  for (std::size_t i = 0; i < frame.vehicles.size(); ++i) see(frame, near, i, 0);
+  const Neighbours& all = neighbours_.of(frame);
+  for (std::size_t i = 0; i < frame.vehicles.size(); ++i) {
+    all.find(i, reach(frame, i), near_);
+    see(frame, near_, i, 0);
+  }
 }
 
 void EncounterMetric::report(std::vector<Measure>& measures) const {

@@ -36,7 +36,8 @@ class EncounterMetric final : public Metric {
   explicit EncounterMetric(EncounterRules rules) : rules_{rules}, neighbours_{rules.crit_dist_m} {}
   void see(const Frame& frame) override;
   void begin(const Frame& frame, std::size_t hands);
-  void see(const Frame& frame, const Neighbours& near, std::size_t index, std::size_t hand);
+  double reach(const Frame& frame, std::size_t index) const;
+  void see(const Frame& frame, std::span<const Neighbour> near, std::size_t index, std::size_t hand);
   void report(std::vector<Measure>& measures) const override;
 
   /// A vehicle's open encounters as of the last frame, in ascending order of the other; none before it is
@@ -60,7 +61,7 @@ class EncounterMetric final : public Metric {
   };
 
   void set_out(const Frame& frame, std::size_t index);
-  bool update_contacts(const Frame& frame, std::size_t index, const Neighbours& near,
+  bool update_contacts(const Frame& frame, std::size_t index, std::span<const Neighbour> near,
                        std::vector<OpenEncounter>& detected);
   static void count_closed(Count& count, Contact worst) {
     ++(worst == Contact::collided ? count.collisions : count.avoided);
@@ -70,6 +71,7 @@ class EncounterMetric final : public Metric {
   Neighbours neighbours_;
   std::vector<Count> counts_;
   std::vector<std::vector<OpenEncounter>> detected_;  // by the vehicle in each hand
+  std::vector<Neighbour> near_;                       // memory to work in
 };
 
 }  // namespace fairway

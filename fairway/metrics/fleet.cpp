@@ -43,8 +43,11 @@ const std::vector<QuantityInfo>& FleetMetric::quantities() {
 
 void FleetMetric::see(const Frame& frame) {
   begin(frame, 1);
-  const Neighbours& near = neighbours_.of(frame);
-  for (std::size_t i = 0; i < frame.vehicles.size(); ++i) see(frame, near, i, 0);
+  const Neighbours& all = neighbours_.of(frame);
+  for (std::size_t i = 0; i < frame.vehicles.size(); ++i) {
+    all.find(i, reach(frame, all, i), near_);
+    see(frame, near_, i, 0);
+  }
   finish(frame);
 }
 
@@ -62,7 +65,19 @@ void FleetMetric::begin(const Frame& frame, std::size_t hands) {
   start_time_ = frame.time;
 }
 
-void FleetMetric::see(const Frame& frame, const Neighbours& near, std::size_t index, std::size_t hand) {
+/// Whoever comes nearer than anyone before is within the least distance so far, a little more for rounding.
+double FleetMetric::reach(const Frame& frame, const Neighbours& near, std::size_t index) const {
+  if (!started_ || !takes_part(frame.vehicles[index])) return -1.0;
+  constexpr double little = 1.0 + 1e-12;
+  const double nearest2 = own_[index].nearest2;
+  const auto counts = [&](std::size_t j) { return takes_part(frame.vehicles[j]); };
+  const double nearest =
+      std::isinf(nearest2) ? near.reach_of_one(index, counts) : little * std::sqrt(nearest2);
+  return math::fmax(nearest, safety_distance_);
+}
+
+void FleetMetric::see(const Frame& frame, std::span<const Neighbour> near, std::size_t index,
+                      std::size_t hand) {
   if (!started_) return;
   Hand& found = hands_[hand];
   found.somebody_goes |= see_vehicle(frame, index);
@@ -80,8 +95,8 @@ void FleetMetric::finish(const Frame& frame) {
 }
 
 bool FleetMetric::is_beyond(const VehicleFrame& vehicle, std::size_t index) const {
-  if (index >= surroundings_.limits.size()) return false;
-  const Limits& limits = surroundings_.limits[index];
+  if (index >= surroundings_->limits.size()) return false;
+  const Limits& limits = surroundings_->limits[index];
   if (const auto on_any = shortfall_on_any_heading(limits, vehicle.command))
     return *on_any != Shortfall::none;
   return shortfall(limits, vehicle.command, yaw_of(vehicle.state.q_nb)) != Shortfall::none;
@@ -109,8 +124,8 @@ bool FleetMetric::see_vehicle(const Frame& frame, std::size_t index) {
 
 void FleetMetric::see_obstacles(const Frame& frame, std::size_t index) {
   Own& own = own_[index];
-  for (std::size_t k = 0; k < surroundings_.obstacles.size(); ++k) {
-    const Obstacle obstacle = surroundings_.obstacles[k].at(frame.time);
+  for (std::size_t k = 0; k < surroundings_->obstacles.size(); ++k) {
+    const Obstacle obstacle = surroundings_->obstacles[k].at(frame.time);
     const double clearance = nearest_point(obstacle, frame.vehicles[index].state.p_n).distance;
     if (!(clearance < own.clearance)) continue;
     own.clearance = clearance;
@@ -118,27 +133,21 @@ void FleetMetric::see_obstacles(const Frame& frame, std::size_t index) {
   }
 }
 
-void FleetMetric::see_others(const Frame& frame, const Neighbours& near, std::size_t index,
+void FleetMetric::see_others(const Frame& frame, std::span<const Neighbour> near, std::size_t index,
                              std::vector<Pair>& touch) {
   Own& own = own_[index];
-  const auto counts = [&](std::size_t j) { return takes_part(frame.vehicles[j]); };
-
-  // whoever comes nearer than anyone before is within the least distance so far, a little more for rounding
-  constexpr double little = 1.0 + 1e-12;
-  const double nearest =
-      std::isinf(own.nearest2) ? near.reach_of_one(index, counts) : little * std::sqrt(own.nearest2);
   double nearest2 = own.nearest2;
   std::size_t who = frame.vehicles.size();
-  near.visit(index, math::fmax(nearest, safety_distance_), [&](std::size_t j, double distance2) {
+  for (const auto& [j, distance2] : near) {
     const bool nearer = distance2 < nearest2 || (distance2 == nearest2 && j < who && nearest2 < own.nearest2);
     const bool touches = j > index && distance2 <= safety_distance_ * safety_distance_;
-    if (!(nearer || touches) || !counts(j)) return;
+    if (!(nearer || touches) || !takes_part(frame.vehicles[j])) continue;
     if (nearer) {
       nearest2 = distance2;
       who = j;
     }
-    if (touches) touch.push_back({static_cast<std::uint32_t>(index), static_cast<std::uint32_t>(j)});
-  });
+    if (touches) touch.push_back({static_cast<std::uint32_t>(index), j});
+  }
   if (!(nearest2 < own.nearest2)) return;
   own.nearest2 = nearest2;
   own.nearest_at = {.other = static_cast<int>(who), .time = frame.time};
@@ -193,7 +202,7 @@ void FleetMetric::report(std::vector<Measure>& measures) const {
     const int vehicle = static_cast<int>(i);
     measures.push_back({"nearest_m", vehicle, std::sqrt(own.nearest2), own.nearest_at});
     measures.push_back({"obstacle_clearance_m", vehicle, own.clearance, own.clearance_at});
-    const double radius = i < surroundings_.radii.size() ? surroundings_.radii[i] : 0.0;
+    const double radius = i < surroundings_->radii.size() ? surroundings_->radii[i] : 0.0;
     measures.push_back({"footprint_clearance_m", vehicle, own.clearance - radius, own.clearance_at});
     measures.push_back({"energy_j", vehicle, own.energy});
     measures.push_back({"hold_time_s", vehicle, own.hold_time});

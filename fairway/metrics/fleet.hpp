@@ -4,6 +4,8 @@
 #include <compare>
 #include <cstdint>
 #include <limits>
+#include <memory>
+#include <span>
 #include <vector>
 
 #include "fairway/core/limits.hpp"
@@ -28,12 +30,15 @@ class FleetMetric final : public Metric {
   static const std::vector<QuantityInfo>& quantities();
 
   explicit FleetMetric(double safety_distance_m, Surroundings surroundings = {})
+      : FleetMetric{safety_distance_m, std::make_shared<const Surroundings>(std::move(surroundings))} {}
+  FleetMetric(double safety_distance_m, std::shared_ptr<const Surroundings> surroundings)
       : safety_distance_{safety_distance_m},
         surroundings_{std::move(surroundings)},
         neighbours_{safety_distance_m} {}
   void see(const Frame& frame) override;
   void begin(const Frame& frame, std::size_t hands);
-  void see(const Frame& frame, const Neighbours& near, std::size_t index, std::size_t hand);
+  double reach(const Frame& frame, const Neighbours& near, std::size_t index) const;
+  void see(const Frame& frame, std::span<const Neighbour> near, std::size_t index, std::size_t hand);
   void finish(const Frame& frame);
   void report(std::vector<Measure>& measures) const override;
 
@@ -69,12 +74,13 @@ class FleetMetric final : public Metric {
 
   bool see_vehicle(const Frame& frame, std::size_t index);
   void see_obstacles(const Frame& frame, std::size_t index);
-  void see_others(const Frame& frame, const Neighbours& near, std::size_t index, std::vector<Pair>& touch);
+  void see_others(const Frame& frame, std::span<const Neighbour> near, std::size_t index,
+                  std::vector<Pair>& touch);
   void see_pairs(const Frame& frame);
   Occasion not_arrived() const;  ///< the first vehicle that did not arrive
 
   double safety_distance_;
-  Surroundings surroundings_;
+  std::shared_ptr<const Surroundings> surroundings_;
   bool started_{false};
   double start_time_{};
   double last_arrival_{};
@@ -82,9 +88,10 @@ class FleetMetric final : public Metric {
   Occasion first_pair_event_;
   std::vector<Own> own_;
   Neighbours neighbours_;
-  std::vector<Pair> touching_;  ///< as of the last frame, ascending
-  std::vector<Hand> hands_;     ///< of this one
-  std::vector<Pair> apart_;     ///< memory to work in
+  std::vector<Pair> touching_;   ///< as of the last frame, ascending
+  std::vector<Hand> hands_;      ///< of this one
+  std::vector<Pair> apart_;      ///< memory to work in
+  std::vector<Neighbour> near_;  ///< likewise
 };
 
 }  // namespace fairway

@@ -24,7 +24,8 @@ struct QuantityInfo {
 ///
 /// Several metrics see a frame together, vehicle by vehicle, as `see(frame)` of each does alone: after
 /// `begin()`, `see()` of every vehicle once, in any order and by as many hands at a time as were announced,
-/// and `finish()` where there is one. Those that ask who is near share the frame's `Neighbours`.
+/// and `finish()` where there is one. Those that ask who is near say how far they look (`reach()`, negative
+/// where they do not), and are shown all who are as near as the farthest of these, or nearer.
 class Metric {
  public:
   virtual ~Metric() = default;

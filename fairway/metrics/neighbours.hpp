@@ -2,11 +2,19 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <vector>
 
 #include "fairway/core/vicinity.hpp"
 #include "fairway/record/frame.hpp"
 
 namespace fairway {
+
+/// Another vehicle, by index, and how far it is.
+struct Neighbour {
+  std::uint32_t index;
+  double distance2;  ///< [m2]
+};
 
 /// Who of a frame's vehicles is near whom, for the metrics that ask. Does not allocate after the first frame.
 class Neighbours {
@@ -21,6 +29,16 @@ class Neighbours {
   const Neighbours& of(const Frame& frame) {
     vicinity_.update(frame.vehicles.size(), [&](std::size_t i) { return frame.vehicles[i].state.p_n; });
     return *this;
+  }
+
+  /// Makes `found` all those whose squared distance from vehicle `index` is at most that of `reach` [m], in
+  /// no order; nobody where that is negative.
+  void find(std::size_t index, double reach, std::vector<Neighbour>& found) const {
+    found.clear();
+    if (reach < 0.0) return;
+    visit(index, reach, [&](std::size_t other, double distance2) {
+      found.push_back({static_cast<std::uint32_t>(other), distance2});
+    });
   }
 
   /// Calls `visit(other, distance2)` for each other vehicle whose squared distance from vehicle `index` [m2]

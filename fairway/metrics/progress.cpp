@@ -25,20 +25,20 @@ const std::vector<QuantityInfo>& ProgressMetric::quantities() {
   return all;
 }
 
-ProgressMetric::ProgressMetric(double window, Surroundings surroundings)
+ProgressMetric::ProgressMetric(double window, std::shared_ptr<const Surroundings> surroundings)
     : window_{window}, surroundings_{std::move(surroundings)}, neighbours_{usual_reach} {
-  for (const double radius : surroundings_.radii) largest_radius_ = math::fmax(largest_radius_, radius);
+  for (const double radius : surroundings_->radii) largest_radius_ = math::fmax(largest_radius_, radius);
 }
 
 Goal ProgressMetric::goal_of(const Frame& frame, std::size_t index) const {
   const VehicleFrame& vehicle = frame.vehicles[index];
-  const bool known = index < surroundings_.limits.size();
-  const double fastest = known ? surroundings_.limits[index].max_speed : Limits::none;
+  const bool known = index < surroundings_->limits.size();
+  const double fastest = known ? surroundings_->limits[index].max_speed : Limits::none;
   return {.position = vehicle.goal, .cruise_speed = math::fmin(vehicle.goal_speed, fastest), .velocity = {}};
 }
 
 double ProgressMetric::radius_of(std::size_t index) const {
-  return index < surroundings_.radii.size() ? surroundings_.radii[index] : 0.0;
+  return index < surroundings_->radii.size() ? surroundings_->radii[index] : 0.0;
 }
 
 void ProgressMetric::see(const Frame& frame) {
@@ -50,7 +50,7 @@ void ProgressMetric::see(const Frame& frame) {
 void ProgressMetric::begin(const Frame& frame, std::size_t hands) {
   if (own_.empty()) {
     own_.assign(frame.vehicles.size(), {.watch = ProgressWatch{window_}});
-    bystanders_.reserve(frame.vehicles.size() + surroundings_.obstacles.size());
+    bystanders_.reserve(frame.vehicles.size() + surroundings_->obstacles.size());
   }
   while (late_.size() < hands) late_.emplace_back().reserve(frame.vehicles.size());
 }
@@ -103,9 +103,9 @@ void ProgressMetric::find_bystanders(const Frame& frame, std::size_t index, cons
             frame.vehicles[j].phase != Phase::arrived);
   });
   std::ranges::sort(bystanders_, {}, &Bystander::id);
-  for (std::size_t k = 0; k < surroundings_.obstacles.size(); ++k) {
-    if (surroundings_.obstacles[k].velocity.isZero(0.0)) continue;
-    const Obstacle drifter = surroundings_.obstacles[k].at(frame.time);
+  for (std::size_t k = 0; k < surroundings_->obstacles.size(); ++k) {
+    if (surroundings_->obstacles[k].velocity.isZero(0.0)) continue;
+    const Obstacle drifter = surroundings_->obstacles[k].at(frame.time);
     see_one(own_.size() + k, nearest_point(drifter, here).distance, frame.time, true);
   }
 }

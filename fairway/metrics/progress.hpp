@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "fairway/avoidance/progress.hpp"
@@ -20,7 +22,9 @@ class ProgressMetric final : public Metric {
   static const std::vector<QuantityInfo>& quantities();
 
   /// `window` [s].
-  explicit ProgressMetric(double window, Surroundings surroundings = {});
+  explicit ProgressMetric(double window, Surroundings surroundings = {})
+      : ProgressMetric{window, std::make_shared<const Surroundings>(std::move(surroundings))} {}
+  ProgressMetric(double window, std::shared_ptr<const Surroundings> surroundings);
   void see(const Frame& frame) override;
   void begin(const Frame& frame, std::size_t hands);
   void see(const Frame& frame, std::size_t index, std::size_t hand);
@@ -51,7 +55,7 @@ class ProgressMetric final : public Metric {
   void count(const Frame& frame, std::size_t index);
 
   double window_;
-  Surroundings surroundings_;
+  std::shared_ptr<const Surroundings> surroundings_;
   double largest_radius_{};  // of a vehicle [m]
   Neighbours neighbours_;
   std::vector<Own> own_;

@@ -14,11 +14,14 @@ void RunMetrics::write(const Frame& frame) {
   smoothness_.begin(frame);
 
   // all that is asked of one vehicle at a time, so that its frame is looked at once
-  const Neighbours& near = neighbours_.of(frame);
+  const Neighbours& all = neighbours_.of(frame);
   constexpr std::size_t size = 64;
   const std::size_t count = frame.vehicles.size();
+  while (near_.size() < hands) near_.emplace_back().reserve(count);
   const auto see = [&](std::size_t part, std::size_t hand) {
     for (std::size_t i = part * size; i < std::min(count, (part + 1) * size); ++i) {
+      std::vector<Neighbour>& near = near_[hand];
+      all.find(i, math::fmax(fleet_.reach(frame, all, i), encounters_.reach(frame, i)), near);
       fleet_.see(frame, near, i, hand);
       progress_.see(frame, i, hand);
       encounters_.see(frame, near, i, hand);
@@ -33,7 +36,7 @@ void RunMetrics::write(const Frame& frame) {
     for (std::size_t part = 0; part < parts; ++part) see(part, 0);
   }
   fleet_.finish(frame);
-  progress_.finish(frame, near);
+  progress_.finish(frame, all);
 }
 
 std::vector<Measure> RunMetrics::measures() const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <memory>
 #include <vector>
 
 #include "fairway/core/boxed.hpp"
@@ -21,10 +22,7 @@ class RunMetrics final : public FrameSink {
  public:
   /// `progress_window` [s], as `ProgressMetric`.
   explicit RunMetrics(EncounterRules rules, Surroundings surroundings = {}, double progress_window = 30.0)
-      : neighbours_{math::fmax(rules.crit_dist_m, rules.safety_distance_m)},
-        encounters_{rules},
-        progress_{progress_window, surroundings},
-        fleet_{rules.safety_distance_m, std::move(surroundings)} {}
+      : RunMetrics{rules, std::make_shared<const Surroundings>(std::move(surroundings)), progress_window} {}
 
   /// From now on so many threads see a frame together, some vehicles each. The numbers are the same.
   void share_out(std::size_t threads) {
@@ -43,7 +41,15 @@ class RunMetrics final : public FrameSink {
   const ProgressMetric& progress() const { return progress_; }
 
  private:
+  RunMetrics(EncounterRules rules, const std::shared_ptr<const Surroundings>& surroundings,
+             double progress_window)
+      : neighbours_{math::fmax(rules.crit_dist_m, rules.safety_distance_m)},
+        encounters_{rules},
+        progress_{progress_window, surroundings},
+        fleet_{rules.safety_distance_m, surroundings} {}
+
   Neighbours neighbours_;
+  std::vector<std::vector<Neighbour>> near_;  // of the vehicle that each hand is at
   EncounterMetric encounters_;
   ProgressMetric progress_;
   FleetMetric fleet_;

@@ -23,7 +23,7 @@ double period_of(double length) { return std::sqrt(2 * pi * length / 9.81); }
 
 /// The step that a Simulation makes.
 void carry(Vehicle& vehicle, const Sea& sea, double time, double h) {
-  vehicle.drift(sea.water_halfway(vehicle.state().p_n, vehicle.state().v_n(), time, h), h);
+  vehicle.drift(sea.water_halfway(vehicle.state(), time, h), h);
 }
 
 /// A Sparus II that floats in balance and that the water does not brake.

@@ -46,21 +46,22 @@ Mover mover_of(const Drifter& drifter) {
           .is_vehicle = false};
 }
 
-/// What a vehicle says of itself, as it believes to be.
-Message message_of(const Agent& agent, Tick now, bool is_told) {
+/// Makes `message` what a vehicle says of itself, as it believes to be.
+void write(const Agent& agent, Tick now, bool is_told, Message& message) {
   const Leg* leg = agent.mission.leg();
   const bool going =
       leg != nullptr && leg->kind != LegKind::rendezvous && leg->kind != LegKind::keep_position;
-  return {.from = agent.ship().id,
-          .sent = now,
-          .position = agent.own.position,
-          .velocity = agent.own.velocity,
-          .yaw = agent.own.yaw,
-          .radius = agent.ship().radius,
-          .priority = agent.own.priority,
-          .destination = going ? std::optional{leg->position} : std::nullopt,
-          .told = is_told,
-          .speech = is_told ? agent.avoider.speech() : Speech{}};
+  message.from = agent.ship().id;
+  message.sent = now;
+  message.position = agent.own.position;
+  message.velocity = agent.own.velocity;
+  message.yaw = agent.own.yaw;
+  message.radius = agent.ship().radius;
+  message.priority = agent.own.priority;
+  message.destination.reset();
+  if (going) message.destination = leg->position;
+  message.told = is_told;
+  message.speech = is_told && agent.avoider.speaks() ? agent.avoider.speech() : Speech{};
 }
 
 Viewpoint viewpoint_of(const Agent& agent) {
@@ -70,8 +71,11 @@ Viewpoint viewpoint_of(const Agent& agent) {
 /// The wrench of the actuators at their present state; zero where they do not push.
 Wrench wrench_of(const Vehicle& vehicle) {
   const Propulsion* propulsion = vehicle.propulsion();
-  if (propulsion == nullptr) return Wrench::Zero();
-  return propulsion->effectiveness * vehicle.actuator_state();
+  const Eigen::VectorXd& actuators = vehicle.actuator_state();
+  if (propulsion == nullptr || actuators.size() == 0) return Wrench::Zero();
+  Wrench tau = propulsion->effectiveness.col(0) * actuators[0];
+  for (Eigen::Index i = 1; i < actuators.size(); ++i) tau += propulsion->effectiveness.col(i) * actuators[i];
+  return tau;
 }
 
 /// What a request over ground is through the water.
@@ -288,7 +292,7 @@ void Simulation::tell(std::size_t index, Hand& hand) {
   const Agent& agent = agents_[index];
   const bool is_silent = agent.has_failed(FailureKind::silent, time());
   const bool is_told = agent.cooperative && !is_silent && exchange_.may_take(index, tick_);
-  mailbox_[index] = message_of(agent, tick_, is_told);
+  write(agent, tick_, is_told, mailbox_[index]);
   hand.anyone_speaks = hand.anyone_speaks || !mailbox_[index].speech.empty();
   // of who told all at once nothing is left to go by but what is seen
   if (is_silent && exchange_.carries_at_once()) movers_[index].silent = true;
@@ -373,7 +377,8 @@ ActuatorValues Simulation::demanded(std::size_t index, Hand& hand) {
 
   // the vehicle's own controller works on velocities through the water
   const VehicleState& x = agent.vehicle.state();
-  const Vec3 current_b = x.q_nb.conjugate() * agent.current;
+  const bool flows = agent.current != Vec3::Zero();
+  const Vec3 current_b = flows ? Vec3{x.q_nb.conjugate() * agent.current} : Vec3{Vec3::Zero()};
   return agent.autopilot.control(request.through_water ? request : through_water(request, current_b),
                                  x.v_b - current_b, x.omega_b, period_, x.q_nb);
 }
@@ -383,19 +388,19 @@ void Simulation::record(std::size_t index, Hand& /*hand*/) {
   const Agent& agent = agents_[index];
   const Leg* leg = agent.mission.leg();
   const Eigen::VectorXd& actuators = agent.vehicle.actuator_state();
-  frame_[index] = {
-      .id = agent.ship().id,
-      .state = agent.vehicle.state(),
-      .command = agent.pilot.command(),
-      .phase = agent.mission.phase(),
-      .goal = leg != nullptr ? leg->position : agent.own.position,
-      .goal_speed = leg != nullptr ? leg->speed_mps : 0.0,
-      .actuators = {actuators.data(), static_cast<std::size_t>(actuators.size())},
-      .power = agent.vehicle.power(),
-      .wrench = wrench_of(agent.vehicle),
-      .tracks = keeping_ ? std::span<const Track>{kept_[index].tracks} : std::span<const Track>{},
-      .echoes = agent.lookout.echoes(),
-      .strokes = drawings_[index].strokes()};
+  VehicleFrame& frame = frame_[index];
+  frame.id = agent.ship().id;
+  frame.state = agent.vehicle.state();
+  frame.command = agent.pilot.command();
+  frame.phase = agent.mission.phase();
+  frame.goal = leg != nullptr ? leg->position : agent.own.position;
+  frame.goal_speed = leg != nullptr ? leg->speed_mps : 0.0;
+  frame.actuators = {actuators.data(), static_cast<std::size_t>(actuators.size())};
+  frame.power = agent.vehicle.power();
+  frame.wrench = wrench_of(agent.vehicle);
+  frame.tracks = keeping_ ? std::span<const Track>{kept_[index].tracks} : std::span<const Track>{};
+  frame.echoes = agent.lookout.echoes();
+  frame.strokes = drawings_[index].strokes();
 }
 
 /// What methods have said at this tick, where any of them has something to say.
@@ -423,7 +428,7 @@ void Simulation::show(std::span<FrameSink* const> sinks) {
 void Simulation::move(std::size_t index, Hand& hand) {
   Agent& agent = agents_[index];
   const VehicleState& x = agent.vehicle.state();
-  agent.vehicle.step(agent.demand, sea_.water_halfway(x.p_n, x.v_n(), time(), period_), period_);
+  agent.vehicle.step(agent.demand, sea_.water_halfway(x, time(), period_), period_);
   notice(index, why_impossible(x), next(tick_), hand);
 }
 

@@ -289,7 +289,7 @@ void hold(Vehicle& vehicle, const ActuatorValues& input, const Sea& sea, double 
   if (!execution.actuator_dynamics) vehicle.set_actuator_state(input);
   for (std::int64_t i = 0; i < steps; ++i) {
     const VehicleState& x = vehicle.state();
-    const Water water = sea.water_halfway(x.p_n, x.v_n(), time + static_cast<double>(i) * h, h);
+    const Water water = sea.water_halfway(x, time + static_cast<double>(i) * h, h);
     if (execution.actuator_dynamics) {
       vehicle.step(input, water, h);
     } else {

@@ -27,9 +27,12 @@ class InLanes {
   bool add(const Situation& s, Command& command) {
     std::array<const Track*, lanes::most_in_lanes + 1> near;
     const std::size_t count = orca::find_neighbours(s, orca_.params, near);
-    if (!s.obstacles.empty() || orca_.params.interval(s) != crowd_.period || count == 0 ||
-        count > lanes::most_in_lanes)
+    if (!s.obstacles.empty() || orca_.params.interval(s) != crowd_.period || count > lanes::most_in_lanes)
       return false;
+    if (count == 0) {
+      command = {.velocity = s.preferred_velocity(), .mode = Mode::cruise};
+      return true;
+    }
     write_vehicle(lanes_, s.own, math::fmin(s.limits.max_speed, orca::fastest), s.preferred_velocity());
     for (std::size_t k = 0; k < count; ++k)
       orca::write_neighbour(s, orca_.params, *near[k], kernel_.lanes, neighbour(k) + lanes_);
@@ -40,6 +43,7 @@ class InLanes {
   }
 
   void decide() {
+    if (lanes_ == 0) return;
     const std::size_t width = kernel_.lanes;
     for (std::size_t lane = lanes_; lane < width; ++lane) write_vehicle(lane, {}, 0.0, Vec3::Zero());
     for (std::size_t lane = 0; lane < width; ++lane)

@@ -70,6 +70,42 @@ TEST(Kinematic, SteadyTurnIsACircleOfSpeedOverTurnRate) {
   EXPECT_NEAR(vehicle.state().p_n.y(), 2 * 0.5 / 0.25, 1e-8);
 }
 
+TEST(Kinematic, LevelInStillWaterItGoesToTheBitAsByTheFullEquations) {
+  const auto expect_same = [](const Vec3& a, const Vec3& b) {
+    for (Eigen::Index i = 0; i < 3; ++i) {
+      EXPECT_EQ(a[i], b[i]);
+      EXPECT_EQ(std::signbit(a[i]), std::signbit(b[i]));
+    }
+  };
+  Rng rng{2};
+  for (const double most_sway : {0.0, 0.4}) {
+    const Kinematic model{{.max_sway_mps = most_sway}};
+    VehicleState x;
+    x.q_nb = quaternion_of({.yaw = 2.5});
+    for (int i = 0; i < 5000; ++i) {
+      const ActuatorValues u = values({rng.normal(), rng.normal(), rng.normal(), rng.normal()});
+      const VehicleState full = rk4(model, x, u, Water{}, 0.05);
+      x = model.advanced(x, u, Water{}, 0.05);
+      expect_same(x.p_n, full.p_n);
+      expect_same(x.q_nb.vec(), full.q_nb.vec());
+      EXPECT_EQ(x.q_nb.w(), full.q_nb.w());
+      expect_same(x.v_b, full.v_b);
+      expect_same(x.omega_b, full.omega_b);
+    }
+  }
+}
+
+TEST(Kinematic, HeeledOrInACurrentItGoesByTheFullEquations) {
+  const Kinematic model{{}};
+  const ActuatorValues u = values({0.5, 0.1, 0.2});
+  VehicleState heeled;
+  heeled.q_nb = quaternion_of({.roll = 0.3, .yaw = 1.0});
+  heeled.v_b = {0.3, 0.0, 0.1};
+  const Water current{.current_n = {0.1, 0.2, 0.0}};
+  EXPECT_EQ(model.advanced(heeled, u, Water{}, 0.05).p_n, rk4(model, heeled, u, Water{}, 0.05).p_n);
+  EXPECT_EQ(model.advanced({}, u, current, 0.05).v_b, rk4(model, {}, u, current, 0.05).v_b);
+}
+
 TEST(Kinematic, HasNoSwayActuatorUnlessItIsGivenSway) {
   EXPECT_EQ(Kinematic{{}}.actuators().size(), 3U);
   EXPECT_EQ(Kinematic{{.max_sway_mps = 1.0}}.actuators().back().name, "sway_mps");

@@ -36,7 +36,7 @@ Vec3 Sea::current_at(double depth) const noexcept {
   return current_n;
 }
 
-Water Sea::water_at(const Vec3& p_n, double time) const noexcept {
+Water Sea::water_there(const Vec3& p_n, double time) const noexcept {
   Water water = uniform_;
   water.current_n = current_at(p_n.z());
   if (!waves_.empty()) add_waves(p_n, time, water);

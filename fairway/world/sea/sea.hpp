@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fairway/core/rng.hpp"
+#include "fairway/core/state.hpp"
 #include "fairway/core/water.hpp"
 #include "fairway/world/sea/current.hpp"
 #include "fairway/world/sea/wave_component.hpp"
@@ -26,13 +27,15 @@ class Sea {
   /// At `p_n` [m, NED] at `time` [s] since the start, with the currents as they wander now. What is above the
   /// calm surface is taken as in it. O(waves): a sine, a cosine and, below the surface, an exponential each;
   /// without waves and shear it is a copy.
-  Water water_at(const Vec3& p_n, double time) const noexcept;
+  Water water_at(const Vec3& p_n, double time) const noexcept {
+    return is_uniform() ? uniform_ : water_there(p_n, time);
+  }
 
-  /// What whoever is at `p_n` and moves at `v_n` [m/s, NED] meets halfway through a step of `h` [s] from
-  /// `time`. Held over the step, it brings an error of second order in h; the water at the step's beginning
-  /// would bring one of first.
-  Water water_halfway(const Vec3& p_n, const Vec3& v_n, double time, double h) const noexcept {
-    return water_at(p_n + 0.5 * h * v_n, time + 0.5 * h);
+  /// What whoever is in the state `x` meets halfway through a step of `h` [s] from `time`. Held over the
+  /// step, it brings an error of second order in h; the water at the step's beginning would bring one of
+  /// first.
+  Water water_halfway(const VehicleState& x, double time, double h) const noexcept {
+    return is_uniform() ? uniform_ : water_there(x.p_n + 0.5 * h * x.v_n(), time + 0.5 * h);
   }
 
   /// What flows at `depth` [m, down] without the waves' orbital motion, as it wanders now [m/s, NED].
@@ -42,6 +45,10 @@ class Sea {
   std::span<const WaveComponent> waves() const { return waves_; }
 
  private:
+  /// Whether it is the same everywhere and at all times.
+  bool is_uniform() const noexcept { return waves_.empty() && !sheared_ && !wandering_; }
+
+  Water water_there(const Vec3& p_n, double time) const noexcept;
   void add_waves(const Vec3& p_n, double time, Water& water) const noexcept;
 
   Water uniform_;
