@@ -27,7 +27,9 @@ std::vector<std::int32_t> by_looking_everywhere(const std::vector<std::uint8_t>&
 std::vector<std::int32_t> transformed(const std::vector<std::uint8_t>& marked, int side) {
   DistanceTransform transform;
   transform.compute(marked, side);
-  return {transform.squared().begin(), transform.squared().end()};
+  std::vector<std::int32_t> squared;
+  for (int cell = 0; cell < side * side; ++cell) squared.push_back(transform.squared(cell));
+  return squared;
 }
 
 TEST(DistanceTransform, IsWhatLookingEverywhereGives) {
@@ -56,6 +58,30 @@ TEST(DistanceTransform, OfRunsOfCellsToo) {
   }
 }
 
+TEST(DistanceTransform, IsExactUpToWhatIsEnough) {
+  constexpr int side = 31;
+  constexpr std::int32_t enough = 20;
+  Rng rng{3};
+  DistanceTransform transform;
+  int near = 0;
+  for (int repetition = 0; repetition < 50; ++repetition) {
+    std::vector<std::uint8_t> marked(side * side);
+    for (int mark = 0; mark < 4; ++mark) marked[rng.index(side * side)] = 1;
+    transform.compute(marked, side);
+    const std::vector<std::int32_t> exact = by_looking_everywhere(marked, side);
+    for (int cell = 0; cell < side * side; ++cell) {
+      const std::int32_t expected = exact[static_cast<std::size_t>(cell)];
+      if (expected < enough) {
+        EXPECT_EQ(transform.squared(cell, enough), expected);
+        ++near;
+      } else {
+        EXPECT_GE(transform.squared(cell, enough), enough);
+      }
+    }
+  }
+  EXPECT_GT(near, 1000);
+}
+
 TEST(DistanceTransform, OfOneCellIsExactToTheFarCornerOfTheLargestPicture) {
   constexpr int side = 1000;
   std::vector<std::uint8_t> marked(side * side);
@@ -81,7 +107,7 @@ TEST(DistanceTransform, OfOnePictureKnowsNothingOfTheLast) {
   std::ranges::fill(marked, std::uint8_t{0});
   marked[24] = 1;
   transform.compute(marked, 7);
-  EXPECT_EQ(transform.squared()[0], 18);
+  EXPECT_EQ(transform.squared(0), 18);
 }
 
 }  // namespace

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/avoidance/avoa/velocity_space.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace fairway::avoa {
 
 void VelocitySpace::begin(const VelocityGrid& grid, const KinematicZone& kinematics, double least_speed) {
@@ -32,8 +35,9 @@ void VelocitySpace::finish(double threshold) {
   }
 
   threshold_ = threshold;
+  constexpr double beyond_all = DistanceTransform::infinite;
   const double safe = threshold / grid().spacing();
-  safe_squared_ = safe * safe;
+  safe_squared_ = static_cast<std::int32_t>(std::min(std::ceil(safe * safe), beyond_all));
   distance_.compute(forbidden, grid().side());
 }
 

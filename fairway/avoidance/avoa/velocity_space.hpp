@@ -39,7 +39,7 @@ class VelocitySpace {
 
   /// The danger of a cell, in [0, 1].
   double danger(int cell) const {
-    const std::int32_t squared = distance_.squared()[static_cast<std::size_t>(cell)];
+    const std::int32_t squared = distance_.squared(cell, safe_squared_);
     if (squared >= safe_squared_) return 0.0;
     return cost_of_danger(grid().spacing() * std::sqrt(static_cast<double>(squared)), threshold_);
   }
@@ -55,7 +55,7 @@ class VelocitySpace {
   std::size_t feasible_count_ = 0;
   DistanceTransform distance_;
   double threshold_ = 0.0;
-  double safe_squared_ = 0.0;  // from here on nothing is near [cells^2]
+  std::int32_t safe_squared_ = 0;  // from here on nothing is near [cells^2]
 };
 
 /// A velocity and what it costs.

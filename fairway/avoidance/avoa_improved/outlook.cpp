@@ -16,8 +16,11 @@ constexpr double stopped = 0.02;
 /// This near to a heading it is nearly reached [rad].
 constexpr double nearly = 0.4;
 
-/// More than rounding makes of a squared distance.
+/// More than rounding makes of a distance.
 constexpr double beyond_rounding = 1.0 + 1e-9;
+
+/// Something that neither of two goes in a step, so that nothing is divided by none [m].
+constexpr double least = 1e-9;
 
 /// Where the margin is lost already, this share of what is left of it is kept.
 constexpr double kept_of_lost = 0.9;
@@ -58,8 +61,8 @@ void Outlook::add_if_near(const Capsule& solid, double reach, std::array<Hazard,
   if (gap > reach + foresight_.margin + foresight_.danger) return;
   const double left = gap > 0.0 ? kept_of_lost * gap : gap;
   const double keep = std::min(foresight_.margin, left);
-  const double far = contact + keep + foresight_.danger;
-  to[count++] = {&solid, contact, keep, beyond_rounding * far * far};
+  const double far = beyond_rounding * (contact + keep + foresight_.danger);
+  to[count++] = {&solid, contact, keep, far, step * solid.velocity.norm()};
 }
 
 const Outlook::TurnAhead& Outlook::turn_to(double heading, std::size_t index) noexcept {
@@ -90,15 +93,20 @@ void Outlook::advance(Advance& at, double speed, const Vec2& direction) const no
   at.position += step * (0.5 * (before + at.speed) * direction + own_.drift);
 }
 
-Outlook::Room Outlook::room(std::span<const Hazard> hazards, const Vec2& own, double t) const noexcept {
+Outlook::Room Outlook::room(Watch& watch, std::size_t k, const Vec2& own, double t) const noexcept {
   Room found{.beyond = Limits::none};
-  for (const Hazard& hazard : hazards) {
+  for (std::size_t i = 0; i < watch.hazards.size(); ++i) {
+    if (k < watch.next[i]) continue;
+    const Hazard& hazard = watch.hazards[i];
     const Capsule& solid = *hazard.solid;
     const Vec2 relative = own - t * solid.velocity;
-    const bool is_disc = solid.is_disc();
-    const double distance2 = is_disc ? (relative - solid.from).squaredNorm() : 0.0;
-    if (is_disc && distance2 >= hazard.far) continue;
-    const double distance = is_disc ? std::sqrt(distance2) : distance_to_axis(solid, relative);
+    const double distance =
+        solid.is_disc() ? (relative - solid.from).norm() : distance_to_axis(solid, relative);
+    if (distance >= hazard.far) {
+      const double steps = (distance - hazard.far) / (beyond_rounding * (watch.gone + hazard.gone) + least);
+      watch.next[i] = static_cast<std::uint8_t>(math::fmin(static_cast<double>(k + 1) + steps, most_steps));
+      continue;
+    }
     found.beyond = math::fmin(found.beyond, distance - hazard.contact - hazard.keep);
     found.is_none = found.is_none || (hazard.keep > 0.0 && distance < hazard.contact);
   }
@@ -107,18 +115,19 @@ Outlook::Room Outlook::room(std::span<const Hazard> hazards, const Vec2& own, do
 
 void Outlook::weigh(const Room& room, double t, double window, Prospect& prospect) const noexcept {
   // hulls that have touched stay where they are
-  const double weight = weight_at(t, window);
   prospect.touches = prospect.touches || room.is_none;
+  if (!prospect.touches && room.beyond >= foresight_.danger) return;
+  const double weight = weight_at(t, window);
   prospect.severity += weight * (prospect.touches ? own_radius_ : math::fmax(0.0, -room.beyond));
   if (room.beyond >= foresight_.danger) return;
   const double closeness = math::fmin(1.0, 1.0 - room.beyond / foresight_.danger);
   prospect.danger = math::fmax(prospect.danger, weight * closeness);
 }
 
-bool Outlook::can_stop(Advance at, const TurnAhead& turn, std::size_t from) const noexcept {
+bool Outlook::can_stop(Advance at, const TurnAhead& turn, std::size_t from, Watch watch) const noexcept {
   for (std::size_t k = from; k < steps_ && std::abs(at.speed) > stopped; ++k) {
     advance(at, 0.0, turn.direction[k]);
-    if (room(fixed(), at.position, 0.0).beyond < 0.0) return false;
+    if (room(watch, k, at.position, 0.0).beyond < 0.0) return false;
   }
   return true;
 }
@@ -134,21 +143,25 @@ Prospect Outlook::to_the_end_of(const Manoeuvre& m, double too_severe) noexcept 
 template <class GoOn>
 Prospect Outlook::foresee(const Manoeuvre& m, GoOn go_on) noexcept {
   const TurnAhead& turn = turn_to(m.heading, m.heading_index);
+  const double fastest = std::max({std::abs(own_.speed), std::abs(m.speed), std::abs(m.speed_after)});
+  const double gone = step * (fastest + own_.drift.norm());
+  Watch on_fixed{fixed(), gone};
+  Watch on_moving{moving(), gone};
   Prospect prospect{.is_clear = true};
   Advance at{own_.position, own_.speed};
   Advance kept = at;  // without what is to follow: who comes will not wait for it
   for (std::size_t k = 0; k < steps_ && go_on(prospect); ++k) {
     const double t = step * static_cast<double>(k + 1);
-    if (k == hold_steps_) prospect.is_clear = prospect.is_clear && can_stop(at, turn, k);
+    if (k == hold_steps_) prospect.is_clear = prospect.is_clear && can_stop(at, turn, k, on_fixed);
     advance(at, k < turn.reached ? m.speed : m.speed_after, turn.direction[k]);
     advance(kept, m.speed, turn.direction[k]);
 
-    const Room from_moving = room(moving(), kept.position, t);
+    const Room from_moving = room(on_moving, k, kept.position, t);
     prospect.is_clear = prospect.is_clear && from_moving.beyond >= 0.0;
     weigh(from_moving, t, foresight_.window, prospect);
 
     if (k >= hold_steps_ && t > foresight_.near) continue;
-    const Room from_fixed = room(fixed(), at.position, 0.0);
+    const Room from_fixed = room(on_fixed, k, at.position, 0.0);
     prospect.is_clear = prospect.is_clear && (k >= hold_steps_ || from_fixed.beyond >= 0.0);
     weigh(from_fixed, t, foresight_.near, prospect);
   }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 #include "fairway/avoidance/avoa_improved/capsule.hpp"
@@ -78,7 +79,15 @@ class Outlook {
     const Capsule* solid;
     double contact;  ///< own radius and its own [m]
     double keep;     ///< beyond contact; less than the margin where that is lost already [m]
-    double far;      ///< at this distance, squared, it costs nothing [m2]
+    double far;      ///< at this distance it costs nothing [m]
+    double gone;     ///< by itself in a step [m]
+  };
+
+  /// Hazards along a path.
+  struct Watch {
+    std::span<const Hazard> hazards;
+    double gone;                                          ///< by own ship in a step, at most [m]
+    std::array<std::uint8_t, Capsules::capacity> next{};  ///< the first step in which each may cost anything
   };
 
   /// The heading over time while turning.
@@ -104,12 +113,13 @@ class Outlook {
                    std::size_t& count) noexcept;
   const TurnAhead& turn_to(double heading, std::size_t index) noexcept;
   void advance(Advance& at, double speed, const Vec2& direction) const noexcept;
-  Room room(std::span<const Hazard> hazards, const Vec2& own, double t) const noexcept;
+  /// In a step: where own ship is by then, and when that is.
+  Room room(Watch& watch, std::size_t k, const Vec2& own, double t) const noexcept;
   void weigh(const Room& room, double t, double window, Prospect& prospect) const noexcept;
   /// `go_on(prospect)` before each step.
   template <class GoOn>
   Prospect foresee(const Manoeuvre& manoeuvre, GoOn go_on) noexcept;
-  bool can_stop(Advance at, const TurnAhead& turn, std::size_t from) const noexcept;
+  bool can_stop(Advance at, const TurnAhead& turn, std::size_t from, Watch watch) const noexcept;
 
   std::span<const Hazard> fixed() const noexcept { return {fixed_.data(), fixed_count_}; }
   std::span<const Hazard> moving() const noexcept { return {moving_.data(), moving_count_}; }

@@ -82,9 +82,12 @@ bool DelayCheck::is_clear(const Memory& memory, const Trajectory& own, double fr
   const Reference way = own.reference();
   for (const Other& other : std::span{memory.others}.first(memory.count)) {
     const double apart = memory.own.radius + other.word.radius + 2.0 * params.tube_m + rounded;
-    if (least_distance(way, other.word.committed.reference(), from) < apart) return false;
+    const auto meets = [&](const Trajectory& there, double begins) {
+      return least_distance(way, there.reference(), begins, pledge::never, apart) < apart;
+    };
     const std::optional<Trajectory>& next = other.word.next;
-    if (next && least_distance(way, next->reference(), math::fmax(from, next->departs)) < apart) return false;
+    if (meets(other.word.committed, from)) return false;
+    if (next && meets(*next, math::fmax(from, next->departs))) return false;
   }
   return true;
 }

@@ -112,7 +112,8 @@ bool Agreement::meets_held(const Reference& own, double now, double time) const 
   for (std::size_t i = 0; i < count_; ++i) {
     const bool is_there =
         i != self_ && statuses_[i] == Status::held && (!left_[i] || last_heard_[i] > started_);
-    if (is_there && least_distance(own, Reference{members_[i].anchor}, now, time) < clear_of(i)) return true;
+    const Knot anchor{now, members_[i].anchor};
+    if (is_there && least_distance(own, {&anchor, 1}, now, time, clear_of(i)) < clear_of(i)) return true;
   }
   return false;
 }

@@ -73,7 +73,8 @@ Clearance::Stops Clearance::stops_of(std::size_t member, const Reference& refere
 
 bool Clearance::are_clear(const Stops& stops, const Reference& of_other, double apart) noexcept {
   for (std::size_t i = 0; i < stops.count; ++i) {
-    if (least_distance(Reference{stops.all[i].place}, of_other, stops.all[i].time) < apart) return false;
+    const Knot stop{stops.all[i].time, stops.all[i].place};
+    if (least_distance({&stop, 1}, of_other, stop.time, never, apart) < apart) return false;
   }
   return true;
 }
@@ -84,7 +85,8 @@ bool Clearance::accepts(std::size_t member, const Reference& reference) const no
   for (std::size_t other = 0; other < most_members; ++other) {
     if (other == member || !placed_[other]) continue;
     apart_from[other] = apart(member, other, begin, references_[other].at(start_));
-    if (least_distance(reference, references_[other], start_) < apart_from[other]) return false;
+    const double apart_here = apart_from[other];
+    if (least_distance(reference, references_[other], start_, never, apart_here) < apart_here) return false;
   }
   const Gates gates = gates_of(member, reference);
   if (*std::ranges::min_element(gates) <= start_) return false;

@@ -167,23 +167,22 @@ Reference reference_of(const Member& member, const Plan& plan, const Code& code,
 
 double ends_before(const Member& member) noexcept { return math::fmax(member.arrival - surely, 0.0); }
 
-double least_distance(const Reference& a, const Reference& b, double from, double to) noexcept {
+double least_distance(std::span<const Knot> a, std::span<const Knot> b, double from, double to,
+                      double enough) noexcept {
   double least = never;
   double begins = from;
   std::size_t i = 0, j = 0;
-  const std::span<const Knot> of_a = a.knots(), of_b = b.knots();
   for (;;) {
-    while (i < of_a.size() && of_a[i].time <= begins) ++i;
-    while (j < of_b.size() && of_b[j].time <= begins) ++j;
-    const Vec3 apart = between(of_a, i, begins) - between(of_b, j, begins);
-    const double ends =
-        std::min({i < of_a.size() ? of_a[i].time : never, j < of_b.size() ? of_b[j].time : never, to});
+    while (i < a.size() && a[i].time <= begins) ++i;
+    while (j < b.size() && b[j].time <= begins) ++j;
+    const Vec3 apart = between(a, i, begins) - between(b, j, begins);
+    const double ends = std::min({i < a.size() ? a[i].time : never, j < b.size() ? b[j].time : never, to});
     if (ends == never) return std::min(least, apart.norm());
-    const Vec3 change = between(of_a, i, ends) - between(of_b, j, ends) - apart;
+    const Vec3 change = between(a, i, ends) - between(b, j, ends) - apart;
     const double square = change.squaredNorm();
     const double share = square > 0.0 ? std::clamp(-apart.dot(change) / square, 0.0, 1.0) : 0.0;
     least = std::min(least, (apart + share * change).norm());
-    if (ends >= to) return least;
+    if (ends >= to || least < enough) return least;
     begins = ends;
   }
 }

@@ -36,6 +36,7 @@ class Reference {
     if (count_ < most_knots) knots_[count_++] = knot;
   }
   std::span<const Knot> knots() const { return {knots_.data(), count_}; }
+  operator std::span<const Knot>() const { return knots(); }
 
   Vec3 at(double time) const noexcept;
   Vec3 velocity(double time) const noexcept;
@@ -86,8 +87,10 @@ Reference reference_of(const Member& member, const Plan& plan, const Code& code,
 /// So far from its destination it ends [m].
 double ends_before(const Member& member) noexcept;
 
-/// How close the two ever come between two times [m]. O(knots), exact.
-double least_distance(const Reference& a, const Reference& b, double from, double to = never) noexcept;
+/// How close two references ever come, given by their knots, between two times; or, where that is less than
+/// `enough`, anything that is less [m]. O(knots), exact.
+double least_distance(std::span<const Knot> a, std::span<const Knot> b, double from, double to = never,
+                      double enough = -never) noexcept;
 
 /// The first time at which the reference comes within `distance` of a place, or never. O(knots), exact.
 double first_within(const Reference& reference, const Vec3& place, double distance) noexcept;

@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace fairway {
 namespace {
@@ -20,7 +21,8 @@ void keep_behind(double range, Vec3& x) {
 
 }  // namespace
 
-Circle fitted(const Circle& prior, std::span<const Echo> echoes, const EchoNoise& noise) {
+Circle fitted(const Circle& prior, std::span<const Echo> echoes, std::span<const Vec2> sights,
+              const EchoNoise& noise) {
   const Mat3 prior_information = prior.covariance.inverse();
   const Vec3 start{prior.centre.x(), prior.centre.y(), prior.radius};
   const double farthest = std::ranges::max(echoes, {}, &Echo::range).range;
@@ -30,8 +32,9 @@ Circle fitted(const Circle& prior, std::span<const Echo> echoes, const EchoNoise
   for (int step = 0; step < gauss_newton_steps; ++step) {
     information = prior_information;
     Vec3 pull = prior_information * (start - x);
-    for (const Echo& echo : echoes) {
-      const Vec2 sight = unit_at(echo.bearing);
+    for (std::size_t i = 0; i < echoes.size(); ++i) {
+      const Echo& echo = echoes[i];
+      const Vec2& sight = sights[i];
       const Vec2 out = echo.range * sight - x.head<2>();
       const double distance = out.norm();
       if (distance < least_radius) continue;

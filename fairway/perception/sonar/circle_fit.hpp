@@ -24,8 +24,9 @@ struct EchoNoise {
 
 /// The circle that fits what was thought before and the echoes from its near side best: the distances of
 /// the echoes from it, weighed by how much of their noise runs along its normal there, Gauss-Newton. The
-/// covariance is that of the linearised problem, so a short arc says little and tells so. At least one echo.
-/// O(echoes).
-Circle fitted(const Circle& prior, std::span<const Echo> echoes, const EchoNoise& noise);
+/// covariance is that of the linearised problem, so a short arc says little and tells so. At least one echo;
+/// `sights` has the unit vector of the bearing of each. O(echoes).
+Circle fitted(const Circle& prior, std::span<const Echo> echoes, std::span<const Vec2> sights,
+              const EchoNoise& noise);
 
 }  // namespace fairway

@@ -25,9 +25,15 @@ std::vector<Echo> arc(const Vec2& centre, double radius, double from, double to,
   return echoes;
 }
 
+Circle fit(const Circle& prior, const std::vector<Echo>& echoes, const EchoNoise& noise) {
+  std::vector<Vec2> sights;
+  for (const Echo& echo : echoes) sights.push_back(unit_at(echo.bearing));
+  return fitted(prior, echoes, sights, noise);
+}
+
 TEST(CircleFit, WithoutNoiseHalfACircleTellsTheWhole) {
   const Circle prior{{9, 1}, 1.0, 9.0 * Mat3::Identity()};
-  const Circle circle = fitted(prior, arc({10, 0}, 2.0, -0.95, 0.1, {0, 0}, Rng{1}), {0, 0});
+  const Circle circle = fit(prior, arc({10, 0}, 2.0, -0.95, 0.1, {0, 0}, Rng{1}), {0, 0});
   EXPECT_LT((circle.centre - Vec2(10, 0)).norm(), 1e-3);
   EXPECT_NEAR(circle.radius, 2.0, 1e-3);
 }
@@ -42,7 +48,7 @@ TEST(CircleFit, ErrorsAreAsLargeAsTold) {
     const Vec3 thought = truth + 0.5 * Vec3{rng.normal(), rng.normal(), rng.normal()};
     const Mat3 doubt = 0.25 * Mat3::Identity();
     const Circle circle =
-        fitted({thought.head<2>(), thought.z(), doubt}, arc({10, 0}, 2.0, -0.8, 0.0, noise, rng), noise);
+        fit({thought.head<2>(), thought.z(), doubt}, arc({10, 0}, 2.0, -0.8, 0.0, noise, rng), noise);
     const Vec3 error = Vec3{circle.centre.x(), circle.centre.y(), circle.radius} - truth;
     nees += error.dot(circle.covariance.inverse() * error) / runs;
   }
@@ -53,7 +59,7 @@ TEST(CircleFit, ErrorsAreAsLargeAsTold) {
 TEST(CircleFit, OneEchoSaysNothingAboutTheRadius) {
   const Circle prior{{10, 0}, 2.0, 9.0 * Mat3::Identity()};
   const std::vector<Echo> one{{8.0, 0.0}};
-  const Circle circle = fitted(prior, one, {1e-4, 1e-4});
+  const Circle circle = fit(prior, one, {1e-4, 1e-4});
   EXPECT_NEAR(circle.covariance(2, 2), 4.5, 0.1);  // half of it: radius and distance share the one equation
   EXPECT_NEAR(circle.covariance(1, 1), 9.0, 0.1);
 }
@@ -61,7 +67,7 @@ TEST(CircleFit, OneEchoSaysNothingAboutTheRadius) {
 TEST(CircleFit, EchoesAtItsVeryCentreAreFine) {
   const Circle prior{{0, 0}, 0.0, Mat3::Identity()};
   const std::vector<Echo> none{{0.0, 0.0}, {0.0, 1.0}};
-  EXPECT_TRUE(fitted(prior, none, {0, 0}).centre.allFinite());
+  EXPECT_TRUE(fit(prior, none, {0, 0}).centre.allFinite());
 }
 
 }  // namespace

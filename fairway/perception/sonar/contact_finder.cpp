@@ -26,6 +26,7 @@ ContactFinder::ContactFinder(const SonarParams& params)
   neighbourhood_ = 3.0 * chart_.spacing() + 2.0 * std::sqrt(2.0 * bearing_variance_);
   members_.reserve(echo_capacity(params));
   sorted_.reserve(echo_capacity(params));
+  sights_.reserve(echo_capacity(params));
   sightings_.reserve(echo_capacity(params));
 }
 
@@ -91,7 +92,11 @@ void ContactFinder::gather(std::span<const Echo> echoes) {
     return a.echo.bearing != b.echo.bearing ? a.echo.bearing < b.echo.bearing : a.echo.range < b.echo.range;
   });
   sorted_.clear();
-  for (const Member& member : members_) sorted_.push_back(member.echo);
+  sights_.clear();
+  for (const Member& member : members_) {
+    sorted_.push_back(member.echo);
+    sights_.push_back(unit_at(member.echo.bearing));
+  }
 }
 
 void ContactFinder::sight(std::span<const Echo> thing, std::span<const Echo> echoes) {
@@ -180,7 +185,9 @@ ContactFinder::Sighting ContactFinder::arc(std::span<const Echo> thing) const {
   const Sighting seen = disc(thing);
   const double scale = 0.25 * params_.max_extent_m;
   const Circle prior{seen.place, seen.radius, square(scale) * Mat3::Identity()};
-  const Circle circle = fitted(prior, thing, {square(params_.echo_range_sigma_m), bearing_variance_});
+  const auto first = static_cast<std::size_t>(thing.data() - sorted_.data());
+  const auto sights = std::span{sights_}.subspan(first, thing.size());
+  const Circle circle = fitted(prior, thing, sights, {square(params_.echo_range_sigma_m), bearing_variance_});
 
   // what the echoes leave open stays open: in that pings err alike for about a second
   const double alike = std::max(1.0, params_.rate_hz);

@@ -59,6 +59,7 @@ class ContactFinder {
   bool has_chart_{false};
   std::vector<Member> members_;  // by thing, then bearing
   std::vector<Echo> sorted_;     // their echoes
+  std::vector<Vec2> sights_;     // and the unit vectors of their bearings
   std::vector<Sighting> sightings_;
 };
 
