@@ -88,6 +88,7 @@ class Trials {
     measure_speeds();
     measure_changes_of_speed();
     measure_turns();
+    measure_stop_in_a_turn();
     measure_following();
     return envelope_;
   }
@@ -131,15 +132,22 @@ class Trials {
 
     Craft stopping = *under_way_;
     const Vec2 from = stopping.place();
-    const double slow = std::max(1.05 * envelope_.least, stopped_share * top);
-    stopping.time_to({.surge_mps = envelope_.least}, surge_of, slow);
-    const double way = (stopping.place() - from).norm();
-    envelope_.deceleration = std::max(top * top - slow * slow, 0.0) / (2.0 * std::max(way, least_way));
+    stopping.time_to({.surge_mps = envelope_.least}, surge_of, slow());
+    envelope_.deceleration = deceleration_over((stopping.place() - from).norm());
 
     Craft slower = *under_way_;
     const double lower = (1.0 - small_change) * top;
     envelope_.surge_lag = slower.time_to({.surge_mps = lower}, surge_of, top + reached * (lower - top));
     if (envelope_.acceleration <= 0.0) envelope_.acceleration = envelope_.deceleration;
+  }
+
+  /// So slow is stopped.
+  double slow() const { return std::max(1.05 * envelope_.least, stopped_share * envelope_.ahead); }
+
+  /// Of who has stopped from its greatest speed on a `way` [m].
+  double deceleration_over(double way) const {
+    const double top = envelope_.ahead, end = slow();
+    return std::max(top * top - end * end, 0.0) / (2.0 * std::max(way, least_way));
   }
 
   void measure_turns() {
@@ -175,6 +183,27 @@ class Trials {
       envelope_.turn_acceleration =
           std::max(envelope_.turn_acceleration, (now - before) / (window * craft.step));
       before = now;
+    }
+  }
+
+  /// Told at half of its greatest speed to stop, and to turn as fast as the law ever orders until that is
+  /// nearly so: by what share it brakes less than without the turn, of the side on which that is more.
+  void measure_stop_in_a_turn() {
+    const double rate = trackable::TurnLaw{envelope_, turn_}.law().top_turn_rate;
+    const double speed = std::max(0.5 * envelope_.ahead, envelope_.least);
+    Craft steady = *under_way_;
+    steady.settle({.surge_mps = speed}, surge_of);
+    const double begins = steady.surge();
+    for (const double side : {1.0, -1.0}) {
+      Craft turning = steady, straight = steady;
+      const auto takes_up = [&](const Craft& craft) { return side * craft.turn_rate(); };
+      const double time = turning.time_to({.surge_mps = envelope_.least, .yaw_rate_radps = side * rate},
+                                          takes_up, reached * rate);
+      for (double t = 0.0; t < time; t += straight.step) straight.obey({.surge_mps = envelope_.least});
+      const double slower = begins - straight.surge(), in_turn = begins - turning.surge();
+      if (!(slower > least_way)) continue;
+      const double lost = envelope_.deceleration * std::clamp(1.0 - in_turn / slower, 0.0, 1.0);
+      envelope_.deceleration_lost = std::max(envelope_.deceleration_lost, lost);
     }
   }
 

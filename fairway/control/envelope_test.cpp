@@ -6,7 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "fairway/avoidance/trackable/turn_law.hpp"
+#include "fairway/avoidance/testing/encounters.hpp"
+#include "fairway/avoidance/trackable/foresight.hpp"
 #include "fairway/control/vehicle_limits.hpp"
 #include "fairway/dynamics/catalog.hpp"
 
@@ -103,6 +104,65 @@ TEST(Envelope, OfABodyWithFinsHasALeastSpeedAndNoWayAstern) {
   EXPECT_NEAR(envelope.least, 0.96, 0.01);
   EXPECT_EQ(envelope.astern, 0.0);
   EXPECT_GT(envelope.turn_rate(envelope.ahead), 2.0 * envelope.turn_rate(envelope.least));
+}
+
+TEST(Envelope, TellsHowMuchOfTheBrakingATurnTakes) {
+  // both are by the same two thrusters, and the turn is served first; a kinematic vehicle has a setpoint each
+  const Envelope sparus = envelope_of("sparus2", {.max_speed = 0.5});
+  EXPECT_GT(sparus.deceleration_lost, 0.6 * sparus.deceleration);
+  EXPECT_LE(sparus.deceleration_lost, sparus.deceleration);
+  const Envelope kinematic = envelope_of("kinematic");
+  EXPECT_LT(kinematic.deceleration_lost, 0.02 * kinematic.deceleration);
+}
+
+/// How far sparus2, which goes north at 0.43 m/s, gets while it is told to stop with its bow to the east, and
+/// how far it is foreseen to get. [m]
+struct Stop {
+  double way;
+  double foreseen;
+};
+
+Stop stop_of_sparus2(const Envelope& envelope) {
+  constexpr double speed = 0.43, window = 8.0;
+  Vehicle vehicle = builtin_vehicles().make("sparus2");
+  Autopilot autopilot{vehicle};
+  const auto obey = [&](const BodyRequest& request) {
+    const VehicleState& x = vehicle.state();
+    vehicle.step(autopilot.control(request, x.v_b, x.omega_b, envelope_step, x.q_nb), Water{}, envelope_step);
+  };
+  for (int k = 0; k < 2000; ++k) obey({.surge_mps = speed});
+  const trackable::TurnLaw law{envelope, Limits::none};
+  const trackable::Plan east{.direction = Vec2::UnitY()};
+  const Vec3 from = vehicle.state().p_n;
+  Stop stop{};
+  for (int k = 0; k * envelope_step < window; ++k) {
+    const VehicleState& x = vehicle.state();
+    encounters::OwnedSituation e = encounters::open_water();
+    e.situation.own.velocity = x.v_n();
+    e.situation.own.yaw = yaw_of(x.q_nb);
+    e.situation.own.yaw_rate = x.omega_b.z();
+    const trackable::Foresight foresight{
+        law, e.situation, unit_at(e.situation.own.yaw), {.hold = 0.8, .window = window}};
+    if (k == 0) {
+      const auto path = foresight.path(east);
+      stop.foreseen = path.points[path.count - 1].norm();
+    }
+    const trackable::TurnOrder order = foresight.order(east);
+    obey({.surge_mps = order.surge, .yaw_rate_radps = order.turn_rate});
+  }
+  stop.way = (vehicle.state().p_n - from).norm();
+  return stop;
+}
+
+TEST(Envelope, WhoTurnsAndBrakesByTheSameThrustersStopsOnTheWayThatIsForeseen) {
+  Envelope envelope = envelope_of("sparus2", {.max_speed = 0.5});
+  const Stop brakes_first = stop_of_sparus2(envelope);
+  EXPECT_LT(brakes_first.way, brakes_first.foreseen);
+  EXPECT_GT(brakes_first.way, brakes_first.foreseen - 0.3);
+  envelope.deceleration_lost = 0.0;  // as if the turn took nothing: it turns at once
+  const Stop turns_at_once = stop_of_sparus2(envelope);
+  EXPECT_GT(turns_at_once.way, brakes_first.way + 0.3);  // more than the usual margin
+  EXPECT_GT(turns_at_once.way, turns_at_once.foreseen + 0.3);
 }
 
 TEST(Envelope, OfWhatIsNotANumberNothingIsKnown) {

@@ -33,6 +33,7 @@ struct Envelope {
   double sway_lag{};
   std::array<double, turn_rate_count> turn_rates{};
   std::array<double, change_count> following_errors{};
+  double deceleration_lost{};
 
   static consteval auto members() {
     using R = Envelope;
@@ -48,6 +49,8 @@ struct Envelope {
             .not_negative(),
         member<&R::deceleration>("mps2", "constant, of the same stopping distance as from the greatest speed")
             .required()
+            .not_negative(),
+        member<&R::deceleration_lost>("mps2", "of the deceleration, while it takes up its greatest turn rate")
             .not_negative(),
         member<&R::surge_lag>("s", "in which 63 % of a small change of speed is made").not_negative(),
         member<&R::turn_acceleration>("radps2", "greatest change of the turn rate").required().not_negative(),

@@ -100,7 +100,8 @@ To same_numbers(const From& envelope) {
           .pivot = envelope.pivot,
           .sway_lag = envelope.sway_lag,
           .turn_rates = envelope.turn_rates,
-          .following_errors = envelope.following_errors};
+          .following_errors = envelope.following_errors,
+          .deceleration_lost = envelope.deceleration_lost};
 }
 
 Command converted(const fairway::Command& command, std::size_t left_out) {

@@ -123,6 +123,7 @@ struct Envelope {
   std::array<double, 4> turn_rates{};        ///< greatest, at 0, 1/3, 2/3 and 1 of the greatest speed [rad/s]
   std::array<double, 6> following_errors{};  ///< bound on the distance from a point that takes up a course at
                                              ///< once, for changes by 30, 60, ... 180 degrees [m]
+  double deceleration_lost{};  ///< of the deceleration, while it takes up its greatest turn rate [m/s2]
 };
 
 /// Of numbers by the names that `fairway describe VEHICLE` shows: "ahead_mps=1.6", "turn_rates_radps=0.2 0.3

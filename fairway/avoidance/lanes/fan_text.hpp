@@ -27,13 +27,61 @@ void write_motion(const trackable::Motion<Pack<N>> &m, trackable::Fan::Column *c
   m.error.to(columns[7]);
 }
 
+/// What the plans are, and where they begin.
+template <std::size_t N>
+struct Begun {
+  using Real = Pack<N>;
+
+  trackable::Motion<Real> motion;
+  trackable::Heading<Real> heading;
+  Real speed;
+  Real turn_rate;  // of who circles
+
+  explicit Begun(const trackable::Fan &fan) {
+    using Plans = trackable::Fan::Plans;
+    if (fan.plans == Plans::courses)
+      begin_courses(fan);
+    else if (fan.plans == Plans::stop)
+      begin_to_stop(fan);
+    else
+      begin_circles(fan);
+  }
+
+  void begin_courses(const trackable::Fan &fan) {
+    const trackable::Courses &all = *fan.courses;
+    const Real cosine = Real::from(all.cosines + fan.first),
+               sine = all.side * Real::from(all.sines + fan.first);
+    speed = Real::from(all.speeds + fan.first);
+    heading = trackable::heading_for<Real>(*fan.response, cosine * all.north - sine * all.east,
+                                           sine * all.north + cosine * all.east, speed);
+    const trackable::Motion<double> &now = *fan.now;
+    motion = {now.north,     now.east,  now.ahead_north, now.ahead_east,
+              now.turn_rate, now.speed, now.sway,        now.error};
+    motion.error = heading.error(motion);
+  }
+
+  void begin_to_stop(const trackable::Fan &fan) {
+    motion = motion_at<N>(fan.motion);
+    const bool turns = fan.standing_north != 0.0 || fan.standing_east != 0.0;
+    heading = turns ? trackable::Heading<Real>{fan.standing_north, fan.standing_east}
+                    : trackable::Heading<Real>{motion.ahead_north, motion.ahead_east};
+    motion.error = turns ? heading.error(motion) : Real{0.0};
+    speed = 0.0;
+  }
+
+  void begin_circles(const trackable::Fan &fan) {
+    motion = motion_at<N>(fan.motion);
+    turn_rate = Real::from(fan.side) * trackable::greatest_turn_rate<Real>(fan.response->law, motion.speed);
+  }
+};
+
 template <std::size_t N>
 void roll_in_lanes(trackable::Fan &fan) {
   using Real = Pack<N>;
   const trackable::Response &can = *fan.response;
-  trackable::Motion<Real> m = motion_at<N>(fan.motion);
-  const Real heading_north = Real::from(fan.heading_north), heading_east = Real::from(fan.heading_east);
-  const Real speed = Real::from(fan.speed);
+  const Begun<N> plan{fan};
+  trackable::Motion<Real> m = plan.motion;
+  const bool circles = fan.plans == trackable::Fan::Plans::circle;
 
   // the root of the least square is the least root, rounded or not: one root for each hazard
   Real least2[trackable::most_hazards];
@@ -42,13 +90,13 @@ void roll_in_lanes(trackable::Fan &fan) {
 
   const Real zero{0.0};
   PackMask<N> is_clear = zero <= zero;
-  Real clear_steps{static_cast<double>(trackable::foresight_steps)};
-  for (std::size_t k = fan.begin; k < trackable::foresight_steps; ++k) {
+  Real clear_steps{static_cast<double>(fan.steps)};
+  for (std::size_t k = fan.begin; k < fan.steps; ++k) {
     if (k == fan.hold_steps) write_motion<N>(m, fan.held);
-    if (fan.circles)
-      trackable::advance<Real>(can, m.speed, heading_north, m);
+    if (circles)
+      trackable::advance<Real>(can, m.speed, plan.turn_rate, m);
     else
-      trackable::follow<Real>(can, heading_north, heading_east, speed, m);
+      trackable::follow<Real>(can, plan.heading, plan.speed, m);
 
     const double time = static_cast<double>(k + 1) * can.step;
     PackMask<N> is_near = zero < zero;

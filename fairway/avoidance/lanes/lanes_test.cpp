@@ -220,23 +220,24 @@ TEST(Lanes, PlansRolledOutSideBySideComeToTheBitsThatTheyComeToAlone) {
   for (std::uint64_t index = 0; index < 2000; ++index) {
     Rng rng = Rng{1}.stream("fans", index);
     const auto any = [&](double least, double most) { return rng.uniform(least, most); };
-    const trackable::Response can{.law = {.gain = any(0.3, 2.0),
-                                          .turn_share = 0.9,
-                                          .max_turn_rate = any(0.2, 1.0),
-                                          .ahead = any(1.0, 3.0)},
-                                  .step = any(0.1, 0.4),
-                                  .turn_share = any(0.1, 1.0),
-                                  .surge_share = any(0.1, 1.0),
-                                  .sway_share = any(0.1, 1.0),
-                                  .most_turn = any(0.02, 0.2),
-                                  .most_faster = any(0.05, 0.5),
-                                  .most_slower = any(0.05, 0.5),
-                                  .pivot = any(0.0, 1.0),
-                                  .drift_north = any(-0.2, 0.2),
-                                  .drift_east = any(-0.2, 0.2)};
-    trackable::Response response = can;
+    trackable::Response response{.law = {.gain = any(0.3, 2.0),
+                                         .turn_share = 0.9,
+                                         .max_turn_rate = any(0.2, 1.0),
+                                         .ahead = any(1.0, 3.0)},
+                                 .step = any(0.1, 0.4),
+                                 .turn_share = any(0.1, 1.0),
+                                 .surge_share = any(0.1, 1.0),
+                                 .sway_share = any(0.1, 1.0),
+                                 .most_turn = any(0.02, 0.2),
+                                 .most_faster = any(0.05, 0.5),
+                                 .most_slower = any(0.05, 0.5),
+                                 .lost_slower = any(0.0, 0.2),
+                                 .slip = any(0.0, 1.0),
+                                 .drift_north = any(-0.2, 0.2),
+                                 .drift_east = any(-0.2, 0.2)};
     for (double& rate : response.law.turn_rates) rate = any(0.2, 1.0);
     response.law.sure_turn_rate = index % 2 == 0 ? 0.17 : 0.0;
+    if (index % 7 == 0) response.law.brakes_first_above = 0.3;
 
     std::array<trackable::Hazard, 3> hazards;
     std::array<double, 3> near2;
@@ -256,34 +257,73 @@ TEST(Lanes, PlansRolledOutSideBySideComeToTheBitsThatTheyComeToAlone) {
     given.first_steps = first_steps.data();
     given.hazard_count = hazards.size();
     given.begin = index % 3 == 0 ? 4 : 0;
+    given.steps = trackable::most_steps - index % 20;
     given.hold_steps = 6;
-    given.circles = index % 5 == 0;
     given.asks_room = true;
+    given.plans = std::array{Fan::Plans::courses, Fan::Plans::stop, Fan::Plans::circle}[index % 3];
+    const auto start = [&] {
+      const Vec2 ahead = unit_at(any(-pi, pi));
+      return trackable::Motion<double>{any(-1, 1),     any(-1, 1),    ahead.x(),      ahead.y(),
+                                       any(-0.5, 0.5), any(0.0, 2.0), any(-0.1, 0.1), any(-pi, pi)};
+    };
+    const trackable::Motion<double> now = start();
+    const Vec2 direction = unit_at(any(-pi, pi)), standing = unit_at(any(-pi, pi));
+    std::array<double, 2 * most_lanes> cosines, sines;
+    trackable::Courses courses{.north = direction.x(),
+                               .east = direction.y(),
+                               .side = index % 2 == 0 ? 1.0 : -1.0,
+                               .cosines = cosines.data(),
+                               .sines = sines.data(),
+                               .speeds = {}};
+    for (std::size_t i = 0; i < cosines.size(); ++i) {
+      const Vec2 turn = unit_at(any(-pi, pi));
+      cosines[i] = turn.x();
+      sines[i] = turn.y();
+      courses.speeds[i] = std::max(0.0, any(-0.5, 2.0));
+    }
+    given.courses = &courses;
+    given.now = &now;
+    given.first = most_lanes;
+    if (index % 2 == 0) {
+      given.standing_north = standing.x();
+      given.standing_east = standing.y();
+    }
     std::array<trackable::Motion<double>, most_lanes> starts;
     for (std::size_t lane = 0; lane < most_lanes; ++lane) {
-      const Vec2 ahead = unit_at(any(-pi, pi)), heading = unit_at(any(-pi, pi));
-      starts[lane] = {any(-1, 1),     any(-1, 1),    ahead.x(),      ahead.y(),
-                      any(-0.5, 0.5), any(0.0, 2.0), any(-0.1, 0.1), any(-pi, pi)};
+      starts[lane] = start();
       for (std::size_t c = 0; c < Fan::motion_columns; ++c) given.motion[c][lane] = members(starts[lane])[c];
-      given.heading_north[lane] = heading.x();
-      given.heading_east[lane] = heading.y();
-      given.speed[lane] = any(0.0, 2.0);
+      given.side[lane] = lane % 2 == 0 ? 1.0 : -1.0;
     }
 
     for (const Kernel* kernel : kernels()) {
       Fan fan = given;
       kernel->roll(fan);
       for (std::size_t lane = 0; lane < kernel->lanes; ++lane) {
-        trackable::Motion<double> m = starts[lane], held = m;
+        trackable::Motion<double> m = starts[lane];
+        trackable::Heading<double> heading{m.ahead_north, m.ahead_east};
+        double speed = 0.0;
+        if (fan.plans == Fan::Plans::courses) {
+          const double cosine = cosines[fan.first + lane], sine = courses.side * sines[fan.first + lane];
+          m = now;
+          speed = courses.speeds[fan.first + lane];
+          heading = trackable::heading_for(response, cosine * direction.x() - sine * direction.y(),
+                                           sine * direction.x() + cosine * direction.y(), speed);
+          m.error = heading.error(m);
+        } else if (fan.plans == Fan::Plans::stop) {
+          if (index % 2 == 0) heading = {standing.x(), standing.y()};
+          m.error = index % 2 == 0 ? heading.error(m) : 0.0;
+        }
+        const double circle = fan.side[lane] * trackable::greatest_turn_rate(response.law, m.speed);
+        trackable::Motion<double> held = m;
         std::array<double, 3> least2;
         least2.fill(std::numeric_limits<double>::infinity());
         std::size_t k = fan.begin;
-        for (; k < trackable::foresight_steps; ++k) {
+        for (; k < fan.steps; ++k) {
           if (k == fan.hold_steps) held = m;
-          if (fan.circles)
-            trackable::advance(response, m.speed, fan.heading_north[lane], m);
+          if (fan.plans == Fan::Plans::circle)
+            trackable::advance(response, m.speed, circle, m);
           else
-            trackable::follow(response, fan.heading_north[lane], fan.heading_east[lane], fan.speed[lane], m);
+            trackable::follow(response, heading, speed, m);
           bool is_near = false;
           for (std::size_t i = 0; i < hazards.size(); ++i) {
             if (k < first_steps[i]) continue;
@@ -301,8 +341,8 @@ TEST(Lanes, PlansRolledOutSideBySideComeToTheBitsThatTheyComeToAlone) {
                       std::bit_cast<std::uint64_t>(members(held)[c]))
                 << kernel->name << ' ' << index << ' ' << c;
         }
-        ++(k == trackable::foresight_steps ? kept_clear : touched);
-        if (k < trackable::foresight_steps) continue;
+        ++(k == fan.steps ? kept_clear : touched);
+        if (k < fan.steps) continue;
         double room = std::numeric_limits<double>::infinity();
         for (const double d2 : least2) room = std::min(room, std::sqrt(d2) - 2.0);
         EXPECT_EQ(fan.room[lane], room) << kernel->name << ' ' << index;

@@ -11,18 +11,16 @@
 namespace fairway::trackable {
 namespace {
 
-constexpr double kept_of_lost = 0.9;    // of what is left of a margin
-constexpr double most_crab_sine = 0.7;  // of the angle that is headed up into the drift
-constexpr double least_lag = 0.02;      // [s]
-constexpr double least_drift = 0.03;    // slower is none [m/s]
-constexpr double bounding = 1.001;      // beyond what directions of a length of nearly 1 add
-constexpr double most_half_turn = 0.5;  // in a step, for directions to keep that length [rad]
+constexpr double kept_of_lost = 0.9;   // of what is left of a margin
+constexpr double least_lag = 0.02;     // [s]
+constexpr double least_drift = 0.03;   // slower is none [m/s]
+constexpr double bounding = 1.001;     // beyond what directions of a length of nearly 1 add
+constexpr double most_turn = 0.7;      // in a step, for directions to keep that length [rad]
+constexpr double step_of_lag = 0.8;    // a step is no longer than that share of the lag of the turn rate
+constexpr double most_sagitta = 0.02;  // of the arc of a step [m]
+constexpr double rounding = 1e-9;      // [m]
 
 double squared(double x) { return x * x; }
-
-double error_of(const Vec2& ahead, const Vec2& heading) {
-  return math::atan2(cross(ahead, heading), ahead.dot(heading));
-}
 
 }  // namespace
 
@@ -31,47 +29,47 @@ Plan standing_still(const Vec2& ahead, const Vec2& drift) noexcept {
   return {.direction = speed > least_drift ? Vec2{-drift / speed} : ahead};
 }
 
-Foresight::Foresight(const TurnLaw& law, const Situation& s, const Outlook& outlook) noexcept
+Foresight::Foresight(const TurnLaw& law, const Situation& s, const Vec2& ahead,
+                     const Outlook& outlook) noexcept
     : law_{law},
       outlook_{outlook},
       own_radius_{s.own.radius},
-      response_{.law = law.law(),
-                .step = outlook.window / steps,
-                .pivot = law.envelope().pivot,
-                .drift_north = outlook.drift.x(),
-                .drift_east = outlook.drift.y()},
-      hold_steps_{std::clamp<std::size_t>(static_cast<std::size_t>(std::ceil(outlook.hold / response_.step)),
-                                          1, steps)},
+      response_{.law = law.law(), .drift_north = outlook.drift.x(), .drift_east = outlook.drift.y()},
       room_now_{std::numeric_limits<double>::infinity()} {
+  divide_window();
   const Envelope& can = law.envelope();
   const double step = response_.step;
-  response_.turn_share = 1.0 - math::exp(-step / std::max(can.turn_lag, least_lag));
-  response_.surge_share = 1.0 - math::exp(-step / std::max(can.surge_lag, least_lag));
-  response_.sway_share = 1.0 - math::exp(-step / std::max(can.sway_lag, least_lag));
+  const auto share_of = [&](double lag) { return 1.0 - math::exp(-step / std::max(lag, least_lag)); };
+  response_.turn_share = share_of(can.turn_lag);
+  response_.surge_share = share_of(can.surge_lag);
+  response_.sway_share = share_of(can.sway_lag);
   response_.most_turn = can.turn_acceleration * step;
   response_.most_faster = can.acceleration * step;
   response_.most_slower = can.deceleration * step;
+  response_.lost_slower = can.deceleration_lost / can.turn_acceleration;
+  response_.slip = can.steady_sway(1.0, -1.0);
 
-  const Vec2 ahead{math::cos(s.own.yaw), math::sin(s.own.yaw)}, velocity = s.own.velocity.head<2>();
+  const Vec2 velocity = s.own.velocity.head<2>();
   now_ = {.ahead_north = ahead.x(),
           .ahead_east = ahead.y(),
           .turn_rate = s.own.yaw_rate,
           .speed = ahead.dot(velocity),
           .sway = starboard_of(ahead).dot(velocity - outlook.drift)};
   const double fastest = std::max(std::min(law.envelope().ahead, s.limits.max_speed), std::abs(now_.speed));
-  reach_ = (fastest + outlook.drift.norm()) * outlook.window;
+  reach_ = fastest_way(fastest, response_.law.top_turn_rate) * outlook_.window;
 
   const Vec2 own = s.own.position.head<2>();
   const auto passes_over = [&](const Vec3& position, double radius, double climb) {
     const double below = position.z() - s.own.position.z();
-    const double kept = radius + own_radius_ + outlook.margin;
+    const double kept = radius + own_radius_ + outlook_.margin;
     const double beyond = std::abs(below) - kept;
-    if (beyond > 0.0 && (position.head<2>() - own).norm() < kept + fastest * outlook.hold) {
-      const double spare = beyond - (unasked_climb * law.envelope().ahead + std::abs(climb)) * outlook.window;
+    if (beyond > 0.0 && (position.head<2>() - own).norm() < kept + fastest * outlook_.hold) {
+      const double spare =
+          beyond - (unasked_climb * law.envelope().ahead + std::abs(climb)) * outlook_.window;
       double& most = below > 0.0 ? most_sinking_ : most_rising_;
-      most = std::min(most, std::max(0.0, spare / (outlook.window + outlook.hold)));
+      most = std::min(most, std::max(0.0, spare / (outlook_.window + outlook_.hold)));
     }
-    return beyond > (outlook.climb + std::abs(climb)) * outlook.window;
+    return beyond > (outlook.climb + std::abs(climb)) * outlook_.window;
   };
   for (const Obstacle& obstacle : s.obstacles) {
     if (obstacle.kind == Obstacle::Kind::sphere && passes_over(obstacle.position, obstacle.radius, 0.0))
@@ -87,6 +85,23 @@ Foresight::Foresight(const TurnLaw& law, const Situation& s, const Outlook& outl
   }
 }
 
+/// Steps as long as the lag allows and the arcs of turns, and the hold is a whole number of them.
+void Foresight::divide_window() noexcept {
+  const Envelope& can = law_.envelope();
+  const double turn = std::max(response_.law.top_turn_rate, 1e-3);
+  const double longest = std::min({step_of_lag * std::max(can.turn_lag, least_lag), most_turn / turn,
+                                   std::sqrt(8.0 * most_sagitta / (can.ahead * turn))});
+  const double hold = std::min(outlook_.hold, outlook_.window);
+  const double least = outlook_.window / static_cast<double>(most_steps);
+  response_.step = std::max(hold / std::max(1.0, std::ceil(hold / longest - rounding)), least);
+  const auto whole = [&](double time) {
+    return static_cast<std::size_t>(std::ceil(time / response_.step - rounding));
+  };
+  steps_ = std::clamp<std::size_t>(whole(outlook_.window), 1, most_steps);
+  hold_steps_ = std::clamp<std::size_t>(whole(hold), 1, steps_);
+  outlook_.window = static_cast<double>(steps_) * response_.step;
+}
+
 void Foresight::add(const Vec2& from, const Vec2& to, double radius, const Vec2& velocity) noexcept {
   if (count_ == most_hazards) return;
   const Vec2 along = to - from;
@@ -98,120 +113,137 @@ void Foresight::add(const Vec2& from, const Vec2& to, double radius, const Vec2&
   const double left = gap > 0.0 ? kept_of_lost * gap : gap;
   room_now_ = std::min(room_now_, left);
   hazards_[count_] = hazard;
-  keep2_[count_] = squared(std::max(0.0, hazard.contact + std::min(outlook_.margin, left) - 1e-9));
-  spare_[count_] = gap - outlook_.margin;
+  distances_[count_] = distance;
+  left_[count_] = hazard.contact + left;
   speeds_[count_++] = speed;
 }
 
-Vec2 Foresight::heading_for(const Plan& plan) const noexcept {
-  if (!(plan.speed > 0.0)) return plan.direction;
-  const double across = cross(plan.direction, outlook_.drift) / plan.speed;
-  const double sine = -std::clamp(across, -most_crab_sine, most_crab_sine);
-  const double cosine = std::sqrt(1.0 - sine * sine);
-  const Vec2& d = plan.direction;
-  return {cosine * d.x() - sine * d.y(), sine * d.x() + cosine * d.y()};
-}
+struct Foresight::Way {
+  const Response& can;
+  const Plan& plan;
+  Heading<double> heading;
+  Motion<double> m;
+
+  Way(const Foresight& in, const Plan& p)
+      : can{in.response_},
+        plan{p},
+        heading{heading_for(can, p.direction.x(), p.direction.y(), p.speed)},
+        m{in.now_} {
+    m.error = heading.error(m);
+  }
+  void advance() {
+    if (plan.turn_rate)
+      trackable::advance(can, plan.speed, *plan.turn_rate, m);
+    else
+      follow(can, heading, plan.speed, m);
+  }
+};
 
 TurnOrder Foresight::order(const Plan& plan) const noexcept {
   if (plan.turn_rate) return {plan.speed, *plan.turn_rate};
-  return law_.order(plan.speed, start_of(heading_for(plan)).error, now_.speed);
-}
-
-Motion<double> Foresight::start_of(const Vec2& heading) const noexcept {
-  Motion<double> m = now_;
-  m.error = error_of({m.ahead_north, m.ahead_east}, heading);
-  return m;
-}
-
-[[gnu::always_inline]] inline void Foresight::follow(Motion<double>& m, const Plan& plan,
-                                                     const Vec2& heading) const noexcept {
-  if (plan.turn_rate)
-    advance(response_, plan.speed, *plan.turn_rate, m);
-  else
-    trackable::follow(response_, heading.x(), heading.y(), plan.speed, m);
+  const Way way{*this, plan};
+  const double along = now_.ahead_north * way.heading.north + now_.ahead_east * way.heading.east;
+  const double surge = surge_order(response_.law, plan.speed, along);
+  return {surge, turn_order_after(surge, response_.law, way.m)};
 }
 
 /// Speed and turn rate stay between what they are and what is ordered, and the sway between what it is and
 /// what they come to.
 double Foresight::fastest_way(double speed, double turn_rate) const noexcept {
   const Law& law = response_.law;
-  const double turn = std::max({std::abs(now_.turn_rate), law.top_turn_rate, turn_rate});
-  if (!(0.5 * response_.step * turn < most_half_turn)) return std::numeric_limits<double>::infinity();
   const double along = std::max({std::abs(now_.speed), law.least, speed});
-  const double slip = law.ahead > 0.0 ? std::abs(response_.pivot) * turn * along / law.ahead : 0.0;
+  const double slip = std::abs(response_.slip) * turn_rate * along;
   return bounding * (along + outlook_.drift.norm() + std::max(std::abs(now_.sway), slip));
 }
 
-std::size_t Foresight::first_step(std::size_t hazard, double fastest) const noexcept {
-  const double whole = spare_[hazard] / (bounding * (fastest + speeds_[hazard]) * response_.step);
-  return whole > 0.0 ? static_cast<std::size_t>(std::min(whole, static_cast<double>(steps))) : 0;
+/// Of two points that move by `way` against each other, straight and evenly, the nearest approach is nearer
+/// than at the ends by no more than d'^2 = d^2 - (way / 2)^2; the arcs add their sagitta.
+Foresight::Bounds Foresight::bounds(double speed, double turn_rate) const noexcept {
+  const double step = response_.step;
+  const double turn = std::max({std::abs(now_.turn_rate), response_.law.top_turn_rate, turn_rate});
+  const bool is_bounded = step * turn < 2.0 * most_turn;
+  const double fastest = is_bounded ? fastest_way(speed, turn) : std::numeric_limits<double>::infinity();
+  const double kept = outlook_.margin + 0.125 * fastest * turn * squared(step);
+  Bounds all;
+  for (std::size_t i = 0; i < count_; ++i) {
+    const double way = step * (fastest + speeds_[i]);
+    const double left = std::max(0.0, left_[i] - rounding);
+    all.near2[i] = std::min(squared(hazards_[i].contact + kept) + squared(0.5 * way), squared(left));
+    const double whole = (distances_[i] - std::sqrt(all.near2[i])) / (bounding * way);
+    all.first_steps[i] =
+        whole > 0.0 ? static_cast<std::size_t>(std::min(whole, static_cast<double>(most_steps))) : 0;
+  }
+  return all;
 }
 
-bool Foresight::is_clear(const Plan& plan) const noexcept {
-  const double fastest = fastest_way(std::abs(plan.speed), std::abs(plan.turn_rate.value_or(0.0)));
-  std::array<std::size_t, most_hazards> first_steps;
-  for (std::size_t i = 0; i < count_; ++i) first_steps[i] = first_step(i, fastest);
-  const Vec2 heading = heading_for(plan);
-  Motion<double> m = start_of(heading);
-  for (std::size_t k = 0; k < steps; ++k) {
-    follow(m, plan, heading);
+bool Foresight::is_clear(const Plan& plan, double quickest) const noexcept {
+  const Bounds of = bounds(quickest, std::abs(plan.turn_rate.value_or(0.0)));
+  Way way{*this, plan};
+  for (std::size_t k = 0; k < steps_; ++k) {
+    way.advance();
     const double time = static_cast<double>(k + 1) * response_.step;
     for (std::size_t i = 0; i < count_; ++i)
-      if (k >= first_steps[i] && distance2(hazards_[i], time, m.north, m.east) < keep2_[i]) return false;
+      if (k >= of.first_steps[i] && distance2(hazards_[i], time, way.m.north, way.m.east) < of.near2[i])
+        return false;
   }
   return true;
 }
 
 double Foresight::room_of(const Plan& plan) const noexcept {
-  const Vec2 heading = heading_for(plan);
-  Motion<double> m = start_of(heading);
+  Way way{*this, plan};
   std::array<double, most_hazards> least2;
   least2.fill(std::numeric_limits<double>::infinity());
-  for (std::size_t k = 0; k < steps; ++k) {
-    follow(m, plan, heading);
+  for (std::size_t k = 0; k < steps_; ++k) {
+    way.advance();
     const double time = static_cast<double>(k + 1) * response_.step;
     for (std::size_t i = 0; i < count_; ++i)
-      least2[i] = std::min(least2[i], distance2(hazards_[i], time, m.north, m.east));
+      least2[i] = std::min(least2[i], distance2(hazards_[i], time, way.m.north, way.m.east));
   }
   double room = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < count_; ++i) room = std::min(room, std::sqrt(least2[i]) - hazards_[i].contact);
   return room;
 }
 
-std::array<Vec2, Foresight::steps> Foresight::path(const Plan& plan) const noexcept {
-  std::array<Vec2, steps> points;
-  const Vec2 heading = heading_for(plan);
-  Motion<double> m = start_of(heading);
-  for (Vec2& point : points) {
-    follow(m, plan, heading);
-    point = {m.north, m.east};
+Foresight::Path Foresight::path(const Plan& plan) const noexcept {
+  Path path;
+  path.count = steps_;
+  Way way{*this, plan};
+  for (std::size_t k = 0; k < steps_; ++k) {
+    way.advance();
+    path.points[k] = {way.m.north, way.m.east};
   }
-  return points;
+  return path;
 }
 
-/// Lanes that there is no plan for repeat the last one.
 struct Foresight::Search {
   struct Held {  // where a backup begins
     Motion<double> motion;
     std::size_t plan;
   };
   const Foresight& in;
+  const Courses& courses;
+  std::size_t count;
   const lanes::Kernel& kernel;
-  std::array<std::size_t, most_hazards> first_steps;
-  std::array<double, most_plans> heading_north, heading_east, speed, error;
-  std::array<Held, most_plans> held;
+  Bounds bounds;
+  std::array<Held, most_courses> held;
   std::size_t held_count = 0;
 
-  explicit Search(const Foresight& foresight) : in{foresight}, kernel{lanes::kernel_for(lanes::most_lanes)} {}
+  Search(const Foresight& foresight, const Courses& all, std::size_t number)
+      : in{foresight}, courses{all}, count{number}, kernel{lanes::kernel_for(lanes::most_lanes)} {
+    bounds = in.bounds(*std::max_element(all.speeds, all.speeds + number), 0.0);
+  }
 
-  Fan fan_of(const double* near2) const {
+  Fan fan() const {
     Fan fan;
     fan.response = &in.response_;
     fan.hazards = in.hazards_.data();
-    fan.near2 = near2;
-    fan.first_steps = first_steps.data();
+    fan.near2 = bounds.near2.data();
+    fan.first_steps = bounds.first_steps.data();
     fan.hazard_count = in.count_;
+    fan.steps = in.steps_;
     fan.hold_steps = in.hold_steps_;
+    fan.courses = &courses;
+    fan.now = &in.now_;
     return fan;
   }
 
@@ -226,115 +258,77 @@ struct Foresight::Search {
     return {of(0), of(1), of(2), of(3), of(4), of(5), of(6), of(7)};
   }
 
-  /// The plans from `begin` on, as many as there are lanes.
-  void start(Fan& fan, std::size_t begin, std::size_t count) const {
-    for (std::size_t lane = 0; lane < kernel.lanes; ++lane) {
-      const std::size_t i = std::min(begin + lane, count - 1);
-      Motion<double> m = in.now_;
-      m.error = error[i];
-      put(fan, lane, m);
-      fan.heading_north[lane] = heading_north[i];
-      fan.heading_east[lane] = heading_east[i];
-      fan.speed[lane] = speed[i];
-    }
-  }
-
-  void take(std::size_t i, const Plan& plan) {
-    const Vec2 heading = in.heading_for(plan);
-    heading_north[i] = heading.x();
-    heading_east[i] = heading.y();
-    speed[i] = plan.speed;
-    error[i] = error_of({in.now_.ahead_north, in.now_.ahead_east}, heading);
-  }
-
-  /// The first plan that is clear, or their number. Keeps in mind who may have a backup.
-  std::size_t first_clear(std::span<const Plan> plans) {
-    Fan fan = fan_of(in.keep2_.data());
-    for (std::size_t begin = 0; begin < plans.size(); begin += kernel.lanes) {
-      const std::size_t end = std::min(begin + kernel.lanes, plans.size());
-      for (std::size_t i = begin; i < end; ++i) take(i, plans[i]);
-      start(fan, begin, plans.size());
+  /// The first course that is clear, or their number. Keeps in mind who may have a backup.
+  std::size_t first_clear() {
+    Fan fan = this->fan();
+    for (; fan.first < count; fan.first += kernel.lanes) {
       kernel.roll(fan);
-      for (std::size_t i = begin; i < end; ++i) {
-        const auto clear = static_cast<std::size_t>(fan.clear_steps[i - begin]);
-        if (clear == steps) return i;
+      for (std::size_t i = fan.first; i < std::min(fan.first + kernel.lanes, count); ++i) {
+        const auto clear = static_cast<std::size_t>(fan.clear_steps[i - fan.first]);
+        if (clear == in.steps_) return i;
         if (clear < in.hold_steps_) continue;
-        held[held_count++] = {held_at(fan, i - begin), i};
+        held[held_count++] = {held_at(fan, i - fan.first), i};
       }
     }
-    return plans.size();
+    return count;
   }
 
-  /// To stop, the bow up into the drift, or to circle to the side of `side`.
-  void start_backup(Fan& fan, std::size_t lane, Motion<double> m, double side) const {
-    if (fan.circles) {
-      fan.heading_north[lane] = side * in.law_.greatest_turn_rate(m.speed);
-    } else {
-      const Vec2 ahead{m.ahead_north, m.ahead_east};
-      const Vec2 heading = standing_still(ahead, in.outlook_.drift).direction;
-      m.error = error_of(ahead, heading);
-      fan.heading_north[lane] = heading.x();
-      fan.heading_east[lane] = heading.y();
-      fan.speed[lane] = 0.0;
-    }
-    put(fan, lane, m);
-  }
-
-  /// The first plan that has a backup, or `none`.
-  std::size_t first_backed_up(std::size_t none) const {
-    Fan fan = fan_of(in.keep2_.data());
+  /// The first course that has a backup, or their number. Lanes that there is none for repeat the last.
+  std::size_t first_backed_up() const {
+    Fan fan = this->fan();
     fan.begin = in.hold_steps_;
-    fan.circles = in.response_.law.least > 0.0;
-    const std::size_t sides = fan.circles ? 2 : 1;
+    const bool circles = in.response_.law.least > 0.0;
+    fan.plans = circles ? Fan::Plans::circle : Fan::Plans::stop;
+    const Vec2 standing = standing_still(Vec2::Zero(), in.outlook_.drift).direction;
+    fan.standing_north = standing.x();
+    fan.standing_east = standing.y();
+    const std::size_t sides = circles ? 2 : 1;
     for (std::size_t begin = 0; begin < sides * held_count; begin += kernel.lanes) {
       const std::size_t end = std::min(begin + kernel.lanes, sides * held_count);
       for (std::size_t lane = 0; lane < kernel.lanes; ++lane) {
         const std::size_t i = std::min(begin + lane, end - 1);
-        start_backup(fan, lane, held[i / sides].motion, i % sides == 0 ? 1.0 : -1.0);
+        fan.side[lane] = i % sides == 0 ? 1.0 : -1.0;
+        put(fan, lane, held[i / sides].motion);
       }
       kernel.roll(fan);
       for (std::size_t i = begin; i < end; ++i)
-        if (fan.clear_steps[i - begin] == static_cast<double>(steps)) return held[i / sides].plan;
+        if (fan.clear_steps[i - begin] == static_cast<double>(in.steps_)) return held[i / sides].plan;
     }
-    return none;
+    return count;
   }
 
-  /// The first plan that leaves most room, or their number if none leaves more than `most`.
-  std::size_t roomiest(std::size_t count, double most) const {
+  /// The first course that leaves most room, or their number if none leaves more than `most`.
+  std::size_t roomiest(double most) {
     std::size_t best = count;
-    std::array<double, most_hazards> near2;
-    Fan fan = fan_of(near2.data());
+    bounds.first_steps.fill(0);
+    Fan fan = this->fan();
     fan.asks_room = true;
-    for (std::size_t begin = 0; begin < count; begin += kernel.lanes) {
+    for (; fan.first < count; fan.first += kernel.lanes) {
       // who comes so near leaves no more, whatever is rounded
       for (std::size_t i = 0; i < in.count_; ++i) {
         const double contact = in.hazards_[i].contact;
-        near2[i] = squared(std::max(0.0, most + contact - 1e-12 * (1.0 + contact + std::abs(most))));
+        bounds.near2[i] = squared(std::max(0.0, most + contact - 1e-12 * (1.0 + contact + std::abs(most))));
       }
-      start(fan, begin, count);
       kernel.roll(fan);
-      for (std::size_t i = begin; i < std::min(begin + kernel.lanes, count); ++i) {
-        if (fan.clear_steps[i - begin] < static_cast<double>(steps) || !(fan.room[i - begin] > most))
-          continue;
+      for (std::size_t i = fan.first; i < std::min(fan.first + kernel.lanes, count); ++i) {
+        const std::size_t lane = i - fan.first;
+        if (fan.clear_steps[lane] < static_cast<double>(in.steps_) || !(fan.room[lane] > most)) continue;
         best = i;
-        most = fan.room[i - begin];
+        most = fan.room[lane];
       }
     }
     return best;
   }
 };
 
-Foresight::Pick Foresight::best_of(const Plan& asked, std::span<const Plan> plans) const noexcept {
-  Search search{*this};
-  double quickest = 0.0;
-  for (const Plan& plan : plans) quickest = std::max(quickest, plan.speed);
-  const double fastest = fastest_way(quickest, 0.0);
-  for (std::size_t i = 0; i < count_; ++i) search.first_steps[i] = first_step(i, fastest);
-
-  if (const std::size_t at = search.first_clear(plans); at < plans.size()) return {at, Prospect::clear};
-  if (const std::size_t at = search.first_backed_up(plans.size()); at < plans.size())
-    return {at, Prospect::backed_up};
-  return {search.roomiest(plans.size(), room_of(asked)), Prospect::lost};
+Foresight::Pick Foresight::best_of(const Plan& asked, const Courses& courses,
+                                   std::size_t count) const noexcept {
+  if (asked.turn_rate && is_clear(asked, std::abs(asked.speed))) return {count, Prospect::clear};
+  Search search{*this, courses, count};
+  if (const std::size_t at = search.first_clear(); at < count) return {at, Prospect::clear};
+  if (const std::size_t at = search.first_backed_up(); at < count) return {at, Prospect::backed_up};
+  const double most = asked.turn_rate ? room_of(asked) : -std::numeric_limits<double>::infinity();
+  return {search.roomiest(most), Prospect::lost};
 }
 
 }  // namespace fairway::trackable

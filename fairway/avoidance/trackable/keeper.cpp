@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <span>
 
 #include "fairway/core/angles.hpp"
 #include "fairway/core/math.hpp"
@@ -28,9 +28,9 @@ double window_of(const TurnLaw& law, const Situation& s, double hold) {
 
 /// What sets the vehicle aside, as far as that shows across its heading: what is left of its motion there
 /// when its own sway is taken away.
-Vec2 observed_drift(const Situation& s, double settling, Course& course) {
+Vec2 observed_drift(const Situation& s, const Vec2& ahead, double settling, Course& course) {
   const Envelope& can = *s.envelope;
-  const Vec2 ahead{math::cos(s.own.yaw), math::sin(s.own.yaw)}, starboard = starboard_of(ahead);
+  const Vec2 starboard = starboard_of(ahead);
   const Vec2 velocity = s.own.velocity.head<2>();
   const double across = starboard.dot(velocity);
   const double slip = can.steady_sway(ahead.dot(velocity), s.own.yaw_rate);
@@ -46,13 +46,12 @@ Vec2 observed_drift(const Situation& s, double settling, Course& course) {
 
 /// What the inner avoider wants, as a course and a speed. One that stands without being told to wait has
 /// found no velocity: then a way is looked for round the preferred one.
-Plan plan_of(const Situation& s, const Command& asked, const Vec2& drift) {
-  const Vec2 ahead{math::cos(s.own.yaw), math::sin(s.own.yaw)};
+Plan plan_of(const Situation& s, const Vec2& ahead, const Command& asked, const Vec2& drift) {
   const Vec2 v = asked.velocity.head<2>();
   if (asked.mode == Mode::hold) return standing_still(ahead, drift);
   if (asked.turn_rate) return {.direction = ahead, .speed = v.dot(ahead), .turn_rate = asked.turn_rate};
   if (asked.heading) {
-    const Vec2 heading{math::cos(*asked.heading), math::sin(*asked.heading)};
+    const Vec2 heading = unit_at(*asked.heading);
     return {.direction = heading, .speed = std::max(0.0, v.dot(heading))};
   }
   const Vec2 preferred = s.preferred_velocity().head<2>();
@@ -63,47 +62,62 @@ Plan plan_of(const Situation& s, const Command& asked, const Vec2& drift) {
   return {.direction = wanted / speed, .speed = speed};
 }
 
-static_assert(Deviations::count <= Foresight::most_plans);
-
 struct Choice {
   Plan plan;
   Prospect prospect;
-  double side;
+  bool is_asked;
 };
 
-/// The cheapest deviation that is clear, else the cheapest that has a backup, else what leaves most room.
+/// What is asked, if it is clear; else the cheapest deviation that is, else the cheapest that has a backup,
+/// else what leaves most room. `side` is that to which it went last.
 Choice choose(const Deviations& deviations, const Foresight& foresight, const Plan& asked, double cruise,
-              double side) {
-  std::array<Plan, Deviations::count> plans;
+              double& side) {
+  Courses courses;
+  courses.north = asked.direction.x();
+  courses.east = asked.direction.y();
+  courses.side = side;
+  courses.cosines = deviations.cosines.data();
+  courses.sines = deviations.sines.data();
   const double speed = std::max(asked.speed, 0.5 * cruise);
-  std::ranges::transform(deviations, plans.begin(), [&](const Deviation& d) {
-    const double sine = side * d.sine;
-    const Vec2& v = asked.direction;
-    return Plan{
-        {d.cosine * v.x() - sine * v.y(), sine * v.x() + d.cosine * v.y()}, d.speed_ratio * speed, {}};
-  });
-  const auto [at, prospect] = foresight.best_of(asked, plans);
-  const Plan& plan = at < plans.size() ? plans[at] : asked;
-  if (prospect == Prospect::lost) return {plan, prospect, side};
-  const double turn = std::next(deviations.begin(), static_cast<std::ptrdiff_t>(at))->turn;
-  return {plan, prospect, turn * side < 0.0 ? -1.0 : turn != 0.0 ? 1.0 : side};
+  for (std::size_t i = 0; i < most_courses; ++i) courses.speeds[i] = deviations.speed_ratios[i] * speed;
+  courses.speeds[0] = asked.speed;
+
+  const auto [at, prospect] = foresight.best_of(asked, courses, Deviations::count);
+  if (at == Deviations::count) return {asked, prospect, true};
+  if (at == 0 && !asked.turn_rate) return {asked, prospect, true};
+  const double sine = side * deviations.sines[at];
+  if (prospect != Prospect::lost && sine != 0.0) side = std::copysign(1.0, sine);
+  return {{deviations.cosines[at] * asked.direction + sine * starboard_of(asked.direction),
+           courses.speeds[at],
+           {}},
+          prospect,
+          false};
 }
 
 }  // namespace
 
 Deviations::Deviations(double slow_cost_ratio) {
+  struct Deviation {
+    double cost, turn, speed_ratio;
+  };
+  std::array<Deviation, count> all{};
   std::size_t n = 0;
+  all[n++] = {0.0, 0.0, 1.0};
   for (std::size_t i = 0; i < turn_count; ++i) {
-    const std::size_t steps_aside = (i + 1) / 2;
-    const double turn = (i % 2 == 1 ? 1.0 : -1.0) * turn_step * static_cast<double>(steps_aside);
-    const auto [sine, cosine] = math::sin_cos(turn);
+    const double turn = (i % 2 == 1 ? 1.0 : -1.0) * turn_step * static_cast<double>((i + 1) / 2);
     for (std::size_t k = 0; k < speed_count; ++k) {
       const double ratio = 1.0 - static_cast<double>(k) / speed_count;
-      all_[n++] = {1.0 - cosine + slow_cost_ratio * (1.0 - ratio), ratio, turn, cosine, sine};
+      all[n++] = {1.0 - math::cos(turn) + slow_cost_ratio * (1.0 - ratio), turn, ratio};
     }
   }
-  all_[n++] = {1.7, 0.0, 0.0, 1.0, 0.0};
-  std::ranges::stable_sort(all_, {}, &Deviation::cost);
+  all[n++] = {1.7, 0.0, 0.0};
+  std::ranges::stable_sort(std::span{all}.subspan(1), {}, &Deviation::cost);
+  for (std::size_t i = 0; i < most_courses; ++i) {
+    const Deviation& d = all[std::min(i, count - 1)];
+    cosines[i] = math::cos(d.turn);
+    sines[i] = math::sin(d.turn);
+    speed_ratios[i] = d.speed_ratio;
+  }
 }
 
 bool must_turn(const Situation& s) noexcept {
@@ -113,13 +127,15 @@ bool must_turn(const Situation& s) noexcept {
 Keeper::Keeper(const Keeping& keeping, const Situation& s, Course& course) noexcept
     : s_{s},
       course_{course},
+      ahead_{unit_at(s.own.yaw)},
       law_{*s.envelope, s.limits.max_turn_rate},
       margins_{keeping.margins},
       hold_{std::max(keeping.hold, s.period)},
       window_{window_of(law_, s, hold_)},
-      drift_{observed_drift(s, keeping.drift_settling, course)},
+      drift_{observed_drift(s, ahead_, keeping.drift_settling, course)},
       foresight_{law_,
                  s,
+                 ahead_,
                  {.hold = hold_,
                   .window = window_,
                   .margin = margins_.total(window_),
@@ -128,11 +144,11 @@ Keeper::Keeper(const Keeping& keeping, const Situation& s, Course& course) noexc
                                     std::abs(s.own.velocity.z()) + unasked_climb * s.envelope->ahead)}} {}
 
 void Keeper::draw(Sketch& sketch, const Plan& plan, const Command& asked) const {
-  std::array<Vec3, Foresight::steps> points;
-  std::ranges::transform(foresight_.path(plan), points.begin(), [&](const Vec2& p) {
-    return Vec3{s_.own.position.x() + p.x(), s_.own.position.y() + p.y(), s_.own.position.z()};
-  });
-  sketch.path(points, "foreseen");
+  const Foresight::Path path = foresight_.path(plan);
+  std::array<Vec3, most_steps> points;
+  for (std::size_t k = 0; k < path.count; ++k)
+    points[k] = s_.own.position + Vec3{path.points[k].x(), path.points[k].y(), 0.0};
+  sketch.path(std::span{points}.first(path.count), "foreseen");
   sketch.velocity(asked.velocity, "asked by the inner avoider");
   double radius = s_.own.radius;
   sketch.sphere(s_.own.position, radius, "own sphere");
@@ -142,21 +158,25 @@ void Keeper::draw(Sketch& sketch, const Plan& plan, const Command& asked) const 
 }
 
 Command Keeper::keep(const Command& asked, const Deviations& deviations, Sketch* sketch) noexcept {
-  Plan plan = plan_of(s_, asked, drift_);
+  Plan plan = plan_of(s_, ahead_, asked, drift_);
   Command command = asked;
-  if (!foresight_.is_open() && !foresight_.is_clear(plan)) {
+  if (!foresight_.is_open()) {
     const Choice choice = choose(deviations, foresight_, plan, s_.goal.cruise_speed, course_.side);
-    course_.side = choice.side;
     plan = choice.plan;
-    command.mode = choice.prospect == Prospect::lost ? Mode::infeasible : Mode::avoid;
-    command.note = choice.prospect == Prospect::lost ? "no manoeuvre is left that keeps clear of all" : "";
+    if (choice.prospect == Prospect::lost) {
+      command.mode = Mode::infeasible;
+      command.note = "no manoeuvre is left that keeps clear of all";
+    } else if (choice.prospect != Prospect::clear || !choice.is_asked) {
+      command.mode = Mode::avoid;
+      command.note = "";
+    }
   }
   if (sketch != nullptr) draw(*sketch, plan, asked);
   command.velocity.z() = foresight_.held_to_depths(command.velocity.z());
   if (command.mode == Mode::hold) return command;
 
   const TurnOrder order = foresight_.order(plan);
-  command.velocity.head<2>() = order.surge * Vec2{math::cos(s_.own.yaw), math::sin(s_.own.yaw)};
+  command.velocity.head<2>() = order.surge * ahead_;
   command.turn_rate = order.turn_rate;
   command.heading.reset();
   command.wrench.reset();

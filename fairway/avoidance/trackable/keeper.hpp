@@ -12,31 +12,23 @@
 
 namespace fairway::trackable {
 
-/// A plan relative to what is asked.
-struct Deviation {
-  double cost;
-  double speed_ratio;
-  double turn;          ///< to the side that is preferred [rad]
-  double cosine, sine;  ///< of the turn
-};
-
 /// Of stopping; that of turning round is 2.
 inline constexpr double usual_slow_cost = 0.5;
 
-/// Both sides of every 15 degrees at thirds of the speed, and to stop: the cheapest first, by
-/// 1 - cos(turn) + slow_cost_ratio (1 - speed ratio).
+/// Turned from what is asked, and as quick as a share of its speed: as it is; then both sides of every 15
+/// degrees at thirds of the speed, and to stop, the cheapest first, by 1 - cos(turn) + slow_cost_ratio (1 -
+/// speed ratio). Columns, since they are looked at side by side; the last is repeated to their ends.
 class Deviations {
  public:
   static constexpr std::size_t turn_count = 25;
   static constexpr std::size_t speed_count = 3;
-  static constexpr std::size_t count = turn_count * speed_count + 1;
+  static constexpr std::size_t count = 1 + turn_count * speed_count + 1;
 
   explicit Deviations(double slow_cost_ratio);
-  auto begin() const noexcept { return all_.begin(); }
-  auto end() const noexcept { return all_.end(); }
 
- private:
-  std::array<Deviation, count> all_{};
+  alignas(64) std::array<double, most_courses> cosines;
+  alignas(64) std::array<double, most_courses> sines;  ///< to the side that is preferred
+  alignas(64) std::array<double, most_courses> speed_ratios;
 };
 
 /// How a vehicle that must turn is kept clear.
@@ -80,6 +72,7 @@ class Keeper {
 
   const Situation& s_;
   Course& course_;
+  Vec2 ahead_;
   TurnLaw law_;
   Margins margins_;
   double hold_;

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 
 #include "fairway/avoidance/lanes/number.hpp"
+#include "fairway/core/angles.hpp"
 
 /// How a vehicle moves that keeps to a plan, written once for one plan and for several side by side: `Real`
 /// is a number or a pack of them (lanes/number.hpp), to the same bits.
@@ -11,9 +13,12 @@ namespace fairway::trackable {
 
 using lanes::larger;
 using lanes::magnitude;
+using lanes::MaskOf;
 using lanes::none;
 using lanes::select;
 using lanes::smaller;
+using lanes::square_root;
+using lanes::with_sign_of;
 
 /// What the turn law takes of a vehicle and of its mission.
 struct Law {
@@ -27,6 +32,8 @@ struct Law {
   double least{};              ///< speed [m/s]
   double ahead{};              ///< greatest speed [m/s]
   double turn_rates[rates]{};  ///< greatest, at 0, 1/3, 2/3 and 1 of the greatest speed [rad/s]
+  double brakes_first_above{///< to stop or to turn round, it turns on as it does until it is that slow [m/s]
+                            std::numeric_limits<double>::infinity()};
 };
 
 /// How the vehicle answers to what is ordered, in steps of equal length.
@@ -36,8 +43,9 @@ struct Response {
   double turn_share{}, surge_share{}, sway_share{};  ///< of the way to what is ordered, gone in a step
   double most_turn{};                                ///< by which the turn rate changes in a step [rad/s]
   double most_faster{}, most_slower{};               ///< by which the speed does [m/s]
-  double pivot{};                                    ///< as in Envelope [m]
-  double drift_north{}, drift_east{};                ///< across the heading [m/s]
+  double lost_slower{};  ///< of the latter, for each rad/s by which the turn rate changes [m/rad]
+  double slip{};         ///< sideways in a steady turn, of turn rate and speed; Envelope::steady_sway() [s]
+  double drift_north{}, drift_east{};  ///< across the heading [m/s]
 };
 
 /// Relative to where it is now. [m, m/s, rad, rad/s, NED]
@@ -101,51 +109,93 @@ Real surge_order(const Law& law, const Real& wanted, const Real& along) {
   return larger<Real>(wanted * share * share, law.least);
 }
 
+/// Of who is ordered to go at `surge`; who is to stop, or to turn round, turns when it has braked.
 template <class Real>
-Real towards(const Real& from, const Real& to, double share, double least, double most) {
-  return from + clamped<Real>(share * (to - from), least, most);
+Real turn_order_after(const Real& surge, const Law& law, const Motion<Real>& m) {
+  const Real turn = turn_order(law, m.error, m.speed);
+  const MaskOf<Real> brakes = (surge <= law.least) & (m.speed > law.brakes_first_above);
+  return none(brakes) ? turn : select(brakes, m.turn_rate, turn);
+}
+
+/// The direction (along, across) as math::atan2 has it, within 2e-8 rad (Abramowitz and Stegun, 4.4.49).
+template <class Real>
+Real angle_of(const Real& across, const Real& along) {
+  const Real x = magnitude(along), y = magnitude(across);
+  const Real tangent = smaller(x, y) / larger<Real>(larger(x, y), std::numeric_limits<double>::min());
+  const Real z = tangent * tangent;
+  Real sum = 0.0028662257;
+  for (const double term : {-0.0161657367, 0.0429096138, -0.0752896400, 0.1065626393, -0.1420889944,
+                            0.1999355085, -0.3333314528, 1.0})
+    sum = sum * z + term;
+  Real angle = tangent * sum;
+  angle = select(x < y, 0.5 * pi - angle, angle);
+  angle = select(along < 0.0, pi - angle, angle);
+  return with_sign_of(angle, across);
+}
+
+/// A direction of the bow, unit. [NED]
+template <class Real>
+struct Heading {
+  Real north, east;
+
+  /// The turn to it [rad].
+  Real error(const Motion<Real>& m) const {
+    return angle_of<Real>(m.ahead_north * east - m.ahead_east * north,
+                          m.ahead_north * north + m.ahead_east * east);
+  }
+};
+
+/// Where the bow has to point for a direction to be made good at a speed: up into the drift.
+template <class Real>
+Heading<Real> heading_for(const Response& can, const Real& north, const Real& east, const Real& speed) {
+  constexpr double most_sine = 0.7;
+  const Real aside = (north * can.drift_east - east * can.drift_north) / speed;
+  const Real sine = select(speed > 0.0, -clamped<Real>(aside, -most_sine, most_sine), Real{0.0});
+  const Real cosine = square_root(1.0 - sine * sine);
+  return {cosine * north - sine * east, sine * north + cosine * east};
 }
 
 template <class Real>
-void turn_half(const Real& sine, const Real& cosine, Motion<Real>& m) {
+void turn(const Real& sine, const Real& cosine, Motion<Real>& m) {
   const Real north = cosine * m.ahead_north - sine * m.ahead_east;
-  const Real east = sine * m.ahead_north + cosine * m.ahead_east;
-  const Real to_unit = 1.5 - 0.5 * (north * north + east * east);
-  m.ahead_north = north * to_unit;
-  m.ahead_east = east * to_unit;
+  m.ahead_east = sine * m.ahead_north + cosine * m.ahead_east;
+  m.ahead_north = north;
 }
 
-/// One step: turn rate and speed approach what is ordered, and the hull slips about its pivot.
+/// One step: turn rate and speed approach what is ordered, and the hull slips about its pivot. Directions
+/// keep their length within 1e-3 in as many steps as there are, by less than 0.7 rad each.
 template <class Real>
 [[gnu::always_inline]] inline void advance(const Response& can, const Real& surge, const Real& turn_rate,
                                            Motion<Real>& m) {
   const Real rate = m.turn_rate, speed = m.speed;
-  m.turn_rate = towards(rate, turn_rate, can.turn_share, -can.most_turn, can.most_turn);
-  m.speed = towards(speed, surge, can.surge_share, -can.most_slower, can.most_faster);
+  const Real quicker = clamped<Real>(can.turn_share * (turn_rate - rate), -can.most_turn, can.most_turn);
+  const Real most_slower = can.most_slower - can.lost_slower * magnitude(quicker);
+  m.turn_rate = rate + quicker;
+  m.speed = speed + clamped<Real>(can.surge_share * (surge - speed), -most_slower, can.most_faster);
+  m.error = m.error - can.step * rate - 0.5 * can.step * quicker;
 
   // half the turn, the way, the other half
-  const Real half = 0.25 * can.step * (rate + m.turn_rate);
-  const Real sine = half * (1.0 - half * half / 6.0), cosine = 1.0 - 0.5 * half * half;
-  turn_half(sine, cosine, m);
-  Real slip{0.0};
-  if (can.law.ahead > 0.0) slip = -can.pivot * m.turn_rate * magnitude(m.speed) / can.law.ahead;
+  const Real half = 0.25 * can.step * (rate + m.turn_rate), half2 = half * half;
+  const Real sine = half - half * half2 * (1.0 / 6 - 1.0 / 120 * half2);
+  const Real cosine = 1.0 - half2 * (1.0 / 2 - 1.0 / 24 * half2);
+  turn(sine, cosine, m);
+  const Real slip = -can.slip * m.turn_rate * magnitude(m.speed);
   m.sway = m.sway + can.sway_share * (slip - m.sway);
   const Real along = 0.5 * (speed + m.speed);
   const Real across =
       can.drift_north * -m.ahead_east + can.drift_east * m.ahead_north + m.sway;  // to starboard
   m.north = m.north + can.step * (along * m.ahead_north + across * -m.ahead_east);
   m.east = m.east + can.step * (along * m.ahead_east + across * m.ahead_north);
-  turn_half(sine, cosine, m);
+  turn(sine, cosine, m);
 }
 
 /// One step towards a heading, at a speed.
 template <class Real>
-[[gnu::always_inline]] inline void follow(const Response& can, const Real& heading_north,
-                                          const Real& heading_east, const Real& speed, Motion<Real>& m) {
-  const Real before = m.turn_rate;
-  const Real along = m.ahead_north * heading_north + m.ahead_east * heading_east;
-  advance<Real>(can, surge_order(can.law, speed, along), turn_order(can.law, m.error, m.speed), m);
-  m.error = m.error - 0.5 * can.step * (before + m.turn_rate);
+[[gnu::always_inline]] inline void follow(const Response& can, const Heading<Real>& heading,
+                                          const Real& speed, Motion<Real>& m) {
+  const Real along = m.ahead_north * heading.north + m.ahead_east * heading.east;
+  const Real surge = surge_order(can.law, speed, along);
+  advance<Real>(can, surge, turn_order_after(surge, can.law, m), m);
 }
 
 /// Squared distance from the middle line of a hazard, after `time` [s]. [m2]

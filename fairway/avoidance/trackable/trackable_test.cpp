@@ -21,13 +21,33 @@ using encounters::OwnedSituation;
 using encounters::sail;
 using encounters::Sailed;
 using encounters::under_way;
+using trackable::Courses;
 using trackable::Foresight;
 using trackable::Plan;
 using trackable::Prospect;
 using trackable::TurnLaw;
 
+/// Plans as columns.
+struct Columns {
+  std::array<double, trackable::most_courses> cosines, sines;
+  Courses courses{.north = 1.0, .side = 1.0, .cosines = cosines.data(), .sines = sines.data(), .speeds = {}};
+
+  explicit Columns(const std::vector<Plan>& plans) {
+    for (std::size_t i = 0; i < cosines.size(); ++i) {
+      const Plan& plan = plans[std::min(i, plans.size() - 1)];
+      cosines[i] = plan.direction.x();
+      sines[i] = plan.direction.y();
+      courses.speeds[i] = plan.speed;
+    }
+  }
+};
+
 Prospect prospect_of(const Foresight& foresight, const Plan& plan) {
-  return foresight.is_clear(plan) ? Prospect::clear : foresight.best_of(plan, {&plan, 1}).prospect;
+  return foresight.best_of(plan, Columns{{plan}}.courses, 1).prospect;
+}
+
+Foresight foresight_of(const TurnLaw& law, const Situation& s, const trackable::Outlook& outlook) {
+  return {law, s, unit_at(s.own.yaw), outlook};
 }
 
 Avoider around_direct_trackable() { return Avoider{Trackable{{}}, Avoider{Direct{{}}}}; }
@@ -61,38 +81,48 @@ TEST(Trackable, AForeseenStopNeedsItsWay) {
   const auto comes_to = [&](double gap) {
     e.obstacles = {buoy(e.situation.own.position.x() + gap + 1.0 + 5.0, 0.0, 5.0)};
     const Situation s = e;
-    return prospect_of(Foresight{law, s, {.hold = 0.2, .window = 8.0, .margin = 0.1}}, {.speed = 1.0});
+    return prospect_of(foresight_of(law, s, {.hold = 0.2, .window = 8.0, .margin = 0.1}), {.speed = 1.0});
   };
   EXPECT_EQ(comes_to(0.8), Prospect::lost);
   EXPECT_EQ(comes_to(2.0), Prospect::backed_up);
   EXPECT_EQ(comes_to(20.0), Prospect::clear);
 }
 
-/// What a plan comes to, by its path alone.
+/// How near a plan comes, by its path alone.
 struct Alone {
-  bool is_clear = true;
+  bool keeps_margin = true;      ///< between steps too, where it is not lost already
+  bool keeps_a_bit_more = true;  ///< by 0.15 m
   double room = std::numeric_limits<double>::infinity();
 };
 
-Alone alone(const Foresight& foresight, const Situation& s, double window, double margin, const Plan& plan) {
+Alone alone(const Foresight& foresight, const Situation& s, double margin, const Plan& plan) {
+  constexpr int parts = 16;
   Alone found;
-  const auto path = foresight.path(plan);
+  const Foresight::Path path = foresight.path(plan);
   for (const Track& t : s.tracks) {
     const Vec2 from = (t.position - s.own.position).head<2>();
     const double contact = t.radius + s.own.radius, gap = from.norm() - contact;
-    const double kept = contact + std::min(margin, gap > 0.0 ? 0.9 * gap : gap) - 1e-9;
-    for (std::size_t k = 0; k < path.size(); ++k) {
-      const double time = static_cast<double>(k + 1) * (window / Foresight::steps);
-      const double distance = (path[k] - time * t.velocity.head<2>() - from).norm();
-      found.is_clear = found.is_clear && !(distance < kept);
-      found.room = std::min(found.room, distance - contact);
+    const double left = gap > 0.0 ? 0.9 * gap : gap;
+    Vec2 before = Vec2::Zero();
+    for (std::size_t k = 0; k < path.count; ++k) {
+      for (int part = 1; part <= parts; ++part) {
+        const double share = static_cast<double>(part) / parts;
+        const double time = (static_cast<double>(k) + share) * foresight.step();
+        const Vec2 at = before + share * (path.points[k] - before);
+        const double room = (at - time * t.velocity.head<2>() - from).norm() - contact;
+        if (part == parts || left > margin + 0.15)
+          found.keeps_margin = found.keeps_margin && room >= std::min(margin, left) - 2e-9;
+        found.keeps_a_bit_more = found.keeps_a_bit_more && room >= std::min(margin + 0.15, left);
+        if (part == parts) found.room = std::min(found.room, room);
+      }
+      before = path.points[k];
     }
   }
   return found;
 }
 
 TEST(Trackable, OfManyPlansSideBySideTheOneIsTakenThatOneAtATimeIsFound) {
-  constexpr double window = 8.0, margin = 0.3;
+  constexpr double margin = 0.3;
   const Envelope boat = of_a_boat(), torpedo = of_a_torpedo();
   int clear = 0, backed_up = 0, lost = 0;
   for (std::uint64_t i = 0; i < 400; ++i) {
@@ -103,38 +133,57 @@ TEST(Trackable, OfManyPlansSideBySideTheOneIsTakenThatOneAtATimeIsFound) {
     e.situation.envelope = &envelope;
     const Situation s = e.sorted();
     const TurnLaw law{envelope, Limits::none};
-    const Foresight foresight{law, s, {.hold = 1.0, .window = window, .margin = margin}};
+    const Foresight foresight = foresight_of(law, s, {.hold = 1.0, .window = 8.0, .margin = margin});
 
     std::vector<Plan> plans(i % 4 < 2 ? 1 + rng.index(3) : 70);
-    for (Plan& plan : plans)
+    double quickest = 0.0;
+    for (Plan& plan : plans) {
       plan = {.direction = unit_at(rng.uniform(-pi, pi)), .speed = rng.uniform(0.0, 1.5)};
+      quickest = std::max(quickest, plan.speed);
+    }
     std::size_t first_clear = plans.size(), roomiest = plans.size();
     double most = -std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < plans.size(); ++k) {
-      const Alone found = alone(foresight, s, window, margin, plans[k]);
-      EXPECT_EQ(foresight.is_clear(plans[k]), found.is_clear) << i << ' ' << k;
-      if (found.is_clear) first_clear = std::min(first_clear, k);
+      const Alone found = alone(foresight, s, margin, plans[k]);
+      const bool is_clear = foresight.is_clear(plans[k], quickest);
+      EXPECT_LE(is_clear, found.keeps_margin) << i << ' ' << k;
+      EXPECT_GE(is_clear, found.keeps_a_bit_more) << i << ' ' << k;
+      if (is_clear) first_clear = std::min(first_clear, k);
       if (found.room > most) {
         roomiest = k;
         most = found.room;
       }
     }
-    const auto [at, prospect] = foresight.best_of(plans[0], plans);
+    const auto [at, prospect] = foresight.best_of(plans[0], Columns{plans}.courses, plans.size());
     EXPECT_EQ(prospect == Prospect::clear, first_clear < plans.size()) << i;
     if (prospect == Prospect::clear) {
       EXPECT_EQ(at, first_clear) << i;
     } else if (prospect == Prospect::backed_up) {
       for (std::size_t k = 0; k < at; ++k)
-        EXPECT_EQ(prospect_of(foresight, plans[k]), Prospect::lost) << i << ' ' << k;
-      EXPECT_EQ(prospect_of(foresight, plans[at]), Prospect::backed_up) << i;
+        EXPECT_EQ(foresight.best_of(plans[k], Columns{{plans[k]}}.courses, 1).prospect, Prospect::lost);
     } else {
-      EXPECT_EQ(at == plans.size() ? 0 : at, roomiest) << i;
+      EXPECT_EQ(at, roomiest) << i;
     }
     ++(prospect == Prospect::clear ? clear : prospect == Prospect::backed_up ? backed_up : lost);
   }
   EXPECT_GT(clear, 50);
   EXPECT_GT(backed_up, 2);
   EXPECT_GT(lost, 50);
+}
+
+TEST(Trackable, WhatPassesBetweenTwoStepsIsSeen) {
+  // 0.4 m aside, where 0.5 m are kept, at 6 m/s: nearer than that for 0.6 m of the 2.4 m of each step
+  const Envelope boat = of_a_boat();
+  OwnedSituation e = under_way(boat);
+  e.situation.own.radius = 0.1;
+  const TurnLaw law{boat, Limits::none};
+  for (double range = 10.0; range < 12.4; range += 0.1) {
+    e.tracks = {
+        encounters::track(1, e.situation.own.position + Vec3{range, 0.4, 0.0}, {-5.0, 0.0, 0.0}, 0.1)};
+    const Situation s = e;
+    const Foresight foresight = foresight_of(law, s, {.hold = 0.8, .window = 8.0, .margin = 0.3});
+    EXPECT_FALSE(foresight.is_clear({.speed = 1.0}, 1.0)) << range;
+  }
 }
 
 TEST(Trackable, TheLawTurnsAsFastAsTheEnvelopeSays) {
@@ -151,6 +200,60 @@ TEST(Trackable, TheLawTurnsAsFastAsTheEnvelopeSays) {
   }
 }
 
+TEST(Trackable, WhoseTurnTakesTheBrakingBrakesFirst) {
+  // north at 1 m/s, turning by 0.1 rad/s, of at most 2 m/s: it has braked at 0.2 m/s
+  Envelope boat = of_a_boat();
+  OwnedSituation e = under_way(boat);
+  e.situation.own.yaw_rate = 0.1;
+  const auto ordered = [&](double speed, const Plan& plan) {
+    e.situation.own.velocity.x() = speed;
+    const TurnLaw law{boat, Limits::none};
+    return foresight_of(law, e, {.hold = 0.8, .window = 8.0}).order(plan);
+  };
+  const Plan stop{.direction = Vec2::UnitY()}, back{.direction = -Vec2::UnitX(), .speed = 1.0};
+  const Plan aside{.direction = unit_at(radians(60.0)), .speed = 1.0};
+  EXPECT_EQ(ordered(1.0, stop).turn_rate, 0.45);  // nine tenths of 0.5 rad/s
+  boat.deceleration_lost = 0.4;                   // of 0.5 m/s2
+  for (const Plan& plan : {stop, back}) {
+    EXPECT_EQ(ordered(1.0, plan).surge, 0.0);
+    EXPECT_EQ(ordered(1.0, plan).turn_rate, 0.1);
+    EXPECT_EQ(std::abs(ordered(0.19, plan).turn_rate), 0.45);
+  }
+  EXPECT_EQ(ordered(1.0, aside).turn_rate, 0.45);
+}
+
+TEST(Trackable, ATurnTakesOfTheBrakingThatIsForeseen) {
+  // told to turn by a quarter, which brakes to a stop: while the turn rate grows by 0.5 rad/s2 to 0.45 rad/s,
+  // for 0.9 s, it slows down by 0.21 instead of 0.5 m/s2, is then 0.26 m/s faster, and so it goes farther by
+  // 0.12 m in that time alone
+  Envelope boat = of_a_boat();
+  const auto way_of = [&] {
+    const OwnedSituation e = under_way(boat);
+    const TurnLaw law{boat, Limits::none};
+    const Foresight::Path path =
+        foresight_of(law, e, {.hold = 0.8, .window = 8.0}).path({.direction = unit_at(1.5)});
+    return path.points[path.count - 1].x();
+  };
+  const double without = way_of();
+  boat.deceleration_lost = 0.29;  // not so much that it brakes first: of 0.5 m/s2
+  EXPECT_GT(way_of(), without + 0.1);
+}
+
+TEST(Trackable, StepsAreAsLongAsTheVehicleIsSlow) {
+  const auto steps_of = [](const Envelope& envelope, double window) {
+    const OwnedSituation e = under_way(envelope);
+    const TurnLaw law{envelope, Limits::none};
+    const Foresight foresight = foresight_of(law, e, {.hold = 0.8, .window = window});
+    EXPECT_GE(static_cast<double>(foresight.steps()) * foresight.step(), window - 1e-9);
+    return foresight.steps();
+  };
+  Envelope boat = of_a_boat();
+  EXPECT_EQ(steps_of(boat, 8.0), 20);  // 0.8 of a lag of 0.5 s; the hold is two of them
+  boat.turn_lag = 0.3;                 // 0.24 s, and the hold a whole number of them: four of 0.2 s
+  EXPECT_EQ(steps_of(boat, 8.0), 40);
+  EXPECT_EQ(steps_of(boat, 60.0), trackable::most_steps);
+}
+
 TEST(Trackable, WhoCannotStopNeedsRoomForACircle) {
   // 1 m/s at 0.5 rad/s: a radius of 2 m
   const Envelope torpedo = of_a_torpedo();
@@ -159,7 +262,7 @@ TEST(Trackable, WhoCannotStopNeedsRoomForACircle) {
   const auto comes_to = [&](double gap) {
     e.obstacles = {buoy(e.situation.own.position.x() + gap + 1.0 + 50.0, 0.0, 50.0)};
     const Situation s = e;
-    return prospect_of(Foresight{law, s, {.hold = 0.2, .window = 16.0, .margin = 0.1}}, {.speed = 1.0});
+    return prospect_of(foresight_of(law, s, {.hold = 0.2, .window = 16.0, .margin = 0.1}), {.speed = 1.0});
   };
   EXPECT_EQ(comes_to(1.5), Prospect::lost);
   EXPECT_EQ(comes_to(6.0), Prospect::backed_up);

@@ -10,6 +10,8 @@ constexpr double loop_gain = 0.4;              // k T_r
 constexpr double least_lag_s = 0.2;            // so that the gain stays finite
 constexpr double share_of_turn_rate = 0.9;     // the rest is left to the autopilot
 constexpr double below_rounding = 1.0 - 1e-9;  // of the table's straight lines
+constexpr double shared_braking = 0.6;         // who loses more of the deceleration in a turn brakes first
+constexpr double has_braked = 0.1;             // of the greatest speed: slower has
 
 static_assert(Law::rates == Envelope::turn_rate_count);
 
@@ -26,6 +28,8 @@ TurnLaw::TurnLaw(const Envelope& envelope, double max_turn_rate) noexcept
   const auto [slowest, quickest] = std::ranges::minmax(envelope.turn_rates);
   law_.sure_turn_rate = below_rounding * std::min(share_of_turn_rate * slowest, max_turn_rate);
   law_.top_turn_rate = std::min(share_of_turn_rate * quickest, max_turn_rate);
+  if (envelope.deceleration_lost > shared_braking * envelope.deceleration)
+    law_.brakes_first_above = std::max(has_braked * envelope.ahead, envelope.least);
 }
 
 }  // namespace fairway::trackable

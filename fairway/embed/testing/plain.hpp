@@ -18,9 +18,22 @@ inline Matrix3 plain(const Mat3& m) {
 }
 
 inline Envelope plain(const fairway::Envelope& e) {
-  return {e.ahead,    e.astern,       e.sideways,     e.up,         e.down,
-          e.least,    e.acceleration, e.deceleration, e.surge_lag,  e.turn_acceleration,
-          e.turn_lag, e.pivot,        e.sway_lag,     e.turn_rates, e.following_errors};
+  return {e.ahead,
+          e.astern,
+          e.sideways,
+          e.up,
+          e.down,
+          e.least,
+          e.acceleration,
+          e.deceleration,
+          e.surge_lag,
+          e.turn_acceleration,
+          e.turn_lag,
+          e.pivot,
+          e.sway_lag,
+          e.turn_rates,
+          e.following_errors,
+          e.deceleration_lost};
 }
 
 /// A situation of the C++20 library as a host would put it, with what it points to.
