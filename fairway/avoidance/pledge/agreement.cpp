@@ -309,7 +309,7 @@ void Agreement::propose(double now, double period, const Link& link, double pati
     std::array<Reference, most_members> others = ways_of_others();
     for (Reference& other : others) other = other.later(-(now + 2.0 * link.turn_period));
     search_.emplace(members_, held(), others, terms_, searches_ % 2 == 0 ? 0 : (searches_ + 1) / 2, chart,
-                    headway);
+                    chart.empty() ? headway : Headway{});
   }
   const bool has_ended = search_->go_on(codes_in_one_decision(chart), chart);
   // who cannot go while others are held may go later
