@@ -118,8 +118,8 @@ bool Agreement::meets_held(const Reference& own, double now, double time) const 
   return false;
 }
 
-void Agreement::go_on(double now, double period, const Link& link, double patience,
-                      const Chart& chart) noexcept {
+void Agreement::go_on(double now, double period, const Link& link, double patience, const Chart& chart,
+                      const Headway& headway) noexcept {
   assume(now, link.turn_period);
   stop_at_gate(now);
   acknowledge(now, latest(patience) * link.turn_period, chart);
@@ -128,7 +128,7 @@ void Agreement::go_on(double now, double period, const Link& link, double patien
   const double since = now - looked_;
   looked_ = now;
   const bool is_rare = since > 1.2 * period && since < link.turn_period;
-  propose(now, is_rare ? since : period, link, patience, chart);
+  propose(now, is_rare ? since : period, link, patience, chart, headway);
 }
 
 /// Who has departed by a way without gates and is silent for good has arrived at its end for all that anybody
@@ -295,8 +295,8 @@ bool Agreement::may_propose(double now, double turn_period) const noexcept {
 
 /// It searches before its turn, and proposes at the last decision before it what it has found by then, unless
 /// it hears of another plan first.
-void Agreement::propose(double now, double period, const Link& link, double patience,
-                        const Chart& chart) noexcept {
+void Agreement::propose(double now, double period, const Link& link, double patience, const Chart& chart,
+                        const Headway& headway) noexcept {
   if (!may_propose(now, link.turn_period)) {
     search_.reset();
     return;
@@ -309,7 +309,8 @@ void Agreement::propose(double now, double period, const Link& link, double pati
     // it plans from time 0 on
     std::array<Reference, most_members> others = ways_of_others();
     for (Reference& other : others) other = other.later(-(now + 2.0 * link.turn_period));
-    search_.emplace(members_, held(), others, terms_, searches_ % 2 == 0 ? 0 : (searches_ + 1) / 2, chart);
+    search_.emplace(members_, held(), others, terms_, searches_ % 2 == 0 ? 0 : (searches_ + 1) / 2, chart,
+                    chart.empty() ? headway : Headway{});
   }
   const bool has_ended = search_->go_on(codes_in_one_decision(chart), chart);
   // who cannot go while others are held may go later

@@ -48,8 +48,10 @@ class Agreement {
 
   /// Acknowledges, proposes, departs and stops as the rules say. To be called at every decision, `period` [s]
   /// apart. `patience` is how many turns more than the least it gives acknowledgements to come in; `chart` is
-  /// what stands.
-  void go_on(double now, double period, const Link& link, double patience, const Chart& chart = {}) noexcept;
+  /// what stands, and `headway` what it wants of the plans that it
+  /// proposes where nothing stands.
+  void go_on(double now, double period, const Link& link, double patience, const Chart& chart = {},
+             const Headway& headway = {}) noexcept;
 
   /// Goes on to the next round of the groups when it may (`Rounds`) and has nothing to do in this one. To be
   /// called at every decision. `is_free`: its mission would let it depart; `rests`: it is where it says.
@@ -124,7 +126,8 @@ class Agreement {
   bool is_as_told() const noexcept;
   bool is_clear(const Chart& chart) noexcept;
   bool accepts_own(const Clearance& scene, const Reference& way, const Chart& chart) const noexcept;
-  void propose(double now, double period, const Link& link, double patience, const Chart& chart) noexcept;
+  void propose(double now, double period, const Link& link, double patience, const Chart& chart,
+               const Headway& headway) noexcept;
   bool may_propose(double now, double turn_period) const noexcept;
   double clear_of(std::size_t i) const noexcept;
   void assume(double now, double turn_period) noexcept;

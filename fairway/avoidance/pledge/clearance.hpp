@@ -22,6 +22,13 @@ inline double least_apart(const Member& a, const Member& b, const Tubes& tubes) 
   return a.radius + b.radius + 2.0 * tubes.radius + tubes.told;
 }
 
+/// How far the centres of two have to be from each other of whom one has stopped on its way [m]: both radii,
+/// what is told roughly, and one tube, for what the stopped one runs on and both are off their ways. Not both
+/// tubes: here nobody promises anything, and members are mostly half a metre off.
+inline double least_beside(const Member& a, const Member& b, const Tubes& tubes) noexcept {
+  return a.radius + b.radius + tubes.radius + tubes.told;
+}
+
 /// Members with the references that they have been given, and whether these keep clear of each other whatever
 /// words are lost:
 ///
@@ -49,6 +56,10 @@ class Clearance {
   void place(std::size_t member, const Reference& reference) noexcept;
   void take_away(std::size_t member) noexcept { placed_.reset(member); }
 
+  /// What two need of whom one has stopped (least_beside) [m].
+  double beside(std::size_t a, std::size_t b) const noexcept {
+    return least_beside(members_[a], members_[b], tubes_);
+  }
   const Members& placed() const { return placed_; }
   const Reference& reference(std::size_t member) const { return references_[member]; }
 

@@ -162,7 +162,7 @@ void Pledge::take_part(const Situation& s, const pledge::Chart& chart, Memory& m
       !is_wary && (s.attendance == Attendance::ready || s.attendance == Attendance::under_way);
   if (is_free) {
     aim(s, chart, memory);
-    agreement.go_on(s.time, s.period, *s.link, patience, chart);
+    agreement.go_on(s.time, s.period, *s.link, patience, chart, {params.headway_s, s.current});
   }
   agreement.take_turns(s.time, s.period, s.link->turn_period, is_free && !memory.waits, rests(s, memory));
 }

@@ -34,6 +34,7 @@ struct Pledge {
     double speed_ratio = 0.95;
     double gain_hz = 0.3;
     double patience_count = 4.0;
+    double headway_s = 20.0;
     double datum_north_m = 0.0;
     double datum_east_m = 0.0;
 
@@ -50,6 +51,10 @@ struct Pledge {
               {0, 20},
               "turns more than the least that acknowledgements are waited for, where the "
               "clock has not begun"),
+          field<&P::headway_s>(
+              {0, 60},
+              "for so long whoever stops on its way should be in nobody's: a plan that lacks "
+              "a second of it has to be half a second quicker"),
           field<&P::datum_north_m>({-1e6, 1e6}, "to which places are told; the same for all"),
           field<&P::datum_east_m>({-1e6, 1e6}, "likewise"),
       };

@@ -108,10 +108,10 @@ Reference Reference::until(double time) const noexcept {
   return shorter;
 }
 
-Reference Reference::later(double seconds) const noexcept {
-  Reference moved = *this;
-  for (std::size_t i = 0; i < count_; ++i) moved.knots_[i].time += seconds;
-  return moved;
+Reference Reference::moved(double seconds, const Vec3& off) const noexcept {
+  Reference other;
+  for (const Knot& knot : knots()) other.add({knot.time + seconds, knot.position + off});
+  return other;
 }
 
 Passage::Passage(const Member& member, const Plan& plan, std::uint8_t ring) noexcept {

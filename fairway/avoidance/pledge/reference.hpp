@@ -45,8 +45,9 @@ class Reference {
 
   /// The same up to `time`, and held there for ever.
   Reference until(double time) const noexcept;
-  /// The same so much later [s].
-  Reference later(double seconds) const noexcept;
+  /// The same so much later [s], and so far off [m].
+  Reference moved(double seconds, const Vec3& off) const noexcept;
+  Reference later(double seconds) const noexcept { return moved(seconds, Vec3::Zero()); }
 
  private:
   std::array<Knot, most_knots> knots_{};

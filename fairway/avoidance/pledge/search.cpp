@@ -11,9 +11,13 @@ namespace {
 constexpr int rings = static_cast<int>(ring_radius.size());
 constexpr int carousels = 2 * rings * rings;  // either way round, a ring for each class
 constexpr int carousel_cost = 4;              // of one carousel, in codes
+constexpr std::size_t widths = 2;             // of its rings, where headway is wanted
+constexpr int pair_cost = 1;                  // of the headway of one to another, in codes
+constexpr double worth = 0.5;                 // of a second of headway, in the mean time [s]
 constexpr int codes = 256;
 constexpr std::size_t centres = 2 + most_members;  // of rings, one for each attempt
 constexpr Epoch at_zero{.tenths = 0};              // plans are looked for as if they began then
+constexpr double least_gain = 0.05;                // for which a member takes another code [s]
 constexpr double rounding = 1e-6;                  // of times [s]
 
 /// First where the straight ways cross, in the mean; then the middle of where all are, to go round each other
@@ -48,13 +52,14 @@ bool dives(const Member& member) { return member.destination.z() > member.anchor
 
 Search::Search(const std::array<Member, most_members>& members, const Members& participants,
                const std::array<Reference, most_members>& others, const Terms& terms, std::size_t attempt,
-               const Chart& chart) noexcept
+               const Chart& chart, const Headway& wanted) noexcept
     : members_{members},
       asked_{participants},
       company_{participants},
       others_{others},
       tubes_{terms.tubes},
-      attempt_{attempt} {
+      attempt_{attempt},
+      wanted_{wanted} {
   hubs_[hub_count_++] = {centre_as_told(centre_of(members, asked_, attempt), terms.datum), 0};
   find_hubs(chart, terms.datum);
   begin_hub();
@@ -170,12 +175,14 @@ bool Search::go_on(int count, const Chart& chart) noexcept {
     if (stage_ == Stage::carousel) {
       count -= carousel_cost - 1;
       try_carousel(number_++, chart);
-      if (number_ == carousels) end_carousels();
+      if (number_ == carousel_count()) end_carousels();
     } else if (stage_ == Stage::one_by_one) {
       try_next_code(chart);
     } else {
       improve_next(chart);
     }
+    count -= spent_;
+    spent_ = 0;
   }
   return stage_ == Stage::done;
 }
@@ -191,7 +198,7 @@ Clearance Search::empty() const noexcept {
 /// The participant after this one; false, and the first again, after the last.
 bool Search::next_member() noexcept {
   number_ = 0;
-  soonest_ = never;
+  least_cost_ = never;
   do {
     if (++turn_ < most_members) continue;
     turn_ = 0;
@@ -202,11 +209,18 @@ bool Search::next_member() noexcept {
   return true;
 }
 
+/// With wider rings too, where headway is wanted.
+int Search::carousel_count() const noexcept {
+  const std::size_t wider = ring_scale.size() - hubs_[hub_].scale;
+  return carousels * static_cast<int>(wanted_.aim > 0.0 ? std::min(widths, wider) : 1);
+}
+
 void Search::try_carousel(int number, const Chart& chart) noexcept {
   const Code down{static_cast<std::uint8_t>(number % rings)},
       up{static_cast<std::uint8_t>(number / rings % rings)};
   Plan plan = empty_plan();
-  plan.to_port = number >= rings * rings;
+  plan.scale = static_cast<std::uint8_t>(plan.scale + number / carousels);
+  plan.to_port = number % carousels >= rings * rings;
   plan.participants = participants_;
   Clearance scene = empty();
   for (std::size_t i = 0; i < most_members; ++i) {
@@ -224,7 +238,7 @@ void Search::end_carousels() noexcept {
   number_ = 0;
   turn_ = 0;
   member_ = numbered(0);
-  soonest_ = never;
+  least_cost_ = never;
   stage_ = of_hub_.is_any() ? Stage::improve : Stage::one_by_one;
   plan_ = of_hub_.is_any() ? of_hub_.plan : empty_plan();
   scene_ = empty();
@@ -232,8 +246,16 @@ void Search::end_carousels() noexcept {
     if (plan_.participants[i]) scene_.place(i, reference_of(members_[i], plan_, plan_.codes[i]));
 }
 
-/// The code of that number takes the member whose turn it is, if it is there before `limit` by it. Of codes
-/// that differ in the delay alone the later ones are so much later.
+/// Of the way of the member whose turn it is.
+double Search::cost_of(const Reference& reference) noexcept {
+  if (wanted_.aim <= 0.0) return reference.end();
+  spent_ += 2 * pair_cost * static_cast<int>(scene_.placed().count());
+  const double lacks = wanted_.aim - headway_of(member_, reference, scene_, wanted_);
+  return reference.end() + worth * static_cast<double>(participants_.count()) * lacks;
+}
+
+/// The code of that number takes the member whose turn it is, if it costs less than `limit`. Of codes that
+/// differ in the delay alone the later ones are so much later.
 void Search::try_code(double limit, const Chart& chart) noexcept {
   const Code code = Code::of(static_cast<std::uint8_t>(number_));
   const Member& member = members_[member_];
@@ -243,16 +265,18 @@ void Search::try_code(double limit, const Chart& chart) noexcept {
   const Reference reference = reference_of(member, plan_, code, passage_);
   if (code.delay == 0) undelayed_[code.dive] = reference.end();
   if (reference.end() >= limit || !accepts(member_, reference, scene_, chart)) return;
-  soonest_ = reference.end();
+  const double cost = cost_of(reference);
+  if (cost >= limit) return;
+  least_cost_ = cost;
   code_ = code;
 }
 
-/// One code of the member whose turn it is; when all were tried it takes the soonest, or stays.
+/// One code of the member whose turn it is; when all were tried it takes the cheapest, or stays.
 void Search::try_next_code(const Chart& chart) noexcept {
   if (!participants_[member_]) number_ = codes;
-  if (number_ < codes) try_code(soonest_, chart);
+  if (number_ < codes) try_code(least_cost_, chart);
   if (++number_ < codes) return;
-  if (soonest_ < never) {
+  if (least_cost_ < never) {
     plan_.codes[member_] = code_;
     plan_.participants.set(member_);
     scene_.place(member_, reference_of(members_[member_], plan_, code_));
@@ -269,17 +293,21 @@ void Search::try_next_code(const Chart& chart) noexcept {
   if (stage_ == Stage::done) end_hub();
 }
 
-/// The same of somebody who has a code already. Ends with the first round in which nobody found a sooner one.
+/// The same of somebody who has a code already. Ends with the first round in which nobody found a cheaper
+/// one.
 void Search::improve_next(const Chart& chart) noexcept {
   if (!plan_.participants[member_]) {
     number_ = codes - 1;
   } else {
-    if (number_ == 0) scene_.take_away(member_);
-    try_code(math::fmin(soonest_, scene_.reference(member_).end() - 0.05), chart);
+    if (number_ == 0) {
+      scene_.take_away(member_);
+      cost_ = cost_of(scene_.reference(member_));
+    }
+    try_code(math::fmin(least_cost_, cost_ - least_gain), chart);
   }
   if (++number_ < codes) return;
   if (plan_.participants[member_]) {
-    if (soonest_ < never) {
+    if (least_cost_ < never) {
       plan_.codes[member_] = code_;
       improved_ = true;
     }
@@ -291,17 +319,22 @@ void Search::improve_next(const Chart& chart) noexcept {
   improved_ = false;
 }
 
-/// More who go are better, then a shorter time.
+/// More who go are better, then a lower cost.
 bool Search::Option::is_better_than(const Option& other) const {
   const std::size_t has = plan.participants.count(), had = other.plan.participants.count();
-  return has > had || (has == had && has > 0 && time < other.time);
+  return has > had || (has == had && has > 0 && cost < other.cost);
 }
 
 void Search::keep(const Clearance& scene, const Plan& plan) noexcept {
   double sum = 0.0;
   for (std::size_t i = 0; i < most_members; ++i)
     if (plan.participants[i]) sum += scene.reference(i).end();
-  const Option option{plan, sum / static_cast<double>(plan.participants.count())};
+  Option option{plan, sum / static_cast<double>(plan.participants.count())};
+  if (wanted_.aim > 0.0 && option.is_better_than(of_hub_)) {
+    const auto placed = static_cast<int>(scene.placed().count());
+    spent_ += pair_cost * placed * placed;
+    option.cost += worth * (wanted_.aim - headway_of(scene, wanted_));
+  }
   if (option.is_better_than(of_hub_)) of_hub_ = option;
   if (option.is_better_than(best_)) best_ = option;
 }

@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "fairway/avoidance/pledge/clearance.hpp"
+#include "fairway/avoidance/pledge/headway.hpp"
 
 namespace fairway::pledge {
 
@@ -17,7 +18,8 @@ struct Terms {
   Groups groups() const { return {.vehicles = count}; }
 };
 
-/// Looks for a plan by which all of those who are held get to their destinations, soonest in the mean. First
+/// Looks for a plan by which all of those who are held get to their destinations, soonest in the mean, where
+/// each second of headway that a plan lacks counts as half a second. First
 /// a carousel: those who dive by one ring, those who climb by another. Where none is clear, one member after
 /// the other takes the soonest code that is clear of those before it; whoever has none stays, and all begin
 /// again round it. Then each looks for a sooner one. Where something stands in the way and not all can go, it
@@ -35,7 +37,7 @@ class Search {
   /// one has another centre, and another who is first. All that is asked keeps off what stands.
   Search(const std::array<Member, most_members>& members, const Members& participants,
          const std::array<Reference, most_members>& others, const Terms& terms, std::size_t attempt,
-         const Chart& chart) noexcept;
+         const Chart& chart, const Headway& wanted = {}) noexcept;
 
   /// Tries so many codes, or carousels, more, on the chart that it was made with. True when it has ended.
   bool go_on(int count, const Chart& chart) noexcept;
@@ -62,6 +64,8 @@ class Search {
   Clearance empty() const noexcept;
   bool accepts(std::size_t member, const Reference& reference, const Clearance& scene,
                const Chart& chart) const noexcept;
+  int carousel_count() const noexcept;
+  double cost_of(const Reference& reference) noexcept;
   void try_carousel(int number, const Chart& chart) noexcept;
   void end_carousels() noexcept;
   void try_code(double limit, const Chart& chart) noexcept;
@@ -72,10 +76,10 @@ class Search {
   void stay(const Members& who) noexcept;
   Members chain_from(std::size_t head) const noexcept;
 
-  /// A plan, and how long it takes them to their ends, in the mean [s].
+  /// A plan, and how long it takes them to their ends, in the mean, with what its headway lacks [s].
   struct Option {
     Plan plan{};
-    double time{};
+    double cost{};
     bool is_any() const { return plan.participants.any(); }
     bool is_better_than(const Option& other) const;
   };
@@ -93,6 +97,7 @@ class Search {
   std::array<Reference, most_members> ways_{};  ///< the same, and of who stays where it is
   Tubes tubes_{};
   std::size_t attempt_{};
+  Headway wanted_{};
   std::array<Hub, most_hubs> hubs_{};
   std::size_t hub_count_{0}, hub_{0};
 
@@ -105,7 +110,9 @@ class Search {
   Plan plan_{};
   Passage passage_{};                  ///< of that member by the ring of its code
   std::array<double, 4> undelayed_{};  ///< when it is there by that ring, by how it dives [s]
-  double soonest_{};                   ///< of the member's codes that were tried
+  double least_cost_{};                ///< of the member's codes that were tried [s]
+  double cost_{};                      ///< of the code that the member has [s]
+  int spent_{0};                       ///< on headway, in codes
   Code code_{};
 
   Option of_hub_{}, best_{};
