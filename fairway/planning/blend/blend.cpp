@@ -7,6 +7,7 @@
 #include <exception>
 #include <limits>
 
+#include "fairway/avoidance/trackable/keeper.hpp"
 #include "fairway/core/angles.hpp"
 #include "fairway/core/math.hpp"
 #include "fairway/planning/blend/space_time.hpp"
@@ -36,9 +37,11 @@ std::shared_ptr<const Plan> planned(const Params& params, const Situation& s, co
 
   // where the filter would not let it pass it need not plan to, unless it must
   PlanParams roomy = params;
-  if (params.filter) roomy.clearance_m = math::fmax(params.clearance_m, params.margin_m);
+  if (params.filter && !trackable::must_turn(s))
+    roomy.clearance_m = math::fmax(params.clearance_m, params.margin_m);
   Plan plan = make_plan(roomy, plan_task(roomy, known), seed);
-  if (plan.status != PlanStatus::ready) plan = make_plan(params, plan_task(params, known), seed);
+  if (plan.status != PlanStatus::ready && roomy.clearance_m > params.clearance_m)
+    plan = make_plan(params, plan_task(params, known), seed);
   return std::make_shared<const Plan>(std::move(plan));
 }
 
@@ -121,7 +124,34 @@ void adopt(std::shared_ptr<const Plan> plan, const Situation& s, Memory& memory)
   memory.depth = s.own.position.z();
   memory.stage = Stage::following;
   memory.progress_s = 0.0;
+  memory.pursuit = Pursuit::begun(s);
+  memory.planned_s = s.time;
   memory.wall = {};
+}
+
+/// Of a vehicle that must turn: whether something known lies on what is left of its path.
+bool is_blocked(const Situation& s, const Memory& memory) {
+  const Plan& plan = *memory.plan;
+  if (plan.status != PlanStatus::ready) return false;
+  return memory.pursuit.is_blocked(plan, PlanarMap{chart_of(s, memory.finds), plan.task.map.inflation()});
+}
+
+/// Of a vehicle that must turn: whether it is time to look for another plan.
+bool wants_another(const Situation& s, const Memory& memory) {
+  const Plan& plan = *memory.plan;
+  if (s.time < memory.planned_s + between_plans_s) return false;
+  if (plan.status != PlanStatus::ready)
+    return (plan.task.start - seen_from_above(s.own.position)).norm() > s.own.radius;
+  return memory.pursuit.is_stuck(s, plan) || is_blocked(s, memory);
+}
+
+/// Of a vehicle that must turn: takes note of what was not charted, and plans anew where the plan is of no
+/// use.
+void renew(const Params& params, const Situation& s, Memory& memory, Context& context) {
+  if (!params.replan || !wants_another(s, memory)) return;
+  memory.planned_s = s.time;
+  std::shared_ptr<const Plan> other = planned(params, s, memory.finds, context);
+  if (other->status == PlanStatus::ready) adopt(std::move(other), s, memory);
 }
 
 /// Takes note of what was not charted; plans anew if it lies in the way and that is quicker.
@@ -233,6 +263,16 @@ void come_back(const Params& params, const Situation& s, Memory& memory) {
   memory.wall = {};
 }
 
+/// What a vehicle that must turn does with a plan that is ready.
+Command pursue(const Params& params, const Situation& s, Memory& memory, Context& context) {
+  const Vec3 along = memory.pursuit.follow(s, *memory.plan);
+  memory.stage = is_blocked(s, memory) ? Stage::going_round : Stage::following;
+  if (memory.stage == Stage::going_round)
+    return go_round(params, s, seen_from_above(s.goal.position), memory, context);
+  memory.wall = {};
+  return {.velocity = along};
+}
+
 /// What to do before the filter.
 Command choose(const Params& params, const Situation& s, double elapsed, Memory& memory, Context& context) {
   if (memory.plan->status != PlanStatus::ready) {
@@ -240,6 +280,7 @@ Command choose(const Params& params, const Situation& s, double elapsed, Memory&
     command.note = note_of(memory.plan->status);
     return command;
   }
+  if (memory.plan->task.strays) return pursue(params, s, memory, context);
 
   const bool mover = meets_track(params, s, memory, memory.progress_s);
   const Vec2 next = place_at(memory, memory.progress_s);
@@ -264,9 +305,15 @@ Command choose(const Params& params, const Situation& s, double elapsed, Memory&
 
 Command Blend::decide(const Situation& s, Memory& memory, Context& context) const noexcept {
   try {
+    const bool turns = trackable::must_turn(s);
+    if (turns) memory.finds.add(s.obstacles);
     const bool other_goal = memory.plan && memory.plan->task.goal != seen_from_above(s.goal.position);
     if (!memory.plan || other_goal) adopt(planned(params, s, memory.finds, context), s, memory);
-    learn(params, s, memory, context);
+    if (turns) {
+      renew(params, s, memory, context);
+    } else {
+      learn(params, s, memory, context);
+    }
     const double elapsed = memory.last_time ? s.time - *memory.last_time : 0.0;
     memory.last_time = s.time;
 
@@ -275,7 +322,7 @@ Command Blend::decide(const Situation& s, Memory& memory, Context& context) cons
       const bool follows = memory.stage == Stage::following;
       draw(*memory.plan, memory.depth, follows, *context.sketch);
     }
-    if (!params.filter) return wanted;
+    if (!params.filter || turns) return wanted;
     SafetyFilter filter;
     filter.params.margin_m = params.margin_m;
     return filter.filtered(s, wanted, context.sketch);

@@ -8,6 +8,7 @@
 #include "fairway/avoidance/wall_following/wall_following.hpp"
 #include "fairway/planning/blend/finds.hpp"
 #include "fairway/planning/rrt_star/plan.hpp"
+#include "fairway/planning/rrt_star/pursuit.hpp"
 
 namespace fairway {
 
@@ -18,6 +19,11 @@ namespace fairway {
 /// free; lets what moves pass on a way through space and time; plans anew, over all that it has met, when
 /// that is expected to be quicker; and passes everything through the safety filter. For any vehicle that can
 /// go any way: it commands velocities.
+///
+/// A vehicle that must turn follows the path by looking ahead (Pursuit). It plans anew, at most every
+/// `between_plans_s`, where something known lies on what is left of the path or that has come to nothing, and
+/// goes round by wall following where there is no other plan. What moves, and the filter, are then the
+/// business of the wrapper that has its envelope, `+trackable` or `+safety_filter`.
 ///
 /// Following is O(obstacles + lookahead x tracks); going round as WallFollowing; a way through space and time
 /// a few milliseconds, once a second with a mover near; planning as make_plan(), a few ten milliseconds, at
@@ -74,6 +80,8 @@ struct Blend {
     Stage stage{Stage::following};
     double depth{};                   ///< where the plan was made [m], for who looks
     double progress_s{};              ///< along the trajectory
+    Pursuit pursuit;                  ///< of the path, by a vehicle that must turn
+    double planned_s{};               ///< when such a one looked for a plan last
     std::optional<double> last_time;  ///< of the call before [s]
     WallFollowing::Memory wall;
     std::optional<Vec3> dodge;  ///< velocity that lets a mover pass, north and east

@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include "fairway/avoidance/avoider.hpp"
+#include "fairway/avoidance/testing/boat.hpp"
 #include "fairway/avoidance/testing/passage.hpp"
+#include "fairway/avoidance/trackable/trackable.hpp"
 
 namespace fairway {
 namespace {
@@ -94,6 +97,51 @@ TEST(Blend, SaysWhyItHasNoPlanAndGoesOnWithoutOne) {
   const Command command = blend().decide(sea({disc(40, 0, 2, true)}));  // over the goal
   EXPECT_EQ(command.note, "goal is inside an inflated obstacle");
   EXPECT_GT(command.velocity.x(), 0.0);
+}
+
+/// A boat of 1 m/s under `+trackable`, 40 m south of its goal, among obstacles no chart shows but one.
+OwnedSituation boat_among(const Envelope& can, bool charted) {
+  OwnedSituation e = encounters::under_way(can);
+  e.situation.period = 0.2;
+  e.situation.goal = {.position = {40, 0, 50}, .cruise_speed = 1.0, .arrival = 1.0};
+  e.obstacles = {encounters::wall({12, -12, 50}, {12, 3, 50}), encounters::wall({24, -3, 50}, {24, 12, 50})};
+  for (Obstacle& wall : e.obstacles) wall.charted = charted;
+  return e;
+}
+
+TEST(Blend, AVehicleThatMustTurnIsNeitherSlowNorAstray) {
+  // 46 m by the tangents; what is on no chart is seen from the start
+  const Envelope boat = encounters::of_a_boat();
+  for (const bool charted : {true, false}) {
+    const Avoider avoider{Trackable{{}}, blend()};
+    const auto sailed = encounters::sail(boat_among(boat, charted), avoider, 58.0);
+    EXPECT_LT((sailed.end - Vec2{40, 0}).norm(), 2.0) << charted;
+    EXPECT_GT(sailed.clearance, 0.2) << charted;
+  }
+}
+
+TEST(Blend, AVehicleThatMustTurnPlansRoundWhatItFindsOnItsPath) {
+  const Envelope boat = encounters::of_a_boat();
+  OwnedSituation e = boat_among(boat, true);
+  const Blend algorithm{{}};
+  Blend::Memory memory;
+  Rng rng{3};
+  Context context{rng};
+  const auto plan_at = [&](double time) {
+    e.situation.time = time;
+    (void)algorithm.decide(e, memory, context);
+    return memory.plan;
+  };
+  const auto first = plan_at(0.0);
+  e.obstacles.push_back(encounters::buoy(34, 0, 2.0));
+  e.obstacles.back().charted = false;
+  EXPECT_EQ(plan_at(1.9), first);  // at most every 2 s
+  EXPECT_EQ(memory.stage, Blend::Stage::going_round);
+  const auto second = plan_at(2.1);
+  EXPECT_NE(second, first);
+  EXPECT_EQ(memory.stage, Blend::Stage::following);
+  e.obstacles.pop_back();  // out of sight, and remembered
+  EXPECT_EQ(plan_at(5.0), second);
 }
 
 TEST(Finds, EachIsKeptOnceAndOutlivesWhereItWasSeen) {

@@ -7,7 +7,9 @@
 #include <limits>
 #include <utility>
 
+#include "fairway/avoidance/trackable/keeper.hpp"
 #include "fairway/core/math.hpp"
+#include "fairway/planning/rrt_star/pursuit.hpp"
 
 namespace fairway {
 namespace {
@@ -45,6 +47,11 @@ TrajectoryLimits limits_for(const PlanParams& params, const Situation& s) {
   return {math::fmin(speed, s.limits.max_speed), acceleration};
 }
 
+TrajectoryLimits limits_of(const Envelope& can, const PlanParams& params, const Situation& s) {
+  const double speed = params.max_speed_mps > 0.0 ? params.max_speed_mps : s.goal.cruise_speed;
+  return {std::min({speed, s.limits.max_speed, can.ahead}), can.acceleration};
+}
+
 /// From the start through the given waypoints; one where the vehicle is already is no segment.
 std::vector<Vec2> given_path(const PlanParams& params, const Vec2& start) {
   std::vector<Vec2> path{start};
@@ -55,7 +62,8 @@ std::vector<Vec2> given_path(const PlanParams& params, const Vec2& start) {
   return path;
 }
 
-/// With slack; without it where there is no room for any.
+/// With slack, and for a vehicle that strays from it with room for that, or for some of it; without where
+/// there is no room for any.
 PathResult path_for(const PlanParams& params, const PlanTask& task, std::uint32_t seed) {
   if (!params.waypoints.empty()) return {.waypoints = given_path(params, task.start)};
   const PathRequest request{.start = task.start,
@@ -64,11 +72,28 @@ PathResult path_for(const PlanParams& params, const PlanTask& task, std::uint32_
                             .iterations_count = params.iterations_count,
                             .range_m = params.range_m,
                             .seed = seed};
-  if (params.slack_m > 0.0) {
-    PathResult roomy = plan_path(task.map.grown(params.slack_m), request);
+  const double strays = task.strays.value_or(0.0);
+  const std::array rooms{params.slack_m + strays, params.slack_m + 0.25 * strays};
+  for (const double room : std::span{rooms}.first(task.strays ? 2 : 1)) {
+    if (!(room > 0.0)) continue;
+    PathResult roomy = plan_path(task.map.grown(room), request);
     if (roomy.status == PathStatus::found) return roomy;
   }
   return plan_path(task.map, request);
+}
+
+/// Along `path` without a stop.
+Trajectory at_pace(std::span<const Vec2> path, double speed) {
+  if (path.size() < 2) return Trajectory{path.front()};
+  std::vector<Trajectory::Segment> segments;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const Vec2 leg = path[i] - path[i - 1];
+    Trajectory::Segment& segment = segments.emplace_back();
+    segment.coefficients.col(0) = path[i - 1];
+    segment.coefficients.col(1) = leg;
+    segment.duration = leg.norm() / speed;
+  }
+  return Trajectory{std::move(segments)};
 }
 
 PlanStatus status_of(PathStatus status) {
@@ -87,15 +112,22 @@ PlanStatus status_of(PathStatus status) {
 
 }  // namespace
 
-PlanTask plan_task(const PlanParams& params, const Situation& s) {
+PlanarMap charted_map(const Situation& s, double inflation_m) {
   std::vector<Obstacle> charted;
   std::ranges::copy_if(s.obstacles, std::back_inserter(charted), &Obstacle::charted);
+  return {charted, inflation_m};
+}
+
+PlanTask plan_task(const PlanParams& params, const Situation& s) {
   const Vec2 goal = params.waypoints.empty() ? seen_from_above(s.goal.position)
                                              : Vec2{params.waypoints.back().n_m, params.waypoints.back().e_m};
-  return {.start = seen_from_above(s.own.position),
-          .goal = goal,
-          .map = PlanarMap{charted, s.own.radius + params.clearance_m},
-          .limits = limits_for(params, s)};
+  PlanTask task{.start = seen_from_above(s.own.position),
+                .goal = goal,
+                .map = charted_map(s, s.own.radius + params.clearance_m)};
+  const bool turns = trackable::must_turn(s);
+  task.limits = turns ? limits_of(*s.envelope, params, s) : limits_for(params, s);
+  if (turns) task.strays = strays_by(s, task.limits.max_speed_mps);
+  return task;
 }
 
 std::string_view note_of(PlanStatus status) noexcept {
@@ -122,6 +154,10 @@ Plan make_plan(const PlanParams& params, PlanTask task, std::uint32_t seed) {
   plan.tree = std::move(path.tree);
   if (plan.status != PlanStatus::ready) return plan;
   plan.path = std::move(path.waypoints);
+  if (plan.task.strays) {
+    plan.trajectory = at_pace(plan.path, limits.max_speed_mps);
+    return plan;
+  }
 
   FitOptions options{.limits = limits,
                      .segment_time_s = params.segment_time_s,

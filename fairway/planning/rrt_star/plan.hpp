@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -64,11 +65,17 @@ struct PlanTask {
   Vec2 goal = Vec2::Zero();   ///< [m, NE]
   PlanarMap map{{}, 0.0};     ///< charted obstacles, grown by own radius and clearance
   TrajectoryLimits limits;
+  std::optional<double> strays;  ///< of a vehicle that must turn: as strays_by() says (pursuit.hpp) [m]
 };
+
+/// The charted obstacles of a situation, grown by `inflation_m`. Throws InputError for an unusable one.
+PlanarMap charted_map(const Situation& s, double inflation_m);
 
 /// The task of a situation. Speed is that of the mission within its limits, acceleration that of the limits.
 /// Where the forces are known, neither drag at that speed nor that acceleration takes more than half of what
-/// surge and sway can give, an axis that is not driven aside. Throws InputError for an unusable obstacle.
+/// surge and sway can give, an axis that is not driven aside. Of a vehicle that must turn
+/// (trackable::must_turn()) both are at most what its envelope says. Throws InputError for an unusable
+/// obstacle.
 PlanTask plan_task(const PlanParams& params, const Situation& s);
 
 enum class PlanStatus {
@@ -98,10 +105,13 @@ struct Plan {
 /// false where the rest is drawn anew at every decision.
 void draw(const Plan& plan, double depth, bool with_tree, Sketch& sketch);
 
-/// Path, smooth trajectory, check, repair. Where the smooth trajectory cannot be repaired the vehicle comes
-/// to rest at every waypoint instead, which keeps it on the straight lines of the path. With segment times
-/// given limits are not looked at. A few ten milliseconds where there is something in the way (see
-/// README.md). Throws InputError as plan_path() and fit_trajectory() do.
+/// Path, smooth trajectory, check, repair. For a vehicle that must turn, the path, with as much more room as
+/// the vehicle strays where there is that, else a quarter of it, and the trajectory goes along it at the
+/// greatest speed from the beginning to the end (Pursuit says how it is followed). Where the smooth
+/// trajectory cannot be repaired the vehicle comes to rest at every waypoint instead, which keeps it on the
+/// straight lines of the path. With segment times given limits are not looked at. A few ten milliseconds
+/// where there is something in the way (see README.md). Throws InputError as plan_path() and fit_trajectory()
+/// do.
 Plan make_plan(const PlanParams& params, PlanTask task, std::uint32_t seed);
 
 }  // namespace fairway

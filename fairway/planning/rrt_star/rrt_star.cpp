@@ -17,8 +17,13 @@ bool is_other(const PlanTask& before, const PlanTask& now, double near) {
 bool needs_plan(const RrtStar::Memory& memory, const PlanParams& params, const Situation& s) {
   if (!memory.plan) return true;
   const Plan& plan = *memory.plan;
+  const bool turns = plan.task.strays.has_value();
+  if (turns && s.time < memory.begin_s + between_plans_s) return false;
   if (plan.status != PlanStatus::ready) return is_other(plan.task, plan_task(params, s), s.own.radius);
-  return params.waypoints.empty() && plan.task.goal != seen_from_above(s.goal.position);
+  if (!params.waypoints.empty()) return false;
+  if (plan.task.goal != seen_from_above(s.goal.position)) return true;
+  return turns && (memory.pursuit.is_stuck(s, plan) ||
+                   memory.pursuit.is_blocked(plan, charted_map(s, plan.task.map.inflation())));
 }
 
 /// The plan for the situation; one that could not even be tried is a failed one.
@@ -37,14 +42,18 @@ Command RrtStar::decide(const Situation& s, Memory& memory, Context& context) co
   try {
     if (needs_plan(memory, params, s)) {
       const auto seed = static_cast<std::uint32_t>(context.rng.next() >> 32U);
-      memory = {std::make_shared<const Plan>(plan_for(params, s, seed)), s.time, s.own.position.z(), {}};
+      memory = {.plan = std::make_shared<const Plan>(plan_for(params, s, seed)),
+                .begin_s = s.time,
+                .depth = s.own.position.z(),
+                .pursuit = Pursuit::begun(s)};
     }
     const Plan& plan = *memory.plan;
     if (context.sketch != nullptr) draw(plan, memory.depth, true, *context.sketch);
     if (plan.status != PlanStatus::ready) return {.mode = Mode::infeasible, .note = note_of(plan.status)};
 
-    Command command =
-        TrajectoryTracker{params}.follow(plan.trajectory, s.time - memory.begin_s, s, memory.tracking);
+    Command command = plan.task.strays ? Command{.velocity = memory.pursuit.follow(s, plan)}
+                                       : TrajectoryTracker{params}.follow(
+                                             plan.trajectory, s.time - memory.begin_s, s, memory.tracking);
     const bool is_clear = plan.task.map.is_free(seen_from_above(s.own.position), plan.task.goal);
     command.mode = is_clear ? Mode::cruise : Mode::avoid;
     return command;

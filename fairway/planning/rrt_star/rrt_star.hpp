@@ -6,6 +6,7 @@
 
 #include "fairway/avoidance/algorithm.hpp"
 #include "fairway/planning/rrt_star/plan.hpp"
+#include "fairway/planning/rrt_star/pursuit.hpp"
 #include "fairway/planning/rrt_star/trajectory_tracker.hpp"
 
 namespace fairway {
@@ -19,11 +20,17 @@ namespace fairway {
 /// the goal is another; a plan that failed is tried again when anything it depended on is different, of the
 /// own position more than the own radius. Planning takes a few ten milliseconds and allocates (plan.hpp),
 /// following is O(obstacles + log segments).
+///
+/// A vehicle that must turn follows the path itself, by looking ahead (Pursuit), and a plan is made anew also
+/// where that has come to nothing or something charted lies on what is left of it, at most every
+/// `between_plans_s`: the paper has neither.
 struct RrtStar {
   static constexpr AlgorithmInfo info{
       .name = "rrt_star",
       .title = "RRT* path and minimum snap trajectory, planned before leaving",
-      .source = "rehman2021, sections III-A-3 and IV-B-2; Karaman, Frazzoli 2011; Mellinger, Kumar 2011",
+      .source =
+          "rehman2021, sections III-A-3 and IV-B-2; Karaman, Frazzoli 2011; Mellinger, Kumar 2011; on "
+          "vehicles that must turn line of sight (Fossen 2011) and plans made anew",
       .planar = true,
       .allocates = true,
       .isotropic = false,
@@ -42,6 +49,7 @@ struct RrtStar {
     double begin_s{};  ///< time of the situation at which the trajectory begins
     double depth{};    ///< of its start [m], for who looks
     TrajectoryTracker::Memory tracking;
+    Pursuit pursuit;
   };
 
   Params params;

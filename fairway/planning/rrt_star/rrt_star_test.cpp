@@ -9,6 +9,7 @@
 
 #include "fairway/avoidance/catalog.hpp"
 #include "fairway/avoidance/drawing.hpp"
+#include "fairway/avoidance/testing/boat.hpp"
 #include "fairway/avoidance/testing/encounters.hpp"
 #include "fairway/planning/builtin.hpp"
 #include "fairway/planning/testing/four_obstacles.hpp"
@@ -216,6 +217,64 @@ TEST(RrtStar, DrawsTheSameUntilThereIsAnotherPlan) {
   for (int i = 0; i < 50; ++i) carry_out(e, helm.decide(e));
   (void)helm.decide(e, &later);
   EXPECT_TRUE(std::ranges::equal(first.strokes(), later.strokes()));
+}
+
+/// Among walls that bend the way to a goal 30 m north.
+OwnedSituation between_walls(const Envelope& can) {
+  OwnedSituation e = encounters::under_way(can);
+  e.situation.period = 0.2;
+  e.situation.goal = {.position = {30, 0, 50}, .cruise_speed = 1.0, .arrival = 1.0};
+  e.obstacles = {encounters::wall({10, -12, 50}, {10, 3, 50}), encounters::wall({20, -3, 50}, {20, 12, 50})};
+  return e;
+}
+
+Avoider trackable_one() {
+  Catalog catalog = builtin_avoiders();
+  add_planners(catalog);
+  return catalog.make("rrt_star+trackable", {}, Rng{1});
+}
+
+TEST(RrtStar, AVehicleThatMustTurnArrivesInTheTimeOfTheWay) {
+  // 38 m by the tangents at 1 m/s
+  const Envelope boat = encounters::of_a_boat();
+  const auto sailed = encounters::sail(between_walls(boat), trackable_one(), 48.0);
+  EXPECT_LT((sailed.end - Vec2{30, 0}).norm(), 2.0);
+  EXPECT_GT(sailed.clearance, 0.2);
+  EXPECT_EQ(sailed.infeasible, 0);
+}
+
+TEST(RrtStar, AVehicleThatMustTurnDoesNotLoseItsWayToOneThatComes) {
+  const Envelope boat = encounters::of_a_boat();
+  OwnedSituation e = between_walls(boat);
+  e.obstacles.clear();
+  e.tracks = {encounters::track(1, {20, 0, 50}, {-1, 0, 0})};
+  const auto sailed = encounters::sail(e, trackable_one(), 40.0);
+  EXPECT_LT((sailed.end - Vec2{30, 0}).norm(), 2.0);
+  EXPECT_GT(sailed.clearance, 0.2);
+}
+
+TEST(RrtStar, AVehicleThatMustTurnPlansAnewWhereItComesOnNoMore) {
+  const Envelope boat = encounters::of_a_boat();
+  OwnedSituation e = between_walls(boat);
+  const RrtStar algorithm{{}};
+  RrtStar::Memory memory;
+  Rng rng{3};
+  Context context{rng};
+  const auto plan_at = [&](double time) {
+    e.situation.time = time;
+    (void)algorithm.decide(e, memory, context);
+    return memory.plan;
+  };
+  const auto first = plan_at(0.0);
+  EXPECT_EQ(plan_at(9.0), first);  // 0.5 s, half a turn at 0.45 rad/s and 2 s to stop: 9.5 s
+  const auto second = plan_at(10.0);
+  EXPECT_NE(second, first);
+  EXPECT_EQ(plan_at(11.0), second);
+
+  // something else is charted now, on what is left of the path
+  e.obstacles.push_back(encounters::buoy(25, 0, 3.0));
+  EXPECT_EQ(plan_at(11.9), second);  // not so soon
+  EXPECT_NE(plan_at(12.1), second);
 }
 
 TEST(RrtStar, ReadsWaypointsFromFlatParameters) {

@@ -49,7 +49,7 @@ Vec2 goal_of(const Situation& s) {
 bool needs_way(const TebParams& params, const Situation& s, const Vec2& goal, const Teb::Memory& memory) {
   constexpr double every = 1.0;  // [s]
   if (memory.way.empty() || memory.way.back() != goal) return true;
-  if (params.global_plan == TebGlobalPlan::straight || s.time < memory.planned_s + every) return false;
+  if (params.global_plan != TebGlobalPlan::rrt_star || s.time < memory.planned_s + every) return false;
   return memory.plan_failed || teb::is_blocked(params, memory.way, s);
 }
 
@@ -68,13 +68,12 @@ void find_way(const TebParams& params, const Situation& s, const Vec2& goal, Teb
 /// In which a vehicle whose envelope is known takes up what is commanded, and the band is looked at [s].
 double taking_up(const Envelope& can) { return 1.0 + can.turn_lag; }
 
-/// Where the envelope is known, limits are the vehicle's at the speed of the mission, and the band reaches as
-/// far as it takes to turn aside and stop. The speeds that the band may have are those that the vehicle can
+/// Where the envelope is known, limits are the vehicle's at the speed of the mission, the band reaches as far
+/// as it takes to turn aside and stop, and a way is planned unless the parameters say otherwise. The speeds that the band may have are those that the vehicle can
 /// have: without sternway none astern, and where there is a least speed, none below it.
 TebParams within(TebParams params, const Situation& s) {
   constexpr double least = 0.01;
-  constexpr double most_poses =
-      20.0;  // what a band costs grows with them, and the manoeuvre has no need of more
+  constexpr int most_poses = 20;  // what a band costs grows with them, and the manoeuvre needs no more
   const Limits& limits = s.limits;
   if (s.envelope != nullptr) {
     const Envelope& can = *s.envelope;
@@ -84,6 +83,7 @@ TebParams within(TebParams params, const Situation& s) {
     params.max_vel_theta_radps = std::max(least, std::min(can.turn_rate(speed), limits.max_turn_rate));
     params.acc_lim_x_mps2 = std::max(least, std::min(can.acceleration, can.deceleration));
     params.acc_lim_theta_radps2 = std::max(least, can.turn_acceleration);
+    params.penalty_epsilon_ratio = 0.0;  // 0.1 rad/s would be a quarter of what a boat may turn
     const double manoeuvre =
         taking_up(can) + 0.5 * pi / params.max_vel_theta_radps + speed / params.acc_lim_x_mps2;
     params.max_global_plan_lookahead_dist_m =
@@ -91,6 +91,8 @@ TebParams within(TebParams params, const Situation& s) {
     const double coarser = std::max(1.0, manoeuvre / (most_poses * params.dt_ref_s));
     params.dt_ref_s *= coarser;
     params.dt_hysteresis_s *= coarser;
+    params.max_samples_count = std::min(params.max_samples_count, 2 * most_poses);
+    if (params.global_plan == TebGlobalPlan::automatic) params.global_plan = TebGlobalPlan::rrt_star;
   }
   if (!limits.sternway) params.max_vel_x_backwards_mps = -std::min(limits.min_speed, params.max_vel_x_mps);
   return params;
@@ -257,16 +259,16 @@ Command Teb::decide(const Situation& s, Memory& memory, Context& context) const 
     const Vec2 goal = goal_of(s);
     const bool is_there = (goal - seen_from_above(s.own.position)).norm() <= params.xy_goal_tolerance_m;
     const bool waits = !s.goal.velocity && s.goal.cruise_speed <= 0.0;
-    if (needs_way(params, s, goal, memory)) find_way(params, s, goal, memory, context.rng);
+    const TebParams able = within(params, s);
+    if (needs_way(able, s, goal, memory)) find_way(able, s, goal, memory, context.rng);
     if (is_there || waits) {
       memory.bands.clear();
       return {};
     }
-    const TebParams able = within(params, s);
     const Task task = task_of(able, s, memory.way);
     plan(task, memory.bands, context.rng);
     if (context.sketch != nullptr) {
-      if (params.global_plan != TebGlobalPlan::straight) draw_way(s, memory.way, *context.sketch);
+      if (able.global_plan == TebGlobalPlan::rrt_star) draw_way(s, memory.way, *context.sketch);
       draw(s, memory.bands, *context.sketch);
     }
     const Band& band = memory.bands.front();

@@ -7,13 +7,14 @@ namespace fairway {
 
 /// What way to the goal the bands follow.
 enum class TebGlobalPlan {
-  straight,  ///< a straight line, as a global planner gives it that knows of no obstacle
-  rrt_star,  ///< a way round what is known, planned anew where that is blocked or no band could be followed
+  automatic,  ///< `rrt_star` where the envelope of the vehicle is known, else `straight`
+  straight,   ///< a straight line, as a global planner gives it that knows of no obstacle
+  rrt_star,   ///< a way round what is known, planned anew where that is blocked or no band could be followed
 };
 
 template <>
 struct EnumNames<TebGlobalPlan> {
-  static constexpr std::array names{"straight", "rrt_star"};
+  static constexpr std::array names{"automatic", "straight", "rrt_star"};
 };
 
 /// The parameters of teb_local_planner under its names, with its defaults.
@@ -29,7 +30,7 @@ struct TebParams {
   double dt_hysteresis_s = 0.1;
   int min_samples_count = 3;
   int max_samples_count = 500;
-  TebGlobalPlan global_plan = TebGlobalPlan::straight;
+  TebGlobalPlan global_plan = TebGlobalPlan::automatic;
   double max_global_plan_lookahead_dist_m = 3.0;
   double force_reinit_new_goal_dist_m = 1.0;
   double force_reinit_new_goal_angular_rad = 0.78;

@@ -7,6 +7,8 @@
 
 #include "fairway/avoidance/avoider.hpp"
 #include "fairway/avoidance/drawing.hpp"
+#include "fairway/avoidance/testing/boat.hpp"
+#include "fairway/avoidance/trackable/trackable.hpp"
 #include "fairway/core/angles.hpp"
 #include "fairway/planning/teb/testing/courses.hpp"
 #include "fairway/planning/teb/way.hpp"
@@ -145,6 +147,24 @@ TEST(Teb, APlanLeadsOutOfTheU) {
   v.teb.params.global_plan = TebGlobalPlan::rrt_star;
   EXPECT_TRUE(v.arrival(200));
   EXPECT_GT(v.clearance, 0.0);
+}
+
+TEST(Teb, WhereTheEnvelopeIsKnownItPlansItsWayOutOfTheUUnlessToldNotTo) {
+  const Envelope boat = encounters::of_a_boat();
+  encounters::OwnedSituation e = encounters::under_way(boat);
+  e.situation.period = 0.2;
+  e.situation.goal = {.position = {30, 0, 50}, .cruise_speed = 1.0, .arrival = 1.0};
+  e.obstacles = {encounters::wall({10, -5, 50}, {15, -5, 50}), encounters::wall({10, 5, 50}, {15, 5, 50}),
+                 encounters::wall({15, -5, 50}, {15, 5, 50})};
+  const auto left_to_go = [&](TebGlobalPlan way) {
+    Teb teb;
+    teb.params.global_plan = way;
+    const auto sailed = encounters::sail(e, Avoider{Trackable{{}}, Avoider{teb, Rng{1}}}, 45.0);
+    EXPECT_GT(sailed.clearance, 0.0);
+    return (sailed.end - Vec2{30, 0}).norm();
+  };
+  EXPECT_LT(left_to_go(TebGlobalPlan::automatic), 2.0);
+  EXPECT_GT(left_to_go(TebGlobalPlan::straight), 10.0);
 }
 
 TEST(Teb, PlansAnewWhatIsBlockedAndAtMostOnceASecond) {
