@@ -48,8 +48,7 @@ class Agreement {
 
   /// Acknowledges, proposes, departs and stops as the rules say. To be called at every decision, `period` [s]
   /// apart. `patience` is how many turns more than the least it gives acknowledgements to come in; `chart` is
-  /// what stands, and `headway` what it wants of the plans that it
-  /// proposes where nothing stands.
+  /// what stands, and `headway` what it wants of the plans that it proposes where nothing stands.
   void go_on(double now, double period, const Link& link, double patience, const Chart& chart = {},
              const Headway& headway = {}) noexcept;
 
