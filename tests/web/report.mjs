@@ -24,9 +24,9 @@ function open(path, name, options, look) {
   });
 }
 
-async function look_at_report(path) {
+async function look_at_report(path, name = '') {
   for (const [width, scheme] of sides) {
-    await open(path, `${width} px, ${scheme}`, { width, scheme }, async (page, expect, context) => {
+    await open(path, `${name}${width} px, ${scheme}`, { width, scheme }, async (page, expect, context) => {
       if (screenshots !== null) {
         await page.screenshot({ path: join(screenshots, `report-${width}-${scheme}.png`), fullPage: true });
       }
@@ -96,7 +96,9 @@ if (given !== null) {
 } else {
   await look_at_known_rasters();
   await open(browser.write('heat.html', heat_report), 'tables of colours', { width: 1280, scheme: 'light' }, look_at_heats);
-  await open(browser.write('runs.html', runs_report), 'known runs', { width: 1280, scheme: 'light' }, look_at_known_runs);
+  const known = browser.write('runs.html', runs_report);
+  await open(known, 'known runs', { width: 1280, scheme: 'light' }, look_at_known_runs);
+  await look_at_report(known, 'known runs, ');
   await look_at_broken();
 }
 browser.finish();

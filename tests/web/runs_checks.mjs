@@ -18,6 +18,7 @@ async function marks_lead_to_runs(page, expect) {
     await list_is_sound(page, expect, kind);
     looked += 1;
     await page.keyboard.press('Escape');
+    await page.waitForFunction(() => document.querySelector('dialog') === null, null, { timeout: 20_000 }).catch(() => undefined);  // a dialog closes a moment later
     expect(await page.locator('dialog').count() === 0, `Escape leaves the list of ${kind} open`);
   }
   const button = page.locator('.row-runs').first();
@@ -70,6 +71,10 @@ export const runs_report = JSON.stringify({
       {
         kind: 'boxes', title: 'Known boxes', y_label: 'time [s]', categories: ['one'],
         series: [{ label: 'a', boxes: [{ ...box, runs: [[0, 2]], values: [5, 1, null, 3, 2, 4] }] }, { label: 'b', boxes: [{ ...box, runs: [3] }] }],
+      },
+      {
+        kind: 'intervals', title: 'Known intervals', y_label: 'time [s]', categories: ['one', 'two'],
+        series: [{ label: 'a', points: [{ value: 2, low: 1, high: 3, published: 2.5, runs: [[0, 2]], values: [1, 2, 3] }, { value: 5, low: 4, high: 6, runs: [3] }] }],
       },
       {
         kind: 'table', title: 'Time & 100 %_of {all}', columns: [
