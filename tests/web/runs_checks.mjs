@@ -18,8 +18,7 @@ async function marks_lead_to_runs(page, expect) {
     await list_is_sound(page, expect, kind);
     looked += 1;
     await page.keyboard.press('Escape');
-    await page.waitForFunction(() => document.querySelector('dialog') === null, null, { timeout: 20_000 }).catch(() => undefined);  // a dialog closes a moment later
-    expect(await page.locator('dialog').count() === 0, `Escape leaves the list of ${kind} open`);
+    expect(await closes(page), `Escape leaves the list of ${kind} open`);
   }
   const button = page.locator('.row-runs').first();
   if (await button.count() > 0) {
@@ -28,7 +27,7 @@ async function marks_lead_to_runs(page, expect) {
     await list_is_sound(page, expect, 'a row');
     looked += 1;
     await page.locator('dialog button[aria-label=Close]').click();
-    expect(await page.locator('dialog').count() === 0, 'the list of a row does not close');
+    expect(await closes(page), 'the list of a row does not close');
     expect(await button.evaluate((element) => element === document.activeElement), 'the focus does not return to the row');
   }
   const whole = page.locator('.figure .action', { hasText: /^Runs?$/ }).first();
@@ -39,6 +38,11 @@ async function marks_lead_to_runs(page, expect) {
     looked += 1;
   }
   expect(looked > 0, 'nothing leads to its runs');
+}
+
+/** A dialog is gone a moment after it was told to close. */
+function closes(page) {
+  return page.waitForFunction(() => document.querySelector('dialog') === null, null, { timeout: 20_000 }).then(() => true, () => false);
 }
 
 async function list_is_sound(page, expect, of) {
