@@ -125,33 +125,39 @@ void adopt(std::shared_ptr<const Plan> plan, const Situation& s, Memory& memory)
   memory.stage = Stage::following;
   memory.progress_s = 0.0;
   memory.pursuit = Pursuit::begun(s);
-  memory.planned_s = s.time;
   memory.wall = {};
 }
 
-/// Of a vehicle that must turn: whether something known lies on what is left of its path.
-bool is_blocked(const Situation& s, const Memory& memory) {
-  const Plan& plan = *memory.plan;
-  if (plan.status != PlanStatus::ready) return false;
-  return memory.pursuit.is_blocked(plan, PlanarMap{chart_of(s, memory.finds), plan.task.map.inflation()});
+/// Whether there is no plan to the goal.
+bool lacks_plan(const Situation& s, const Memory& memory) {
+  return !memory.plan || memory.plan->task.goal != seen_from_above(s.goal.position);
 }
 
-/// Of a vehicle that must turn: whether it is time to look for another plan.
-bool wants_another(const Situation& s, const Memory& memory) {
+/// Of a vehicle that must turn: takes note of what was not charted, and now and then of the chart.
+void take_note(const Params& params, const Situation& s, Memory& memory) {
+  const bool is_new = memory.finds.add(s.obstacles);
+  if (memory.met && !is_new && s.time < memory.noted_s + between_plans_s) return;
+  memory.noted_s = s.time;
+  memory.met =
+      std::make_shared<const PlanarMap>(chart_of(s, memory.finds), s.own.radius + params.clearance_m);
+}
+
+/// Of a vehicle that must turn: whether its plan is of no use.
+bool is_idle(const Situation& s, const Memory& memory) {
   const Plan& plan = *memory.plan;
-  if (s.time < memory.planned_s + between_plans_s) return false;
   if (plan.status != PlanStatus::ready)
     return (plan.task.start - seen_from_above(s.own.position)).norm() > s.own.radius;
-  return memory.pursuit.is_stuck(s, plan) || is_blocked(s, memory);
+  return memory.pursuit.is_stuck(s, plan) || memory.pursuit.is_blocked(plan, *memory.met);
 }
 
-/// Of a vehicle that must turn: takes note of what was not charted, and plans anew where the plan is of no
-/// use.
+/// Of a vehicle that must turn: plans where there is no plan to the goal or one of no use, now and then.
 void renew(const Params& params, const Situation& s, Memory& memory, Context& context) {
-  if (!params.replan || !wants_another(s, memory)) return;
+  if (memory.plan && s.time < memory.planned_s + between_plans_s) return;
+  const bool lacks = lacks_plan(s, memory);
+  if (!lacks && !(params.replan && is_idle(s, memory))) return;
   memory.planned_s = s.time;
   std::shared_ptr<const Plan> other = planned(params, s, memory.finds, context);
-  if (other->status == PlanStatus::ready) adopt(std::move(other), s, memory);
+  if (lacks || other->status == PlanStatus::ready) adopt(std::move(other), s, memory);
 }
 
 /// Takes note of what was not charted; plans anew if it lies in the way and that is quicker.
@@ -266,9 +272,9 @@ void come_back(const Params& params, const Situation& s, Memory& memory) {
 /// What a vehicle that must turn does with a plan that is ready.
 Command pursue(const Params& params, const Situation& s, Memory& memory, Context& context) {
   const Vec3 along = memory.pursuit.follow(s, *memory.plan);
-  memory.stage = is_blocked(s, memory) ? Stage::going_round : Stage::following;
-  if (memory.stage == Stage::going_round)
-    return go_round(params, s, seen_from_above(s.goal.position), memory, context);
+  const bool blocked = memory.pursuit.is_blocked(*memory.plan, *memory.met);
+  memory.stage = blocked ? Stage::going_round : Stage::following;
+  if (blocked) return go_round(params, s, seen_from_above(s.goal.position), memory, context);
   memory.wall = {};
   return {.velocity = along};
 }
@@ -306,12 +312,11 @@ Command choose(const Params& params, const Situation& s, double elapsed, Memory&
 Command Blend::decide(const Situation& s, Memory& memory, Context& context) const noexcept {
   try {
     const bool turns = trackable::must_turn(s);
-    if (turns) memory.finds.add(s.obstacles);
-    const bool other_goal = memory.plan && memory.plan->task.goal != seen_from_above(s.goal.position);
-    if (!memory.plan || other_goal) adopt(planned(params, s, memory.finds, context), s, memory);
     if (turns) {
+      take_note(params, s, memory);
       renew(params, s, memory, context);
     } else {
+      if (lacks_plan(s, memory)) adopt(planned(params, s, memory.finds, context), s, memory);
       learn(params, s, memory, context);
     }
     const double elapsed = memory.last_time ? s.time - *memory.last_time : 0.0;

@@ -75,13 +75,16 @@ struct Blend {
 
   struct Memory {
     std::shared_ptr<const Plan> plan;
-    std::shared_ptr<const PlanarMap> met;  ///< what was met, grown by own radius and margin
+    /// What was met, grown by own radius and margin; of a vehicle that must turn all that is known, grown by
+    /// own radius and clearance.
+    std::shared_ptr<const PlanarMap> met;
     Finds finds;
     Stage stage{Stage::following};
     double depth{};                   ///< where the plan was made [m], for who looks
     double progress_s{};              ///< along the trajectory
     Pursuit pursuit;                  ///< of the path, by a vehicle that must turn
-    double planned_s{};               ///< when such a one looked for a plan last
+    double planned_s{};               ///< when such a one looked for a plan last,
+    double noted_s{};                 ///< and made the map of what is known
     std::optional<double> last_time;  ///< of the call before [s]
     WallFollowing::Memory wall;
     std::optional<Vec3> dodge;  ///< velocity that lets a mover pass, north and east

@@ -144,6 +144,24 @@ TEST(Blend, AVehicleThatMustTurnPlansRoundWhatItFindsOnItsPath) {
   EXPECT_EQ(plan_at(5.0), second);
 }
 
+TEST(Blend, AVehicleThatMustTurnPlansForAGoalThatMovesNowAndThen) {
+  const Envelope boat = encounters::of_a_boat();
+  OwnedSituation e = boat_among(boat, true);
+  const Blend algorithm{{}};
+  Blend::Memory memory;
+  Rng rng{3};
+  Context context{rng};
+  int plans = 0;
+  for (int i = 0; i <= 20; ++i) {  // 4.1 s
+    e.situation.time = 0.205 * i;
+    e.situation.goal.position.y() = 0.01 * i;
+    const auto before = memory.plan;
+    (void)algorithm.decide(e, memory, context);
+    plans += memory.plan != before ? 1 : 0;
+  }
+  EXPECT_EQ(plans, 3);  // at 0, 2.05 and 4.1 s
+}
+
 TEST(Finds, EachIsKeptOnceAndOutlivesWhereItWasSeen) {
   Finds finds;
   {

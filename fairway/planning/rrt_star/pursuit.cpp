@@ -55,8 +55,9 @@ double nearest_place(std::span<const Vec2> path, double from, double to, const V
     const Vec2 leg = path[i] - path[i - 1];
     const double length = leg.norm();
     if (begin + length >= from && length > 0.0) {
-      const double t = std::clamp((own - path[i - 1]).dot(leg) / length, std::max(0.0, from - begin),
-                                  std::min(length, to - begin));
+      const double last = std::min(length, to - begin);
+      const double first = std::clamp(from - begin, 0.0, last);
+      const double t = std::clamp((own - path[i - 1]).dot(leg) / length, first, last);
       const double distance = (path[i - 1] + t / length * leg - own).norm();
       if (distance < nearest) {
         nearest = distance;

@@ -23,7 +23,7 @@ namespace fairway {
 ///
 /// A vehicle that must turn follows the path itself, by looking ahead (Pursuit), and a plan is made anew also
 /// where that has come to nothing or something charted lies on what is left of it, at most every
-/// `between_plans_s`: the paper has neither.
+/// `between_plans_s`, and taken unless it leads nowhere: the paper has neither.
 struct RrtStar {
   static constexpr AlgorithmInfo info{
       .name = "rrt_star",
@@ -49,7 +49,9 @@ struct RrtStar {
     double begin_s{};  ///< time of the situation at which the trajectory begins
     double depth{};    ///< of its start [m], for who looks
     TrajectoryTracker::Memory tracking;
-    Pursuit pursuit;
+    Pursuit pursuit;     ///< of the path, by a vehicle that must turn
+    double planned_s{};  ///< when a plan was made last, taken or not
+    double looked_s{};   ///< when such a one looked at the chart last
   };
 
   Params params;

@@ -277,6 +277,28 @@ TEST(RrtStar, AVehicleThatMustTurnPlansAnewWhereItComesOnNoMore) {
   EXPECT_NE(plan_at(12.1), second);
 }
 
+TEST(RrtStar, AVehicleThatMustTurnKeepsItsPlanWhereThereIsNoOther) {
+  const Envelope boat = encounters::of_a_boat();
+  OwnedSituation e = between_walls(boat);
+  RrtStar algorithm;
+  algorithm.params.clearance_m = 1.0;
+  RrtStar::Memory memory;
+  Rng rng{3};
+  Context context{rng};
+  (void)algorithm.decide(e, memory, context);
+  const auto first = memory.plan;
+
+  // set aside, nearer to the wall than a path may lead, it sees nothing of its path
+  e.situation.time = 4.8;
+  e.situation.own.position = {10.0, 3.5 + e.situation.own.radius, 50.0};
+  (void)algorithm.decide(e, memory, context);
+  e.situation.time = 5.0;
+  const Command command = algorithm.decide(e, memory, context);
+  EXPECT_EQ(memory.planned_s, 5.0);
+  EXPECT_EQ(memory.plan, first);
+  EXPECT_GT(command.velocity.norm(), 0.1);
+}
+
 TEST(RrtStar, ReadsWaypointsFromFlatParameters) {
   const ParamValues params{{"segment_time_s", 28.0},    {"waypoints", 2.0},
                            {"waypoints[0].n_m", 0.0},   {"waypoints[0].e_m", 10.0},

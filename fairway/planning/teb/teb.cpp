@@ -44,56 +44,72 @@ Vec2 goal_of(const Situation& s) {
   return seen_from_above(s.own.position + far * unit(*s.goal.velocity));
 }
 
-/// Another goal wants another way; and a planned one is planned again where it is blocked or of no use, at
-/// most once a second.
-bool needs_way(const TebParams& params, const Situation& s, const Vec2& goal, const Teb::Memory& memory) {
+/// Whether a way was planned less than a second ago.
+bool is_too_soon(const TebParams& params, const Situation& s, const Teb::Memory& memory) {
   constexpr double every = 1.0;  // [s]
+  return params.global_plan == TebGlobalPlan::rrt_star && s.time < memory.planned_s + every;
+}
+
+/// Another goal wants another way; and a planned one is planned again where it is blocked or of no use.
+bool needs_way(const TebParams& params, const Situation& s, const Vec2& goal, const Teb::Memory& memory) {
   if (memory.way.empty() || memory.way.back() != goal) return true;
-  if (params.global_plan != TebGlobalPlan::rrt_star || s.time < memory.planned_s + every) return false;
+  if (params.global_plan != TebGlobalPlan::rrt_star || is_too_soon(params, s, memory)) return false;
   return memory.plan_failed || teb::is_blocked(params, memory.way, s);
 }
 
 /// Draws the line to the goal, or plans the way there. Where none is found the line stands for it, or the way
-/// that there is.
+/// that there is; where it is too soon to plan, the way that there is leads on to the goal.
 void find_way(const TebParams& params, const Situation& s, const Vec2& goal, Teb::Memory& memory, Rng& rng) {
+  if (!memory.way.empty() && is_too_soon(params, s, memory)) {
+    memory.way.back() = goal;
+    memory.plan_failed = true;
+    return;
+  }
   std::optional<std::vector<Vec2>> planned;
-  if (params.global_plan == TebGlobalPlan::rrt_star) planned = teb::plan_way(params, s, goal, rng);
+  if (params.global_plan == TebGlobalPlan::rrt_star) {
+    planned = teb::plan_way(params, s, goal, rng);
+    memory.planned_s = s.time;
+  }
   const bool keeps = !memory.way.empty() && memory.way.back() == goal;
   if (!planned && !keeps) planned = {seen_from_above(s.own.position), goal};
   if (planned) memory.way = std::move(*planned);
-  memory.planned_s = s.time;
   memory.plan_failed = false;
 }
 
 /// In which a vehicle whose envelope is known takes up what is commanded, and the band is looked at [s].
 double taking_up(const Envelope& can) { return 1.0 + can.turn_lag; }
 
-/// Where the envelope is known, limits are the vehicle's at the speed of the mission, the band reaches as far
-/// as it takes to turn aside and stop, and a way is planned unless the parameters say otherwise. The speeds that the band may have are those that the vehicle can
-/// have: without sternway none astern, and where there is a least speed, none below it.
-TebParams within(TebParams params, const Situation& s) {
+/// Limits are the vehicle's at the speed of the mission, the band reaches as far as it takes to turn aside
+/// and stop, and the way to a place is planned unless the parameters say otherwise.
+TebParams within(const Envelope& can, const Situation& s, TebParams params) {
   constexpr double least = 0.01;
   constexpr int most_poses = 20;  // what a band costs grows with them, and the manoeuvre needs no more
   const Limits& limits = s.limits;
-  if (s.envelope != nullptr) {
-    const Envelope& can = *s.envelope;
-    const double speed = std::max(least, std::min({can.ahead, limits.max_speed, s.goal.cruise_speed}));
-    params.max_vel_x_mps = speed;
-    params.max_vel_x_backwards_mps = std::max(least, std::min(speed, can.astern));
-    params.max_vel_theta_radps = std::max(least, std::min(can.turn_rate(speed), limits.max_turn_rate));
-    params.acc_lim_x_mps2 = std::max(least, std::min(can.acceleration, can.deceleration));
-    params.acc_lim_theta_radps2 = std::max(least, can.turn_acceleration);
-    params.penalty_epsilon_ratio = 0.0;  // 0.1 rad/s would be a quarter of what a boat may turn
-    const double manoeuvre =
-        taking_up(can) + 0.5 * pi / params.max_vel_theta_radps + speed / params.acc_lim_x_mps2;
-    params.max_global_plan_lookahead_dist_m =
-        std::max(params.max_global_plan_lookahead_dist_m, speed * manoeuvre);
-    const double coarser = std::max(1.0, manoeuvre / (most_poses * params.dt_ref_s));
-    params.dt_ref_s *= coarser;
-    params.dt_hysteresis_s *= coarser;
-    params.max_samples_count = std::min(params.max_samples_count, 2 * most_poses);
-    if (params.global_plan == TebGlobalPlan::automatic) params.global_plan = TebGlobalPlan::rrt_star;
-  }
+  const double speed = std::max(least, std::min({can.ahead, limits.max_speed, s.goal.cruise_speed}));
+  params.max_vel_x_mps = speed;
+  params.max_vel_x_backwards_mps = std::max(least, std::min(speed, can.astern));
+  params.max_vel_theta_radps = std::max(least, std::min(can.turn_rate(speed), limits.max_turn_rate));
+  params.acc_lim_x_mps2 = std::max(least, std::min(can.acceleration, can.deceleration));
+  params.acc_lim_theta_radps2 = std::max(least, can.turn_acceleration);
+  params.penalty_epsilon_ratio = 0.0;  // 0.1 rad/s would be a quarter of what a boat may turn
+  const double manoeuvre =
+      taking_up(can) + 0.5 * pi / params.max_vel_theta_radps + speed / params.acc_lim_x_mps2;
+  params.max_global_plan_lookahead_dist_m =
+      std::max(params.max_global_plan_lookahead_dist_m, speed * manoeuvre);
+  const double coarser = std::max(1.0, manoeuvre / (most_poses * params.dt_ref_s));
+  params.dt_ref_s *= coarser;
+  params.dt_hysteresis_s *= coarser;
+  params.max_samples_count = std::min(params.max_samples_count, 2 * most_poses);
+  if (params.global_plan == TebGlobalPlan::automatic && !s.goal.velocity)
+    params.global_plan = TebGlobalPlan::rrt_star;
+  return params;
+}
+
+/// As far as the envelope is known, within it. The speeds that the band may have are those that the vehicle
+/// can have: without sternway none astern, and where there is a least speed, none below it.
+TebParams able(TebParams params, const Situation& s) {
+  if (s.envelope != nullptr) params = within(*s.envelope, s, params);
+  const Limits& limits = s.limits;
   if (!limits.sternway) params.max_vel_x_backwards_mps = -std::min(limits.min_speed, params.max_vel_x_mps);
   return params;
 }
@@ -259,16 +275,16 @@ Command Teb::decide(const Situation& s, Memory& memory, Context& context) const 
     const Vec2 goal = goal_of(s);
     const bool is_there = (goal - seen_from_above(s.own.position)).norm() <= params.xy_goal_tolerance_m;
     const bool waits = !s.goal.velocity && s.goal.cruise_speed <= 0.0;
-    const TebParams able = within(params, s);
-    if (needs_way(able, s, goal, memory)) find_way(able, s, goal, memory, context.rng);
+    const TebParams now = able(params, s);
+    if (needs_way(now, s, goal, memory)) find_way(now, s, goal, memory, context.rng);
     if (is_there || waits) {
       memory.bands.clear();
       return {};
     }
-    const Task task = task_of(able, s, memory.way);
+    const Task task = task_of(now, s, memory.way);
     plan(task, memory.bands, context.rng);
     if (context.sketch != nullptr) {
-      if (able.global_plan == TebGlobalPlan::rrt_star) draw_way(s, memory.way, *context.sketch);
+      if (now.global_plan == TebGlobalPlan::rrt_star) draw_way(s, memory.way, *context.sketch);
       draw(s, memory.bands, *context.sketch);
     }
     const Band& band = memory.bands.front();

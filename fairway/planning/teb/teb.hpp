@@ -33,7 +33,7 @@ struct Teb {
 
   struct Memory {
     std::vector<Vec2> way;            ///< to the goal, from where the vessel was when it was planned [m, NE]
-    double planned_s{};               ///< time of the situation in which it was
+    double planned_s{};               ///< time of the situation in which one was planned
     bool plan_failed{};               ///< no band along it could be followed
     std::vector<teb::Band> bands;     ///< warm starts; the one followed comes first
     std::int64_t infeasible_count{};  ///< decisions whose band could not be followed

@@ -7,7 +7,7 @@ namespace fairway {
 
 /// What way to the goal the bands follow.
 enum class TebGlobalPlan {
-  automatic,  ///< `rrt_star` where the envelope of the vehicle is known, else `straight`
+  automatic,  ///< `rrt_star` to a place where the envelope of the vehicle is known, else `straight`
   straight,   ///< a straight line, as a global planner gives it that knows of no obstacle
   rrt_star,   ///< a way round what is known, planned anew where that is blocked or no band could be followed
 };

@@ -183,6 +183,40 @@ TEST(Teb, PlansAnewWhatIsBlockedAndAtMostOnceASecond) {
   EXPECT_EQ(v.memory.way, planned);
 }
 
+TEST(Teb, AGoalThatMovesIsPlannedForAtMostOnceASecond) {
+  Voyage v = voyage({{disc(12, 0, 3.0)}, {}});
+  v.teb.params.global_plan = TebGlobalPlan::rrt_star;
+  Context context{v.rng};
+  int plans = 0;
+  for (int i = 0; i <= 20; ++i) {
+    Situation s = v.situation();
+    s.time = 0.21 * i;
+    s.goal.position.y() = 0.01 * i;
+    const double before = v.memory.planned_s;
+    (void)v.teb.decide(s, v.memory, context);
+    EXPECT_EQ(v.memory.way.back(), s.goal.position.head<2>());
+    plans += v.memory.planned_s != before ? 1 : 0;
+  }
+  EXPECT_EQ(plans, 4);  // at 1.05, 2.1, 3.15 and 4.2 s, after that at 0
+}
+
+TEST(Teb, AlongASectionItPlansNoWay) {
+  const Envelope boat = encounters::of_a_boat();
+  encounters::OwnedSituation e = encounters::under_way(boat);
+  e.situation.time = 5.0;
+  e.situation.goal = {.position = {30, 0, 50}, .cruise_speed = 1.0, .velocity = Vec3{1, 0, 0}};
+  e.obstacles = {encounters::buoy(12, 0, 3.0)};
+  const Teb teb;
+  Teb::Memory memory;
+  Rng rng{1};
+  Context context{rng};
+  (void)teb.decide(e, memory, context);
+  EXPECT_EQ(memory.way.size(), 2U);
+  e.situation.goal.velocity.reset();
+  (void)teb.decide(e, memory, context);
+  EXPECT_GT(memory.way.size(), 2U);
+}
+
 TEST(Teb, WithoutAnyWayToPlanItKeepsTheLine) {
   Voyage v = voyage({{disc(25, 0, 3.0)}, {}});  // the goal is inside
   v.teb.params.global_plan = TebGlobalPlan::rrt_star;
