@@ -216,7 +216,6 @@ int Search::carousel_count() const noexcept {
 }
 
 void Search::try_carousel(int number, const Chart& chart) noexcept {
-  if (number >= carousels && !of_hub_.is_any()) return;  // to go one by one takes less time than to go so far round
   const Code down{static_cast<std::uint8_t>(number % rings)},
       up{static_cast<std::uint8_t>(number / rings % rings)};
   Plan plan = empty_plan();
@@ -247,10 +246,9 @@ void Search::end_carousels() noexcept {
     if (plan_.participants[i]) scene_.place(i, reference_of(members_[i], plan_, plan_.codes[i]));
 }
 
-/// Of the way of the member whose turn it is. Headway counts once it is known that all can go: it may shut
-/// others out, and makes those wait longer who stay.
+/// Of the way of the member whose turn it is.
 double Search::cost_of(const Reference& reference) noexcept {
-  if (wanted_.aim <= 0.0 || plan_.participants != asked_) return reference.end();
+  if (wanted_.aim <= 0.0) return reference.end();
   spent_ += 2 * pair_cost * static_cast<int>(scene_.placed().count());
   const double lacks = wanted_.aim - headway_of(member_, reference, scene_, wanted_);
   return reference.end() + worth * static_cast<double>(participants_.count()) * lacks;
