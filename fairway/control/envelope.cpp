@@ -199,7 +199,11 @@ class Trials {
       const auto takes_up = [&](const Craft& craft) { return side * craft.turn_rate(); };
       const double time = turning.time_to({.surge_mps = envelope_.least, .yaw_rate_radps = side * rate},
                                           takes_up, reached * rate);
-      for (double t = 0.0; t < time; t += straight.step) straight.obey({.surge_mps = envelope_.least});
+      double passed = 0.0;
+      while (passed < time) {
+        straight.obey({.surge_mps = envelope_.least});
+        passed += straight.step;
+      }
       const double slower = begins - straight.surge(), in_turn = begins - turning.surge();
       if (!(slower > least_way)) continue;
       const double lost = envelope_.deceleration * std::clamp(1.0 - in_turn / slower, 0.0, 1.0);

@@ -19,12 +19,12 @@ struct Terms {
 };
 
 /// Looks for a plan by which all of those who are held get to their destinations, soonest in the mean, where
-/// each second of headway that a plan lacks counts as half a second. First
-/// a carousel: those who dive by one ring, those who climb by another. Where none is clear, one member after
-/// the other takes the soonest code that is clear of those before it; whoever has none stays, and all begin
-/// again round it. Then each looks for a sooner one. Where something stands in the way and not all can go, it
-/// does the same with rings round that; where nobody can, with those alone who lie at each other's
-/// destinations. A value: it goes on from where it was, a few codes at a time. Nothing allocates.
+/// each second of headway that a plan lacks counts as half a second. First a carousel: those who dive by one
+/// ring, those who climb by another. Where none is clear, one member after the other takes the soonest code
+/// that is clear of those before it; whoever has none stays, and all begin again round it. Then each looks
+/// for a sooner one. Where something stands in the way and not all can go, it does the same with rings round
+/// that; where nobody can, with those alone who lie at each other's destinations. A value: it goes on from
+/// where it was, a few codes at a time. Nothing allocates.
 class Search {
  public:
   Search() = default;
@@ -102,8 +102,10 @@ class Search {
   std::size_t hub_count_{0}, hub_{0};
 
   Stage stage_{Stage::done};
+  int number_{0};  ///< of the next carousel, or code
+  int spent_{0};   ///< on headway, in codes
   bool improved_{false};
-  int number_{0};          ///< of the next carousel, or code
+  Code code_{};            ///< that the member may take
   std::size_t turn_{0};    ///< of the member that takes a code now
   std::size_t member_{0};  ///< that member
   Clearance scene_{};
@@ -112,8 +114,6 @@ class Search {
   std::array<double, 4> undelayed_{};  ///< when it is there by that ring, by how it dives [s]
   double least_cost_{};                ///< of the member's codes that were tried [s]
   double cost_{};                      ///< of the code that the member has [s]
-  int spent_{0};                       ///< on headway, in codes
-  Code code_{};
 
   Option of_hub_{}, best_{};
 };

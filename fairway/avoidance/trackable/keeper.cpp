@@ -104,7 +104,8 @@ Deviations::Deviations(double slow_cost_ratio) {
   std::size_t n = 0;
   all[n++] = {0.0, 0.0, 1.0};
   for (std::size_t i = 0; i < turn_count; ++i) {
-    const double turn = (i % 2 == 1 ? 1.0 : -1.0) * turn_step * static_cast<double>((i + 1) / 2);
+    const std::size_t steps_aside = (i + 1) / 2;
+    const double turn = (i % 2 == 1 ? 1.0 : -1.0) * turn_step * static_cast<double>(steps_aside);
     for (std::size_t k = 0; k < speed_count; ++k) {
       const double ratio = 1.0 - static_cast<double>(k) / speed_count;
       all[n++] = {1.0 - math::cos(turn) + slow_cost_ratio * (1.0 - ratio), turn, ratio};
