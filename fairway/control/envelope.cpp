@@ -11,17 +11,19 @@
 namespace fairway {
 namespace {
 
-constexpr double beyond_any = 100.0;     // [m/s], [rad/s]: as much as it has
-constexpr double longest = 120.0;        // of one trial [s]
-constexpr double settling = 1.0;         // what changes no more within this is steady [s]
-constexpr double steady_share = 2e-3;    // of the value
-constexpr double steady_error = 0.02;    // of the speed, when a velocity is followed
-constexpr double small_change = 0.1;     // of a speed or turn rate, for a lag
-constexpr double reached = 0.632;        // 1 - 1 / e
-constexpr double least_way = 1e-3;       // slower is no way [m/s]
-constexpr double cruise_share = 0.9;     // of the greatest speed, so that something is left to turn by
-constexpr double stopped_share = 0.05;   // of the speed from which it stops
-constexpr double error_allowance = 1.1;  // for what the trials do not show: steps, other speeds before
+constexpr double beyond_any = 100.0;      // [m/s], [rad/s]: as much as it has
+constexpr double longest = 120.0;         // of one trial [s]
+constexpr double settling = 1.0;          // what changes no more within this is steady [s]
+constexpr double steady_share = 2e-3;     // of the value
+constexpr double steady_error = 0.02;     // of the speed, when a velocity is followed
+constexpr double small_change = 0.1;      // of a speed or turn rate, for a lag
+constexpr double reached = 0.632;         // 1 - 1 / e
+constexpr double least_way = 1e-3;        // slower is no way [m/s]
+constexpr double cruise_share = 0.9;      // of the greatest speed, so that something is left to turn by
+constexpr double stopped_share = 0.05;    // of the speed from which it stops
+constexpr double read_allowance = 1.02;   // of a turn rate that is read from the table
+constexpr double least_tail_share = 0.5;  // of the lag of a turn: a shorter tail is none
+constexpr double error_allowance = 1.1;   // for what the trials do not show: steps, other speeds before
 
 /// A vehicle that obeys body requests in still water.
 struct Craft {
@@ -151,21 +153,60 @@ class Trials {
   }
 
   void measure_turns() {
-    for (std::size_t i = 0; i < Envelope::turn_rate_count; ++i) {
-      const double share = static_cast<double>(i) / (Envelope::turn_rate_count - 1);
-      const double speed = std::max(share * envelope_.ahead, envelope_.least);
-      Craft craft = *under_way_;
-      craft.settle({.surge_mps = speed}, surge_of);
-      Craft turning = craft, to_port = craft;
-      const double starboard = turning.settle({.surge_mps = speed, .yaw_rate_radps = turn_}, turn_rate_of);
-      const double port = -to_port.settle({.surge_mps = speed, .yaw_rate_radps = -turn_}, turn_rate_of);
-      envelope_.turn_rates[i] = std::clamp(std::min(starboard, port), 0.0, turn_);
-      if (i + 1 < Envelope::turn_rate_count) continue;
-      const double rate = envelope_.turn_rates[i];
-      if (rate > 0.0) envelope_.pivot = -turning.sway() / turning.turn_rate();
-      measure_turn_lag(craft, rate);
-      measure_sway_lag(craft);
+    constexpr auto last = Envelope::turn_rate_count - 1;
+    std::array<double, Envelope::turn_rate_count>& rates = envelope_.turn_rates;
+    const double apart = envelope_.ahead / last;
+    double measured = rates[0] = greatest_turn_rate(envelope_.least);
+    for (std::size_t i = 1; i <= last; ++i) {
+      measured = rates[i] = greatest_turn_rate(static_cast<double>(i) * apart);
+      for (const double part : {0.25, 0.5, 0.75}) lower(i, part, apart);
     }
+    measure_turning(rates[last] < measured ? rates[last] : turn_);
+  }
+
+  /// Lowers a turn rate of the table until what is read between it and the one before is none that the
+  /// vehicle does not reach there: a hull with fins turns far better above some speed.
+  void lower(std::size_t i, double part, double apart) {
+    const double before = envelope_.turn_rates[i - 1], speed = (static_cast<double>(i - 1) + part) * apart;
+    if (speed < envelope_.least) return;
+    double& rate = envelope_.turn_rates[i];
+    const double measured = greatest_turn_rate(speed);
+    if (before + part * (rate - before) > read_allowance * measured)
+      rate = std::max(0.0, before + (measured - before) / part);
+  }
+
+  /// To the side to which it is the smaller.
+  double greatest_turn_rate(double speed) const {
+    Craft to_starboard = *under_way_;
+    to_starboard.settle({.surge_mps = speed}, surge_of);
+    Craft to_port = to_starboard;
+    const double starboard = to_starboard.settle({.surge_mps = speed, .yaw_rate_radps = turn_}, turn_rate_of);
+    const double port = -to_port.settle({.surge_mps = speed, .yaw_rate_radps = -turn_}, turn_rate_of);
+    return std::clamp(std::min(starboard, port), 0.0, turn_);
+  }
+
+  /// What it makes of a turn at its greatest speed.
+  void measure_turning(double asked) {
+    const double rate = envelope_.turn_rates.back();
+    Craft craft = *under_way_;
+    craft.settle(cruise(), surge_of);
+    Craft turning = craft;
+    turning.settle({.surge_mps = envelope_.ahead, .yaw_rate_radps = asked}, turn_rate_of);
+    if (rate > 0.0) envelope_.pivot = -turning.sway() / turning.turn_rate();
+    if (envelope_.least > 0.0) measure_slow_pivot();
+    measure_turn_lag(craft, rate);
+    measure_turn_tail(craft, cruise_share * rate);
+    measure_sway_lag(craft);
+  }
+
+  void measure_slow_pivot() {
+    Craft craft = *under_way_;
+    craft.settle({.surge_mps = envelope_.least}, surge_of);
+    const BodyRequest turn{.surge_mps = envelope_.least,
+                           .yaw_rate_radps = cruise_share * envelope_.turn_rates[0]};
+    craft.settle(turn, turn_rate_of);
+    craft.settle(turn, [](const Craft& c) { return c.sway(); });
+    if (craft.turn_rate() > 0.0) envelope_.pivot_slow = std::max(0.0, -craft.sway() / craft.turn_rate());
   }
 
   void measure_turn_lag(const Craft& steady, double rate) {
@@ -184,6 +225,19 @@ class Trials {
           std::max(envelope_.turn_acceleration, (now - before) / (window * craft.step));
       before = now;
     }
+  }
+
+  /// What heading a turn lacks in the end, beyond that of the lag and of the turn acceleration, by its rate.
+  /// Of a hull that slips ever more as it turns, so that its autopilot comes to the rate only slowly.
+  void measure_turn_tail(Craft craft, double rate) {
+    if (!(rate > 0.0 && envelope_.turn_acceleration > 0.0)) return;
+    double lacks = 0.0;
+    for (double time = 0.0; time < longest; time += craft.step) {
+      craft.obey({.surge_mps = envelope_.ahead, .yaw_rate_radps = rate});
+      lacks += craft.step * (1.0 - craft.turn_rate() / rate);
+    }
+    const double tail = lacks - envelope_.turn_lag - 0.5 * rate / envelope_.turn_acceleration;
+    if (tail > least_tail_share * envelope_.turn_lag) envelope_.turn_tail = tail;
   }
 
   /// Told at half of its greatest speed to stop, and to turn as fast as the law ever orders until that is

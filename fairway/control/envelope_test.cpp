@@ -38,6 +38,29 @@ TEST_P(EveryEnvelope, StaysWithinTheLimitsOfTheMission) {
   for (const double rate : held.turn_rates) EXPECT_LE(rate, half.max_turn_rate);
 }
 
+TEST_P(EveryEnvelope, PromisesNoTurnRateThatTheVehicleDoesNotReachBetweenTheSpeedsOfItsTable) {
+  const Vehicle fresh = builtin_vehicles().make(GetParam());
+  for (const double most : {0.6, 1.0}) {
+    const Limits mission{.max_speed = most * envelope_of(GetParam()).ahead};
+    const Envelope envelope = envelope_of(GetParam(), mission);
+    for (const double share : {0.4, 0.6, 0.8, 0.9, 0.98}) {
+      const double speed = share * envelope.ahead;
+      if (speed < envelope.least) continue;
+      Vehicle vehicle = fresh;
+      Autopilot autopilot{vehicle};
+      for (int k = 0; k < 2400; ++k) {
+        const BodyRequest turn{.surge_mps = speed,
+                               .yaw_rate_radps = k < 1200 ? 0.0 : envelope.turn_rate(speed)};
+        const VehicleState& x = vehicle.state();
+        vehicle.step(autopilot.control(turn, x.v_b, x.omega_b, envelope_step, x.q_nb), Water{},
+                     envelope_step);
+      }
+      EXPECT_GE(vehicle.state().omega_b.z(), 0.95 * envelope.turn_rate(speed))
+          << speed << " of " << envelope.ahead;
+    }
+  }
+}
+
 TEST_P(EveryEnvelope, BoundsTheErrorOfFollowingACourseThatNoTrialHad) {
   const Vehicle fresh = builtin_vehicles().make(GetParam());
   const Limits limits = narrowed({}, fresh);
@@ -163,6 +186,47 @@ TEST(Envelope, WhoTurnsAndBrakesByTheSameThrustersStopsOnTheWayThatIsForeseen) {
   const Stop turns_at_once = stop_of_sparus2(envelope);
   EXPECT_GT(turns_at_once.way, brakes_first.way + 0.3);  // more than the usual margin
   EXPECT_GT(turns_at_once.way, turns_at_once.foreseen + 0.3);
+}
+
+/// How much farther ahead remus100, which has a least speed, gets than foreseen, on half a circle that begins
+/// from a straight way, as tight as it goes at its least speed. [m]
+double farther_than_foreseen(const Envelope& envelope) {
+  Vehicle vehicle = builtin_vehicles().make("remus100");
+  Autopilot autopilot{vehicle};
+  const auto obey = [&](const BodyRequest& request) {
+    const VehicleState& x = vehicle.state();
+    vehicle.step(autopilot.control(request, x.v_b, x.omega_b, envelope_step, x.q_nb), Water{}, envelope_step);
+  };
+  VehicleState under_way;
+  under_way.v_b.x() = envelope.least;
+  vehicle.set_state(under_way);
+  for (int k = 0; k < 2000; ++k) obey({.surge_mps = envelope.least});
+  const trackable::TurnLaw law{envelope, Limits::none};
+  const double rate = law.greatest_turn_rate(envelope.least);
+  encounters::OwnedSituation e = encounters::open_water();
+  e.situation.own.velocity = vehicle.state().v_n();
+  e.situation.own.yaw = yaw_of(vehicle.state().q_nb);
+  const trackable::Foresight foresight{
+      law, e.situation, unit_at(e.situation.own.yaw), {.hold = 0.8, .window = pi / rate}};
+  const auto path = foresight.path({.speed = envelope.least, .turn_rate = rate});
+  const Vec3 from = vehicle.state().p_n;
+  double greatest = 0.0, time = 0.0;
+  for (std::size_t i = 0; i < path.count; ++i) {
+    for (; time < static_cast<double>(i + 1) * foresight.step(); time += envelope_step)
+      obey({.surge_mps = envelope.least, .yaw_rate_radps = rate});
+    greatest = std::max(greatest, vehicle.state().p_n.x() - from.x() - path.points[i].x());
+  }
+  return greatest;
+}
+
+TEST(Envelope, ABodyWithFinsTurnsNoWiderThanIsForeseen) {
+  const Envelope envelope = envelope_of("remus100", {.max_speed = 1.5});
+  EXPECT_LT(farther_than_foreseen(envelope), 0.05);
+  Envelope at_once = envelope, in_proportion = envelope;
+  at_once.turn_tail = 0.0;                         // as if it came to its turn rate by the lag alone
+  in_proportion.pivot_slow = 0.0;                  // as if it slipped in proportion to its speed
+  EXPECT_GT(farther_than_foreseen(at_once), 0.3);  // more than the usual margin
+  EXPECT_GT(farther_than_foreseen(in_proportion), 0.3);
 }
 
 TEST(Envelope, OfWhatIsNotANumberNothingIsKnown) {

@@ -34,6 +34,8 @@ struct Envelope {
   std::array<double, turn_rate_count> turn_rates{};
   std::array<double, change_count> following_errors{};
   double deceleration_lost{};
+  double turn_tail{};
+  double pivot_slow{};
 
   static consteval auto members() {
     using R = Envelope;
@@ -55,10 +57,14 @@ struct Envelope {
         member<&R::surge_lag>("s", "in which 63 % of a small change of speed is made").not_negative(),
         member<&R::turn_acceleration>("radps2", "greatest change of the turn rate").required().not_negative(),
         member<&R::turn_lag>("s", "in which 63 % of a small change of the turn rate is made").not_negative(),
+        member<&R::turn_tail>("s", "by which the heading in a long turn is later than the lag alone makes it")
+            .not_negative(),
         member<&R::pivot>(
             "m",
             "ahead of the origin, where the hull does not slip sideways in a steady turn at the "
             "greatest speed"),
+        member<&R::pivot_slow>("m", "the same at its least speed; 0: in proportion to the speed")
+            .not_negative(),
         member<&R::sway_lag>("s", "in which 63 % of a motion sideways dies away").not_negative(),
         member<&R::turn_rates>("radps", "greatest, at 0, 1/3, 2/3 and 1 of the greatest speed"),
         member<&R::following_errors>(
@@ -73,10 +79,26 @@ struct Envelope {
     return between(turn_rates, ahead > 0.0 ? std::abs(speed) / ahead * (turn_rate_count - 1) : 0.0);
   }
 
-  /// Sideways through the water in a steady turn, to starboard positive [m/s]: in proportion to speed and
-  /// turn rate, as the momentum that has to be turned is. O(1).
+  /// What a steady turn makes of the pivot at a speed: `at_rest` + `by_speed` |speed|. In proportion to the
+  /// speed, as the momentum that has to be turned is; of a hull with a least speed, which its own lift holds
+  /// as much as it has way, by the straight line between that and the greatest.
+  struct Slip {
+    double at_rest;   ///< [m]
+    double by_speed;  ///< [s]
+  };
+  Slip slip() const noexcept {
+    if (pivot_slow > 0.0 && ahead > least) {
+      const double by_speed = (pivot - pivot_slow) / (ahead - least);
+      return {pivot_slow - by_speed * least, by_speed};
+    }
+    return {0.0, ahead > 0.0 ? pivot / ahead : 0.0};
+  }
+
+  /// Sideways through the water in a steady turn, to starboard positive [m/s]. O(1).
   double steady_sway(double speed, double turn_rate) const noexcept {
-    return ahead > 0.0 ? -pivot * turn_rate * std::abs(speed) / ahead : 0.0;
+    if (!(pivot_slow > 0.0)) return ahead > 0.0 ? -pivot * turn_rate * std::abs(speed) / ahead : 0.0;
+    const Slip s = slip();
+    return -s.by_speed * turn_rate * std::abs(speed) - s.at_rest * turn_rate;
   }
 
   /// The bound on the error of following a velocity whose course changes by `change` [rad, either way]: none

@@ -101,7 +101,9 @@ To same_numbers(const From& envelope) {
           .sway_lag = envelope.sway_lag,
           .turn_rates = envelope.turn_rates,
           .following_errors = envelope.following_errors,
-          .deceleration_lost = envelope.deceleration_lost};
+          .deceleration_lost = envelope.deceleration_lost,
+          .turn_tail = envelope.turn_tail,
+          .pivot_slow = envelope.pivot_slow};
 }
 
 Command converted(const fairway::Command& command, std::size_t left_out) {

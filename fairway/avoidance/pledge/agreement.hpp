@@ -136,6 +136,7 @@ class Agreement {
   std::array<Reference, most_members> ways_of_others() const noexcept;
   Clearance scene_of(const Plan& plan) const noexcept;
   double next_gate() const noexcept;
+  bool is_alarm(std::size_t from, const StateWord& word) const noexcept;
   const Speech* passed_on(double now, double turn_period) const noexcept;
   Members everyone() const noexcept { return Members{(1U << count_) - 1U}; }
   bool is_done_here(std::size_t i) const noexcept;
@@ -165,6 +166,7 @@ class Agreement {
   std::array<Members, most_members> heard_by_{};             ///< whose states each of them has
   std::array<double, most_members> known_since_{};           ///< when its first state was heard [s]
   std::array<Said, most_members> said_{};                    ///< the last state that each told
+  std::array<double, most_members> alarmed_ = not_yet();     ///< when its last alarm was heard [s]
 
   // the newest plan
   Plan plan_{};

@@ -232,6 +232,24 @@ TEST(Agreement, WhoIsHeldElsewhereTellsWhereBeforeAnythingElse) {
   }
 }
 
+TEST(Agreement, WhoHearsThatSomebodyIsLostPassesItOnOnce) {
+  Fleet fleet{three_in_a_plane(), 3.0};
+  while (fleet.moving() < 3 && fleet.time < 200.0) fleet.go_on(always);
+  ASSERT_EQ(fleet.moving(), 3);
+  fleet.members[2].lose(fleet.places[2], Vec3::Zero());
+  const auto not_from_2_to_0 = [](std::size_t from, std::size_t to) { return from != 2 || to != 0; };
+  for (const double end = fleet.time + 2.0 * fleet.turn_period; fleet.time < end;) {
+    fleet.go_on(not_from_2_to_0);
+    if (!fleet.members[1].is_lost(2)) EXPECT_FALSE(fleet.members[0].is_lost(2));
+  }
+  EXPECT_TRUE(fleet.members[0].is_lost(2));
+  const auto header = [&] {
+    const Agreement& member = fleet.members[1];
+    return header_of(*decode(member.say(fleet.time, fleet.turn_period), member.terms().datum, fleet.time));
+  };
+  EXPECT_EQ(header().sender, 1) << "what it says next is its own";
+}
+
 TEST(Agreement, WhereALostMemberDriftsIsForetold) {
   Fleet fleet = two_and_one_between();
   const Vec3 here = fleet.members[0].member(0).anchor;

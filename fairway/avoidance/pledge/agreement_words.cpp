@@ -29,6 +29,7 @@ bool Agreement::hear(const Speech& speech, double now) noexcept {
   if (header.sent <= last_heard_[from]) return true;
   others_.rounds.hear(header.sender, header.round, false);
   if (const auto* state = std::get_if<StateWord>(&*word)) {
+    if (is_alarm(from, *state)) alarmed_[from] = now;
     members_[from] = state->member;
     if (header.status == Status::lost) members_[from].radius += wandering;
     if (!known_[from]) known_since_[from] = now;
@@ -40,6 +41,14 @@ bool Agreement::hear(const Speech& speech, double now) noexcept {
   }
   learn(header);
   return true;
+}
+
+/// Whether it tells that somebody is lost, or is held elsewhere than before while somebody is.
+bool Agreement::is_alarm(std::size_t from, const StateWord& word) const noexcept {
+  if (word.header.status == Status::lost) return statuses_[from] != Status::lost;
+  const bool is_elsewhere = known_[from] && members_[from].version != word.member.version;
+  return word.header.status == Status::held && is_elsewhere &&
+         std::ranges::count(statuses_, Status::lost) > 0;
 }
 
 void Agreement::learn(const Header& header) noexcept {
@@ -72,9 +81,11 @@ void Agreement::learn(const PlanWord& word) noexcept {
   search_.reset();
 }
 
-/// In some turns: the state of somebody whom another has not heard for long, in the very bytes that it said.
-/// For all who hear it that is a word that took longer.
+/// The state of somebody, in the very bytes that it said: in the turn after an alarm that, and in some turns
+/// that of whom another has not heard for long. For all who hear it that is a word that took longer.
 const Speech* Agreement::passed_on(double now, double turn_period) const noexcept {
+  const auto alarm = std::ranges::max_element(alarmed_);
+  if (now < *alarm + turn_period) return &said_[static_cast<std::size_t>(alarm - alarmed_.begin())].speech;
   const auto turn = static_cast<std::int64_t>(std::floor(now / turn_period));
   if (turn % passes_each != 0) return nullptr;
   for (std::size_t k = 0; k < count_; ++k) {

@@ -24,7 +24,8 @@ constexpr int most_losses = 1;        // after which a member that is lost again
 constexpr double aside_within = 0.5;  // of a place to which a member goes aside it comes [m]
 constexpr int patient_rounds = 2;     // without a plan, before a member goes aside
 constexpr double at_rest = 0.05;      // slower than this a member is held [m/s]
-constexpr double settling = 4.0;      // for so long, before who was lost is held again [s]
+constexpr double settling = 4.0;      // for so long, before it departs, a member turns to its course [s]
+constexpr double resting = 12.0;      // at rest for so long, who was lost is held again [s]
 
 /// The course on which a member that is held will depart, once it is time to turn to it: who departs while it
 /// turns the other way is late. Not in a current, in which nobody who has turned aside stays where it is.
@@ -214,6 +215,8 @@ void Pledge::watch(const Situation& s, const pledge::Chart& chart, Memory& memor
     const double off = (agreement.own().anchor - s.own.position).norm();
     if (memory.gives_way && off > 0.5 * params.tube_m) {
       stay_at(s, s.own.position, agreement);
+    } else if (memory.losses > 0 && off > (agreement.has_promised(s.time) ? 2.0 : 1.0) * params.tube_m) {
+      lose(s, memory);
     } else if (off > params.tube_m && !agreement.has_promised(s.time)) {
       stay_at(s, resting_place(s), agreement);
     }
@@ -222,10 +225,7 @@ void Pledge::watch(const Situation& s, const pledge::Chart& chart, Memory& memor
   memory.gives_way = false;
   const double off = (way->at(s.time) - s.own.position).norm();
   if (off > 2.0 * params.tube_m) {
-    ++memory.losses;
-    memory.moved = s.time;
-    memory.stay = s.own.position;
-    agreement.lose(s.own.position, s.own.velocity);
+    lose(s, memory);
   } else if (agreement.meets_lost(*way, s.time, s.time + soon) ||
              agreement.meets_held(*way, s.time, s.time + soon) ||
              !pledge::keeps_off(*way, chart, s.own.radius + params.tube_m, s.time, s.time + soon)) {
@@ -241,11 +241,19 @@ void Pledge::stay_at(const Situation& s, const Vec3& place, Agreement& agreement
   agreement.hold(member);
 }
 
-/// Who was lost is held again once it has come to rest, but not for ever again.
+void Pledge::lose(const Situation& s, Memory& memory) const noexcept {
+  ++memory.losses;
+  memory.moved = s.time;
+  memory.stay = s.own.position;
+  memory.agreement.lose(s.own.position, s.own.velocity);
+}
+
+/// Who was lost is held again once it has been at rest for longer than a dead hull that a current takes along
+/// is on its way from one to the other, but not for ever again.
 void Pledge::recover(const Situation& s, Memory& memory) const noexcept {
   Agreement& agreement = memory.agreement;
   if (s.own.velocity.norm() > at_rest) memory.moved = s.time;
-  if (memory.losses > most_losses || s.time < memory.moved + settling)
+  if (memory.losses > most_losses || s.time < memory.moved + resting)
     return agreement.lose(s.own.position, s.own.velocity);
   stay_at(s, s.own.position, agreement);
 }

@@ -98,6 +98,7 @@ struct Pledge {
   void aim(const Situation& s, const pledge::Chart& chart, Memory& memory) const noexcept;
   void watch(const Situation& s, const pledge::Chart& chart, Memory& memory) const noexcept;
   void stay_at(const Situation& s, const Vec3& place, pledge::Agreement& agreement) const noexcept;
+  void lose(const Situation& s, Memory& memory) const noexcept;
   void recover(const Situation& s, Memory& memory) const noexcept;
 };
 

@@ -30,10 +30,11 @@ struct Alone {
   Rng rng{1};
   Context context{rng};
   std::vector<Obstacle> obstacles;
+  Vec3 position{0.0, 0.0, 5.0};
 
   Command decide(double time) {
     Situation s{.time = time, .period = 0.1};
-    s.own = {.id = VehicleId{0}, .position = {0.0, 0.0, 5.0}, .radius = 1.5};
+    s.own = {.id = VehicleId{0}, .position = position, .radius = 1.5};
     s.goal = {.position = {40.0, 0.0, 5.0}, .cruise_speed = 0.5, .arrival = 1.0};
     s.limits = {.max_speed = 0.5, .max_climb_rate = 0.3};
     s.link = &link;
@@ -59,6 +60,23 @@ TEST(Pledge, AWordThatWasHeardOnceDoesNotBecomeNewsWhenItsClockHasGoneRound) {
       ASSERT_TRUE(member.fears(time)) << time;
     }
   }
+}
+
+// Whose thrusters are dead passes through rest on its way from its own speed to that of the current.
+TEST(Pledge, WhoWasLostIsHeldAgainOnceItHasRestedForLongAndIsLostForGoodWhenItThenDriftsOff) {
+  Alone member;
+  member.decide(0.0);
+  member.memory.losses = 1;
+  member.memory.agreement.lose(member.position, Vec3::Zero());
+  const auto status_at = [&](double time) {
+    member.decide(time);
+    return member.memory.agreement.status();
+  };
+  EXPECT_EQ(status_at(11.9), pledge::Status::lost);
+  EXPECT_EQ(status_at(12.1), pledge::Status::held);
+  member.position.x() = 1.2;
+  EXPECT_EQ(status_at(20.0), pledge::Status::lost);
+  for (const double time : {21.0, 40.0, 100.0}) EXPECT_EQ(status_at(time), pledge::Status::lost);
 }
 
 TEST(Pledge, WhoLiesOrIsToGoTooNearToWhatStandsSaysSo) {

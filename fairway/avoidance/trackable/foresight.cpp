@@ -40,16 +40,17 @@ Foresight::Foresight(const TurnLaw& law, const Situation& s, const Vec2& ahead,
   const Envelope& can = law.envelope();
   const double step = response_.step;
   const auto share_of = [&](double lag) { return 1.0 - math::exp(-step / std::max(lag, least_lag)); };
-  response_.turn_share = share_of(can.turn_lag);
+  response_.turn_share = share_of(can.turn_lag + can.turn_tail);
   response_.surge_share = share_of(can.surge_lag);
   response_.sway_share = share_of(can.sway_lag);
   response_.most_turn = can.turn_acceleration * step;
   response_.most_faster = can.acceleration * step;
   response_.most_slower = can.deceleration * step;
   response_.lost_slower = can.deceleration_lost / can.turn_acceleration;
-  response_.slip = can.steady_sway(1.0, -1.0);
+  response_.slip = can.slip().by_speed;
+  response_.slip_at_rest = can.slip().at_rest;
 
-  const Vec2 velocity = s.own.velocity.head<2>();
+  const Vec2 velocity = s.own.velocity.head<2>() - outlook.frame;
   now_ = {.ahead_north = ahead.x(),
           .ahead_east = ahead.y(),
           .turn_rate = s.own.yaw_rate,
@@ -105,10 +106,11 @@ void Foresight::divide_window() noexcept {
 void Foresight::add(const Vec2& from, const Vec2& to, double radius, const Vec2& velocity) noexcept {
   if (count_ == most_hazards) return;
   const Vec2 along = to - from;
+  const Vec2 relative = velocity - outlook_.frame;
   const Hazard hazard{from.x(),     from.y(),     along.x(),           along.y(), along.squaredNorm(),
-                      velocity.x(), velocity.y(), radius + own_radius_};
+                      relative.x(), relative.y(), radius + own_radius_};
   const double distance = std::sqrt(distance2(hazard, 0.0, 0.0, 0.0));
-  const double gap = distance - hazard.contact, speed = velocity.norm();
+  const double gap = distance - hazard.contact, speed = relative.norm();
   if (gap > reach_ + speed * outlook_.window + outlook_.margin) return;
   const double left = gap > 0.0 ? kept_of_lost * gap : gap;
   room_now_ = std::min(room_now_, left);
@@ -152,7 +154,7 @@ TurnOrder Foresight::order(const Plan& plan) const noexcept {
 double Foresight::fastest_way(double speed, double turn_rate) const noexcept {
   const Law& law = response_.law;
   const double along = std::max({std::abs(now_.speed), law.least, speed});
-  const double slip = std::abs(response_.slip) * turn_rate * along;
+  const double slip = (std::abs(response_.slip) * along + std::abs(response_.slip_at_rest)) * turn_rate;
   return bounding * (along + outlook_.drift.norm() + std::max(std::abs(now_.sway), slip));
 }
 
@@ -210,7 +212,8 @@ Foresight::Path Foresight::path(const Plan& plan) const noexcept {
   Way way{*this, plan};
   for (std::size_t k = 0; k < steps_; ++k) {
     way.advance();
-    path.points[k] = {way.m.north, way.m.east};
+    const double time = static_cast<double>(k + 1) * response_.step;
+    path.points[k] = Vec2{way.m.north, way.m.east} + time * outlook_.frame;
   }
   return path;
 }

@@ -32,6 +32,7 @@ struct Outlook {
   double window{};            ///< how far ahead all looks [s]
   double margin{};            ///< kept to every surface [m]
   Vec2 drift = Vec2::Zero();  ///< of the water, as far as it sets across the heading [m/s, NED]
+  Vec2 frame = Vec2::Zero();  ///< plans are of velocities relative to this one [m/s, NED]
   double climb{};             ///< greatest vertical speed that is commanded [m/s]
 };
 
@@ -44,10 +45,11 @@ enum class Prospect : std::uint8_t {
 
 /// What a vehicle does that is told a plan, as its envelope says: turn rate and speed approach what the law
 /// orders by first-order lags, within the accelerations, and the hull slips about its pivot. All that is near
-/// keeps its velocity. A plan is clear if nothing comes nearer than the margin, between steps either; where
-/// that is lost already, nothing comes nearer by more than a tenth of what is left of it. The backup of a
-/// vehicle that can stop is to stop, its bow up into the drift; of one that cannot it is to go round in a
-/// circle, to either side.
+/// keeps its velocity. Of a vehicle with a least speed all of that is relative to the water (`frame`),
+/// through which that speed is. A plan is clear if nothing comes nearer than the margin, between steps
+/// either; where that is lost already, nothing comes nearer by more than a tenth of what is left of it. The
+/// backup of a vehicle that can stop is to stop, its bow up into the drift; of one that cannot it is to go
+/// round in a circle, to either side.
 class Foresight {
  public:
   /// `law` must outlive it. The bow points `ahead`. O(solids).
@@ -83,7 +85,7 @@ class Foresight {
   /// What the autopilot is ordered now.
   TurnOrder order(const Plan& plan) const noexcept;
 
-  /// Where the vehicle is after each step. [m]
+  /// Where the vehicle is after each step, over ground. [m]
   struct Path {
     std::array<Vec2, most_steps> points;
     std::size_t count;

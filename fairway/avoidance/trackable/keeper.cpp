@@ -28,10 +28,11 @@ double window_of(const TurnLaw& law, const Situation& s, double hold) {
 
 /// What sets the vehicle aside, as far as that shows across its heading: what is left of its motion there
 /// when its own sway is taken away.
-Vec2 observed_drift(const Situation& s, const Vec2& ahead, double settling, Course& course) {
+Vec2 observed_drift(const Situation& s, const Vec2& ahead, const Vec2& frame, double settling,
+                    Course& course) {
   const Envelope& can = *s.envelope;
   const Vec2 starboard = starboard_of(ahead);
-  const Vec2 velocity = s.own.velocity.head<2>();
+  const Vec2 velocity = s.own.velocity.head<2>() - frame;
   const double across = starboard.dot(velocity);
   const double slip = can.steady_sway(ahead.dot(velocity), s.own.yaw_rate);
   if (!course.drift) {
@@ -46,16 +47,17 @@ Vec2 observed_drift(const Situation& s, const Vec2& ahead, double settling, Cour
 
 /// What the inner avoider wants, as a course and a speed. One that stands without being told to wait has
 /// found no velocity: then a way is looked for round the preferred one.
-Plan plan_of(const Situation& s, const Vec2& ahead, const Command& asked, const Vec2& drift) {
-  const Vec2 v = asked.velocity.head<2>();
+Plan plan_of(const Situation& s, const Vec2& ahead, const Command& asked, const Vec2& frame,
+             const Vec2& drift) {
+  const Vec2 v = asked.velocity.head<2>() - frame;
   if (asked.mode == Mode::hold) return standing_still(ahead, drift);
   if (asked.turn_rate) return {.direction = ahead, .speed = v.dot(ahead), .turn_rate = asked.turn_rate};
   if (asked.heading) {
     const Vec2 heading = unit_at(*asked.heading);
     return {.direction = heading, .speed = std::max(0.0, v.dot(heading))};
   }
-  const Vec2 preferred = s.preferred_velocity().head<2>();
-  const bool stands = v.norm() < standing_share * preferred.norm();
+  const Vec2 preferred = s.preferred_velocity().head<2>() - frame;
+  const bool stands = (v + frame).norm() < standing_share * (preferred + frame).norm();
   const Vec2& wanted = stands ? preferred : v;
   const double speed = wanted.norm();
   if (speed <= standing) return standing_still(ahead, drift);
@@ -133,7 +135,8 @@ Keeper::Keeper(const Keeping& keeping, const Situation& s, Course& course) noexc
       margins_{keeping.margins},
       hold_{std::max(keeping.hold, s.period)},
       window_{window_of(law_, s, hold_)},
-      drift_{observed_drift(s, ahead_, keeping.drift_settling, course)},
+      frame_{s.envelope->least > 0.0 ? Vec2{s.current.head<2>()} : Vec2{Vec2::Zero()}},
+      drift_{observed_drift(s, ahead_, frame_, keeping.drift_settling, course)},
       foresight_{law_,
                  s,
                  ahead_,
@@ -141,6 +144,7 @@ Keeper::Keeper(const Keeping& keeping, const Situation& s, Course& course) noexc
                   .window = window_,
                   .margin = margins_.total(window_),
                   .drift = drift_,
+                  .frame = frame_,
                   .climb = std::min(limit_or(s.limits.max_climb_rate, 1e9),
                                     std::abs(s.own.velocity.z()) + unasked_climb * s.envelope->ahead)}} {}
 
@@ -159,7 +163,7 @@ void Keeper::draw(Sketch& sketch, const Plan& plan, const Command& asked) const 
 }
 
 Command Keeper::keep(const Command& asked, const Deviations& deviations, Sketch* sketch) noexcept {
-  Plan plan = plan_of(s_, ahead_, asked, drift_);
+  Plan plan = plan_of(s_, ahead_, asked, frame_, drift_);
   Command command = asked;
   if (!foresight_.is_open()) {
     const Choice choice = choose(deviations, foresight_, plan, s_.goal.cruise_speed, course_.side);
@@ -177,7 +181,7 @@ Command Keeper::keep(const Command& asked, const Deviations& deviations, Sketch*
   if (command.mode == Mode::hold) return command;
 
   const TurnOrder order = foresight_.order(plan);
-  command.velocity.head<2>() = order.surge * ahead_;
+  command.velocity.head<2>() = (order.surge + frame_.dot(ahead_)) * ahead_;
   command.turn_rate = order.turn_rate;
   command.heading.reset();
   command.wrench.reset();

@@ -77,6 +77,7 @@ class Keeper {
   Margins margins_;
   double hold_;
   double window_;
+  Vec2 frame_;  // in which it plans, by its velocity over ground [m/s]
   Vec2 drift_;
   Foresight foresight_;
 };

@@ -43,8 +43,9 @@ struct Response {
   double turn_share{}, surge_share{}, sway_share{};  ///< of the way to what is ordered, gone in a step
   double most_turn{};                                ///< by which the turn rate changes in a step [rad/s]
   double most_faster{}, most_slower{};               ///< by which the speed does [m/s]
-  double lost_slower{};  ///< of the latter, for each rad/s by which the turn rate changes [m/rad]
-  double slip{};         ///< sideways in a steady turn, of turn rate and speed; Envelope::steady_sway() [s]
+  double lost_slower{};   ///< of the latter, for each rad/s by which the turn rate changes [m/rad]
+  double slip{};          ///< sideways in a steady turn, of turn rate and speed; Envelope::slip() [s]
+  double slip_at_rest{};  ///< likewise, of the turn rate alone [m]
   double drift_north{}, drift_east{};  ///< across the heading [m/s]
 };
 
@@ -179,7 +180,7 @@ template <class Real>
   const Real sine = half - half * half2 * (1.0 / 6 - 1.0 / 120 * half2);
   const Real cosine = 1.0 - half2 * (1.0 / 2 - 1.0 / 24 * half2);
   turn(sine, cosine, m);
-  const Real slip = -can.slip * m.turn_rate * magnitude(m.speed);
+  const Real slip = -can.slip * m.turn_rate * magnitude(m.speed) - can.slip_at_rest * m.turn_rate;
   m.sway = m.sway + can.sway_share * (slip - m.sway);
   const Real along = 0.5 * (speed + m.speed);
   const Real across =

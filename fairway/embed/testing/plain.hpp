@@ -33,7 +33,9 @@ inline Envelope plain(const fairway::Envelope& e) {
           e.sway_lag,
           e.turn_rates,
           e.following_errors,
-          e.deceleration_lost};
+          e.deceleration_lost,
+          e.turn_tail,
+          e.pivot_slow};
 }
 
 /// A situation of the C++20 library as a host would put it, with what it points to.
