@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <memory>
@@ -66,6 +67,9 @@ class Avoider {
     return command;
   }
 
+  /// What it keeps between own sphere and every surface, as far as its wrappers say [m].
+  double kept_margin() const { return self_->kept_margin(); }
+
   /// So many of `decide_many` are asked at once: the lanes of the widest registers.
   static constexpr std::size_t most_together = 8;
 
@@ -99,6 +103,7 @@ class Avoider {
     virtual void restore(const Interface& clone) = 0;  ///< to what the clone of this remembers
     virtual const AlgorithmInfo& info() const = 0;
     virtual std::size_t most_tracks() const { return std::numeric_limits<std::size_t>::max(); }
+    virtual double kept_margin() const { return 0.0; }
     virtual bool speaks() const { return false; }
     virtual Speech speech() const { return {}; }
     virtual std::optional<Reading> reading(const Heard& /*word*/) const { return {}; }
@@ -168,6 +173,11 @@ struct Avoider::Wrapped final : Avoider::Interface {
     inner.rng_ = before.inner.rng_;
   }
   const AlgorithmInfo& info() const override { return W::info; }
+  double kept_margin() const override {
+    double own = 0.0;
+    if constexpr (requires { wrapper.kept_margin(); }) own = wrapper.kept_margin();
+    return std::max(own, inner.kept_margin());
+  }
   bool speaks() const override { return inner.speaks(); }
   Speech speech() const override { return inner.speech(); }
   std::optional<Reading> reading(const Heard& word) const override { return inner.reading(word); }

@@ -59,6 +59,8 @@ struct SafetyFilter {
   Params params;
   trackable::Deviations deviations{trackable::usual_slow_cost};
 
+  double kept_margin() const { return params.margin_m; }
+
   /// The inner avoider's answer itself if it keeps clear. Otherwise Mode::avoid; Mode::infeasible if nothing
   /// within the bounds keeps clear of all, with what violates it least. `Command::note` says if it began too
   /// late. Without a model a wrench cannot be judged and is left out if anything is near. A vehicle that must

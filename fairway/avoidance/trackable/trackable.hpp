@@ -62,6 +62,11 @@ struct Trackable {
 
   explicit Trackable(const Params& chosen) : params{chosen}, deviations{chosen.slow_cost_ratio} {}
 
+  /// But for what the current adds over a window.
+  double kept_margin() const {
+    return params.margin_m + params.tracking_bound_m + params.perception_error_m + params.navigation_error_m;
+  }
+
   Command decide(const Situation& s, Avoider& inner, Memory& memory, Context& context) const noexcept;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/avoidance/way_round/shortest_way.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -13,6 +14,7 @@ namespace {
 using avoa_improved::Capsule;
 using avoa_improved::Capsules;
 
+constexpr double wider = 2.0;          // than what the inner avoider keeps: who strays from the way may go on
 constexpr double narrow_share = 0.25;  // of the margin, where the whole leaves no way
 constexpr double leg_ahead_s = 20.0;   // to where a goal that is only a velocity leads
 
@@ -40,8 +42,9 @@ std::optional<avoa_improved::WayRound> way_with(const ShortestWay::Params& param
 Command ShortestWay::decide(const Situation& s, Avoider& inner, Memory& memory,
                             Context& context) const noexcept {
   memory.chart.enter(s, true, params.same_place_m);
-  std::optional<avoa_improved::WayRound> way = way_with(params, s, memory, params.way_margin_m);
-  if (!way) way = way_with(params, s, memory, narrow_share * params.way_margin_m);
+  const double margin = std::max(params.way_margin_m, wider * inner.kept_margin());
+  std::optional<avoa_improved::WayRound> way = way_with(params, s, memory, margin);
+  if (!way) way = way_with(params, s, memory, narrow_share * margin);
   memory.committed.reset();
   if (!way || way->is_straight) return inner.decide(s, context.sketch);
 

@@ -31,7 +31,9 @@ struct ShortestWay {
     static consteval auto fields() {
       using P = Params;
       return std::tuple{
-          field<&P::way_margin_m>({0, 1000}, "kept by the way between own sphere and every surface"),
+          field<&P::way_margin_m>({0, 1000},
+                                  "kept by the way between own sphere and every surface; at least twice what "
+                                  "the inner avoider keeps"),
           field<&P::commitment_m>({0, 1000}, "to turn back, another way must be shorter by this"),
           field<&P::bend_m>({0, 1000}, "length that a radian of turning counts for"),
           field<&P::same_place_m>({0, 1000}, "what is seen this near to what was seen before is the same"),

@@ -5,6 +5,7 @@
 
 #include "fairway/avoidance/catalog.hpp"
 #include "fairway/avoidance/direct/direct.hpp"
+#include "fairway/avoidance/safety_filter/safety_filter.hpp"
 #include "fairway/avoidance/testing/encounters.hpp"
 
 namespace fairway {
@@ -39,6 +40,16 @@ TEST(ShortestWay, ItLeadsAlongTheTangentOfABuoy) {
   const double angle = std::asin(3.6 / std::hypot(20.0, 0.5)) - std::atan2(0.5, 20.0);
   EXPECT_NEAR(std::atan2(v.y(), v.x()), -angle, 1e-9);
   EXPECT_NEAR(v.norm(), 1.0, 1e-12);
+}
+
+TEST(ShortestWay, ItKeepsTwiceTheMarginOfWhoeverHoldsItToSurfaces) {
+  OwnedSituation e = bound_north();
+  e.obstacles = {{.kind = Obstacle::Kind::sphere, .position = {20.0, 0.5, 50.0}, .radius = 2.0}};
+  const SafetyFilter filter{.params = {.margin_m = 0.9}};
+  Avoider held{ShortestWay{}, Avoider{filter, Avoider{Direct{{}}}}};
+  const Vec3 v = held.decide(e).velocity;
+  const double angle = std::asin(4.8 / std::hypot(20.0, 0.5)) - std::atan2(0.5, 20.0);
+  EXPECT_NEAR(std::atan2(v.y(), v.x()), -angle, 1e-9);
 }
 
 TEST(ShortestWay, ItLeadsOutOfAPocketInWhichTheStraightWayEnds) {
