@@ -231,10 +231,11 @@ class Trials {
   /// Of a hull that slips ever more as it turns, so that its autopilot comes to the rate only slowly.
   void measure_turn_tail(Craft craft, double rate) {
     if (!(rate > 0.0 && envelope_.turn_acceleration > 0.0)) return;
-    double lacks = 0.0;
-    for (double time = 0.0; time < longest; time += craft.step) {
+    double lacks = 0.0, time = 0.0;
+    while (time < longest) {
       craft.obey({.surge_mps = envelope_.ahead, .yaw_rate_radps = rate});
       lacks += craft.step * (1.0 - craft.turn_rate() / rate);
+      time += craft.step;
     }
     const double tail = lacks - envelope_.turn_lag - 0.5 * rate / envelope_.turn_acceleration;
     if (tail > least_tail_share * envelope_.turn_lag) envelope_.turn_tail = tail;
