@@ -7,6 +7,7 @@
 #include "fairway/avoidance/testing/boat.hpp"
 #include "fairway/avoidance/testing/passage.hpp"
 #include "fairway/avoidance/trackable/trackable.hpp"
+#include "fairway/planning/testing/planner_at_work.hpp"
 
 namespace fairway {
 namespace {
@@ -123,23 +124,16 @@ TEST(Blend, AVehicleThatMustTurnIsNeitherSlowNorAstray) {
 TEST(Blend, AVehicleThatMustTurnPlansRoundWhatItFindsOnItsPath) {
   const Envelope boat = encounters::of_a_boat();
   OwnedSituation e = boat_among(boat, true);
-  const Blend algorithm{{}};
-  Blend::Memory memory;
-  Rng rng{3};
-  Context context{rng};
-  const auto plan_at = [&](double time) {
-    e.situation.time = time;
-    (void)algorithm.decide(e, memory, context);
-    return memory.plan;
-  };
+  PlannerAtWork<Blend> work;
+  const auto plan_at = [&](double time) { return work.plan_at(e, time); };
   const auto first = plan_at(0.0);
   e.obstacles.push_back(encounters::buoy(34, 0, 2.0));
   e.obstacles.back().charted = false;
   EXPECT_EQ(plan_at(1.9), first);  // at most every 2 s
-  EXPECT_EQ(memory.stage, Blend::Stage::going_round);
+  EXPECT_EQ(work.memory.stage, Blend::Stage::going_round);
   const auto second = plan_at(2.1);
   EXPECT_NE(second, first);
-  EXPECT_EQ(memory.stage, Blend::Stage::following);
+  EXPECT_EQ(work.memory.stage, Blend::Stage::following);
   e.obstacles.pop_back();  // out of sight, and remembered
   EXPECT_EQ(plan_at(5.0), second);
 }
@@ -147,17 +141,12 @@ TEST(Blend, AVehicleThatMustTurnPlansRoundWhatItFindsOnItsPath) {
 TEST(Blend, AVehicleThatMustTurnPlansForAGoalThatMovesNowAndThen) {
   const Envelope boat = encounters::of_a_boat();
   OwnedSituation e = boat_among(boat, true);
-  const Blend algorithm{{}};
-  Blend::Memory memory;
-  Rng rng{3};
-  Context context{rng};
+  PlannerAtWork<Blend> work;
   int plans = 0;
   for (int i = 0; i <= 20; ++i) {  // 4.1 s
-    e.situation.time = 0.205 * i;
     e.situation.goal.position.y() = 0.01 * i;
-    const auto before = memory.plan;
-    (void)algorithm.decide(e, memory, context);
-    plans += memory.plan != before ? 1 : 0;
+    const auto before = work.memory.plan;
+    plans += work.plan_at(e, 0.205 * i) != before ? 1 : 0;
   }
   EXPECT_EQ(plans, 3);  // at 0, 2.05 and 4.1 s
 }

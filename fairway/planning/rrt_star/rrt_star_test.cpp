@@ -14,6 +14,7 @@
 #include "fairway/planning/builtin.hpp"
 #include "fairway/planning/testing/four_obstacles.hpp"
 #include "fairway/planning/testing/planar_vessel.hpp"
+#include "fairway/planning/testing/planner_at_work.hpp"
 
 namespace fairway {
 namespace {
@@ -256,15 +257,8 @@ TEST(RrtStar, AVehicleThatMustTurnDoesNotLoseItsWayToOneThatComes) {
 TEST(RrtStar, AVehicleThatMustTurnPlansAnewWhereItComesOnNoMore) {
   const Envelope boat = encounters::of_a_boat();
   OwnedSituation e = between_walls(boat);
-  const RrtStar algorithm{{}};
-  RrtStar::Memory memory;
-  Rng rng{3};
-  Context context{rng};
-  const auto plan_at = [&](double time) {
-    e.situation.time = time;
-    (void)algorithm.decide(e, memory, context);
-    return memory.plan;
-  };
+  PlannerAtWork<RrtStar> work;
+  const auto plan_at = [&](double time) { return work.plan_at(e, time); };
   const auto first = plan_at(0.0);
   EXPECT_EQ(plan_at(9.0), first);  // 0.5 s, half a turn at 0.45 rad/s and 2 s to stop: 9.5 s
   const auto second = plan_at(10.0);
@@ -280,22 +274,16 @@ TEST(RrtStar, AVehicleThatMustTurnPlansAnewWhereItComesOnNoMore) {
 TEST(RrtStar, AVehicleThatMustTurnKeepsItsPlanWhereThereIsNoOther) {
   const Envelope boat = encounters::of_a_boat();
   OwnedSituation e = between_walls(boat);
-  RrtStar algorithm;
-  algorithm.params.clearance_m = 1.0;
-  RrtStar::Memory memory;
-  Rng rng{3};
-  Context context{rng};
-  (void)algorithm.decide(e, memory, context);
-  const auto first = memory.plan;
+  PlannerAtWork<RrtStar> work;
+  work.algorithm.params.clearance_m = 1.0;
+  const auto first = work.plan_at(e, e.situation.time);
 
   // set aside, nearer to the wall than a path may lead, it sees nothing of its path
-  e.situation.time = 4.8;
   e.situation.own.position = {10.0, 3.5 + e.situation.own.radius, 50.0};
-  (void)algorithm.decide(e, memory, context);
-  e.situation.time = 5.0;
-  const Command command = algorithm.decide(e, memory, context);
-  EXPECT_EQ(memory.planned_s, 5.0);
-  EXPECT_EQ(memory.plan, first);
+  (void)work.decide_at(e, 4.8);
+  const Command command = work.decide_at(e, 5.0);
+  EXPECT_EQ(work.memory.planned_s, 5.0);
+  EXPECT_EQ(work.memory.plan, first);
   EXPECT_GT(command.velocity.norm(), 0.1);
 }
 
