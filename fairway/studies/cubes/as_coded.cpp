@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fairway/avoidance/orca3d/half_space.hpp"
-#include "fairway/avoidance/parting.hpp"
+#include "fairway/avoidance/orca3d/columns.hpp"
 #include "fairway/core/math.hpp"
 
 namespace fairway::cubes {
@@ -17,6 +16,76 @@ std::size_t slot(std::uint32_t id) { return id % (2 * max_team); }
 Vec3 in_body_axes(const Vec3& v_n, double yaw) {
   const auto [s, c] = math::sin_cos(yaw);
   return {c * v_n.x() + s * v_n.y(), c * v_n.y() - s * v_n.x(), v_n.z()};
+}
+
+using LibraryAgents = std::array<OrcaAsCoded::LibraryAgent, 2 * max_team>;
+
+struct Pair {
+  std::size_t a, b;  ///< slots; a < b
+};
+
+struct Pairs {
+  std::array<Pair, max_team * (2 * max_team - 1)> all;
+  std::size_t count{};
+};
+
+Pairs near_pairs(const LibraryAgents& agents, double range) {
+  std::array<std::size_t, 2 * max_team> known;
+  std::size_t count = 0;
+  Pairs pairs;
+  for (std::size_t i = 0; i < agents.size(); ++i)
+    if (agents[i].known) known[count++] = i;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t a = known[i];
+    for (std::size_t k = i + 1; k < count; ++k) {
+      const Vec3 p = agents[known[k]].position - agents[a].position;
+      if (p.squaredNorm() < range * range) pairs.all[pairs.count++] = {a, known[k]};
+    }
+  }
+  return pairs;
+}
+
+/// What each agent's neighbours leave it.
+struct Allowed {
+  std::array<std::array<HalfSpace, 2 * max_team>, 2 * max_team> half_spaces;
+  std::array<std::size_t, 2 * max_team> counts{};
+
+  void add(std::size_t agent, const HalfSpace& half_space) {
+    half_spaces[agent][counts[agent]++] = half_space;
+  }
+  std::span<const HalfSpace> of(std::size_t agent) const {
+    return std::span{half_spaces[agent]}.first(counts[agent]);
+  }
+};
+
+/// One of a pair is to change as the other is, the other way round: it is reckoned once for both, of as many
+/// pairs at a time as there are lanes, as if the first stood still at the origin and took all of the change.
+void allow(const Pairs& pairs, const LibraryAgents& agents, double radius, const OrcaAsCoded::Params& params,
+           Allowed& allowed) {
+  const lanes::Kernel& kernel = lanes::kernel_for(pairs.count);
+  const std::size_t width = kernel.lanes;
+  alignas(64) std::array<double, lanes::columns> origin;
+  alignas(64) std::array<double, lanes::columns * lanes::most_lanes> others;
+  alignas(64) std::array<double, 4 * lanes::most_lanes> change;
+  orca::write_columns(Vec3::Zero(), Vec3::Zero(), radius, 0.0, 1, origin.data());
+  for (std::size_t first = 0; first < pairs.count; first += width) {
+    const std::size_t here = std::min(width, pairs.count - first);
+    for (std::size_t lane = 0; lane < width; ++lane) {
+      const Pair& pair = pairs.all[first + std::min(lane, here - 1)];
+      const OrcaAsCoded::LibraryAgent &a = agents[pair.a], &b = agents[pair.b];
+      orca::write_columns(b.position - a.position, b.velocity - a.velocity, radius, 1.0, width,
+                          others.data() + lane);
+    }
+    kernel.half_spaces(params.time_horizon_s, params.time_step_s, origin.data(), others.data(),
+                       change.data());
+    for (std::size_t lane = 0; lane < here; ++lane) {
+      const auto [a, b] = pairs.all[first + lane];
+      const Vec3 normal{change[lane], change[width + lane], change[2 * width + lane]};
+      const double half = 0.5 * change[3 * width + lane];
+      allowed.add(a, {normal, normal.dot(agents[a].velocity) + half});
+      allowed.add(b, {-normal, half - normal.dot(agents[b].velocity)});
+    }
+  }
 }
 
 }  // namespace
@@ -61,36 +130,19 @@ Command ApfAsCoded::decide(const Situation& s, Memory& memory, Context&) const n
 }
 
 void OrcaAsCoded::step_library(Memory& memory, const Situation& s) const noexcept {
-  const double range2 = params.crit_dist_m * params.crit_dist_m;
-  std::array<Vec3, 2 * max_team> chosen;
-  std::array<HalfSpace, 2 * max_team> half_spaces;
+  Allowed allowed;
+  allow(near_pairs(memory.agents, params.crit_dist_m), memory.agents, s.own.radius, params, allowed);
 
   // everyone in the library chooses on the same instant
   for (std::size_t i = 0; i < memory.agents.size(); ++i) {
-    const LibraryAgent& agent = memory.agents[i];
+    LibraryAgent& agent = memory.agents[i];
     if (!agent.known) continue;
-    std::size_t count = 0;
-    for (std::size_t j = 0; j < memory.agents.size(); ++j) {
-      const LibraryAgent& other = memory.agents[j];
-      const Vec3 p = other.position - agent.position;
-      if (j == i || !other.known || p.squaredNorm() >= range2) continue;
-      const Vec3 parting =
-          parting_direction(VehicleId{static_cast<std::uint32_t>(i)}, TrackId{static_cast<std::uint32_t>(j)});
-      const orca::RelativeNeighbour encounter{p, agent.velocity - other.velocity, 2.0 * s.own.radius,
-                                              parting};
-      const orca::Change change = orca::least_change(encounter, params.time_horizon_s, params.time_step_s);
-      half_spaces[count++] = orca::half_space(change, agent.velocity, 0.5);
-    }
-    chosen[i] = nearest_velocity({half_spaces.data(), count}, agent.preferred, s.goal.cruise_speed).velocity;
+    agent.velocity = nearest_velocity(allowed.of(i), agent.preferred, s.goal.cruise_speed).velocity;
   }
 
   // and moves, until its own next message puts it back
-  for (std::size_t i = 0; i < memory.agents.size(); ++i) {
-    LibraryAgent& agent = memory.agents[i];
-    if (!agent.known) continue;
-    agent.velocity = chosen[i];
-    agent.position += params.time_step_s * chosen[i];
-  }
+  for (LibraryAgent& agent : memory.agents)
+    if (agent.known) agent.position += params.time_step_s * agent.velocity;
 }
 
 Command OrcaAsCoded::decide(const Situation& s, Memory& memory, Context& context) const noexcept {
