@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "fairway/dynamics/runge_kutta.hpp"
 #include "fairway/dynamics/vehicle_model.hpp"
 
 namespace fairway {
@@ -27,19 +28,8 @@ namespace fairway {
   return mean;
 }
 
-/// `x` one step of length `h` [s] later, by the classical Runge-Kutta method of order 4; `rate_of(x)` says
-/// how fast it changes. All that it calls is to be compiled into it: calls through memory cost Sparus2 and
-/// Kinematic half of the step.
-template <class State, class RateOf>
-[[gnu::always_inline]] inline State runge_kutta(const State& x, double h, const RateOf& rate_of) {
-  const auto k1 = rate_of(x);
-  const auto k2 = rate_of(moved(x, k1, h / 2));
-  const auto k3 = rate_of(moved(x, k2, h / 2));
-  const auto k4 = rate_of(moved(x, k3, h));
-  return moved(x, mean_of(k1, k2, k3, k4), h);
-}
-
-/// The same of a model, actuators and water held. The quaternion is normalised after the step.
+/// One step of a model (runge_kutta.hpp), actuators and water held. The quaternion is normalised after the
+/// step.
 template <VehicleModel M>
 [[gnu::flatten]] VehicleState rk4(const M& model, const VehicleState& x, const ActuatorValues& u,
                                   const Water& water, double h) noexcept {

@@ -2,6 +2,7 @@
 #include "fairway/dynamics/submerged_body.hpp"
 
 #include <Eigen/LU>
+#include <algorithm>
 
 namespace fairway {
 namespace {
@@ -17,42 +18,39 @@ fossen::Matrix6 coriolis_mass_of(const SubmergedBodyNumbers& numbers) {
   return M;
 }
 
-}  // namespace
+lanes::Blocks blocks_of(const fossen::Matrix6& A) {
+  lanes::Blocks blocks;
+  for (Eigen::Index i = 0; i < 6; ++i)
+    for (Eigen::Index j = 0; j < 6; ++j) blocks.rows[i][j] = A(i, j);
+  blocks.diagonal = (A - fossen::Matrix6{A.diagonal().asDiagonal()}).isZero(0.0);
+  return blocks;
+}
 
-SubmergedBody::Blocks::Blocks(const fossen::Matrix6& A)
-    : A11{A.topLeftCorner<3, 3>()},
-      A12{A.topRightCorner<3, 3>()},
-      A21{A.bottomLeftCorner<3, 3>()},
-      A22{A.bottomRightCorner<3, 3>()},
-      diagonal_1{A11.diagonal()},
-      diagonal_2{A22.diagonal()},
-      diagonal{(A - fossen::Matrix6{A.diagonal().asDiagonal()}).isZero(0.0)} {}
+lanes::BodyNumbers plain(const SubmergedBodyNumbers& numbers) {
+  lanes::BodyNumbers plain{.coriolis = blocks_of(coriolis_mass_of(numbers)),
+                           .inverse_mass = blocks_of(mass_of(numbers).inverse()),
+                           .weight = numbers.mass * fossen::gravity,
+                           .buoyancy = numbers.displaced_mass * fossen::gravity,
+                           .inverse_density = 1.0 / numbers.density};
+  std::ranges::copy(numbers.linear_damping, plain.linear_damping);
+  std::ranges::copy(numbers.quadratic_damping, plain.quadratic_damping);
+  std::ranges::copy(numbers.r_b, plain.r_b);
+  std::ranges::copy(Vec3{plain.weight * numbers.r_g}, plain.weight_r_g);
+  return plain;
+}
+
+}  // namespace
 
 SubmergedBody::SubmergedBody(const SubmergedBodyNumbers& numbers)
     : M_{mass_of(numbers)},
       M_C_{coriolis_mass_of(numbers)},
-      M_inverse_{M_.inverse()},
       D_l_{numbers.linear_damping},
       D_q_{numbers.quadratic_damping},
       r_g_{numbers.r_g},
-      r_b_{numbers.r_b},
-      weight_r_g_{numbers.mass * fossen::gravity * numbers.r_g},
-      weight_{numbers.mass * fossen::gravity},
-      buoyancy_{numbers.displaced_mass * fossen::gravity},
-      inverse_density_{1.0 / numbers.density} {}
-
-Vec3 SubmergedBody::carried(const VehicleState& x, const Water& water) noexcept {
-  return x.q_nb.conjugate() * water.current_rate_n;
-}
-
-fossen::Matrix6 SubmergedBody::coriolis_mass() const {
-  fossen::Matrix6 M;
-  M << M_C_.A11, M_C_.A12, M_C_.A21, M_C_.A22;
-  return M;
-}
+      numbers_{plain(numbers)} {}
 
 fossen::Vector6 SubmergedBody::level_restoring() const {
-  return fossen::restoring(weight_, buoyancy_, r_g_, r_b_, Vec3::UnitZ());
+  return fossen::restoring(numbers_.weight, numbers_.buoyancy, r_g_, Vec3{numbers_.r_b}, Vec3::UnitZ());
 }
 
 double SubmergedBody::energy(const VehicleState& x) const {
@@ -60,8 +58,8 @@ double SubmergedBody::energy(const VehicleState& x) const {
   nu << x.v_b, x.omega_b;
   const double kinetic = 0.5 * nu.dot(M_ * nu);
   const double depth_of_g = x.p_n.z() + (x.q_nb * r_g_).z();
-  const double depth_of_b = x.p_n.z() + (x.q_nb * r_b_).z();
-  return kinetic - weight_ * depth_of_g + buoyancy_ * depth_of_b;
+  const double depth_of_b = x.p_n.z() + (x.q_nb * Vec3{numbers_.r_b}).z();
+  return kinetic - numbers_.weight * depth_of_g + numbers_.buoyancy * depth_of_b;
 }
 
 }  // namespace fairway

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <utility>
-
 #include "fairway/dynamics/fossen.hpp"
+#include "fairway/dynamics/submerged_motion.hpp"
 
 namespace fairway {
 
@@ -49,51 +48,29 @@ class SubmergedBody {
  public:
   explicit SubmergedBody(const SubmergedBodyNumbers& numbers);
 
-  /// State derivative under the wrench `tau` of the actuators about CO [N, N m, body].
+  /// State derivative under the wrench `tau` of the actuators about CO [N, N m, body]. The equations stand in
+  /// submerged_motion.hpp.
   [[gnu::always_inline]] StateRate derivative(const VehicleState& x, const fossen::Vector6& tau,
                                               const Water& water) const noexcept {
-    return derivative(x, tau.head<3>(), tau.tail<3>(), water);
+    return derivative(x, lanes::PushOf<double>{Vec3{tau.head<3>()}, Vec3{tau.tail<3>()}}, water);
   }
-
-  /// The same, the wrench given as force [N, body] and moment about CO [N m, body].
-  [[gnu::always_inline]] StateRate derivative(const VehicleState& x, const Vec3& force, const Vec3& moment,
+  [[gnu::always_inline]] StateRate derivative(const VehicleState& x, const lanes::PushOf<double>& push,
                                               const Water& water) const noexcept {
-    const Vec3& omega = x.omega_b;
-    const double relative_density = water.density * inverse_density_;
-
-    // motion through the water: nu_r = [v; omega]
-    const fossen::Matrix3 R = fossen::rotation(x.q_nb);
-    const bool flows = water.current_n != Vec3::Zero();
-    const Vec3 v_c = flows ? Vec3{R.transpose() * water.current_n} : Vec3{Vec3::Zero()};
-    const Vec3 v = x.v_b - v_c;
-
-    // C(nu_r) nu_r = [omega x a; v x a + omega x b] from the momenta a, b
-    const auto [a, b] = M_C_.times(v, omega);
-    // D(nu_r) nu_r
-    const Vec3 drag = D_l_.head<3>() + D_q_.head<3>().cwiseProduct(v.cwiseAbs());
-    const Vec3 twist = D_l_.tail<3>() + D_q_.tail<3>().cwiseProduct(omega.cwiseAbs());
-    // g(eta)
-    const Vec3 down_b = R.row(2).transpose();
-    const double B = relative_density * buoyancy_;
-
-    const Vec3 f = force - omega.cross(a) - relative_density * drag.cwiseProduct(v) + (weight_ - B) * down_b;
-    const Vec3 m = moment - v.cross(a) - omega.cross(b) - relative_density * twist.cwiseProduct(omega) +
-                   (weight_r_g_ - B * r_b_).cross(down_b);
-    const auto [v_dot, omega_dot] = M_inverse_.times(f, m);
-
-    StateRate rate;
-    rate.p_n.noalias() = R * x.v_b;
-    rate.q_nb = fossen::quaternion_rate(x.q_nb, omega);
-    rate.v_b = v_dot;
-    if (flows) rate.v_b -= omega.cross(v_c);
-    if (water.current_rate_n != Vec3::Zero()) [[unlikely]]
-      rate.v_b += carried(x, water);
-    rate.omega_b = omega_dot;
-    return rate;
+    const Motion rate = lanes::rate_of(numbers_, motion_of(x), push, flow_of(water));
+    return {rate.p, {rate.q[1], rate.q[2], rate.q[3], rate.q[0]}, rate.v, rate.omega};
   }
 
-  const fossen::Matrix6& mass() const { return M_; }  ///< M = M_RB + M_A
-  fossen::Matrix6 coriolis_mass() const;              ///< the part of M whose momentum makes C(nu)
+  /// `x` one step of `h` [s] later by the classical Runge-Kutta method of order 4, under the same wrench all
+  /// the while; the quaternion is normalised after it.
+  [[gnu::always_inline]] VehicleState advanced(const VehicleState& x, const lanes::PushOf<double>& push,
+                                               const Water& water, double h) const noexcept {
+    const Motion y = lanes::stepped(numbers_, motion_of(x), push, flow_of(water), h);
+    return {y.p, {y.q[0], y.q[1], y.q[2], y.q[3]}, y.v, y.omega};
+  }
+
+  const lanes::BodyNumbers& numbers() const { return numbers_; }
+  const fossen::Matrix6& mass() const { return M_; }             ///< M = M_RB + M_A
+  const fossen::Matrix6& coriolis_mass() const { return M_C_; }  ///< the part of M whose momentum makes C(nu)
   const fossen::Vector6& linear_damping() const { return D_l_; }
   const fossen::Vector6& quadratic_damping() const { return D_q_; }
 
@@ -105,34 +82,22 @@ class SubmergedBody {
   double energy(const VehicleState& x) const;
 
  private:
-  /// R^T v_c' [m/s2, body]. Not inlined: that would cost still water 4 % of the step.
-  [[gnu::noinline, gnu::cold]] static Vec3 carried(const VehicleState& x, const Water& water) noexcept;
+  using Motion = lanes::MotionOf<double>;
 
-  /// A 6 x 6 matrix for products with two 3-vectors. Working in threes keeps values in registers; a diagonal
-  /// matrix (CO at the centre of gravity, principal axes) takes 6 products instead of 36.
-  struct Blocks {
-    fossen::Matrix3 A11, A12, A21, A22;
-    Vec3 diagonal_1, diagonal_2;
-    bool diagonal{};
-
-    explicit Blocks(const fossen::Matrix6& A);
-    std::pair<Vec3, Vec3> times(const Vec3& x, const Vec3& y) const noexcept {
-      if (diagonal) return {diagonal_1.cwiseProduct(x), diagonal_2.cwiseProduct(y)};
-      return {A11 * x + A12 * y, A21 * x + A22 * y};
-    }
-  };
+  static Motion motion_of(const VehicleState& x) {
+    return {x.p_n, {x.q_nb.w(), x.q_nb.x(), x.q_nb.y(), x.q_nb.z()}, x.v_b, x.omega_b};
+  }
+  static lanes::FlowOf<double> flow_of(const Water& water) {
+    return {water.current_n, water.current_rate_n, water.density, water.current_n != Vec3::Zero(),
+            water.current_rate_n != Vec3::Zero()};
+  }
 
   fossen::Matrix6 M_;
-  Blocks M_C_;
-  Blocks M_inverse_;
+  fossen::Matrix6 M_C_;
   fossen::Vector6 D_l_;
   fossen::Vector6 D_q_;
   Vec3 r_g_;
-  Vec3 r_b_;
-  Vec3 weight_r_g_;  // W r_g
-  double weight_;    // W
-  double buoyancy_;  // B in water of the numbers' density
-  double inverse_density_;
+  lanes::BodyNumbers numbers_;
 };
 
 }  // namespace fairway

@@ -1,16 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
 #include "fairway/dynamics/actuators.hpp"
 #include "fairway/dynamics/fin_drive.hpp"
 #include "fairway/dynamics/integrate.hpp"
+#include "fairway/dynamics/lanes/side_by_side.hpp"
 #include "fairway/dynamics/propulsion.hpp"
+#include "fairway/dynamics/submerged_body.hpp"
 #include "fairway/dynamics/vehicle_model.hpp"
 
 namespace fairway {
+
+/// A model that is a submerged body under a wrench of its actuators alone.
+template <class M>
+concept PushedBody = requires(const M& model, const ActuatorValues& u) {
+  { model.body() } -> std::convertible_to<const SubmergedBody&>;
+  { model.push(u) } -> std::same_as<lanes::PushOf<double>>;
+};
 
 /// Any vehicle model together with its state and the state of its actuators. A value: a copy is a snapshot,
 /// which shares the model, since that is constant. step() neither allocates nor throws.
@@ -43,6 +53,26 @@ class Vehicle {
     self_->advance(state_, actuators_.follow(command, h), water, h);
   }
 
+  /// What `step` is told, of one of several vehicles.
+  struct Errand {
+    Vehicle* vehicle;
+    const Eigen::VectorXd* command;  ///< of its actuators
+    Water water;
+  };
+
+  /// `step` of each, to the same bits: side by side those that come one after another, share their model, and
+  /// whose model can (lanes/kernel.hpp).
+  static void step_many(std::span<const Errand> errands, double h) noexcept {
+    while (!errands.empty()) {
+      const Interface& model = *errands.front().vehicle->self_;
+      const auto other =
+          std::ranges::find_if(errands, [&](const Errand& e) { return e.vehicle->self_.get() != &model; });
+      const auto alike = static_cast<std::size_t>(other - errands.begin());
+      model.advance_many(errands.first(alike), h);
+      errands = errands.subspan(alike);
+    }
+  }
+
   /// Moves the vehicle with the actuators held where they are.
   void drift(const Water& water, double h) noexcept { self_->advance(state_, actuators_.now(), water, h); }
 
@@ -62,6 +92,7 @@ class Vehicle {
     virtual const Propulsion* propulsion() const = 0;
     virtual const FinDrive* fin_drive() const = 0;
     virtual void advance(VehicleState&, const ActuatorValues&, const Water&, double h) const noexcept = 0;
+    virtual void advance_many(std::span<const Errand>, double h) const noexcept = 0;
     virtual StateRate rate(const VehicleState&, const ActuatorValues&, const Water&) const noexcept = 0;
     virtual double power(const ActuatorValues&) const noexcept = 0;
   };
@@ -83,8 +114,23 @@ class Vehicle {
                  double h) const noexcept override {
       if constexpr (requires { model.advanced(x, u, water, h); }) {
         x = model.advanced(x, u, water, h);
+      } else if constexpr (PushedBody<M>) {
+        x = model.body().advanced(x, model.push(u), water, h);
       } else {
         x = rk4(model, x, u, water, h);
+      }
+    }
+    void advance_many(std::span<const Errand> errands, double h) const noexcept override {
+      if constexpr (PushedBody<M>) {
+        SideBySide side_by_side{model.body(), h, errands.size()};
+        for (const Errand& errand : errands) {
+          Vehicle& vehicle = *errand.vehicle;
+          side_by_side.add(vehicle.state_, model.push(vehicle.actuators_.follow(*errand.command, h)),
+                           errand.water);
+        }
+        side_by_side.finish();
+      } else {
+        for (const Errand& errand : errands) errand.vehicle->step(*errand.command, errand.water, h);
       }
     }
     StateRate rate(const VehicleState& x, const ActuatorValues& u,

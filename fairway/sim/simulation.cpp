@@ -242,7 +242,7 @@ void Simulation::act(std::span<FrameSink* const> sinks) {
   }
   if (divergence_) return;
   show(sinks);
-  in_parts(Work<Stage::move, &Simulation::move>{});
+  in_parts(Work<Stage::move, &Simulation::move, &Simulation::move_together>{});
   sea_.advance(period_);
   tick_ = next(tick_);
 }
@@ -375,9 +375,19 @@ ActuatorValues Simulation::demanded(std::size_t index, Hand& hand) {
 
 void Simulation::move(std::size_t index, Hand& hand) {
   Agent& agent = agents_[index];
-  const VehicleState& x = agent.vehicle.state();
-  agent.vehicle.step(agent.demand, sea_.water_halfway(x, time(), period_), period_);
-  notice(index, why_impossible(x), next(tick_), hand);
+  Convoy& convoy = hand.convoy;
+  convoy.members[convoy.count] = index;
+  convoy.errands[convoy.count++] = {&agent.vehicle, &agent.demand,
+                                    sea_.water_halfway(agent.vehicle.state(), time(), period_)};
+  if (convoy.count == Convoy::most) move_together(hand);
+}
+
+void Simulation::move_together(Hand& hand) {
+  Convoy& convoy = hand.convoy;
+  Vehicle::step_many(std::span{convoy.errands}.first(convoy.count), period_);
+  for (const std::size_t index : std::span{convoy.members}.first(convoy.count))
+    notice(index, why_impossible(agents_[index].vehicle.state()), next(tick_), hand);
+  convoy.count = 0;
 }
 
 }  // namespace fairway

@@ -134,6 +134,15 @@ class Simulation {
     std::array<Sight, most> sights;  // of the members, where none are kept
   };
 
+  /// Those of a part who move together, in their order.
+  struct Convoy {
+    static constexpr std::size_t most = lanes::most_bodies;
+
+    std::size_t count{};
+    std::array<std::size_t, most> members;  // indices
+    std::array<Vehicle::Errand, most> errands;
+  };
+
   /// Whoever goes through parts of the fleet: what it finds, and memory to work in.
   struct Hand {
     std::vector<Heard> heard;           // by whoever decides, of those who speak
@@ -141,6 +150,7 @@ class Simulation {
     Link link;
     Sight passing;  // of whoever decides alone, where none is kept
     Company company;
+    Convoy convoy;
     std::vector<Near> near;
     int rendezvous_reached{};  // by all of its parts
     bool anyone_speaks{};      // likewise
@@ -171,6 +181,7 @@ class Simulation {
   void collect_words();
   void show(std::span<FrameSink* const> sinks);
   void move(std::size_t index, Hand& hand);
+  void move_together(Hand& hand);
   void notice(std::size_t index, std::string_view impossible, Tick when, Hand& hand);
 
   /// From outside, instead of what the avoider commands and, if there is a request, the pilot asks for.

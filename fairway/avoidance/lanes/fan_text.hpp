@@ -3,8 +3,8 @@
 
 #include <limits>
 
-#include "fairway/avoidance/lanes/pack.hpp"
 #include "fairway/avoidance/trackable/fan.hpp"
+#include "fairway/core/lanes/pack.hpp"
 
 /// What rolling out plans side by side is compiled from, as kernel_text.hpp.
 namespace fairway::lanes {

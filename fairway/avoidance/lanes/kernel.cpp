@@ -5,6 +5,7 @@
 
 #include "fairway/avoidance/lanes/fan_text.hpp"
 #include "fairway/avoidance/lanes/kernel_text.hpp"
+#include "fairway/core/lanes/registers.hpp"
 
 namespace fairway::lanes {
 
@@ -25,24 +26,10 @@ constexpr std::array all{&two_lanes, &avx2_kernel, &avx512_kernel};
 constexpr std::array all{&two_lanes};
 #endif
 
-std::size_t count_of_kernels() noexcept {
-#if defined(__x86_64__)
-  if (__builtin_cpu_supports("avx2") == 0) return 1;
-  return __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512dq") != 0 ? 3 : 2;
-#else
-  return 1;
-#endif
-}
-
 }  // namespace
 
-std::span<const Kernel* const> kernels() noexcept { return std::span{all}.first(count_of_kernels()); }
+std::span<const Kernel* const> kernels() noexcept { return std::span{all}.first(count_of_registers()); }
 
-const Kernel& kernel_for(std::size_t count) noexcept {
-  const std::span<const Kernel* const> ours = kernels();
-  for (const Kernel* kernel : ours)
-    if (kernel->lanes >= count) return *kernel;
-  return *ours.back();
-}
+const Kernel& kernel_for(std::size_t count) noexcept { return narrowest_for(count, kernels()); }
 
 }  // namespace fairway::lanes

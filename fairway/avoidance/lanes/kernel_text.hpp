@@ -4,8 +4,8 @@
 #include <limits>
 
 #include "fairway/avoidance/lanes/kernel.hpp"
-#include "fairway/avoidance/lanes/pack.hpp"
 #include "fairway/avoidance/orca3d/least_change.hpp"
+#include "fairway/core/lanes/pack.hpp"
 
 /// What each kernel is compiled from, with the flags of its registers. So
 /// nothing in here may be a function that a file with other flags has too: all

@@ -7,11 +7,11 @@
 
 #include "fairway/avoidance/command.hpp"
 #include "fairway/avoidance/lanes/kernel.hpp"
-#include "fairway/avoidance/lanes/number.hpp"
 #include "fairway/avoidance/orca_params.hpp"
 #include "fairway/avoidance/parting.hpp"
 #include "fairway/avoidance/situation.hpp"
 #include "fairway/avoidance/velocity_program/velocity_program.hpp"
+#include "fairway/core/lanes/number.hpp"
 
 /// Between situations and the columns of a kernel: one number of each column is at `at`, the next `width`
 /// numbers after it.

@@ -3,8 +3,8 @@
 
 #include <limits>
 
-#include "fairway/avoidance/lanes/number.hpp"
 #include "fairway/avoidance/velocity_program/incremental.hpp"
+#include "fairway/core/lanes/number.hpp"
 
 /// The half-spaces of ORCA, for one neighbour or for one of each of several vehicles (lanes/number.hpp).
 /// What they are stands in half_space.hpp.

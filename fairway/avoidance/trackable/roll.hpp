@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <limits>
 
-#include "fairway/avoidance/lanes/number.hpp"
 #include "fairway/core/angles.hpp"
+#include "fairway/core/lanes/number.hpp"
 
 /// How a vehicle moves that keeps to a plan, written once for one plan and for several side by side: `Real`
 /// is a number or a pack of them (lanes/number.hpp), to the same bits.

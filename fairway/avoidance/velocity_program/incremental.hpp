@@ -5,7 +5,7 @@
 #include <limits>
 #include <span>
 
-#include "fairway/avoidance/lanes/number.hpp"
+#include "fairway/core/lanes/number.hpp"
 
 /// The incremental programs behind velocity_program.hpp, for one program or for several of as many
 /// half-spaces side by side (lanes/number.hpp): a program of fewer has `HalfSpaceOf::everything()` for the

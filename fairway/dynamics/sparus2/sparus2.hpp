@@ -102,10 +102,14 @@ class Sparus2 {
 
   [[gnu::always_inline]] StateRate derivative(const VehicleState& x, const ActuatorValues& u,
                                               const Water& water) const noexcept {
-    // the two surge thrusters are mirror images; the heave thruster sits on the z axis and turns nothing
+    return body_.derivative(x, push(u), water);
+  }
+
+  /// What the actuators push with: the two surge thrusters are mirror images, and the heave thruster sits on
+  /// the z axis and turns nothing.
+  [[gnu::always_inline]] lanes::PushOf<double> push(const ActuatorValues& u) const noexcept {
     const double heave = u[0], port = u[1], starboard = u[2];
-    return body_.derivative(x, {port + starboard, 0.0, heave}, {0.0, 0.0, surge_arm_ * (port - starboard)},
-                            water);
+    return {{port + starboard, 0.0, heave}, {0.0, 0.0, surge_arm_ * (port - starboard)}};
   }
 
   /// The power of ideal actuator disks of the propellers' diameter [W], a lower bound of the electrical

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "fairway/avoidance/lanes/number.hpp"
+#include "fairway/core/lanes/number.hpp"
 
 #if defined(__x86_64__)
 #include <immintrin.h>

@@ -77,6 +77,18 @@ VecOf<Real> select(const MaskOf<Real>& mask, const VecOf<Real>& yes, const VecOf
   return {select(mask, yes.x(), no.x()), select(mask, yes.y(), no.y()), select(mask, yes.z(), no.z())};
 }
 
+/// Each number of one times that of the other.
+template <class Real>
+VecOf<Real> by_axis(const VecOf<Real>& a, const VecOf<Real>& b) {
+  return {a.x() * b.x(), a.y() * b.y(), a.z() * b.z()};
+}
+
+/// Of each number.
+template <class Real>
+VecOf<Real> magnitude(const VecOf<Real>& a) {
+  return {magnitude(a.x()), magnitude(a.y()), magnitude(a.z())};
+}
+
 /// Sums in Eigen's order, a Vec3's first number last.
 template <class Real>
 Real dot(const VecOf<Real>& a, const VecOf<Real>& b) {

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "fairway/core/lanes/pack.hpp"
+#include "fairway/dynamics/lanes/kernel.hpp"
+#include "fairway/dynamics/submerged_motion.hpp"
+
+/// What each kernel is compiled from, with the flags of its registers. So nothing in here may be a function
+/// that a file with other flags has too: all are templates of `Pack<N>`, and no two files have the same N.
+namespace fairway::lanes {
+
+template <std::size_t N>
+VecOf<Pack<N>> three_at(const double* columns) {
+  return {Pack<N>::from(columns), Pack<N>::from(columns + N), Pack<N>::from(columns + 2 * N)};
+}
+
+template <std::size_t N>
+void write_three(const VecOf<Pack<N>>& v, double* columns) {
+  v.x().to(columns);
+  v.y().to(columns + N);
+  v.z().to(columns + 2 * N);
+}
+
+template <std::size_t N>
+void step_in_lanes(const BodyNumbers& body, Bodies& bodies) {
+  using Real = Pack<N>;
+  double* at = bodies.motion;
+  MotionOf<Real> x{three_at<N>(at), {}, three_at<N>(at + 7 * N), three_at<N>(at + 10 * N)};
+  for (std::size_t i = 0; i < 4; ++i) x.q[i] = Real::from(at + (3 + i) * N);
+  const PushOf<Real> push{three_at<N>(bodies.push), three_at<N>(bodies.push + 3 * N)};
+  const FlowOf<Real> water{three_at<N>(bodies.water), three_at<N>(bodies.water + 3 * N),
+                           Real::from(bodies.water + 6 * N), bodies.flows, bodies.accelerates};
+  const MotionOf<Real> y = stepped(body, x, push, water, bodies.h);
+  write_three<N>(y.p, at);
+  for (std::size_t i = 0; i < 4; ++i) y.q[i].to(at + (3 + i) * N);
+  write_three<N>(y.v, at + 7 * N);
+  write_three<N>(y.omega, at + 10 * N);
+}
+
+}  // namespace fairway::lanes
