@@ -102,6 +102,7 @@ ActuatorValues VelocityController::share_in_turn(std::array<double, 4>& missing)
         const double change = missing[i] * push[k];
         if (change == 0.0) continue;
         const double left = (change > 0.0 ? thrusters_.highest(k) : thrusters_.lowest(k)) - u[k];
+        if (change > 0.0 ? change <= left : change >= left) continue;
         scale = std::min(scale, std::max(0.0, left / change));
       }
       for (Eigen::Index k = 0; k < u.size(); ++k) u[k] += scale * (missing[i] * push[k]);

@@ -18,6 +18,14 @@ Vec3 place_of(const Message& message, const Scene& scene) {
   return message.position + age_of(message, scene) * message.velocity;
 }
 
+/// Makes the covariances zero. Mostly they are, and to see that takes less than to write eighteen numbers: of
+/// one that is not, something stands on the diagonal.
+void forget_errors(Track& track) {
+  if (track.position_covariance.trace() + track.velocity_covariance.trace() == 0.0) return;
+  track.position_covariance.setZero();
+  track.velocity_covariance.setZero();
+}
+
 /// Makes `track` that of what is seen.
 void write(const Mover& mover, Track& track) {
   track = {.id = mover.id,
@@ -44,8 +52,7 @@ void write(const Message& message, const Scene& scene, Track& track) {
   track.destination = message.destination;
   track.reacts = true;
   if (drift == 0.0) {  // as always where all is told at once
-    track.position_covariance.setZero();
-    track.velocity_covariance.setZero();
+    forget_errors(track);
   } else {
     track.position_covariance = 0.25 * age * age * drift * drift * Mat3::Identity();
     track.velocity_covariance = drift * drift * Mat3::Identity();
