@@ -122,7 +122,7 @@ class Vehicle {
     }
     void advance_many(std::span<const Errand> errands, double h) const noexcept override {
       if constexpr (PushedBody<M>) {
-        SideBySide side_by_side{model.body(), h, errands.size()};
+        SideBySide side_by_side{model.body(), h, lanes::motion_kernel_for(errands.size())};
         for (const Errand& errand : errands) {
           Vehicle& vehicle = *errand.vehicle;
           side_by_side.add(vehicle.state_, model.push(vehicle.actuators_.follow(*errand.command, h)),

@@ -15,9 +15,14 @@ extern const Kernel avx2_kernel, avx512_kernel;  // kernel_avx2.cpp, kernel_avx5
 
 namespace {
 
-constexpr Kernel two_lanes{
-    "two lanes",     2, half_spaces_in_lanes<2>, decide_in_lanes<2>, within_in_lanes<2>, order_in_lanes<2>,
-    roll_in_lanes<2>};
+constexpr Kernel two_lanes{"two lanes",
+                           2,
+                           half_spaces_in_lanes<2>,
+                           decide_in_lanes<2>,
+                           choose_in_lanes<2>,
+                           within_in_lanes<2>,
+                           order_in_lanes<2>,
+                           roll_in_lanes<2>};
 
 // addresses are known before anything runs: a decision waits for no initialisation
 #if defined(__x86_64__)

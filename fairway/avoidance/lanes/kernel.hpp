@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 namespace fairway::trackable {
@@ -40,6 +41,18 @@ struct Crowd {
   alignas(64) double others[most_in_lanes * columns * most_lanes];  ///< `columns` for each neighbour
 };
 
+/// Velocity programs side by side.
+struct Programs {
+  /// The offset of a half-space without a normal that forbids nothing.
+  static constexpr double nothing = -std::numeric_limits<double>::infinity();
+
+  std::size_t half_spaces{};  ///< at most `most_in_lanes`; of a program with fewer, some forbid nothing
+  std::size_t stride{};       ///< from column to column
+  const double* allowed{};    ///< four columns for each half-space: normal and offset [m/s]
+  const double* preferred{};  ///< three columns [m/s]
+  double max_speed{};         ///< [m/s]
+};
+
 /// Points that are near: two columns with room for `most_lanes` more than there can be.
 struct Found {
   double* distances2;  ///< [m2]
@@ -62,6 +75,9 @@ struct Kernel {
   /// The velocities that `lanes` vehicles choose, in three columns, and in a
   /// fourth by how much they violate the worst half-space [m/s], zero if none.
   void (*decide)(const Crowd& crowd, double* answer);
+
+  /// The velocities that `lanes` programs come to, as `nearest_velocity` does, in three columns.
+  void (*choose)(const Programs& programs, double* answer);
 
   /// Of the points `begin` to `end` - 1 of four columns, place and number, those within the distance whose
   /// square is `reach2` [m2] from `place`: adds them to `found`, which has `count`, in their order, and

@@ -8,9 +8,14 @@
 namespace fairway::lanes {
 
 extern const Kernel avx2_kernel;
-constexpr Kernel avx2_kernel{
-    "AVX2",          4, half_spaces_in_lanes<4>, decide_in_lanes<4>, within_in_lanes<4>, order_in_lanes<4>,
-    roll_in_lanes<4>};
+constexpr Kernel avx2_kernel{"AVX2",
+                             4,
+                             half_spaces_in_lanes<4>,
+                             decide_in_lanes<4>,
+                             choose_in_lanes<4>,
+                             within_in_lanes<4>,
+                             order_in_lanes<4>,
+                             roll_in_lanes<4>};
 
 }  // namespace fairway::lanes
 #endif

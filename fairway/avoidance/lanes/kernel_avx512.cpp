@@ -8,9 +8,14 @@
 namespace fairway::lanes {
 
 extern const Kernel avx512_kernel;
-constexpr Kernel avx512_kernel{
-    "AVX-512",       8, half_spaces_in_lanes<8>, decide_in_lanes<8>, within_in_lanes<8>, order_in_lanes<8>,
-    roll_in_lanes<8>};
+constexpr Kernel avx512_kernel{"AVX-512",
+                               8,
+                               half_spaces_in_lanes<8>,
+                               decide_in_lanes<8>,
+                               choose_in_lanes<8>,
+                               within_in_lanes<8>,
+                               order_in_lanes<8>,
+                               roll_in_lanes<8>};
 
 }  // namespace fairway::lanes
 #endif

@@ -77,6 +77,25 @@ void decide_in_lanes(const Crowd &crowd, double *answer) {
 }
 
 template <std::size_t N>
+void choose_in_lanes(const Programs &programs, double *answer) {
+  using Real = Pack<N>;
+  const std::size_t stride = programs.stride;
+  const auto vector = [&](const double *at) {
+    return VecOf<Real>{Real::from(at), Real::from(at + stride), Real::from(at + 2 * stride)};
+  };
+  HalfSpaceOf<Real> half_spaces[most_in_lanes], room[most_in_lanes];
+  for (std::size_t k = 0; k < programs.half_spaces; ++k) {
+    const double *at = programs.allowed + k * 4 * stride;
+    half_spaces[k] = {vector(at), Real::from(at + 3 * stride)};
+  }
+  const Real zero{0.0};
+  VecOf<Real> v;
+  nearest_velocity<Real>({half_spaces, programs.half_spaces}, vector(programs.preferred),
+                         Real{programs.max_speed}, zero <= zero, room, v);
+  write_vector<N>(v, answer);
+}
+
+template <std::size_t N>
 std::size_t within_in_lanes(const double *const *columns, std::size_t begin, std::size_t end,
                             const double *place, double reach2, const Found &found, std::size_t count) {
   using Real = Pack<N>;

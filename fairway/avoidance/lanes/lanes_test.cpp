@@ -161,6 +161,37 @@ TEST(Lanes, EachVehicleDecidesAsItDoesAlone) {
   }
 }
 
+TEST(Lanes, EachProgramComesToWhatItComesToAlone) {
+  constexpr std::size_t stride = 16;
+  constexpr double max_speed = 0.7;
+  for (const Kernel* each : kernels()) {
+    const std::size_t width = each->lanes;
+    for (std::uint64_t i = 0; i < 4000; i += width) {
+      std::vector<std::array<double, stride>> allowed(4 * 13), preferred(3);
+      std::vector<Vec3> expected;
+      for (std::size_t lane = 0; lane < width; ++lane) {
+        const OwnedSituation e = drawn(i + lane);
+        const Situation s = e;
+        const std::vector<HalfSpace> half_spaces = alone(s).half_spaces;
+        for (std::size_t k = 0; k < 13; ++k) {
+          const HalfSpace h = k < half_spaces.size() ? half_spaces[k] : HalfSpace::everything();
+          const std::array numbers{h.normal.x(), h.normal.y(), h.normal.z(), h.offset};
+          for (std::size_t c = 0; c < 4; ++c) allowed[4 * k + c][lane] = numbers[c];
+        }
+        const Vec3 wanted = s.preferred_velocity();
+        for (std::size_t c = 0; c < 3; ++c) preferred[c][lane] = wanted[static_cast<Eigen::Index>(c)];
+        expected.push_back(fairway::nearest_velocity(half_spaces, wanted, max_speed).velocity);
+      }
+      alignas(64) std::array<double, 3 * most_lanes> answer;
+      each->choose({13, stride, allowed[0].data(), preferred[0].data(), max_speed}, answer.data());
+      for (std::size_t lane = 0; lane < width; ++lane)
+        EXPECT_EQ(bits_of({answer[lane], answer[width + lane], answer[2 * width + lane]}, 0.0),
+                  bits_of(expected[lane], 0.0))
+            << each->name << ", scene " << i + lane;
+    }
+  }
+}
+
 /// Places on a coarse lattice, so that many are equally far, and their numbers.
 std::array<std::vector<double>, 4> lattice(std::size_t count, Rng rng) {
   std::array<std::vector<double>, 4> columns;

@@ -21,8 +21,8 @@ void write(double* at, std::size_t width, const Values&... values) {
 
 }  // namespace
 
-SideBySide::SideBySide(const SubmergedBody& body, double h, std::size_t count)
-    : body_{body}, kernel_{lanes::motion_kernel_for(count)} {
+SideBySide::SideBySide(const SubmergedBody& body, double h, const lanes::MotionKernel& kernel) noexcept
+    : body_{body}, kernel_{kernel} {
   bodies_.h = h;
 }
 

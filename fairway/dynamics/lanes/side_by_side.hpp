@@ -12,8 +12,7 @@ namespace fairway {
 /// bits of SubmergedBody::advanced. On the stack; allocates nothing.
 class SideBySide {
  public:
-  /// Of about `count` bodies.
-  SideBySide(const SubmergedBody& body, double h, std::size_t count);
+  SideBySide(const SubmergedBody& body, double h, const lanes::MotionKernel& kernel) noexcept;
 
   /// `x` is moved by and by, at the latest by `finish`.
   void add(VehicleState& x, const lanes::PushOf<double>& push, const Water& water) noexcept;

@@ -20,8 +20,19 @@ Vec3 in_body_axes(const Vec3& v_n, double yaw) {
 
 using LibraryAgents = std::array<OrcaAsCoded::LibraryAgent, 2 * max_team>;
 
+/// Those inside the library whom somebody has heard of.
+struct Known {
+  std::array<OrcaAsCoded::LibraryAgent*, 2 * max_team> all;
+  std::size_t count{};
+
+  explicit Known(LibraryAgents& agents) {
+    for (OrcaAsCoded::LibraryAgent& agent : agents)
+      if (agent.known) all[count++] = &agent;
+  }
+};
+
 struct Pair {
-  std::size_t a, b;  ///< slots; a < b
+  std::size_t a, b;  ///< of those known; a < b
 };
 
 struct Pairs {
@@ -29,38 +40,42 @@ struct Pairs {
   std::size_t count{};
 };
 
-Pairs near_pairs(const LibraryAgents& agents, double range) {
-  std::array<std::size_t, 2 * max_team> known;
-  std::size_t count = 0;
+Pairs near_pairs(const Known& known, double range) {
   Pairs pairs;
-  for (std::size_t i = 0; i < agents.size(); ++i)
-    if (agents[i].known) known[count++] = i;
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t a = known[i];
-    for (std::size_t k = i + 1; k < count; ++k) {
-      const Vec3 p = agents[known[k]].position - agents[a].position;
-      if (p.squaredNorm() < range * range) pairs.all[pairs.count++] = {a, known[k]};
+  for (std::size_t a = 0; a < known.count; ++a) {
+    for (std::size_t b = a + 1; b < known.count; ++b) {
+      const Vec3 p = known.all[b]->position - known.all[a]->position;
+      if (p.squaredNorm() < range * range) pairs.all[pairs.count++] = {a, b};
     }
   }
   return pairs;
 }
 
-/// What each agent's neighbours leave it.
+/// What their neighbours leave those known, side by side.
 struct Allowed {
-  std::array<std::array<HalfSpace, 2 * max_team>, 2 * max_team> half_spaces;
   std::array<std::size_t, 2 * max_team> counts{};
+  alignas(64) double half_spaces[2 * max_team - 1][4][2 * max_team];
 
-  void add(std::size_t agent, const HalfSpace& half_space) {
-    half_spaces[agent][counts[agent]++] = half_space;
+  void add(std::size_t agent, const Vec3& normal, double offset) {
+    auto& columns = half_spaces[counts[agent]++];
+    columns[0][agent] = normal.x();
+    columns[1][agent] = normal.y();
+    columns[2][agent] = normal.z();
+    columns[3][agent] = offset;
   }
-  std::span<const HalfSpace> of(std::size_t agent) const {
-    return std::span{half_spaces[agent]}.first(counts[agent]);
+
+  /// Gives each of the first `agents` as many as the one has who has most.
+  std::size_t even_out(std::size_t agents) {
+    const std::size_t most = *std::ranges::max_element(counts);
+    for (std::size_t agent = 0; agent < agents; ++agent)
+      while (counts[agent] < most) add(agent, Vec3::Zero(), lanes::Programs::nothing);
+    return most;
   }
 };
 
 /// One of a pair is to change as the other is, the other way round: it is reckoned once for both, of as many
 /// pairs at a time as there are lanes, as if the first stood still at the origin and took all of the change.
-void allow(const Pairs& pairs, const LibraryAgents& agents, double radius, const OrcaAsCoded::Params& params,
+void allow(const Pairs& pairs, const Known& known, double radius, const OrcaAsCoded::Params& params,
            Allowed& allowed) {
   const lanes::Kernel& kernel = lanes::kernel_for(pairs.count);
   const std::size_t width = kernel.lanes;
@@ -72,7 +87,7 @@ void allow(const Pairs& pairs, const LibraryAgents& agents, double radius, const
     const std::size_t here = std::min(width, pairs.count - first);
     for (std::size_t lane = 0; lane < width; ++lane) {
       const Pair& pair = pairs.all[first + std::min(lane, here - 1)];
-      const OrcaAsCoded::LibraryAgent &a = agents[pair.a], &b = agents[pair.b];
+      const OrcaAsCoded::LibraryAgent &a = *known.all[pair.a], &b = *known.all[pair.b];
       orca::write_columns(b.position - a.position, b.velocity - a.velocity, radius, 1.0, width,
                           others.data() + lane);
     }
@@ -82,9 +97,28 @@ void allow(const Pairs& pairs, const LibraryAgents& agents, double radius, const
       const auto [a, b] = pairs.all[first + lane];
       const Vec3 normal{change[lane], change[width + lane], change[2 * width + lane]};
       const double half = 0.5 * change[3 * width + lane];
-      allowed.add(a, {normal, normal.dot(agents[a].velocity) + half});
-      allowed.add(b, {-normal, half - normal.dot(agents[b].velocity)});
+      allowed.add(a, normal, normal.dot(known.all[a]->velocity) + half);
+      allowed.add(b, -normal, half - normal.dot(known.all[b]->velocity));
     }
+  }
+}
+
+/// Has all of them choose, as many at a time as there are lanes.
+void choose(const Known& known, Allowed& allowed, double max_speed) {
+  constexpr std::size_t most = 2 * max_team;
+  const lanes::Kernel& kernel = lanes::kernel_for(known.count);
+  alignas(64) std::array<double, 3 * most> preferred{};
+  alignas(64) std::array<double, 3 * lanes::most_lanes> chosen;
+  for (std::size_t i = 0; i < known.count; ++i)
+    for (std::size_t c = 0; c < 3; ++c)
+      preferred[c * most + i] = known.all[i]->preferred[static_cast<Eigen::Index>(c)];
+  const std::size_t width = kernel.lanes;
+  const std::size_t half_spaces = allowed.even_out((known.count + width - 1) / width * width);
+  for (std::size_t first = 0; first < known.count; first += width) {
+    kernel.choose({half_spaces, most, allowed.half_spaces[0][0] + first, preferred.data() + first, max_speed},
+                  chosen.data());
+    for (std::size_t lane = 0; lane < std::min(width, known.count - first); ++lane)
+      known.all[first + lane]->velocity = {chosen[lane], chosen[width + lane], chosen[2 * width + lane]};
   }
 }
 
@@ -130,25 +164,22 @@ Command ApfAsCoded::decide(const Situation& s, Memory& memory, Context&) const n
 }
 
 void OrcaAsCoded::step_library(Memory& memory, const Situation& s) const noexcept {
-  Allowed allowed;
-  allow(near_pairs(memory.agents, params.crit_dist_m), memory.agents, s.own.radius, params, allowed);
-
   // everyone in the library chooses on the same instant
-  for (std::size_t i = 0; i < memory.agents.size(); ++i) {
-    LibraryAgent& agent = memory.agents[i];
-    if (!agent.known) continue;
-    agent.velocity = nearest_velocity(allowed.of(i), agent.preferred, s.goal.cruise_speed).velocity;
-  }
+  const Known known{memory.agents};
+  Allowed allowed;
+  allow(near_pairs(known, params.crit_dist_m), known, s.own.radius, params, allowed);
+  choose(known, allowed, s.goal.cruise_speed);
 
   // and moves, until its own next message puts it back
-  for (LibraryAgent& agent : memory.agents)
-    if (agent.known) agent.position += params.time_step_s * agent.velocity;
+  for (LibraryAgent* agent : std::span{known.all}.first(known.count))
+    agent->position += params.time_step_s * agent->velocity;
 }
 
 Command OrcaAsCoded::decide(const Situation& s, Memory& memory, Context& context) const noexcept {
   LibraryAgent& own = memory.agents[slot(number(s.own.id))];
   const double speed = s.goal.cruise_speed;
   const Vec3 own_velocity = in_body_axes(s.own.velocity, s.own.yaw);
+  const LibraryAgent told{s.own.position, own_velocity, speed * unit(s.goal.position - s.own.position), true};
   bool anyone_near = false;
 
   for (const std::size_t i : memory.order.of(s.tracks, context.rng)) {
@@ -160,8 +191,7 @@ Command OrcaAsCoded::decide(const Situation& s, Memory& memory, Context& context
     neighbour.position = track.position;
     neighbour.velocity = in_body_axes(track.velocity, track.yaw);
     neighbour.known = true;
-    own = {s.own.position, own_velocity, speed * unit(s.goal.position - s.own.position), true};
-
+    own = told;
     step_library(memory, s);
   }
   const Vec3 velocity = s.tracks.empty() ? s.preferred_velocity() : own.velocity;
