@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <utility>
 
@@ -121,17 +122,23 @@ class Vehicle {
       }
     }
     void advance_many(std::span<const Errand> errands, double h) const noexcept override {
+      const lanes::MotionKernel& kernel = lanes::motion_kernel_for(errands.size());
       if constexpr (PushedBody<M>) {
-        SideBySide side_by_side{model.body(), h, lanes::motion_kernel_for(errands.size())};
-        for (const Errand& errand : errands) {
-          Vehicle& vehicle = *errand.vehicle;
-          side_by_side.add(vehicle.state_, model.push(vehicle.actuators_.follow(*errand.command, h)),
-                           errand.water);
-        }
-        side_by_side.finish();
+        go(errands, h, SideBySide{model.body(), h, kernel},
+           [&](const ActuatorValues& u) { return model.push(u); });
+      } else if constexpr (requires { typename M::SideBySide; }) {
+        go(errands, h, typename M::SideBySide{model, h, kernel}, std::identity{});
       } else {
         for (const Errand& errand : errands) errand.vehicle->step(*errand.command, errand.water, h);
       }
+    }
+    static void go(std::span<const Errand> errands, double h, auto&& side_by_side,
+                   const auto& under) noexcept {
+      for (const Errand& errand : errands) {
+        Vehicle& vehicle = *errand.vehicle;
+        side_by_side.add(vehicle.state_, under(vehicle.actuators_.follow(*errand.command, h)), errand.water);
+      }
+      side_by_side.finish();
     }
     StateRate rate(const VehicleState& x, const ActuatorValues& u,
                    const Water& water) const noexcept override {

@@ -14,7 +14,7 @@ extern const MotionKernel avx2_motion, avx512_motion;  // kernel_avx2.cpp, kerne
 
 namespace {
 
-constexpr MotionKernel two_lanes{"two lanes", 2, step_in_lanes<2>};
+constexpr MotionKernel two_lanes{"two lanes", 2, step_in_lanes<2>, step_level_in_lanes<2>};
 
 #if defined(__x86_64__)
 constexpr std::array all{&two_lanes, &avx2_motion, &avx512_motion};

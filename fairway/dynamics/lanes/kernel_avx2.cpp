@@ -6,7 +6,7 @@
 namespace fairway::lanes {
 
 extern const MotionKernel avx2_motion;
-constexpr MotionKernel avx2_motion{"AVX2", 4, step_in_lanes<4>};
+constexpr MotionKernel avx2_motion{"AVX2", 4, step_in_lanes<4>, step_level_in_lanes<4>};
 
 }  // namespace fairway::lanes
 #endif

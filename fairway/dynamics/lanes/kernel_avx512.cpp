@@ -6,7 +6,7 @@
 namespace fairway::lanes {
 
 extern const MotionKernel avx512_motion;
-constexpr MotionKernel avx512_motion{"AVX-512", 8, step_in_lanes<8>};
+constexpr MotionKernel avx512_motion{"AVX-512", 8, step_in_lanes<8>, step_level_in_lanes<8>};
 
 }  // namespace fairway::lanes
 #endif

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "fairway/core/lanes/pack.hpp"
+#include "fairway/dynamics/kinematic/level_motion.hpp"
 #include "fairway/dynamics/lanes/kernel.hpp"
 #include "fairway/dynamics/submerged_motion.hpp"
 
@@ -24,17 +25,30 @@ void write_three(const VecOf<Pack<N>>& v, double* columns) {
 template <std::size_t N>
 void step_in_lanes(const BodyNumbers& body, Bodies& bodies) {
   using Real = Pack<N>;
-  double* at = bodies.motion;
+  double* at = bodies.motion.numbers;
+  const double *push = bodies.push.numbers, *water = bodies.water.numbers;
   MotionOf<Real> x{three_at<N>(at), {}, three_at<N>(at + 7 * N), three_at<N>(at + 10 * N)};
   for (std::size_t i = 0; i < 4; ++i) x.q[i] = Real::from(at + (3 + i) * N);
-  const PushOf<Real> push{three_at<N>(bodies.push), three_at<N>(bodies.push + 3 * N)};
-  const FlowOf<Real> water{three_at<N>(bodies.water), three_at<N>(bodies.water + 3 * N),
-                           Real::from(bodies.water + 6 * N), bodies.flows, bodies.accelerates};
-  const MotionOf<Real> y = stepped(body, x, push, water, bodies.h);
+  const MotionOf<Real> y = stepped<Real>(body, x, {three_at<N>(push), three_at<N>(push + 3 * N)},
+                                         {three_at<N>(water), three_at<N>(water + 3 * N),
+                                          Real::from(water + 6 * N), bodies.flows, bodies.accelerates},
+                                         bodies.h);
   write_three<N>(y.p, at);
   for (std::size_t i = 0; i < 4; ++i) y.q[i].to(at + (3 + i) * N);
   write_three<N>(y.v, at + 7 * N);
   write_three<N>(y.omega, at + 10 * N);
+}
+
+template <std::size_t N>
+void step_level_in_lanes(const LevelNumbers& numbers, LevelBodies& bodies) {
+  using Real = Pack<N>;
+  double* at = bodies.motion.numbers;
+  const double* setpoint = bodies.setpoint.numbers;
+  LevelOf<Real> x;
+  for (std::size_t i = 0; i < level_size; ++i) x[i] = Real::from(at + i * N);
+  const LevelOf<Real> y =
+      stepped<Real>(numbers, x, {three_at<N>(setpoint), Real::from(setpoint + 3 * N)}, bodies.h);
+  for (std::size_t i = 0; i < level_size; ++i) y[i].to(at + i * N);
 }
 
 }  // namespace fairway::lanes

@@ -12,7 +12,10 @@ namespace fairway {
 /// bits of SubmergedBody::advanced. On the stack; allocates nothing.
 class SideBySide {
  public:
-  SideBySide(const SubmergedBody& body, double h, const lanes::MotionKernel& kernel) noexcept;
+  SideBySide(const SubmergedBody& body, double h, const lanes::MotionKernel& kernel) noexcept
+      : body_{body}, kernel_{kernel} {
+    bodies_.h = h;
+  }
 
   /// `x` is moved by and by, at the latest by `finish`.
   void add(VehicleState& x, const lanes::PushOf<double>& push, const Water& water) noexcept;
