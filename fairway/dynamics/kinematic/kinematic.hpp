@@ -97,11 +97,11 @@ class Kinematic {
     void finish() noexcept;
 
    private:
+    lanes::LevelBodies bodies_;
     const Kinematic& model_;
     const lanes::MotionKernel& kernel_;
-    lanes::LevelBodies bodies_;
-    std::array<VehicleState*, lanes::most_bodies> states_;
     std::size_t count_ = 0;
+    std::array<VehicleState*, lanes::most_bodies> states_;
   };
 
   /// Nothing is known about its drive: 0.

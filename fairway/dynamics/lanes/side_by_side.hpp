@@ -22,11 +22,11 @@ class SideBySide {
   void finish() noexcept;
 
  private:
+  lanes::Bodies bodies_;
   const SubmergedBody& body_;
   const lanes::MotionKernel& kernel_;
-  lanes::Bodies bodies_;
-  std::array<VehicleState*, lanes::most_bodies> states_;
   std::size_t count_ = 0;
+  std::array<VehicleState*, lanes::most_bodies> states_;
 };
 
 }  // namespace fairway
