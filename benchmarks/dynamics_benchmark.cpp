@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <benchmark/benchmark.h>
 
+#include <vector>
+
 #include "fairway/control/autopilot.hpp"
 #include "fairway/dynamics/catalog.hpp"
 #include "fairway/dynamics/kinematic/kinematic.hpp"
@@ -43,6 +45,22 @@ BENCHMARK_CAPTURE(vehicle_step, minerva, "minerva");
 BENCHMARK_CAPTURE(vehicle_step, minerva_transport, "minerva_transport");
 BENCHMARK_CAPTURE(vehicle_step, otter, "otter");
 BENCHMARK_CAPTURE(vehicle_step, remus100, "remus100");
+
+/// The same of eight vehicles together, in lanes: still water; the time is of all eight.
+void eight_together(benchmark::State& bench, std::string_view name) {
+  std::vector<Vehicle> vehicles(8, builtin_vehicles().make(name));
+  const Eigen::VectorXd command =
+      Eigen::VectorXd::Constant(static_cast<Eigen::Index>(vehicles[0].actuators().size()), 2.0);
+  std::vector<Vehicle::Errand> errands;
+  for (Vehicle& vehicle : vehicles) errands.push_back({&vehicle, &command, Water{}});
+  for (auto _ : bench) {
+    Vehicle::step_many(errands, h);
+    benchmark::DoNotOptimize(vehicles.data());
+  }
+}
+BENCHMARK_CAPTURE(eight_together, sparus2, "sparus2");
+BENCHMARK_CAPTURE(eight_together, kinematic, "kinematic");
+BENCHMARK_CAPTURE(eight_together, otter, "otter");
 
 /// One call of the autopilot, the request below (0.5 m/s) or far above (5 m/s) what thrusters give.
 void autopilot_call(benchmark::State& bench, std::string_view name, double surge_mps) {

@@ -162,10 +162,10 @@ ScenarioText scenario_of(const py::object& given) {
   refuse("scenario", "a Scenario or the path of a file", given);
 }
 
-ScenarioText::ScenarioText(std::string yaml, std::string file, Overrides overrides,
+ScenarioText::ScenarioText(const std::string& yaml, std::string file, Overrides overrides,
                            std::optional<std::uint64_t> seed)
-    : yaml_{std::move(yaml)},
-      file_{std::move(file)},
+    : file_{std::move(file)},
+      document_{yaml, file_},
       overrides_{std::move(overrides)},
       seed_{seed},
       scenario_{read(seed_)} {}
@@ -180,7 +180,7 @@ ScenarioText ScenarioText::load(const std::string& file, Overrides overrides,
 }
 
 Scenario ScenarioText::read(std::optional<std::uint64_t> seed) const {
-  Scenario scenario = parse_scenario(yaml_, file_, overrides_, seed);
+  Scenario scenario = document_.scenario(overrides_, seed);
   if (algorithm_.empty()) return scenario;
   for (VehicleSpec& vehicle : scenario.vehicles) {
     if (vehicle.avoider.name == algorithm_) {

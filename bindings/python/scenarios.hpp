@@ -16,7 +16,8 @@ namespace fairway::python {
 class ScenarioText {
  public:
   /// Throws InputError as parse_scenario().
-  ScenarioText(std::string yaml, std::string file, Overrides overrides, std::optional<std::uint64_t> seed);
+  ScenarioText(const std::string& yaml, std::string file, Overrides overrides,
+               std::optional<std::uint64_t> seed);
 
   /// Throws InputError if the file cannot be read, and likewise.
   static ScenarioText load(const std::string& file, Overrides overrides, std::optional<std::uint64_t> seed);
@@ -40,8 +41,8 @@ class ScenarioText {
  private:
   Scenario read(std::optional<std::uint64_t> seed) const;
 
-  std::string yaml_;
   std::string file_;
+  ScenarioDocument document_;
   Overrides overrides_;
   std::optional<std::uint64_t> seed_;
   std::string algorithm_;  ///< for every vehicle; empty: as written

@@ -57,7 +57,7 @@ class Planner {
                        " seeds, and --seeds asks for " + std::to_string(question_.seeds));
     const std::size_t first_scenario = plan_.campaign.scenarios.size();
     for (const ExamGround& ground : family.grounds)
-      plan_.campaign.scenarios.push_back({ground.file, ground.text});
+      plan_.campaign.scenarios.emplace_back(ground.file, ground.text);
     std::vector<Candidate> entrants{{.method = exam_.baseline, .tuned = false, .families = {}}};
     for (const Candidate& candidate : question_.candidates)
       if (is_entrant(candidate, family)) entrants.push_back(candidate);

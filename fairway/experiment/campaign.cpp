@@ -44,7 +44,7 @@ std::vector<CampaignScenario> load_scenarios(const CampaignFile& written, const 
     if (!cases.insert(path.stem().string()).second) {
       throw InputError(scenario.where, "scenario", "a second one named " + path.stem().string());
     }
-    scenarios.push_back({path.string(), std::move(*text)});
+    scenarios.emplace_back(path.string(), std::move(*text));
   }
   return scenarios;
 }
@@ -220,7 +220,7 @@ void resolve(Campaign& campaign, std::size_t run, const CheckScenario& check, co
 /// overrides of its cells counts as it is written.
 std::string canonical_text(const CampaignScenario& scenario, std::uint64_t seed) {
   try {
-    return canonical_text(parse_scenario(scenario.text, scenario.file, {}, seed));
+    return canonical_text(scenario.document.scenario({}, seed));
   } catch (const InputError&) {
     return scenario.text;
   }
@@ -243,7 +243,7 @@ std::string digest_of(const Campaign& campaign) {
 
 Scenario scenario_of(const Campaign& campaign, std::size_t cell, std::uint64_t seed) {
   const CampaignScenario& scenario = campaign.scenarios[campaign.cells[cell].scenario];
-  return parse_scenario(scenario.text, scenario.file, campaign.cells[cell].overrides, seed);
+  return scenario.document.scenario(campaign.cells[cell].overrides, seed);
 }
 
 Scenario Campaign::scenario_of(std::size_t run) const {

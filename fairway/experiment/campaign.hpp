@@ -17,8 +17,13 @@
 namespace fairway {
 
 struct CampaignScenario {
+  /// Throws InputError for a text that is not a scenario's.
+  CampaignScenario(std::string written_in, std::string as_written)
+      : file{std::move(written_in)}, text{std::move(as_written)}, document{text, file} {}
+
   std::string file;
   std::string text;  ///< as it was when the campaign was loaded: all runs are of this one version
+  ScenarioDocument document;
 };
 
 /// One combination of scenario, algorithm and settings; run once for each seed.

@@ -8,8 +8,7 @@
 
 namespace fairway {
 
-Scenario parse_scenario(std::string_view text, const std::string& file, const Overrides& overrides,
-                        std::optional<std::uint64_t> seed) {
+ScenarioDocument::ScenarioDocument(std::string_view text, const std::string& file) {
   yaml::Tree document = yaml::parse_tree(text, file);
   if (!document.is_map())
     throw InputError({file}, "", "not a scenario: expected keys such as fairway, name and vehicles");
@@ -17,6 +16,11 @@ Scenario parse_scenario(std::string_view text, const std::string& file, const Ov
     throw InputError(campaign->where.location(), "fairway_campaign",
                      "this is a campaign, not a scenario; fairway sweep " + file + " --out RESULTS runs it");
   }
+  tree_ = std::make_shared<const yaml::Tree>(std::move(document));
+}
+
+Scenario ScenarioDocument::scenario(const Overrides& overrides, std::optional<std::uint64_t> seed) const {
+  yaml::Tree document = *tree_;
   yaml::apply(document, overrides, seed);
 
   // the seed decides what the distributions become, so it is read before anything else
@@ -31,6 +35,11 @@ Scenario parse_scenario(std::string_view text, const std::string& file, const Ov
   if (seed) scenario.seed = *seed;
   yaml::check_vehicles({*document.find("vehicles"), "vehicles", reading}, scenario);
   return scenario;
+}
+
+Scenario parse_scenario(std::string_view text, const std::string& file, const Overrides& overrides,
+                        std::optional<std::uint64_t> seed) {
+  return ScenarioDocument{text, file}.scenario(overrides, seed);
 }
 
 Scenario load_scenario(const std::string& file, const Overrides& overrides,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,6 +12,10 @@
 #include "fairway/scenario/scenario.hpp"
 
 namespace fairway {
+
+namespace yaml {
+struct Tree;
+}
 
 /// `--set path=value`: "vehicles[0].avoider.time_horizon_s", "5". A path may name every vehicle at
 /// once as "vehicles[*]…".
@@ -23,6 +28,19 @@ using Overrides = std::vector<std::pair<std::string, std::string>>;
 /// later, by the catalogs.
 Scenario load_scenario(const std::string& file, const Overrides& overrides = {},
                        std::optional<std::uint64_t> seed = {});
+
+/// A scenario's text, read once for all the seeds and settings that it is made for. A value, cheap to copy.
+class ScenarioDocument {
+ public:
+  /// `file` is used in messages. Throws InputError for what is not YAML, or not a scenario's.
+  ScenarioDocument(std::string_view yaml, const std::string& file);
+
+  /// What parse_scenario() makes of the text. Safe to call from several threads.
+  Scenario scenario(const Overrides& overrides = {}, std::optional<std::uint64_t> seed = {}) const;
+
+ private:
+  std::shared_ptr<const yaml::Tree> tree_;
+};
 
 /// The same from text; `file` is used in messages.
 Scenario parse_scenario(std::string_view yaml, const std::string& file, const Overrides& overrides = {},
