@@ -2,6 +2,8 @@
 #include "fairway/avoidance/situation.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <limits>
 
 namespace fairway {
@@ -14,19 +16,30 @@ bool is_usable(const Track& track) {
          0.0 * (track.position_covariance + track.velocity_covariance).sum() == 0.0;
 }
 
+/// The bits of nine numbers, one over the other: none is set if all are zero.
+std::uint64_t bits_of(const Mat3& matrix) {
+  std::uint64_t bits = 0;
+  for (const double number : matrix.reshaped()) bits |= std::bit_cast<std::uint64_t>(number);
+  return bits;
+}
+
 /// Whether each can be used. Every decision asks, so all are added up first: a sum is finite only if all that
-/// is in it are. What does not add up is looked at one by one, since finite numbers too may overflow.
+/// is in it are. Mostly all covariances are zero, which is seen sooner. What does not add up is looked at one
+/// by one, since finite numbers too may overflow.
 bool are_usable(std::span<const Track> tracks) {
-  Mat3 covariances = Mat3::Zero();
+  std::uint64_t covariances = 0;  // bits
   Vec3 vectors = Vec3::Zero();
   double radii = 0.0, least = 0.0;
   for (const Track& track : tracks) {
-    covariances += track.position_covariance + track.velocity_covariance;
+    covariances |= bits_of(track.position_covariance) | bits_of(track.velocity_covariance);
     vectors += track.position + track.velocity;
     radii += track.radius;
     least = std::min(least, track.radius);
   }
-  if (0.0 * (covariances.sum() + vectors.sum() + radii) == 0.0 && least == 0.0) return true;
+  Mat3 errors = Mat3::Zero();
+  if (covariances != 0)
+    for (const Track& track : tracks) errors += track.position_covariance + track.velocity_covariance;
+  if (0.0 * (errors.sum() + vectors.sum() + radii) == 0.0 && least == 0.0) return true;
   return std::ranges::all_of(tracks, [](const Track& track) { return is_usable(track); });
 }
 
