@@ -101,8 +101,8 @@ void add_reading(py::class_<ScenarioText>& scenario) {
           "by `fairway run --set`. Raises InputError with file, line, column and the nearest known name.")
       .def_static(
           "parse",
-          [](std::string text, const py::object& overrides, const py::object& seed, std::string file) {
-            return ScenarioText{std::move(text), std::move(file), overrides_of(overrides), seed_of(seed)};
+          [](const std::string& text, const py::object& overrides, const py::object& seed, std::string file) {
+            return ScenarioText{text, std::move(file), overrides_of(overrides), seed_of(seed)};
           },
           py::arg("text"), py::arg("overrides") = py::none(), py::arg("seed") = py::none(),
           py::arg("file") = "<text>", "The same from YAML text; file is what messages call it.")
