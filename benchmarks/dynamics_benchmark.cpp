@@ -46,9 +46,10 @@ BENCHMARK_CAPTURE(vehicle_step, minerva_transport, "minerva_transport");
 BENCHMARK_CAPTURE(vehicle_step, otter, "otter");
 BENCHMARK_CAPTURE(vehicle_step, remus100, "remus100");
 
-/// The same of eight vehicles together, in lanes: still water; the time is of all eight.
-void eight_together(benchmark::State& bench, std::string_view name) {
-  std::vector<Vehicle> vehicles(8, builtin_vehicles().make(name));
+/// The same of so many vehicles together, in lanes where it is more than one: still water; the time is of all
+/// of them.
+void together(benchmark::State& bench, std::string_view name) {
+  std::vector<Vehicle> vehicles(static_cast<std::size_t>(bench.range(0)), builtin_vehicles().make(name));
   const Eigen::VectorXd command =
       Eigen::VectorXd::Constant(static_cast<Eigen::Index>(vehicles[0].actuators().size()), 2.0);
   std::vector<Vehicle::Errand> errands;
@@ -58,9 +59,9 @@ void eight_together(benchmark::State& bench, std::string_view name) {
     benchmark::DoNotOptimize(vehicles.data());
   }
 }
-BENCHMARK_CAPTURE(eight_together, sparus2, "sparus2");
-BENCHMARK_CAPTURE(eight_together, kinematic, "kinematic");
-BENCHMARK_CAPTURE(eight_together, otter, "otter");
+BENCHMARK_CAPTURE(together, sparus2, "sparus2")->Arg(1)->Arg(2)->Arg(4)->Arg(8);
+BENCHMARK_CAPTURE(together, kinematic, "kinematic")->Arg(1)->Arg(2)->Arg(4)->Arg(8);
+BENCHMARK_CAPTURE(together, otter, "otter")->Arg(1)->Arg(2)->Arg(4)->Arg(8);
 
 /// One call of the autopilot, the request below (0.5 m/s) or far above (5 m/s) what thrusters give.
 void autopilot_call(benchmark::State& bench, std::string_view name, double surge_mps) {

@@ -42,12 +42,14 @@ lanes::BodyNumbers plain(const SubmergedBodyNumbers& numbers) {
 }  // namespace
 
 SubmergedBody::SubmergedBody(const SubmergedBodyNumbers& numbers)
-    : M_{mass_of(numbers)},
-      M_C_{coriolis_mass_of(numbers)},
-      D_l_{numbers.linear_damping},
-      D_q_{numbers.quadratic_damping},
-      r_g_{numbers.r_g},
-      numbers_{plain(numbers)} {}
+    : M_{mass_of(numbers)}, r_g_{numbers.r_g}, numbers_{plain(numbers)} {}
+
+fossen::Matrix6 SubmergedBody::coriolis_mass() const {
+  fossen::Matrix6 M;
+  for (Eigen::Index i = 0; i < 6; ++i)
+    for (Eigen::Index j = 0; j < 6; ++j) M(i, j) = numbers_.coriolis.rows[i][j];
+  return M;
+}
 
 fossen::Vector6 SubmergedBody::level_restoring() const {
   return fossen::restoring(numbers_.weight, numbers_.buoyancy, r_g_, Vec3{numbers_.r_b}, Vec3::UnitZ());

@@ -69,10 +69,10 @@ class SubmergedBody {
   }
 
   const lanes::BodyNumbers& numbers() const { return numbers_; }
-  const fossen::Matrix6& mass() const { return M_; }             ///< M = M_RB + M_A
-  const fossen::Matrix6& coriolis_mass() const { return M_C_; }  ///< the part of M whose momentum makes C(nu)
-  const fossen::Vector6& linear_damping() const { return D_l_; }
-  const fossen::Vector6& quadratic_damping() const { return D_q_; }
+  const fossen::Matrix6& mass() const { return M_; }  ///< M = M_RB + M_A
+  fossen::Matrix6 coriolis_mass() const;              ///< the part of M whose momentum makes C(nu)
+  fossen::Vector6 linear_damping() const { return fossen::Vector6{numbers_.linear_damping}; }
+  fossen::Vector6 quadratic_damping() const { return fossen::Vector6{numbers_.quadratic_damping}; }
 
   /// g(eta) when level, in water of the numbers' density.
   fossen::Vector6 level_restoring() const;
@@ -93,9 +93,6 @@ class SubmergedBody {
   }
 
   fossen::Matrix6 M_;
-  fossen::Matrix6 M_C_;
-  fossen::Vector6 D_l_;
-  fossen::Vector6 D_q_;
   Vec3 r_g_;
   lanes::BodyNumbers numbers_;
 };

@@ -65,11 +65,16 @@ class Vehicle {
   /// whose model can (lanes/kernel.hpp).
   static void step_many(std::span<const Errand> errands, double h) noexcept {
     while (!errands.empty()) {
-      const Interface& model = *errands.front().vehicle->self_;
+      const auto& [vehicle, command, water] = errands.front();
+      const Interface& model = *vehicle->self_;
       const auto other =
           std::ranges::find_if(errands, [&](const Errand& e) { return e.vehicle->self_.get() != &model; });
       const auto alike = static_cast<std::size_t>(other - errands.begin());
-      model.advance_many(errands.first(alike), h);
+      if (alike == 1) {  // in a lane it would take longer
+        vehicle->step(*command, water, h);
+      } else {
+        model.advance_many(errands.first(alike), h);
+      }
       errands = errands.subspan(alike);
     }
   }

@@ -29,6 +29,10 @@ using Overrides = std::vector<std::pair<std::string, std::string>>;
 Scenario load_scenario(const std::string& file, const Overrides& overrides = {},
                        std::optional<std::uint64_t> seed = {});
 
+/// The same from text; `file` is used in messages.
+Scenario parse_scenario(std::string_view yaml, const std::string& file, const Overrides& overrides = {},
+                        std::optional<std::uint64_t> seed = {});
+
 /// A scenario's text, read once for all the seeds and settings that it is made for. A value, cheap to copy.
 class ScenarioDocument {
  public:
@@ -41,10 +45,6 @@ class ScenarioDocument {
  private:
   std::shared_ptr<const yaml::Tree> tree_;
 };
-
-/// The same from text; `file` is used in messages.
-Scenario parse_scenario(std::string_view yaml, const std::string& file, const Overrides& overrides = {},
-                        std::optional<std::uint64_t> seed = {});
 
 /// The scenario as YAML that parse_scenario() reads back to the same bits.
 std::string to_yaml(const Scenario& scenario);

@@ -12,18 +12,6 @@
 /// are templates of `Pack<N>`, and no two files have the same N.
 namespace fairway::lanes {
 
-template <std::size_t N>
-VecOf<Pack<N>> vector_at(const double *at) {
-  return {Pack<N>::from(at), Pack<N>::from(at + N), Pack<N>::from(at + 2 * N)};
-}
-
-template <std::size_t N>
-void write_vector(const VecOf<Pack<N>> &v, double *at) {
-  v.x().to(at);
-  v.y().to(at + N);
-  v.z().to(at + 2 * N);
-}
-
 /// A vehicle, or in each lane one.
 template <std::size_t N>
 struct Self {
@@ -80,17 +68,14 @@ template <std::size_t N>
 void choose_in_lanes(const Programs &programs, double *answer) {
   using Real = Pack<N>;
   const std::size_t stride = programs.stride;
-  const auto vector = [&](const double *at) {
-    return VecOf<Real>{Real::from(at), Real::from(at + stride), Real::from(at + 2 * stride)};
-  };
   HalfSpaceOf<Real> half_spaces[most_in_lanes], room[most_in_lanes];
   for (std::size_t k = 0; k < programs.half_spaces; ++k) {
     const double *at = programs.allowed + k * 4 * stride;
-    half_spaces[k] = {vector(at), Real::from(at + 3 * stride)};
+    half_spaces[k] = {vector_at<N>(at, stride), Real::from(at + 3 * stride)};
   }
   const Real zero{0.0};
   VecOf<Real> v;
-  nearest_velocity<Real>({half_spaces, programs.half_spaces}, vector(programs.preferred),
+  nearest_velocity<Real>({half_spaces, programs.half_spaces}, vector_at<N>(programs.preferred, stride),
                          Real{programs.max_speed}, zero <= zero, room, v);
   write_vector<N>(v, answer);
 }

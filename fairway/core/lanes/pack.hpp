@@ -188,5 +188,18 @@ Pack<N> with_sign_of(const Pack<N>& size, const Pack<N>& sign) {
   return {(Numbers<N>)(bits | ((Integers<N>)sign.numbers & INT64_MIN))};
 }
 
+/// Vectors whose numbers stand in three columns, `stride` apart.
+template <std::size_t N>
+VecOf<Pack<N>> vector_at(const double* at, std::size_t stride = N) {
+  return {Pack<N>::from(at), Pack<N>::from(at + stride), Pack<N>::from(at + 2 * stride)};
+}
+
+template <std::size_t N>
+void write_vector(const VecOf<Pack<N>>& v, double* at) {
+  v.x().to(at);
+  v.y().to(at + N);
+  v.z().to(at + 2 * N);
+}
+
 }  // namespace fairway::lanes
 // NOLINTEND(google-readability-casting, cppcoreguidelines-pro-type-cstyle-cast)

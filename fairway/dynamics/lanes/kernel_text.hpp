@@ -11,32 +11,20 @@
 namespace fairway::lanes {
 
 template <std::size_t N>
-VecOf<Pack<N>> three_at(const double* columns) {
-  return {Pack<N>::from(columns), Pack<N>::from(columns + N), Pack<N>::from(columns + 2 * N)};
-}
-
-template <std::size_t N>
-void write_three(const VecOf<Pack<N>>& v, double* columns) {
-  v.x().to(columns);
-  v.y().to(columns + N);
-  v.z().to(columns + 2 * N);
-}
-
-template <std::size_t N>
 void step_in_lanes(const BodyNumbers& body, Bodies& bodies) {
   using Real = Pack<N>;
   double* at = bodies.motion.numbers;
   const double *push = bodies.push.numbers, *water = bodies.water.numbers;
-  MotionOf<Real> x{three_at<N>(at), {}, three_at<N>(at + 7 * N), three_at<N>(at + 10 * N)};
+  MotionOf<Real> x{vector_at<N>(at), {}, vector_at<N>(at + 7 * N), vector_at<N>(at + 10 * N)};
   for (std::size_t i = 0; i < 4; ++i) x.q[i] = Real::from(at + (3 + i) * N);
-  const MotionOf<Real> y = stepped<Real>(body, x, {three_at<N>(push), three_at<N>(push + 3 * N)},
-                                         {three_at<N>(water), three_at<N>(water + 3 * N),
+  const MotionOf<Real> y = stepped<Real>(body, x, {vector_at<N>(push), vector_at<N>(push + 3 * N)},
+                                         {vector_at<N>(water), vector_at<N>(water + 3 * N),
                                           Real::from(water + 6 * N), bodies.flows, bodies.accelerates},
                                          bodies.h);
-  write_three<N>(y.p, at);
+  write_vector<N>(y.p, at);
   for (std::size_t i = 0; i < 4; ++i) y.q[i].to(at + (3 + i) * N);
-  write_three<N>(y.v, at + 7 * N);
-  write_three<N>(y.omega, at + 10 * N);
+  write_vector<N>(y.v, at + 7 * N);
+  write_vector<N>(y.omega, at + 10 * N);
 }
 
 template <std::size_t N>
@@ -47,7 +35,7 @@ void step_level_in_lanes(const LevelNumbers& numbers, LevelBodies& bodies) {
   LevelOf<Real> x;
   for (std::size_t i = 0; i < level_size; ++i) x[i] = Real::from(at + i * N);
   const LevelOf<Real> y =
-      stepped<Real>(numbers, x, {three_at<N>(setpoint), Real::from(setpoint + 3 * N)}, bodies.h);
+      stepped<Real>(numbers, x, {vector_at<N>(setpoint), Real::from(setpoint + 3 * N)}, bodies.h);
   for (std::size_t i = 0; i < level_size; ++i) y[i].to(at + i * N);
 }
 
