@@ -14,6 +14,7 @@ set(fairway_ros_python ${CMAKE_BINARY_DIR}/ros1/python)
 set(services ${CMAKE_CURRENT_SOURCE_DIR}/srv/GoTo.srv ${CMAKE_CURRENT_SOURCE_DIR}/srv/Section.srv)
 set(message_paths -Igeometry_msgs:${ros_definitions}/geometry_msgs/msg -Istd_msgs:${ros_definitions}/std_msgs/msg)
 set(generated "")
+set(modules "")
 foreach(service ${services})
   get_filename_component(name ${service} NAME_WE)
   set(headers ${fairway_ros_headers}/fairway_ros/${name}.h ${fairway_ros_headers}/fairway_ros/${name}Request.h
@@ -27,14 +28,16 @@ foreach(service ${services})
     COMMAND ${Python_EXECUTABLE} ${gensrv_py} ${service} ${message_paths} -p fairway_ros
             -o ${fairway_ros_python}/fairway_ros/srv
     COMMENT "service ${name}: Python" VERBATIM)
-  list(APPEND generated ${headers} ${module})
+  list(APPEND generated ${headers})
+  list(APPEND modules ${module})
 endforeach()
-add_custom_command(OUTPUT ${fairway_ros_python}/fairway_ros/srv/__init__.py DEPENDS ${services}
+# it names the modules that it finds in the folder
+add_custom_command(OUTPUT ${fairway_ros_python}/fairway_ros/srv/__init__.py DEPENDS ${modules}
   COMMAND ${Python_EXECUTABLE} ${gensrv_py} --initpy -o ${fairway_ros_python}/fairway_ros/srv
   COMMAND ${CMAKE_COMMAND} -E touch ${fairway_ros_python}/fairway_ros/__init__.py
   COMMENT "services: Python package" VERBATIM)
 add_custom_target(fairway_ros_services ALL
-  DEPENDS ${generated} ${fairway_ros_python}/fairway_ros/srv/__init__.py)
+  DEPENDS ${generated} ${modules} ${fairway_ros_python}/fairway_ros/srv/__init__.py)
 
 add_library(fairway_ros_messages INTERFACE)
 add_dependencies(fairway_ros_messages fairway_ros_services)
