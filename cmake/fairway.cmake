@@ -160,14 +160,15 @@ function(fairway_make_library name)
   add_library(fairway::${name} ALIAS fairway_${name})
 endfunction()
 
-# fairway_test_program(name SOURCES source... LINKS target... [SHARDS n]): a program of tests, which ctest runs from the root as n
-# processes that share them out
+# fairway_test_program(name SOURCES source... LINKS target... [SHARDS n] [HOT]): a program of tests, which ctest runs from the root
+# as n processes that share them out. What is tested is optimised, who tests it need not be: it is compiled in half the time. HOT:
+# it computes much in templates and inline functions, of which the linker takes the test's own, so it is optimised a little.
 function(fairway_test_program name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "SHARDS" "SOURCES;LINKS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "HOT" "SHARDS" "SOURCES;LINKS")
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE ${arg_LINKS} fairway_options GTest::gtest GTest::gmock GTest::gtest_main)
   target_compile_definitions(${name} PRIVATE FAIRWAY_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)  # what is tested is optimised, who tests it need not be
+  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O$<BOOL:${arg_HOT}>>)
   if(NOT arg_SHARDS)
     set(arg_SHARDS 1)
   endif()
@@ -179,10 +180,10 @@ function(fairway_test_program name)
   endforeach()
 endfunction()
 
-# fairway_test(name USES lib... [SOURCES extra...] [SHARDS n]): every fairway/<name>/**_test.cpp in one program;
+# fairway_test(name USES lib... [SOURCES extra...] [SHARDS n] [HOT]): every fairway/<name>/**_test.cpp in one program;
 # nothing where one of the libraries was not chosen
 function(fairway_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "SHARDS" "USES;SOURCES;LINKS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "HOT" "SHARDS" "USES;SOURCES;LINKS")
   if(NOT FAIRWAY_TESTS)
     return()
   endif()
@@ -197,8 +198,17 @@ function(fairway_test name)
     return()
   endif()
   list(TRANSFORM arg_USES PREPEND fairway::)
-  fairway_test_program(${name}_test SOURCES ${sources} LINKS ${arg_USES} ${arg_LINKS} SHARDS ${arg_SHARDS})
-  fairway_precompile(${name}_test core_test <gtest/gtest.h> <gmock/gmock.h>)
+  set(hot "")
+  if(arg_HOT)
+    set(hot HOT)
+  endif()
+  fairway_test_program(${name}_test SOURCES ${sources} LINKS ${arg_USES} ${arg_LINKS} SHARDS ${arg_SHARDS} ${hot})
+  get_property(first GLOBAL PROPERTY fairway_first_test_${hot})  # the headers compiled for one are those of all like it
+  if(NOT first)
+    set(first ${name}_test)
+    set_property(GLOBAL PROPERTY fairway_first_test_${hot} ${first})
+  endif()
+  fairway_precompile(${name}_test ${first} <gtest/gtest.h> <gmock/gmock.h>)
   fairway_unity(${name}_test FOLDERS)
 endfunction()
 
