@@ -180,6 +180,16 @@ function(fairway_test_program name)
   endforeach()
 endfunction()
 
+# fairway_precompile_test(target [HOT]): the common headers and GoogleTest's; the first of its kind compiles them for all
+function(fairway_precompile_test target)
+  get_property(first GLOBAL PROPERTY fairway_first_test_${ARGN})
+  if(NOT first)
+    set(first ${target})
+    set_property(GLOBAL PROPERTY fairway_first_test_${ARGN} ${first})
+  endif()
+  fairway_precompile(${target} ${first} <gtest/gtest.h> <gmock/gmock.h>)
+endfunction()
+
 # fairway_test(name USES lib... [SOURCES extra...] [SHARDS n] [HOT]): every fairway/<name>/**_test.cpp in one program;
 # nothing where one of the libraries was not chosen
 function(fairway_test name)
@@ -203,12 +213,7 @@ function(fairway_test name)
     set(hot HOT)
   endif()
   fairway_test_program(${name}_test SOURCES ${sources} LINKS ${arg_USES} ${arg_LINKS} SHARDS ${arg_SHARDS} ${hot})
-  get_property(first GLOBAL PROPERTY fairway_first_test_${hot})  # the headers compiled for one are those of all like it
-  if(NOT first)
-    set(first ${name}_test)
-    set_property(GLOBAL PROPERTY fairway_first_test_${hot} ${first})
-  endif()
-  fairway_precompile(${name}_test ${first} <gtest/gtest.h> <gmock/gmock.h>)
+  fairway_precompile_test(${name}_test ${hot})
   fairway_unity(${name}_test FOLDERS)
 endfunction()
 
