@@ -10,7 +10,7 @@ namespace fairway::trackable {
 
 inline constexpr std::size_t most_steps = 48;
 inline constexpr std::size_t most_hazards = 64;
-inline constexpr std::size_t most_courses = 80;
+inline constexpr std::size_t most_courses = 88;
 
 /// Plans of one vehicle at one instant: each a direction turned, and a speed. Beyond the last plan the last
 /// is repeated, as many times as there are lanes.

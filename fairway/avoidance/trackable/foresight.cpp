@@ -19,6 +19,7 @@ constexpr double most_turn = 0.7;      // in a step, for directions to keep that
 constexpr double step_of_lag = 0.8;    // a step is no longer than that share of the lag of the turn rate
 constexpr double most_sagitta = 0.02;  // of the arc of a step [m]
 constexpr double rounding = 1e-9;      // [m]
+constexpr std::size_t few = 4;         // plans
 
 double squared(double x) { return x * x; }
 
@@ -261,17 +262,20 @@ struct Foresight::Search {
     return {of(0), of(1), of(2), of(3), of(4), of(5), of(6), of(7)};
   }
 
-  /// The first course that is clear, or their number. Keeps in mind who may have a backup.
+  /// The first course that is clear, or their number. Keeps in mind who may have a backup. What is asked is
+  /// clear most often, or little else: few are looked at first.
   std::size_t first_clear() {
     Fan fan = this->fan();
-    for (; fan.first < count; fan.first += kernel.lanes) {
-      kernel.roll(fan);
-      for (std::size_t i = fan.first; i < std::min(fan.first + kernel.lanes, count); ++i) {
+    for (const lanes::Kernel* of = &lanes::kernel_for(few); fan.first < count; of = &kernel) {
+      of->roll(fan);
+      const std::size_t end = std::min(fan.first + of->lanes, count);
+      for (std::size_t i = fan.first; i < end; ++i) {
         const auto clear = static_cast<std::size_t>(fan.clear_steps[i - fan.first]);
         if (clear == in.steps_) return i;
         if (clear < in.hold_steps_) continue;
         held[held_count++] = {held_at(fan, i - fan.first), i};
       }
+      fan.first = end;
     }
     return count;
   }

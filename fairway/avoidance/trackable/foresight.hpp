@@ -82,6 +82,9 @@ class Foresight {
   /// else the first that is backed up; else what leaves most room. O(courses x steps x hazards).
   Pick best_of(const Plan& asked, const Courses& courses, std::size_t count) const noexcept;
 
+  /// The least distance beyond contact after the steps. [m]
+  double room_of(const Plan& plan) const noexcept;
+
   /// What the autopilot is ordered now.
   TurnOrder order(const Plan& plan) const noexcept;
 
@@ -108,8 +111,6 @@ class Foresight {
   /// Of the way, for every plan of no more than `speed` and `turn_rate`. [m/s]
   double fastest_way(double speed, double turn_rate) const noexcept;
   Bounds bounds(double speed, double turn_rate) const noexcept;
-  /// The least distance beyond contact after the steps. [m]
-  double room_of(const Plan& plan) const noexcept;
 
   const TurnLaw& law_;
   Outlook outlook_;

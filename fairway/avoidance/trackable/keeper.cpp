@@ -15,6 +15,7 @@ constexpr double standing = 1e-3;       // [m/s]
 constexpr double standing_share = 0.1;  // of the preferred speed: slower stands
 constexpr double turn_step = pi / 12;   // between plans
 constexpr double slack_s = 1.0;         // of the window, beyond the manoeuvres that it is to hold
+constexpr double more_room = 0.05;      // is worth another plan where none is clear [m]
 
 /// To turn a quarter and to stop; of who cannot stop, to go once round.
 double window_of(const TurnLaw& law, const Situation& s, double hold) {
@@ -63,12 +64,6 @@ Plan plan_of(const Situation& s, const Vec2& ahead, const Command& asked, const 
   if (speed <= standing) return standing_still(ahead, drift);
   return {.direction = wanted / speed, .speed = speed};
 }
-
-struct Choice {
-  Plan plan;
-  Prospect prospect;
-  bool is_asked;
-};
 
 /// What is asked, if it is clear; else the cheapest deviation that is, else the cheapest that has a backup,
 /// else what leaves most room. `side` is that to which it went last.
@@ -162,11 +157,31 @@ void Keeper::draw(Sketch& sketch, const Plan& plan, const Command& asked) const 
   }
 }
 
+Choice Keeper::settled(const Choice& chosen) noexcept {
+  const bool is_as_asked = chosen.is_asked && chosen.prospect == Prospect::clear;
+  Choice taken = chosen;
+  if (course_.instead && !is_as_asked) {
+    const Plan& before = *course_.instead;
+    const bool changes_side = cross(ahead_, before.direction) * cross(ahead_, chosen.plan.direction) < 0.0;
+    if (chosen.prospect == Prospect::lost) {
+      if (foresight_.room_of(before) > foresight_.room_of(chosen.plan) - more_room)
+        taken = {before, Prospect::lost, false};
+    } else if (changes_side && foresight_.is_clear(before, before.speed)) {
+      taken = {before, Prospect::clear, false};
+    }
+  }
+  course_.instead = is_as_asked ? std::nullopt : std::optional{taken.plan};
+  return taken;
+}
+
 Command Keeper::keep(const Command& asked, const Deviations& deviations, Sketch* sketch) noexcept {
   Plan plan = plan_of(s_, ahead_, asked, frame_, drift_);
   Command command = asked;
-  if (!foresight_.is_open()) {
-    const Choice choice = choose(deviations, foresight_, plan, s_.goal.cruise_speed, course_.side);
+  if (foresight_.is_open()) {
+    course_.instead.reset();
+  } else {
+    Choice choice = choose(deviations, foresight_, plan, s_.goal.cruise_speed, course_.side);
+    if (law_.law().least > 0.0) choice = settled(choice);
     plan = choice.plan;
     if (choice.prospect == Prospect::lost) {
       command.mode = Mode::infeasible;

@@ -40,9 +40,17 @@ struct Keeping {
 
 /// What is remembered between decisions.
 struct Course {
-  std::optional<Vec2> drift;  ///< [m/s, NED]
-  double sway{};              ///< through the water, to starboard, as the envelope says [m/s]
-  double side = 1.0;          ///< to which it went last: 1 starboard, -1 port
+  std::optional<Vec2> drift;    ///< [m/s, NED]
+  double sway{};                ///< through the water, to starboard, as the envelope says [m/s]
+  double side = 1.0;            ///< to which it went last: 1 starboard, -1 port
+  std::optional<Plan> instead;  ///< of who cannot stop: what it took last, if not what was asked
+};
+
+/// What is taken of the plans that were looked at.
+struct Choice {
+  Plan plan;
+  Prospect prospect;
+  bool is_asked;
 };
 
 /// Whether its envelope is known, and it turns in order to go elsewhere.
@@ -68,6 +76,10 @@ class Keeper {
   Command keep(const Command& asked, const Deviations& deviations, Sketch* sketch) noexcept;
 
  private:
+  /// Of who cannot stop: what it took last, rather than to turn to the other side, as long as that is clear,
+  /// or, where nothing is, as long as nothing leaves clearly more room. What it has turned is lost when it
+  /// turns back, and with that in the end all plans.
+  Choice settled(const Choice& chosen) noexcept;
   void draw(Sketch& sketch, const Plan& plan, const Command& asked) const;
 
   const Situation& s_;

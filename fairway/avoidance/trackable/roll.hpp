@@ -62,11 +62,11 @@ struct Motion {
 
 /// A disc or all near a segment, at time 0 relative to own ship, that keeps its velocity. [m, m/s, NED]
 struct Hazard {
-  double north{}, east{};              ///< of one end of its middle line
-  double along_north{}, along_east{};  ///< from there to the other end
-  double length2{};                    ///< of the middle line, squared [m2]; 0: a disc
-  double velocity_north{}, velocity_east{};
-  double contact{};  ///< own radius and its own
+  double north, east;              ///< of one end of its middle line
+  double along_north, along_east;  ///< from there to the other end
+  double length2;                  ///< of the middle line, squared [m2]; 0: a disc
+  double velocity_north, velocity_east;
+  double contact;  ///< own radius and its own
 };
 
 /// As std::clamp().

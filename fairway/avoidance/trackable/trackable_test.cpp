@@ -268,6 +268,23 @@ TEST(Trackable, WhoCannotStopNeedsRoomForACircle) {
   EXPECT_EQ(comes_to(6.0), Prospect::backed_up);
 }
 
+TEST(Trackable, WhoCannotStopKeepsToTheSideToWhichItTurned) {
+  // a buoy straight ahead; the way to the goal is a little to starboard of it, then to port, then well clear
+  const Envelope torpedo = of_a_torpedo();
+  OwnedSituation e = under_way(torpedo);
+  e.situation.own.position = {0.0, 0.0, 50.0};
+  e.obstacles = {buoy(14.0, 0.0, 2.0)};
+  const auto turn_for = [&](Avoider& avoider, double east) {
+    e.situation.goal = {.position = {60.0, east, 50.0}, .cruise_speed = 1.0};
+    return avoider.decide(e).turn_rate.value();
+  };
+  Avoider avoider = around_direct_trackable(), anew = around_direct_trackable();
+  EXPECT_GT(turn_for(avoider, 4.0), 0.0);
+  EXPECT_LT(turn_for(anew, -4.0), 0.0);
+  EXPECT_GT(turn_for(avoider, -4.0), 0.0);
+  EXPECT_LT(turn_for(avoider, -40.0), 0.0);
+}
+
 TEST(Trackable, ABuoyStraightAheadIsPassedByWhoStopsAndByWhoCannot) {
   for (const Envelope& envelope : {of_a_boat(), of_a_torpedo()}) {
     OwnedSituation e = under_way(envelope);

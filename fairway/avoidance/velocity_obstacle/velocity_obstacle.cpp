@@ -12,12 +12,19 @@ namespace {
 /// Below this sine two directions are one.
 constexpr double in_line = 1e-9;
 
-/// The tangent from the origin to a disc round `p` [m], more than `radius` away: at the half angle
-/// arcsin(R / d) to starboard of p, or to port (sign -1). Unit.
-Vec2 tangent_to_disc(const Vec2& p, double radius, double sign) {
+/// Unit, along them.
+struct Tangents {
+  Vec2 port, starboard;
+};
+
+/// From the origin to a disc round `p` [m], more than `radius` away: at the half angle arcsin(R / d) to both
+/// sides.
+Tangents tangents_to_disc(const Vec2& p, double radius) {
   const double d = p.norm();
   const double sine = radius / d;
-  return turned(p / d, std::sqrt((1.0 - sine) * (1.0 + sine)), sign * sine);
+  const double cosine = std::sqrt((1.0 - sine) * (1.0 + sine));
+  const Vec2 middle = p / d;
+  return {turned(middle, cosine, -sine), turned(middle, cosine, sine)};
 }
 
 /// When something at `w` meets the disc: 1 / t, or 0.
@@ -69,13 +76,15 @@ VelocityObstacle::VelocityObstacle(const RelativeCapsule& solid, const Horizons&
     return;
   }
 
-  // the outermost tangents to the ends
-  port_ = tangent_to_disc(from_, radius_, -1.0);
-  starboard_ = tangent_to_disc(from_, radius_, 1.0);
-  const Vec2 port = tangent_to_disc(to_, radius_, -1.0);
-  const Vec2 starboard = tangent_to_disc(to_, radius_, 1.0);
-  if (cross(port_, port) < 0.0) port_ = port;
-  if (cross(starboard_, starboard) > 0.0) starboard_ = starboard;
+  const Tangents to_from = tangents_to_disc(from_, radius_);
+  port_ = to_from.port;
+  starboard_ = to_from.starboard;
+  if (is_disc_) return;
+
+  // the outermost of those to the ends
+  const Tangents to_to = tangents_to_disc(to_, radius_);
+  if (cross(port_, to_to.port) < 0.0) port_ = to_to.port;
+  if (cross(starboard_, to_to.starboard) > 0.0) starboard_ = to_to.starboard;
 }
 
 VelocityObstacle VelocityObstacle::reciprocal(const RelativeCapsule& solid, const Vec2& own_velocity,
