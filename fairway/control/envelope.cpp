@@ -22,6 +22,7 @@ constexpr double least_way = 1e-3;        // slower is no way [m/s]
 constexpr double cruise_share = 0.9;      // of the greatest speed, so that something is left to turn by
 constexpr double stopped_share = 0.05;    // of the speed from which it stops
 constexpr double read_allowance = 1.02;   // of a turn rate that is read from the table
+constexpr double lags_of_plateau = 3.0;   // after which what is left of a turn rate is its tail
 constexpr double least_tail_share = 0.5;  // of the lag of a turn: a shorter tail is none
 constexpr double error_allowance = 1.1;   // for what the trials do not show: steps, other speeds before
 
@@ -193,17 +194,18 @@ class Trials {
     Craft turning = craft;
     turning.settle({.surge_mps = envelope_.ahead, .yaw_rate_radps = asked}, turn_rate_of);
     if (rate > 0.0) envelope_.pivot = -turning.sway() / turning.turn_rate();
-    if (envelope_.least > 0.0) measure_slow_pivot();
     measure_turn_lag(craft, rate);
-    measure_turn_tail(craft, cruise_share * rate);
+    measure_turn_tail(craft, envelope_.ahead, cruise_share * rate);
     measure_sway_lag(craft);
+    if (envelope_.least > 0.0) measure_slow_turning();
   }
 
-  void measure_slow_pivot() {
+  void measure_slow_turning() {
     Craft craft = *under_way_;
     craft.settle({.surge_mps = envelope_.least}, surge_of);
     const BodyRequest turn{.surge_mps = envelope_.least,
                            .yaw_rate_radps = cruise_share * envelope_.turn_rates[0]};
+    measure_turn_tail(craft, turn.surge_mps, turn.yaw_rate_radps);
     craft.settle(turn, turn_rate_of);
     craft.settle(turn, [](const Craft& c) { return c.sway(); });
     if (craft.turn_rate() > 0.0) envelope_.pivot_slow = std::max(0.0, -craft.sway() / craft.turn_rate());
@@ -227,18 +229,24 @@ class Trials {
     }
   }
 
-  /// What heading a turn lacks in the end, beyond that of the lag and of the turn acceleration, by its rate.
-  /// Of a hull that slips ever more as it turns, so that its autopilot comes to the rate only slowly.
-  void measure_turn_tail(Craft craft, double rate) {
+  /// What heading a turn lacks in the end, beyond that of the lag and of the turn acceleration, by its rate,
+  /// and to what share of the rate it comes by these two. Of an autopilot that comes to the rate only as it
+  /// learns what that takes.
+  void measure_turn_tail(Craft craft, double speed, double rate) {
     if (!(rate > 0.0 && envelope_.turn_acceleration > 0.0)) return;
-    double lacks = 0.0, time = 0.0;
+    const double takes_up = rate / envelope_.turn_acceleration;
+    double lacks = 0.0, time = 0.0, plateau = 1.0;
     while (time < longest) {
-      craft.obey({.surge_mps = envelope_.ahead, .yaw_rate_radps = rate});
+      craft.obey({.surge_mps = speed, .yaw_rate_radps = rate});
+      if (time < lags_of_plateau * envelope_.turn_lag + takes_up)
+        plateau = std::min(1.0, craft.turn_rate() / rate);
       lacks += craft.step * (1.0 - craft.turn_rate() / rate);
       time += craft.step;
     }
-    const double tail = lacks - envelope_.turn_lag - 0.5 * rate / envelope_.turn_acceleration;
-    if (tail > least_tail_share * envelope_.turn_lag) envelope_.turn_tail = tail;
+    const double tail = lacks - envelope_.turn_lag - 0.5 * takes_up;
+    if (!(tail > least_tail_share * envelope_.turn_lag)) return;
+    envelope_.turn_tail = std::max(envelope_.turn_tail, tail);
+    envelope_.turn_plateau = std::min(envelope_.turn_plateau, plateau);
   }
 
   /// Told at half of its greatest speed to stop, and to turn as fast as the law ever orders until that is

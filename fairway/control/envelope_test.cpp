@@ -188,9 +188,9 @@ TEST(Envelope, WhoTurnsAndBrakesByTheSameThrustersStopsOnTheWayThatIsForeseen) {
   EXPECT_GT(turns_at_once.way, turns_at_once.foreseen + 0.3);
 }
 
-/// How much farther ahead remus100, which has a least speed, gets than foreseen, on half a circle that begins
-/// from a straight way, as tight as it goes at its least speed. [m]
-double farther_than_foreseen(const Envelope& envelope) {
+/// How much farther ahead remus100, which has a least speed, gets than foreseen, on half a circle as tight as
+/// it goes at its least speed, of which it has `turned` for so long [s] already. [m]
+double wider_than_foreseen(const Envelope& envelope, double turned) {
   Vehicle vehicle = builtin_vehicles().make("remus100");
   Autopilot autopilot{vehicle};
   const auto obey = [&](const BodyRequest& request) {
@@ -203,9 +203,13 @@ double farther_than_foreseen(const Envelope& envelope) {
   for (int k = 0; k < 2000; ++k) obey({.surge_mps = envelope.least});
   const trackable::TurnLaw law{envelope, Limits::none};
   const double rate = law.greatest_turn_rate(envelope.least);
+  for (double t = 0.0; t < turned; t += envelope_step)
+    obey({.surge_mps = envelope.least, .yaw_rate_radps = rate});
   encounters::OwnedSituation e = encounters::open_water();
   e.situation.own.velocity = vehicle.state().v_n();
   e.situation.own.yaw = yaw_of(vehicle.state().q_nb);
+  e.situation.own.yaw_rate = vehicle.state().omega_b.z();
+  const Vec2 ahead = unit_at(e.situation.own.yaw);
   const trackable::Foresight foresight{
       law, e.situation, unit_at(e.situation.own.yaw), {.hold = 0.8, .window = pi / rate}};
   const auto path = foresight.path({.speed = envelope.least, .turn_rate = rate});
@@ -214,19 +218,22 @@ double farther_than_foreseen(const Envelope& envelope) {
   for (std::size_t i = 0; i < path.count; ++i) {
     for (; time < static_cast<double>(i + 1) * foresight.step(); time += envelope_step)
       obey({.surge_mps = envelope.least, .yaw_rate_radps = rate});
-    greatest = std::max(greatest, vehicle.state().p_n.x() - from.x() - path.points[i].x());
+    greatest = std::max(greatest, ahead.dot((vehicle.state().p_n - from).head<2>() - path.points[i]));
   }
   return greatest;
 }
 
 TEST(Envelope, ABodyWithFinsTurnsNoWiderThanIsForeseen) {
   const Envelope envelope = envelope_of("remus100", {.max_speed = 1.5});
-  EXPECT_LT(farther_than_foreseen(envelope), 0.05);
-  Envelope at_once = envelope, in_proportion = envelope;
-  at_once.turn_tail = 0.0;                         // as if it came to its turn rate by the lag alone
-  in_proportion.pivot_slow = 0.0;                  // as if it slipped in proportion to its speed
-  EXPECT_GT(farther_than_foreseen(at_once), 0.3);  // more than the usual margin
-  EXPECT_GT(farther_than_foreseen(in_proportion), 0.3);
+  Envelope at_once = envelope, evenly = envelope, in_proportion = envelope;
+  at_once.turn_tail = 0.0;    // as if it came to its turn rate by the lag alone
+  evenly.turn_plateau = 1.0;  // as if it came to all of it alike, so that half is made in the first seconds
+  in_proportion.pivot_slow = 0.0;  // as if it slipped in proportion to its speed
+  for (const double turned : {0.0, 6.0, 12.0})
+    EXPECT_LT(wider_than_foreseen(envelope, turned), 0.05) << turned;
+  EXPECT_GT(wider_than_foreseen(at_once, 0.0), 0.3);  // more than the usual margin
+  EXPECT_GT(wider_than_foreseen(evenly, 6.0), 0.3);
+  EXPECT_GT(wider_than_foreseen(in_proportion, 6.0), 0.3);
 }
 
 TEST(Envelope, OfWhatIsNotANumberNothingIsKnown) {

@@ -36,6 +36,7 @@ struct Envelope {
   double deceleration_lost{};
   double turn_tail{};
   double pivot_slow{};
+  double turn_plateau{1.0};
 
   static consteval auto members() {
     using R = Envelope;
@@ -58,6 +59,9 @@ struct Envelope {
         member<&R::turn_acceleration>("radps2", "greatest change of the turn rate").required().not_negative(),
         member<&R::turn_lag>("s", "in which 63 % of a small change of the turn rate is made").not_negative(),
         member<&R::turn_tail>("s", "by which the heading in a long turn is later than the lag alone makes it")
+            .not_negative(),
+        member<&R::turn_plateau>("ratio",
+                                 "of a turn rate, to which it comes by the lag; to the rest by the tail")
             .not_negative(),
         member<&R::pivot>(
             "m",

@@ -103,7 +103,8 @@ To same_numbers(const From& envelope) {
           .following_errors = envelope.following_errors,
           .deceleration_lost = envelope.deceleration_lost,
           .turn_tail = envelope.turn_tail,
-          .pivot_slow = envelope.pivot_slow};
+          .pivot_slow = envelope.pivot_slow,
+          .turn_plateau = envelope.turn_plateau};
 }
 
 Command converted(const fairway::Command& command, std::size_t left_out) {

@@ -124,8 +124,9 @@ struct Envelope {
   std::array<double, 6> following_errors{};  ///< bound on the distance from a point that takes up a course at
                                              ///< once, for changes by 30, 60, ... 180 degrees [m]
   double deceleration_lost{};  ///< of the deceleration, while it takes up its greatest turn rate [m/s2]
-  double turn_tail{};   ///< by which the heading in a long turn is later than the lag alone makes it [s]
-  double pivot_slow{};  ///< as pivot, at its least speed; 0: in proportion to the speed [m]
+  double turn_tail{};        ///< by which the heading in a long turn is later than the lag alone makes it [s]
+  double pivot_slow{};       ///< as pivot, at its least speed; 0: in proportion to the speed [m]
+  double turn_plateau{1.0};  ///< of a turn rate, to which it comes by the lag; to the rest by the tail
 };
 
 /// Of numbers by the names that `fairway describe VEHICLE` shows: "ahead_mps=1.6", "turn_rates_radps=0.2 0.3

@@ -112,6 +112,21 @@ TEST(Feasibility, EveryScenarioThatComesWithFairwayIsAccepted) {
 
 Vehicle runaway(double growth) { return Vehicle{Runaway{{.growth_hz = growth}}}; }
 
+TEST(Feasibility, AJumpOfTheModelIsNoMode) {
+  // across the current the flow is at a Reynolds number, to 2 in a million, at which the drag of a cylinder
+  // jumps
+  const std::string yaml = R"(
+fairway: 1
+name: at_a_jump
+vehicles:
+  - model: remus100
+    start: {position_m: [0, 0, 20], speed_mps: 1.5}
+    avoider: direct
+    mission: [{transit: {position_m: [100, 0, 20], speed_mps: 1.5}}]
+)";
+  EXPECT_EQ(refusal(yaml, {{"water", "{current_mps: [0.14, 0.124998658, 0]}"}}), "");
+}
+
 TEST(Stability, ADecayingModeIsCarriedByRungeKuttaUpToItsLimitOnTheRealAxis) {
   // |R(z)| = 1 at z = -2.7853 (Hairer and Wanner, table 2.1)
   const Vehicle vehicle = runaway(-10.0);

@@ -32,6 +32,9 @@ VehicleState deviated(const VehicleState& x, const Deviation& by) {
   return y;
 }
 
+/// Of the changes to both sides of a state: more is a jump.
+constexpr double jump_ratio = 30.0;
+
 /// How fast a deviation from a state changes, in that state.
 class Linearisation {
  public:
@@ -52,10 +55,17 @@ class Linearisation {
 
   Jacobian jacobian(const VehicleState& x) const {
     constexpr double small = 1e-5;
+    const Deviation here = rate(x, Deviation::Zero());
     Jacobian A;
     for (int i = 0; i < 12; ++i) {
       const Deviation by = small * Deviation::Unit(i);
-      A.col(i) = (rate(x, by) - rate(x, -by)) / (2.0 * small);
+      const Deviation after = rate(x, by), before = rate(x, -by);
+      A.col(i) = (after - before) / (2.0 * small);
+      // where the model jumps, as the drag of a cylinder does by Reynolds number, the side on which it does
+      // not
+      const double one = (after - here).norm(), other = (here - before).norm();
+      if (one > jump_ratio * other) A.col(i) = (here - before) / small;
+      if (other > jump_ratio * one) A.col(i) = (after - here) / small;
     }
     return A;
   }

@@ -15,6 +15,7 @@ constexpr double kept_of_lost = 0.9;   // of what is left of a margin
 constexpr double least_lag = 0.02;     // [s]
 constexpr double least_drift = 0.03;   // slower is none [m/s]
 constexpr double bounding = 1.001;     // beyond what directions of a length of nearly 1 add
+constexpr double most_plateau = 0.99;  // more is all
 constexpr double most_turn = 0.7;      // in a step, for directions to keep that length [rad]
 constexpr double step_of_lag = 0.8;    // a step is no longer than that share of the lag of the turn rate
 constexpr double most_sagitta = 0.02;  // of the arc of a step [m]
@@ -41,7 +42,12 @@ Foresight::Foresight(const TurnLaw& law, const Situation& s, const Vec2& ahead,
   const Envelope& can = law.envelope();
   const double step = response_.step;
   const auto share_of = [&](double lag) { return 1.0 - math::exp(-step / std::max(lag, least_lag)); };
-  response_.turn_share = share_of(can.turn_lag + can.turn_tail);
+  const bool has_plateau = can.turn_plateau < most_plateau;
+  response_.turn_share = share_of(has_plateau ? can.turn_lag : can.turn_lag + can.turn_tail);
+  if (has_plateau) {
+    response_.plateau = can.turn_plateau;
+    response_.tail_share = share_of(can.turn_tail / (1.0 - can.turn_plateau));
+  }
   response_.surge_share = share_of(can.surge_lag);
   response_.sway_share = share_of(can.sway_lag);
   response_.most_turn = can.turn_acceleration * step;

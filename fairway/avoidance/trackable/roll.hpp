@@ -41,6 +41,8 @@ struct Response {
   Law law;
   double step{};                                     ///< [s]
   double turn_share{}, surge_share{}, sway_share{};  ///< of the way to what is ordered, gone in a step
+  double plateau{1.0};                               ///< share of an ordered turn rate to which it comes so
+  double tail_share{};                               ///< of the way from there to the whole, gone in a step
   double most_turn{};                                ///< by which the turn rate changes in a step [rad/s]
   double most_faster{}, most_slower{};               ///< by which the speed does [m/s]
   double lost_slower{};   ///< of the latter, for each rad/s by which the turn rate changes [m/rad]
@@ -163,13 +165,23 @@ void turn(const Real& sine, const Real& cosine, Motion<Real>& m) {
   m.ahead_north = north;
 }
 
+/// By how much a turn rate changes in a step that is at `rate` where `ordered` is.
+template <class Real>
+Real taken_up(const Response& can, const Real& ordered, const Real& rate) {
+  if (can.plateau >= 1.0) return can.turn_share * (ordered - rate);
+  const MaskOf<Real> slackens = (magnitude(ordered) <= magnitude(rate)) & (0.0 < rate * ordered);
+  const Real soon = can.turn_share * (select(slackens, ordered, can.plateau * ordered) - rate);
+  const Real late = can.tail_share * (ordered - rate);
+  return select(ordered > rate, larger(soon, late), smaller(soon, late));
+}
+
 /// One step: turn rate and speed approach what is ordered, and the hull slips about its pivot. Directions
 /// keep their length within 1e-3 in as many steps as there are, by less than 0.7 rad each.
 template <class Real>
 [[gnu::always_inline]] inline void advance(const Response& can, const Real& surge, const Real& turn_rate,
                                            Motion<Real>& m) {
   const Real rate = m.turn_rate, speed = m.speed;
-  const Real quicker = clamped<Real>(can.turn_share * (turn_rate - rate), -can.most_turn, can.most_turn);
+  const Real quicker = clamped<Real>(taken_up(can, turn_rate, rate), -can.most_turn, can.most_turn);
   const Real most_slower = can.most_slower - can.lost_slower * magnitude(quicker);
   m.turn_rate = rate + quicker;
   m.speed = speed + clamped<Real>(can.surge_share * (surge - speed), -most_slower, can.most_faster);

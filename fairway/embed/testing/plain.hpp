@@ -35,7 +35,8 @@ inline Envelope plain(const fairway::Envelope& e) {
           e.following_errors,
           e.deceleration_lost,
           e.turn_tail,
-          e.pivot_slow};
+          e.pivot_slow,
+          e.turn_plateau};
 }
 
 /// A situation of the C++20 library as a host would put it, with what it points to.
