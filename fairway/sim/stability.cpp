@@ -61,8 +61,7 @@ class Linearisation {
       const Deviation by = small * Deviation::Unit(i);
       const Deviation after = rate(x, by), before = rate(x, -by);
       A.col(i) = (after - before) / (2.0 * small);
-      // where the model jumps, as the drag of a cylinder does by Reynolds number, the side on which it does
-      // not
+      // where the model jumps, as a cylinder's drag does by Reynolds number: the side on which it does not
       const double one = (after - here).norm(), other = (here - before).norm();
       if (one > jump_ratio * other) A.col(i) = (here - before) / small;
       if (other > jump_ratio * one) A.col(i) = (after - here) / small;

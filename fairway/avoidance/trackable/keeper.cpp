@@ -9,6 +9,13 @@
 #include "fairway/core/math.hpp"
 
 namespace fairway::trackable {
+
+struct Choice {
+  Plan plan;
+  Prospect prospect;
+  bool is_asked;
+};
+
 namespace {
 
 constexpr double standing = 1e-3;       // [m/s]

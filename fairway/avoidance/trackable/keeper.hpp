@@ -47,11 +47,7 @@ struct Course {
 };
 
 /// What is taken of the plans that were looked at.
-struct Choice {
-  Plan plan;
-  Prospect prospect;
-  bool is_asked;
-};
+struct Choice;
 
 /// Whether its envelope is known, and it turns in order to go elsewhere.
 bool must_turn(const Situation& s) noexcept;
