@@ -18,8 +18,8 @@ using encounters::OwnedSituation;
 using Scene = OwnedSituation (*)(int, Rng);
 
 std::vector<OwnedSituation> frozen(Scene scene, int neighbours) {
-  // about 1 MB in all, so that the caches hold it
-  const int count = std::max(16, 8000 / std::max(neighbours, 1));
+  // tracks of about 1 MB in all, so that the caches hold them
+  const int count = std::max(16, (1 << 20) / static_cast<int>(sizeof(Track)) / std::max(neighbours, 1));
   std::vector<OwnedSituation> scenes;
   for (int i = 0; i < count; ++i)
     scenes.push_back(scene(neighbours, Rng{1}.stream("frozen", static_cast<std::uint64_t>(i))));

@@ -61,6 +61,11 @@ class Avoider {
   [[nodiscard]] Command decide(const Situation& situation, Sketch* sketch = nullptr) noexcept {
     if (const std::string_view trouble = why_unusable(situation); !trouble.empty())
       return {.mode = Mode::infeasible, .note = trouble};
+    return decide_usable(situation, sketch);
+  }
+
+  /// decide() of a situation that is known to be usable: that of a wrapper, which changed no track of it.
+  [[nodiscard]] Command decide_usable(const Situation& situation, Sketch* sketch) noexcept {
     Context context{rng_, sketch};
     Command command = self_->decide(situation, context);
     hold(situation, command);

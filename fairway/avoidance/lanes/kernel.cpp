@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "fairway/avoidance/lanes/cone_text.hpp"
 #include "fairway/avoidance/lanes/fan_text.hpp"
 #include "fairway/avoidance/lanes/kernel_text.hpp"
 #include "fairway/core/lanes/registers.hpp"
@@ -22,7 +23,9 @@ constexpr Kernel two_lanes{"two lanes",
                            choose_in_lanes<2>,
                            within_in_lanes<2>,
                            order_in_lanes<2>,
-                           roll_in_lanes<2>};
+                           roll_in_lanes<2>,
+                           cones_in_lanes<2>,
+                           outside_in_lanes<2>};
 
 // addresses are known before anything runs: a decision waits for no initialisation
 #if defined(__x86_64__)

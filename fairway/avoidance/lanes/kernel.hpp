@@ -9,6 +9,10 @@
 namespace fairway::trackable {
 struct Fan;
 }
+namespace fairway::velocity_obstacle {
+struct Discs;
+struct Tried;
+}  // namespace fairway::velocity_obstacle
 
 /// ORCA in space in the lanes of a processor's registers: the half-spaces of
 /// several neighbours at once, or the decisions of several vehicles. Whatever
@@ -90,6 +94,13 @@ struct Kernel {
 
   /// Rolls out `lanes` plans of a vehicle that must turn (trackable/fan.hpp).
   void (*roll)(trackable::Fan& fan);
+
+  /// Makes the velocity obstacles of discs (velocity_obstacle/cone.hpp).
+  void (*cones)(velocity_obstacle::Discs& discs);
+
+  /// Of `lanes` velocities those that are in no velocity obstacle (velocity_obstacle/cone.hpp): a bit for
+  /// each.
+  unsigned (*outside)(const velocity_obstacle::Tried& tried);
 };
 
 /// Those that this processor can run, the widest last: two lanes always, four

@@ -2,6 +2,7 @@
 // Compiled for processors with AVX2 (CMakeLists.txt), and for nothing
 // elsewhere.
 #if defined(__AVX2__)
+#include "fairway/avoidance/lanes/cone_text.hpp"
 #include "fairway/avoidance/lanes/fan_text.hpp"
 #include "fairway/avoidance/lanes/kernel_text.hpp"
 
@@ -15,7 +16,9 @@ constexpr Kernel avx2_kernel{"AVX2",
                              choose_in_lanes<4>,
                              within_in_lanes<4>,
                              order_in_lanes<4>,
-                             roll_in_lanes<4>};
+                             roll_in_lanes<4>,
+                             cones_in_lanes<4>,
+                             outside_in_lanes<4>};
 
 }  // namespace fairway::lanes
 #endif

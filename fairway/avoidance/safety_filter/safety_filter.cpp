@@ -181,7 +181,7 @@ void draw(Sketch& sketch, const Command& inner, const Command& filtered) {
 
 Command SafetyFilter::decide(const Situation& s, Avoider& inner, Memory& memory,
                              Context& context) const noexcept {
-  const Command asked = inner.decide(s, context.sketch);
+  const Command asked = inner.decide_usable(s, context.sketch);
   if (!trackable::must_turn(s)) return filtered(s, asked, context.sketch);
   const trackable::Keeping keeping{.margins = {.extra = params.margin_m}, .hold = params.hold_s};
   return trackable::Keeper{keeping, s, memory}.keep(asked, deviations, context.sketch);

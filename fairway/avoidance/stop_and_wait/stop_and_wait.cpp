@@ -20,7 +20,7 @@ const Track* StopAndWait::waits_for(const Situation& s) const noexcept {
 }
 
 Command StopAndWait::decide(const Situation& s, Avoider& inner, Memory&, Context& context) const noexcept {
-  const Command command = inner.decide(s, context.sketch);
+  const Command command = inner.decide_usable(s, context.sketch);
   const Track* const first = waits_for(s);
   if (context.sketch) {
     context.sketch->sphere(s.own.position, params.crit_dist_m, "stop-and-wait range");

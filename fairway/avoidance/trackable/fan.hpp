@@ -19,6 +19,7 @@ struct Courses {
   double side{};           ///< 1: turned as said; -1: to the other side
   const double* cosines{};
   const double* sines{};
+  double quickest{};                        ///< of the speeds [m/s]
   alignas(64) double speeds[most_courses];  ///< [m/s]
 };
 

@@ -240,7 +240,7 @@ struct Foresight::Search {
 
   Search(const Foresight& foresight, const Courses& all, std::size_t number)
       : in{foresight}, courses{all}, count{number}, kernel{lanes::kernel_for(lanes::most_lanes)} {
-    bounds = in.bounds(*std::max_element(all.speeds, all.speeds + number), 0.0);
+    bounds = in.bounds(all.quickest, 0.0);
   }
 
   Fan fan() const {

@@ -85,6 +85,7 @@ Choice choose(const Deviations& deviations, const Foresight& foresight, const Pl
   const double speed = std::max(asked.speed, 0.5 * cruise);
   for (std::size_t i = 0; i < most_courses; ++i) courses.speeds[i] = deviations.speed_ratios[i] * speed;
   courses.speeds[0] = asked.speed;
+  courses.quickest = speed;
 
   const auto [at, prospect] = foresight.best_of(asked, courses, Deviations::count);
   if (at == Deviations::count) return {asked, prospect, true};

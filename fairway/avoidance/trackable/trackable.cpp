@@ -10,7 +10,7 @@ Command Trackable::decide(const Situation& s, Avoider& inner, Memory& memory,
   Situation shown = s;
   if (!trackable::must_turn(s)) {
     shown.own.radius += params.shown_margin_m;
-    return inner.decide(shown, context.sketch);
+    return inner.decide_usable(shown, context.sketch);
   }
   trackable::Keeper keeper{{.margins = {.tracking = params.tracking_bound_m,
                                         .perception = params.perception_error_m,
@@ -22,7 +22,7 @@ Command Trackable::decide(const Situation& s, Avoider& inner, Memory& memory,
                            s,
                            memory};
   shown.own.radius += std::max(0.0, std::min(params.shown_margin_m, keeper.room_now()));
-  return keeper.keep(inner.decide(shown, context.sketch), deviations, context.sketch);
+  return keeper.keep(inner.decide_usable(shown, context.sketch), deviations, context.sketch);
 }
 
 }  // namespace fairway

@@ -38,6 +38,7 @@ struct Columns {
       cosines[i] = plan.direction.x();
       sines[i] = plan.direction.y();
       courses.speeds[i] = plan.speed;
+      courses.quickest = std::max(courses.quickest, plan.speed);
     }
   }
 };

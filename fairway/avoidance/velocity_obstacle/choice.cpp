@@ -8,6 +8,8 @@
 #include <tuple>
 #include <utility>
 
+#include "fairway/avoidance/lanes/kernel.hpp"
+#include "fairway/avoidance/velocity_obstacle/cone.hpp"
 #include "fairway/core/angles.hpp"
 #include "fairway/core/math.hpp"
 
@@ -67,22 +69,28 @@ class Search {
         std::min(reachable.max_speed(), reachable.middle().norm() + reachable.max_change());
     scale_ = std::min(2.0 * std::max({wish.velocity.norm(), reachable.middle().norm(), 0.5}), fastest);
     slack_ = rounding * scale_;
+    for (std::size_t k = 0; k < obstacles.size(); ++k) cones_[k] = &obstacles[k].cone();
   }
 
   /// Tries v_d and all that can be nearest to it. False if nothing keeps clear of all.
   bool find_nearest() {
-    consider_clear(wish_.velocity);
-    if (is_found()) return true;
+    try_clear(wish_.velocity);
+    try_clear(reachable_.middle());
+    try_clear(Vec2::Zero());
+    try_all();
+    if (best_cost_ == 0.0) return true;
 
     collect_boundaries();
-    consider_clear(reachable_.middle());
-    consider_clear(Vec2::Zero());
-    for (const Candidate& candidate : candidates()) consider_clear(candidate.nearest);
+    for (const Candidate& candidate : candidates()) {
+      if (candidate.distance <= best_cost_) try_clear(candidate.nearest);
+    }
+    try_all();
     collect_seen();
     for (std::size_t i = 0; i < seen_count_ && seen_[i]->distance <= best_cost_; ++i) {
       for (std::size_t j = 0; j < i; ++j) {
-        for (const Vec2& v : crossings(seen_[i]->boundary, seen_[j]->boundary)) consider_clear(v);
+        for (const Vec2& v : crossings(seen_[i]->boundary, seen_[j]->boundary)) try_clear(v);
       }
+      try_all();
     }
     return is_found();
   }
@@ -145,7 +153,7 @@ class Search {
 
   /// Whether all of it that can be reached, and is not farther from v_d than the best so far, is in velocity
   /// obstacles, rounding apart.
-  bool is_hidden(const Boundary& boundary) const {
+  bool is_hidden(const Boundary& boundary) {
     const double margin = slack_ + certain * (1.0 + boundary.point.lpNorm<1>() + boundary.radius);
     if (!boundary.is_line()) {
       return std::ranges::any_of(obstacles_, [&](const VelocityObstacle& obstacle) {
@@ -158,19 +166,22 @@ class Search {
     if (is_found()) rest.keep_disc(line, wish_.velocity, best_cost_ + margin);
     if (rest.is_empty()) return true;
 
-    // from one end of what is left to where it comes out of the obstacle that it is in
-    for (bool goes_on = true; goes_on;) {
-      goes_on = false;
-      for (const VelocityObstacle& obstacle : obstacles_) {
-        const Vec2 end = line.point + rest.from * line.direction;
-        const double deep = margin + certain * obstacle.apex().lpNorm<1>();
-        if (obstacle.depth(end) <= deep) continue;
+    // from one end of what is left to where it comes out of the obstacle that it is in; what hid something
+    // before is looked at first
+    const std::size_t count = obstacles_.size();
+    for (std::size_t looked_at = 0; looked_at < count; ++looked_at) {
+      const VelocityObstacle& obstacle = obstacles_[hider_];
+      const Vec2 end = line.point + rest.from * line.direction;
+      const double deep = margin + certain * obstacle.apex().lpNorm<1>();
+      if (obstacle.depth(end) > deep) {
         const Stretch hidden = obstacle.stretch(line, deep);
-        if (hidden.from > rest.from || hidden.to <= rest.from) continue;
-        rest.from = hidden.to;
-        if (rest.is_empty()) return true;
-        goes_on = true;
+        if (hidden.from <= rest.from && hidden.to > rest.from) {
+          rest.from = hidden.to;
+          if (rest.is_empty()) return true;
+          looked_at = 0;
+        }
       }
+      hider_ = hider_ + 1 < count ? hider_ + 1 : 0;
     }
     return false;
   }
@@ -218,18 +229,28 @@ class Search {
            wish_.collision_weight * obstacle.urgency(v) > (1.0 + certain) * best_cost_;
   }
 
-  void consider_clear(const Vec2& v) {
+  /// Together with others, in their order.
+  void try_clear(const Vec2& v) {
+    if ((v - wish_.velocity).norm() > best_cost_) return;
+    tried_north_[tried_count_] = v.x();
+    tried_east_[tried_count_] = v.y();
+    if (++tried_count_ == most_together_) try_all();
+  }
+
+  void try_all() {
+    if (tried_count_ == 0) return;
+    const Tried tried{cones_.data(), obstacles_.size(), slack_, tried_north_.data(), tried_east_.data()};
+    const unsigned outside = lanes::kernel_for(tried_count_).outside(tried);
+    for (std::size_t i = 0; i < tried_count_; ++i) {
+      if ((outside >> i & 1U) != 0) take_if_better({tried_north_[i], tried_east_[i]});
+    }
+    tried_count_ = 0;
+  }
+
+  void take_if_better(const Vec2& v) {
     if ((v - wish_.velocity).norm() > best_cost_) return;
     const double cost = wish_.cost(v);
-    if (!precedes(v, cost) || !reachable_.contains(v, slack_)) return;
-    if (!obstacles_.empty() && is_in(last_in_, v)) return;
-    for (std::size_t k = 0; k < obstacles_.size(); ++k) {
-      if (is_in(k, v)) {
-        last_in_ = k;
-        return;
-      }
-    }
-    take(v, cost);
+    if (precedes(v, cost) && reachable_.contains(v, slack_)) take(v, cost);
   }
 
   /// Answers with an obstacle that is by itself too urgent for this to be the best, or nobody.
@@ -280,6 +301,12 @@ class Search {
   std::size_t count_ = 0;
   std::array<const Candidate*, max_candidates> seen_;
   std::size_t seen_count_ = 0;
+  const std::size_t most_together_ = lanes::kernel_for(lanes::most_lanes).lanes;
+  std::array<const Cone*, max_obstacles> cones_;
+  alignas(64) std::array<double, lanes::most_lanes> tried_north_{};
+  alignas(64) std::array<double, lanes::most_lanes> tried_east_{};
+  std::size_t tried_count_ = 0;
+  std::size_t hider_ = 0;    ///< the obstacle that hid a boundary last
   std::size_t last_in_ = 0;  ///< of the obstacles; likely to be in the way of what is tried next too
   Vec2 best_ = Vec2::Zero();
   Turn turn_{};  ///< of the best

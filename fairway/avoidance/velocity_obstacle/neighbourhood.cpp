@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "fairway/avoidance/label.hpp"
+#include "fairway/avoidance/lanes/kernel.hpp"
 #include "fairway/avoidance/parting.hpp"
 
 namespace fairway::velocity_obstacle {
@@ -27,20 +28,15 @@ RelativeCapsule wall(const Vec2& from, const Vec2& to, const Situation& s) {
   return solid;
 }
 
-VelocityObstacle obstacle_of(const Track& track, const Situation& s, const Horizons& outlook,
-                             Responsibility responsibility) {
-  RelativeCapsule solid = disc(from_own(track.position, s), s.own.radius + track.radius, track.id, s);
-  solid.velocity = track.velocity.head<2>();
-  const Vec2 own_velocity = s.own.velocity.head<2>();
-  switch (track.reacts ? responsibility : Responsibility::all) {
-    case Responsibility::shared:
-      return VelocityObstacle::reciprocal(solid, own_velocity, outlook);
-    case Responsibility::by_side:
-      return VelocityObstacle::hybrid(solid, own_velocity, outlook);
-    case Responsibility::all:
-      break;
-  }
-  return {solid, outlook};
+void put(const Track& track, bool shares, const Situation& s, Discs& discs) {
+  const std::size_t at = discs.count++;
+  const Vec2 p = from_own(track.position, s);
+  discs.north[at] = p.x();
+  discs.east[at] = p.y();
+  discs.radius[at] = s.own.radius + track.radius;
+  discs.velocity_north[at] = track.velocity.x();
+  discs.velocity_east[at] = track.velocity.y();
+  discs.shares[at] = shares && track.reacts ? 1.0 : 0.0;
 }
 
 }  // namespace
@@ -53,14 +49,26 @@ Neighbourhood::Neighbourhood(const Situation& s, const Params& params,
 
 void Neighbourhood::add_tracks(const Situation& s, const Params& params,
                                Responsibility responsibility) noexcept {
-  const Horizons outlook{params.time_horizon_s, params.planning_interval_s};
+  const lanes::Kernel& kernel = lanes::kernel_for(lanes::most_lanes);
+  Discs discs;
+  discs.own_north = s.own.velocity.x();
+  discs.own_east = s.own.velocity.y();
+  discs.inverse_horizon = 1.0 / params.time_horizon_s;
+  discs.inverse_interval = 1.0 / params.planning_interval_s;
+  discs.by_side = responsibility == Responsibility::by_side;
+
   const double range = params.crit_dist_m;
   for (const Track& track : s.tracks) {
-    if (count_ == static_cast<std::size_t>(params.max_neighbours_count)) break;
+    if (discs.count == static_cast<std::size_t>(params.max_neighbours_count)) break;
     if (from_own(track.position, s).squaredNorm() > range * range) continue;
-    ids_[track_count_++] = track.id;
-    obstacles_[count_++] = obstacle_of(track, s, outlook, responsibility);
+    ids_[discs.count] = track.id;
+    put(track, responsibility != Responsibility::all, s, discs);
   }
+  kernel.cones(discs);
+  for (; count_ < discs.count; ++count_) {
+    obstacles_[count_] = VelocityObstacle(discs, count_, parting_direction(s.own.id, ids_[count_]).head<2>());
+  }
+  track_count_ = count_;
 }
 
 void Neighbourhood::add_obstacle(const Obstacle& obstacle, const Situation& s,

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "fairway/avoidance/velocity_obstacle/boundary.hpp"
+#include "fairway/avoidance/velocity_obstacle/cone.hpp"
 
 namespace fairway::velocity_obstacle {
 
@@ -61,9 +62,15 @@ class VelocityObstacle {
   static VelocityObstacle hybrid(const RelativeCapsule& solid, const Vec2& own_velocity,
                                  const Horizons& outlook) noexcept;
 
+  /// One of these three of a disc, made side by side with others; own ship is left along `parting` by who is
+  /// exactly there.
+  VelocityObstacle(const Discs& made, std::size_t at, const Vec2& parting) noexcept;
+
   /// How far `v` is inside [m/s]: positive inside, zero on the boundary, negative outside. Of the sign
   /// everywhere; the distance to the boundary where one of its parts is nearest from both sides. O(1).
   double depth(const Vec2& v) const noexcept;
+  /// What decides on that.
+  const Cone& cone() const { return cone_; }
 
   /// A stretch of the line that is deeper than `margin` [m/s]: all of it of a disc's, less where the cut of a
   /// wall is met. O(1).
@@ -85,28 +92,29 @@ class VelocityObstacle {
   /// the point of its boundary nearest to the apex and twice that deep. [m/s]
   Outline outline(double reach) const noexcept;
 
-  const Vec2& apex() const { return apex_; }
-  const Vec2& port_leg() const { return port_; }
-  const Vec2& starboard_leg() const { return starboard_; }
+  Vec2 apex() const { return {cone_.apex_north, cone_.apex_east}; }
+  Vec2 port_leg() const { return {cone_.port_north, cone_.port_east}; }
+  Vec2 starboard_leg() const { return {cone_.starboard_north, cone_.starboard_east}; }
 
  private:
-  Vec2 near_end() const { return inverse_horizon_ * from_; }
-  Vec2 far_end() const { return inverse_horizon_ * to_; }
+  Vec2 near_end() const { return {cone_.near_north, cone_.near_east}; }
+  Vec2 far_end() const { return {cone_.far_north, cone_.far_east}; }
+  Vec2 away() const { return {cone_.away_north, cone_.away_east}; }
+  void begin_at(const Apex<double>& apex) noexcept;
+  void take(const Legs<double>& legs) noexcept;
+  /// Of RVO and HRVO.
+  void share(const Vec2& own_velocity) noexcept;
+  /// Own ship gets out of what it overlaps along `away`, by so much. [m]
+  void overlap(const Vec2& away, double depth) noexcept;
 
-  Vec2 from_;  ///< the ends of the solid [m]
-  Vec2 to_;
-  Vec2 apex_;
-  Vec2 drift_;  ///< gain v - drift is what VO is asked about [m/s]
-  Vec2 port_;   ///< unit, along the legs
-  Vec2 starboard_;
-  Vec2 away_;  ///< unit; where it overlaps, (v - apex) . away >= rate leads out
-  double radius_;
+  Cone cone_;
   double inverse_horizon_;  ///< of the cut, seen from the apex [1/s]
+  Vec2 from_;               ///< the ends of the solid [m]
+  Vec2 to_;
+  Vec2 drift_;  ///< gain v - drift is what VO is asked about [m/s]
+  double radius_;
   double inverse_interval_;
   double gain_;
-  double rate_;  ///< [m/s]
-  bool overlaps_;
-  bool is_disc_;
 };
 
 }  // namespace fairway::velocity_obstacle

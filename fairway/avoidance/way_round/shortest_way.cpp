@@ -46,7 +46,7 @@ Command ShortestWay::decide(const Situation& s, Avoider& inner, Memory& memory,
   std::optional<avoa_improved::WayRound> way = way_with(params, s, memory, margin);
   if (!way) way = way_with(params, s, memory, narrow_share * margin);
   memory.committed.reset();
-  if (!way || way->is_straight) return inner.decide(s, context.sketch);
+  if (!way || way->is_straight) return inner.decide_usable(s, context.sketch);
 
   memory.committed = way->direction;
   const Vec3 preferred = s.preferred_velocity();
