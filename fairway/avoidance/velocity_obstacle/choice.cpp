@@ -292,6 +292,8 @@ class Search {
     best_cost_ = cost;
   }
 
+  alignas(64) std::array<double, lanes::most_lanes> tried_north_{};
+  alignas(64) std::array<double, lanes::most_lanes> tried_east_{};
   std::span<const VelocityObstacle> obstacles_;
   const ReachableSet& reachable_;
   const Wish& wish_;
@@ -303,8 +305,6 @@ class Search {
   std::size_t seen_count_ = 0;
   const std::size_t most_together_ = lanes::kernel_for(lanes::most_lanes).lanes;
   std::array<const Cone*, max_obstacles> cones_;
-  alignas(64) std::array<double, lanes::most_lanes> tried_north_{};
-  alignas(64) std::array<double, lanes::most_lanes> tried_east_{};
   std::size_t tried_count_ = 0;
   std::size_t hider_ = 0;    ///< the obstacle that hid a boundary last
   std::size_t last_in_ = 0;  ///< of the obstacles; likely to be in the way of what is tried next too

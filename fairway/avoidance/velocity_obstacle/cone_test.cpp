@@ -69,9 +69,8 @@ TEST(Cone, MadeSideBySideIsThatMadeAloneToTheBit) {
       for (std::size_t i = 0; i < solids.size(); ++i) {
         const VelocityObstacle made(discs, i, solids[i].parting);
         const VelocityObstacle alone = discs.shares[i] == 0.0 ? VelocityObstacle(solids[i], usual)
-                                       : discs.by_side
-                                           ? VelocityObstacle::hybrid(solids[i], own, usual)
-                                           : VelocityObstacle::reciprocal(solids[i], own, usual);
+                                       : discs.by_side ? VelocityObstacle::hybrid(solids[i], own, usual)
+                                                       : VelocityObstacle::reciprocal(solids[i], own, usual);
         expect_same_boundaries(made, alone, kernel->name);
         overlapping += made.cone().overlaps ? 1 : 0;
         const Vec2 v = rng.uniform(0.0, 2.0) * any_direction(rng);
