@@ -98,6 +98,8 @@ BENCHMARK_CAPTURE(on_a_boat, direct_crowd, "direct+trackable", encounters::crowd
 BENCHMARK_CAPTURE(on_a_boat, direct_congested, "direct+trackable", encounters::congested)->Arg(7);
 BENCHMARK_CAPTURE(on_a_boat, orca2d_crowd, "orca2d+trackable", encounters::crowd)->Arg(7);
 BENCHMARK_CAPTURE(on_a_boat, orca2d_congested, "orca2d+trackable", encounters::congested)->Arg(7);
+BENCHMARK_CAPTURE(on_a_boat, vo_crowd, "vo+trackable", encounters::crowd)->Arg(7);
+BENCHMARK_CAPTURE(on_a_boat, rvo_crowd, "rvo+trackable", encounters::crowd)->Arg(7);
 BENCHMARK_CAPTURE(on_a_boat, hrvo_crowd, "hrvo+trackable", encounters::crowd)->Arg(7);
 BENCHMARK_CAPTURE(on_a_boat, hrvo_congested, "hrvo+trackable", encounters::congested)->Arg(7);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <limits>
+
 #include "fairway/avoidance/velocity_obstacle/cone.hpp"
 #include "fairway/core/lanes/pack.hpp"
 

@@ -166,22 +166,26 @@ class Search {
     if (is_found()) rest.keep_disc(line, wish_.velocity, best_cost_ + margin);
     if (rest.is_empty()) return true;
 
-    // from one end of what is left to where it comes out of the obstacle that it is in; what hid something
-    // before is looked at first
+    return is_covered(line, rest, margin);
+  }
+
+  /// Whether the obstacles hold a stretch together: from one end of what is left of it to where it comes out
+  /// of the obstacle that it is in. What covered something before is looked at first.
+  bool is_covered(const Boundary& line, Stretch rest, double margin) {
     const std::size_t count = obstacles_.size();
     for (std::size_t looked_at = 0; looked_at < count; ++looked_at) {
-      const VelocityObstacle& obstacle = obstacles_[hider_];
+      const VelocityObstacle& obstacle = obstacles_[coverer_];
       const Vec2 end = line.point + rest.from * line.direction;
       const double deep = margin + certain * obstacle.apex().lpNorm<1>();
       if (obstacle.depth(end) > deep) {
-        const Stretch hidden = obstacle.stretch(line, deep);
-        if (hidden.from <= rest.from && hidden.to > rest.from) {
-          rest.from = hidden.to;
+        const Stretch held = obstacle.stretch(line, deep);
+        if (held.from <= rest.from && held.to > rest.from) {
+          rest.from = held.to;
           if (rest.is_empty()) return true;
-          looked_at = 0;
+          looked_at = 0;  // this one: of all others any may hold the new end
         }
       }
-      hider_ = hider_ + 1 < count ? hider_ + 1 : 0;
+      coverer_ = coverer_ + 1 < count ? coverer_ + 1 : 0;
     }
     return false;
   }
@@ -306,7 +310,7 @@ class Search {
   const std::size_t most_together_ = lanes::kernel_for(lanes::most_lanes).lanes;
   std::array<const Cone*, max_obstacles> cones_;
   std::size_t tried_count_ = 0;
-  std::size_t hider_ = 0;    ///< the obstacle that hid a boundary last
+  std::size_t coverer_ = 0;  ///< the obstacle that covered something last
   std::size_t last_in_ = 0;  ///< of the obstacles; likely to be in the way of what is tried next too
   Vec2 best_ = Vec2::Zero();
   Turn turn_{};  ///< of the best
