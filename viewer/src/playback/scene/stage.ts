@@ -39,7 +39,7 @@ function make_renderer(): WebGLRenderer {
     plain.dispose();
     return new WebGLRenderer({ antialias: true, powerPreference: 'high-performance' });
   } catch {
-    throw new Error('This browser shows no WebGL, which the picture in three dimensions needs.');
+    throw new Error('This browser shows no WebGL, which the picture in three dimensions needs');
   }
 }
 
