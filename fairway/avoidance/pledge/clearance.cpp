@@ -79,25 +79,28 @@ bool Clearance::are_clear(const Stops& stops, const Reference& of_other, double 
   return true;
 }
 
-bool Clearance::accepts(std::size_t member, const Reference& reference) const noexcept {
+std::optional<std::size_t> Clearance::hindered_by(std::size_t member, const Reference& reference,
+                                                  std::size_t suspected) const noexcept {
   std::array<double, most_members> apart_from{};
   const Vec3 begin = reference.at(start_);
-  for (std::size_t other = 0; other < most_members; ++other) {
+  for (std::size_t i = 0; i < most_members; ++i) {
+    const std::size_t other = i ^ suspected;  // that one first, and everybody once
     if (other == member || !placed_[other]) continue;
     apart_from[other] = apart(member, other, begin, references_[other].at(start_));
     const double apart_here = apart_from[other];
-    if (least_distance(reference, references_[other], start_, never, apart_here) < apart_here) return false;
+    if (least_distance(reference, references_[other], start_, never, apart_here) < apart_here) return other;
   }
   const Gates gates = gates_of(member, reference);
-  if (*std::ranges::min_element(gates) <= start_) return false;
+  if (*std::ranges::min_element(gates) <= start_) return member;
   const Stops stops = stops_of(member, reference, gates);
-  for (std::size_t other = 0; other < most_members; ++other) {
+  for (std::size_t i = 0; i < most_members; ++i) {
+    const std::size_t other = i ^ suspected;
     if (other != member && placed_[other] &&
         (!are_clear(stops, references_[other], apart_from[other]) ||
          !are_clear(stops_[other], reference, apart_from[other])))
-      return false;
+      return other;
   }
-  return true;
+  return {};
 }
 
 void Clearance::place(std::size_t member, const Reference& reference) noexcept {

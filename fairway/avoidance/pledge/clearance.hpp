@@ -49,9 +49,14 @@ class Clearance {
             double start)
       : members_{members}, participants_{participants}, tubes_{tubes}, start_{start} {}
 
-  /// Whether the member may go so, as far as the others that have been placed are concerned. O(placed^2
-  /// knots) at worst, O(placed knots) where few gates bind.
-  bool accepts(std::size_t member, const Reference& reference) const noexcept;
+  /// Who of the others that have been placed keeps the member from going so, or the member itself, if it
+  /// would have to know of somebody before anybody departs; nobody if it may. Who is `suspected` is asked
+  /// first, the others by number. O(placed^2 knots) at worst, O(placed knots) where few gates bind.
+  std::optional<std::size_t> hindered_by(std::size_t member, const Reference& reference,
+                                         std::size_t suspected = 0) const noexcept;
+  bool accepts(std::size_t member, const Reference& reference) const noexcept {
+    return !hindered_by(member, reference);
+  }
 
   void place(std::size_t member, const Reference& reference) noexcept;
   void take_away(std::size_t member) noexcept { placed_.reset(member); }

@@ -165,9 +165,9 @@ Plan Search::empty_plan() const noexcept {
           .to_port = (attempt_ / centres + hub_) % 2 == 1};
 }
 
-bool Search::accepts(std::size_t member, const Reference& reference, const Clearance& scene,
-                     const Chart& chart) const noexcept {
-  return keeps_off(reference, chart, berth(members_[member], tubes_)) && scene.accepts(member, reference);
+bool Search::keeps_off_all(std::size_t member, const Reference& reference,
+                           const Chart& chart) const noexcept {
+  return keeps_off(reference, chart, berth(members_[member], tubes_));
 }
 
 bool Search::go_on(int count, const Chart& chart) noexcept {
@@ -218,6 +218,10 @@ int Search::carousel_count() const noexcept {
 void Search::try_carousel(int number, const Chart& chart) noexcept {
   const Code down{static_cast<std::uint8_t>(number % rings)},
       up{static_cast<std::uint8_t>(number / rings % rings)};
+  if (number % (rings * rings) == 0) clashes_ = {};
+  Clashes::Rings by{};
+  for (std::size_t i = 0; i < most_members; ++i) by[i] = (dives(members_[i]) ? down : up).ring;
+  if (clashes_.are_any(participants_, by)) return;
   Plan plan = empty_plan();
   plan.scale = static_cast<std::uint8_t>(plan.scale + number / carousels);
   plan.to_port = number % carousels >= rings * rings;
@@ -225,9 +229,11 @@ void Search::try_carousel(int number, const Chart& chart) noexcept {
   Clearance scene = empty();
   for (std::size_t i = 0; i < most_members; ++i) {
     if (!participants_[i]) continue;
-    plan.codes[i] = dives(members_[i]) ? down : up;
+    plan.codes[i].ring = by[i];
     const Reference reference = reference_of(members_[i], plan, plan.codes[i]);
-    if (!accepts(i, reference, scene, chart)) return;
+    std::optional<std::size_t> hindrance = i;
+    if (keeps_off_all(i, reference, chart)) hindrance = scene.hindered_by(i, reference);
+    if (hindrance) return clashes_.add(i, participants_[*hindrance] ? *hindrance : i, by);
     scene.place(i, reference);
   }
   keep(scene, plan);
@@ -264,7 +270,11 @@ void Search::try_code(double limit, const Chart& chart) noexcept {
   if (code.delay > 0 && undelayed_[code.dive] + delay_step * code.delay > limit + rounding) return;
   const Reference reference = reference_of(member, plan_, code, passage_);
   if (code.delay == 0) undelayed_[code.dive] = reference.end();
-  if (reference.end() >= limit || !accepts(member_, reference, scene_, chart)) return;
+  if (reference.end() >= limit || !keeps_off_all(member_, reference, chart)) return;
+  if (const auto hindrance = scene_.hindered_by(member_, reference, suspected_)) {
+    suspected_ = *hindrance;
+    return;
+  }
   const double cost = cost_of(reference);
   if (cost >= limit) return;
   least_cost_ = cost;
