@@ -275,6 +275,23 @@ Store open_store(const ExamFlags& flags, const ExamFile& exam, const ExamPlan& p
   return store;
 }
 
+/// Says where a method that is named costs what the exam would have spared.
+void tell_what_is_not_left_out(const ExamFile& exam, const ExamQuestion& question) {
+  if (!question.by_name) return;
+  for (const ExamOmission& omission : exam.omissions) {
+    std::string families;
+    for (const ExamFamily& family : question.families)
+      if (std::ranges::find(omission.families, family.name) != omission.families.end())
+        families += (families.empty() ? "" : ",") + family.name;
+    const auto is_named = [&](const Candidate& candidate) {
+      return !candidate.tuned && candidate.method.label == omission.method;
+    };
+    if (families.empty() || std::ranges::none_of(question.candidates, is_named)) continue;
+    std::cerr << "fairway: " << omission.method << " is named, so that " << families << " is not left out ("
+              << omission.why << "); --families takes others\n";
+  }
+}
+
 int hold_exam(const ExamFlags& flags, const Outputs& outputs, const Program& program) {
   const Catalogs& catalogs = program.catalogs;
   const ExamFile exam = load_exam(flags.grounds);
@@ -285,6 +302,7 @@ int hold_exam(const ExamFlags& flags, const Outputs& outputs, const Program& pro
     const std::size_t stored = seeds_in(*reference, question.families);
     question.seeds = std::min(flags.seeds.value_or(stored), stored);
   }
+  if (!flags.as_it_is) tell_what_is_not_left_out(exam, question);
   ExamPlan plan = plan_exam(
       exam, question, catalogs.avoiders,
       [&](const Scenario& scenario) {

@@ -3,16 +3,19 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <optional>
+#include <string>
+#include <vector>
 
 #include "fairway/cli/numbers.hpp"
 #include "fairway/cli/outputs.hpp"
 #include "fairway/cli/own_methods.hpp"
 #include "fairway/cli/program.hpp"
+#include "fairway/core/names.hpp"
 #include "fairway/experiment/digest.hpp"
 #include "fairway/experiment/measure_run.hpp"
 #include "fairway/record/output_file.hpp"
@@ -24,6 +27,7 @@ namespace {
 
 struct TuneFlags {
   std::string specification;
+  std::vector<std::string> methods;
   std::size_t budget{};
   std::string out;
   std::string shard;
@@ -34,16 +38,41 @@ struct TuneFlags {
 
 /// What a tuning leaves in its folder.
 struct TuneFiles {
+  std::string folder;
   std::string parts;  ///< a folder, with the stores of several who search together
   std::string store;
   std::string avoider;
   std::string document;
 };
 
-TuneFiles files_in(const std::string& folder) {
-  const std::filesystem::path out{folder};
-  return {(out / "parts").string(), (out / "runs.sqlite").string(), (out / "best.yaml").string(),
-          (out / "tuning.json").string()};
+TuneFiles tune_files_in(const std::filesystem::path& folder) {
+  return {folder.string(), (folder / "parts").string(), (folder / "runs.sqlite").string(),
+          (folder / "best.yaml").string(), (folder / "tuning.json").string()};
+}
+
+/// One of the searches that are asked for, with where it leaves what it finds.
+struct Task {
+  TuningFile tuning;
+  TuneFiles files;
+};
+
+std::vector<Task> tasks_of(const TuneFlags& flags, const Catalog& methods) {
+  TuningSpecification specification =
+      parse_tuning_file(read_text(flags.specification), flags.specification, methods);
+  std::vector<std::string_view> known;
+  for (const TuningFile& tuning : specification.tunings) known.push_back(tuning.method.label);
+  for (const std::string& method : flags.methods)
+    if (std::ranges::find(known, method) == known.end())
+      throw InputError("--methods " + method + ": is not in " + flags.specification +
+                       suggestion(method, known));
+  std::vector<Task> tasks;
+  for (const TuningFile& tuning : specification.tunings) {
+    const std::string& label = tuning.method.label;
+    if (!flags.methods.empty() && std::ranges::find(flags.methods, label) == flags.methods.end()) continue;
+    const std::filesystem::path out{flags.out};
+    tasks.push_back({tuning, tune_files_in(specification.is_list ? out / label : out)});
+  }
+  return tasks;
 }
 
 std::vector<std::string> inputs_of(const TuneFlags& flags, const TuningFile& tuning) {
@@ -65,62 +94,82 @@ std::string digest_of(const TuneFlags& flags, const TuningFile& tuning, const Sh
   return digest.hex();
 }
 
-void write_result(const TuneFlags& flags, const TuneFiles& files, const TuningFile& tuning,
-                  const TuningResult& result, const Program& program) {
-  write_file(files.avoider, tuned_avoider(tuning, result, program.typed));
-  const nlohmann::json document = to_json(tuning, result);
-  write_file(files.document, document.dump(2) + "\n");
-  std::cout << (flags.json ? document.dump(2) + "\n"
-                           : tuning_text(tuning, result) + "wrote " + files.avoider + "\n");
+RunMaker maker_for(const Program& program) {
+  const Catalogs& catalogs = program.catalogs;
+  return {
+      .check =
+          [&](const Scenario& scenario) {
+            Simulation{scenario, catalogs};
+          },
+      .own = own_methods(program),
+      .simulate = [&](const Scenario& scenario) { return measure_run(scenario, catalogs, program.stop); }};
 }
 
-int tune_method(const TuneFlags& flags, const Outputs& outputs, const Program& program) {
-  const Catalogs& catalogs = program.catalogs;
-  const TuningFile tuning =
-      parse_tuning_file(read_text(flags.specification), flags.specification, catalogs.avoiders);
-  const TuneFiles files = files_in(flags.out);
+/// Everything that can be wrong is said before anything is run.
+void refuse_mistakes(const TuneFlags& flags, const Task& task, const Outputs& outputs,
+                     const Program& program) {
+  const TuningFile& tuning = task.tuning;
   refuse_small_budget(tuning, flags.budget);
-  const auto check = [&](const Scenario& scenario) { Simulation{scenario, catalogs}; };
   for (const TuningSet* set : {&tuning.train, &tuning.validation, &tuning.test})
-    expanded({.scenarios = set->scenarios, .algorithms = {tuning.method}, .first_seed = set->first_seed},
-             flags.specification, check);
-  const Shard shard = flags.shard.empty() ? Shard{} : parse_shard(flags.shard);
-  if (std::filesystem::exists(flags.out)) {
-    outputs.judge(inputs_of(flags, tuning), {{"--out", files.store, store_file},
-                                             {"--out", files.avoider, tuned_file},
-                                             {"--out", files.document, tuning_document}});
-  }
-  std::filesystem::create_directories(shard.is_all() ? flags.out : files.parts);
-  const Store::Foreign foreign = outputs.force() ? Store::Foreign::replace : Store::Foreign::refuse;
-  const RunMaker maker{
-      .check = check, .own = own_methods(program), .simulate = [&](const Scenario& scenario) {
-        return measure_run(scenario, catalogs, program.stop);
-      }};
+    expanded(campaign_on(*set, {tuning.method}, 0, 1), flags.specification, maker_for(program).check);
+  if (std::filesystem::exists(task.files.folder))
+    outputs.judge(inputs_of(flags, tuning), {{"--out", task.files.store, store_file},
+                                             {"--out", task.files.avoider, tuned_file},
+                                             {"--out", task.files.document, tuning_document}});
+}
+
+TuningResult search(const TuneFlags& flags, const Task& task, const Shard& shard, Store::Foreign foreign,
+                    const Program& program) {
+  const auto& [tuning, files] = task;
+  std::filesystem::create_directories(shard.is_all() ? files.folder : files.parts);
   const ExecutorOptions options{.jobs = flags.jobs, .stop = program.stop};
-  std::optional<Store> store;
-  std::optional<Companions> companions;
-  std::optional<TrialRuns> runs;
+  Progress progress{tuning.name};
+  const TuneOptions how{.budget = flags.budget, .seed = flags.seed, .progress = &progress};
   Origin origin{.campaign = tuning.name, .summary = tuning.summary};
   if (shard.is_all()) {
-    store.emplace(Store::open(files.store, foreign));
-    store->note(origin);
-    runs.emplace(flags.specification, maker, *store, options);
-  } else {
-    origin.digest = digest_of(flags, tuning, shard);
-    companions.emplace(files.parts, shard, origin, foreign);
-    runs.emplace(flags.specification, maker, *companions, options, [](const std::string& file) {
-      std::cerr << "fairway: waits for runs that " << file << " is to have\n";
-    });
+    Store store = Store::open(files.store, foreign);
+    store.note(origin);
+    TrialRuns runs{flags.specification, maker_for(program), store, options};
+    return tune(tuning, runs, how);
   }
-  Progress progress{tuning.name};
+  origin.digest = digest_of(flags, tuning, shard);
+  Companions companions{files.parts, shard, origin, foreign};
+  TrialRuns runs{flags.specification, maker_for(program), companions, options, [](const std::string& file) {
+                   std::cerr << "fairway: waits for runs that " << file << " is to have\n";
+                 }};
+  return tune(tuning, runs, how);
+}
+
+/// Writes a result, and says it unless all are said as JSON in the end.
+nlohmann::json write_result(const TuneFlags& flags, const Task& task, const TuningResult& result,
+                            const Program& program) {
+  const auto& [tuning, files] = task;
+  write_file(files.avoider, tuned_avoider(tuning, result, program.typed));
+  nlohmann::json document = to_json(tuning, result);
+  write_file(files.document, document.dump(2) + "\n");
+  if (!flags.json)
+    std::cout << tuning_text(tuning, result) << "wrote " << files.avoider << "\n" << std::flush;
+  return document;
+}
+
+int tune_methods(const TuneFlags& flags, const Outputs& outputs, const Program& program) {
+  const std::vector<Task> tasks = tasks_of(flags, program.catalogs.avoiders);
+  for (const Task& task : tasks) refuse_mistakes(flags, task, outputs, program);
+  const Shard shard = flags.shard.empty() ? Shard{} : parse_shard(flags.shard);
+  const Store::Foreign foreign = outputs.force() ? Store::Foreign::replace : Store::Foreign::refuse;
+  nlohmann::json documents = nlohmann::json::array();
   try {
-    const TuningResult result =
-        tune(tuning, *runs, {.budget = flags.budget, .seed = flags.seed, .progress = &progress});
-    if (shard.index == 0) write_result(flags, files, tuning, result, program);
+    for (const Task& task : tasks) {
+      const TuningResult result = search(flags, task, shard, foreign, program);
+      if (shard.index == 0) documents.push_back(write_result(flags, task, result, program));
+    }
   } catch (const RunAbandoned&) {
     std::cerr << "fairway: interrupted; the same command goes on from here\n";
     return *program.terminated && !shard.is_all() ? ok : interrupted;
   }
+  const bool is_single = tasks.size() == 1 && tasks.front().files.folder == flags.out;
+  if (flags.json && shard.index == 0)
+    std::cout << (is_single ? documents.front() : documents).dump(2) << "\n";
   return ok;
 }
 
@@ -129,16 +178,21 @@ int tune_method(const TuneFlags& flags, const Outputs& outputs, const Program& p
 void add_tune(CLI::App& app, Program& program) {
   CLI::App* verb =
       app.add_subcommand("tune", "Search for a method's parameters, and judge them on runs not searched on");
-  verb->footer("Example: fairway tune campaigns/tuning/orca3d_cubes.yaml --budget 2000 --out tuned");
+  verb->footer("Example: fairway tune campaigns/tuning/orca3d_cube.yaml --budget 2000 --out tuned");
   auto flags = std::make_shared<TuneFlags>();
   auto outputs = std::make_shared<Outputs>(*verb);
   verb->add_option("specification", flags->specification, "what to tune, on what, and on what to judge it")
       ->required();
-  verb->add_option("--budget", flags->budget, "runs to search with; those to judge by come on top")
+  verb->add_option("--methods", flags->methods, "of a specification with several, those to tune")
+      ->delimiter(',')
+      ->type_name("NAMES");
+  verb->add_option("--budget", flags->budget,
+                   "runs to search with, for each method; those to judge by come on top")
       ->transform(whole_number<std::size_t>(1, max_campaign_runs))
       ->required();
   verb->add_option("--out", flags->out,
-                   "folder for the runs, best.yaml and tuning.json; goes on where it is there")
+                   "folder for the runs, best.yaml and tuning.json, of several methods one in it for each; "
+                   "goes on where it is there")
       ->required()
       ->type_name("FOLDER");
   verb->add_option(
@@ -153,7 +207,7 @@ void add_tune(CLI::App& app, Program& program) {
       ->transform(whole_number(0U, max_jobs))
       ->capture_default_str();
   verb->add_flag("--json", flags->json, "print the result as JSON");
-  program.on(*verb, [=, &program] { return tune_method(*flags, *outputs, program); });
+  program.on(*verb, [=, &program] { return tune_methods(*flags, *outputs, program); });
 }
 
 }  // namespace fairway::cli

@@ -32,21 +32,7 @@ Form<std::int32_t> version_form() {
 
 Form<std::vector<std::string>> names_form(std::string_view of) { return yaml::list_of(yaml::name(), of); }
 
-/// `{exchange: none, step_s: 0.1}`: paths as for --set.
-Form<Overrides> settings_form() {
-  return read_only<Overrides>(
-      [](const Value& value) {
-        value.expect_map("paths as for --set");
-        Overrides settings;
-        for (std::size_t i = 0; i < value.tree().keys.size(); ++i) {
-          if (value.tree().keys[i] == "seed" || value.tree().keys[i].ends_with(".avoider"))
-            value.refuse_key(i, "is set by the exam itself");
-          settings.emplace_back(value.tree().keys[i], yaml::one_line(value.tree().items[i]));
-        }
-        return settings;
-      },
-      schema_text(R"({"type": "object"})"));
-}
+Form<Overrides> settings_form() { return yaml::settings("the exam itself"); }
 
 Form<CampaignAlgorithm> algorithm_form() {
   return read_only<CampaignAlgorithm>(yaml::read_algorithm, schema_text(R"({"type": ["string", "object"]})"));

@@ -200,7 +200,8 @@ std::string table_text(const ExamTable& table, const std::vector<Absence>& absen
   std::vector<std::string> outsiders;
   for (const Absence& absence : absences)
     if (!absence.method.empty())
-      outsiders.push_back(fmt::format("{}: {} {}", absence.family, absence.method, absence.why));
+      outsiders.push_back(fmt::format("{}{}{}: {} {}", absence.family, absence.condition.empty() ? "" : ", ",
+                                      absence.condition, absence.method, absence.why));
   for (const std::string& outsider : outsiders) text += outsider + "\n";
   const std::vector<std::string> found = findings(table);
   for (const std::string& sentence : found) text += sentence + "\n";

@@ -91,7 +91,8 @@ std::vector<CampaignCell> expanded_cells(const CampaignFile& written, const Camp
     for (const auto& algorithm : algorithms) {
       for (const Overrides& row : rows) {
         for (const Overrides& settings : grid) {
-          CampaignCell cell{.labels = {{"case", name}}, .scenario = s};
+          CampaignCell cell{
+              .labels = {{"case", name}}, .scenario = s, .algorithm = {}, .overrides = written.set};
           cell.labels.emplace_back("method", algorithm ? algorithm->label : "as_written");
           if (algorithm) {
             cell.algorithm = algorithm->avoider;
@@ -226,7 +227,7 @@ std::string canonical_text(const CampaignScenario& scenario, std::uint64_t seed)
   }
 }
 
-std::string digest_of(const Campaign& campaign) {
+std::string digest_of(const Campaign& campaign, const CampaignFile& written) {
   Digest digest;
   digest.add(campaign.name);
   for (const CampaignScenario& scenario : campaign.scenarios)
@@ -235,6 +236,7 @@ std::string digest_of(const Campaign& campaign) {
     digest.add(std::to_string(cell.scenario)).add(cell.algorithm);
     for (const auto& [name, value] : cell.labels) digest.add(name).add(value);
   }
+  for (const auto& [path, value] : written.set) digest.add(path).add(value);
   digest.add(std::to_string(campaign.first_seed)).add(std::to_string(campaign.seed_count));
   return digest.hex();
 }
@@ -271,7 +273,7 @@ Campaign expanded(const CampaignFile& written, const std::string& file, const Ch
                     .quantities = written.quantities,
                     .digest = {}};
   campaign.cells = expanded_cells(written, campaign);
-  campaign.digest = digest_of(campaign);
+  campaign.digest = digest_of(campaign, written);
   list_runs(campaign, jobs);
   resolve_runs(campaign, check, jobs, own);
   return campaign;

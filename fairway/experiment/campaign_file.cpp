@@ -116,6 +116,8 @@ const Block<CampaignFile>& campaign_block() {
       key("summary", &CampaignFile::summary, yaml::text(), "What it is meant to find out."),
       key("scenario", &CampaignFile::scenarios, yaml::scenario_files(),
           "One scenario or several, relative to this file. The label case is the file's name.", Needed::yes),
+      key("set", &CampaignFile::set, yaml::settings("the keys seeds and algorithms"),
+          "Paths as for --set, laid over every scenario."),
       key("algorithms", &CampaignFile::algorithms,
           read_only<std::vector<CampaignAlgorithm>>(read_algorithms, schema_text(algorithms_schema_text)),
           "Replace every vehicle's avoider, one after the other. Default: as_written, each scenario's own."),
@@ -162,6 +164,9 @@ CampaignFile parse_campaign_file(std::string_view text, const std::string& file)
       const std::string& path = map.tree().keys[i];
       const bool avoider = path.ends_with(".avoider") || path.ends_with(".avoider.algorithm");
       if (avoider && !campaign.algorithms.empty()) map.refuse_key(i, "is set by the key algorithms");
+      const auto in_set = [&](const auto& setting) { return setting.first == path; };
+      if (std::any_of(campaign.set.begin(), campaign.set.end(), in_set))
+        map.refuse_key(i, "is set by set too");
       const auto in_grid = [&](const CampaignAxis& axis) { return axis.path == path; };
       if (map.path().starts_with("zip") && std::any_of(campaign.grid.begin(), campaign.grid.end(), in_grid)) {
         map.refuse_key(i, "is set by grid too");

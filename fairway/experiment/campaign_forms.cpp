@@ -85,6 +85,22 @@ CampaignAlgorithm read_algorithm(const Value& value) {
   return algorithm;
 }
 
+Form<Overrides> settings(std::string_view others) {
+  return read_only<Overrides>(
+      [others = std::string(others)](const Value& value) {
+        value.expect_map("paths as for --set");
+        Overrides settings;
+        for (std::size_t i = 0; i < value.tree().keys.size(); ++i) {
+          const std::string& path = value.tree().keys[i];
+          if (path == "seed" || path.ends_with(".avoider") || path.ends_with(".avoider.algorithm"))
+            value.refuse_key(i, "is set by " + others);
+          settings.emplace_back(path, one_line(value.tree().items[i]));
+        }
+        return settings;
+      },
+      schema_text(R"({"type": "object"})"));
+}
+
 Form<std::uint32_t> seed_count() {
   return read_only<std::uint32_t>([](const Value& v) { return v.whole<std::uint32_t>(1, 1'000'000); },
                                   schema_text(R"({"type": "integer", "minimum": 1, "maximum": 1000000})"));

@@ -26,6 +26,10 @@ Form<std::vector<CampaignScenarioFile>> scenario_files();
 /// tuned.yaml}` in which such a mapping stands.
 CampaignAlgorithm read_algorithm(const Value& value);
 
+/// `{exchange: none, step_s: 0.1}`: paths as for --set, each with what it is set to. The seed and who avoids
+/// are refused, being set by `others`.
+Form<Overrides> settings(std::string_view others);
+
 /// How many seeds in a row.
 Form<std::uint32_t> seed_count();
 

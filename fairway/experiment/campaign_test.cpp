@@ -130,6 +130,14 @@ TEST_F(CampaignTest, AvoiderParametersCanBeVariedWithinAnAlgorithm) {
   EXPECT_EQ(c.scenario_of(1).vehicles[1].avoider.params, (ParamValues{{"crit_dist_m", 7.0}}));
 }
 
+TEST_F(CampaignTest, WhatIsLaidOverEveryScenarioMakesNoColumn) {
+  const Campaign c = parse("set: {duration_s: 7, \"vehicles[*].tracking\": raw}\nalgorithms: [apf]\n");
+  EXPECT_EQ(c.specs[0].labels, (Labels{{"case", "pair"}, {"method", "apf"}}));
+  EXPECT_EQ(c.scenario_of(0).duration_s, 7.0);
+  EXPECT_THAT(c.specs[0].command, HasSubstr("--set duration_s=7 --set 'vehicles[*].tracking=raw'"));
+  EXPECT_NE(c.specs[0].key, parse("algorithms: [apf]\n").specs[0].key);
+}
+
 TEST_F(CampaignTest, WithoutAlgorithmsEachScenarioKeepsItsOwn) {
   const Campaign c = parse("");
   ASSERT_EQ(c.specs.size(), 1U);
@@ -226,6 +234,9 @@ TEST_F(CampaignTest, MistakesAreRefusedWithTheirPlace) {
               HasSubstr("zip[1]: must set what the first row sets"));
   EXPECT_THAT(refusal_of("zip: [{step_s: 0.1}]\ngrid: {step_s: [0.1]}\n"),
               HasSubstr("zip[0].step_s: is set by grid too"));
+  EXPECT_THAT(refusal_of("set: {step_s: 0.1}\ngrid: {step_s: [0.1]}\n"),
+              HasSubstr("grid.step_s: is set by set too"));
+  EXPECT_THAT(refusal_of("set: {seed: 2}\n"), HasSubstr("set.seed: is set by the keys seeds and algorithms"));
   EXPECT_THAT(refusal_of("name: again\n"), HasSubstr("test.yaml:4:1: name: given twice, before in line 2"));
 }
 
@@ -275,7 +286,7 @@ TEST(PublishedCampaignsTest, LoadWithTheirScenarios) {
 TEST(CampaignSchemaTest, NamesEveryKey) {
   const auto schema = nlohmann::json::parse(campaign_schema());
   for (const char* key :
-       {"fairway_campaign", "name", "scenario", "algorithms", "grid", "zip", "seeds", "quantities"}) {
+       {"fairway_campaign", "name", "scenario", "set", "algorithms", "grid", "zip", "seeds", "quantities"}) {
     EXPECT_TRUE(schema["properties"].contains(key)) << key;
   }
   EXPECT_EQ(schema["additionalProperties"], false);
@@ -365,6 +376,7 @@ TEST_F(CampaignTest, TheDigestIsOfWhatIsRunAndOfNothingElse) {
   EXPECT_NE(digest_of("seeds: {count: 2, first: 2}\n"), digest);
   EXPECT_NE(digest_of("seeds: {count: 2}\nalgorithms: [apf]\n"), digest);
   EXPECT_NE(digest_of("seeds: {count: 2}\ngrid: {step_s: [0.1]}\n"), digest);
+  EXPECT_NE(digest_of("seeds: {count: 2}\nset: {step_s: 0.1}\n"), digest);
   sample::write_bytes(folder_.file("pair.yaml"), std::string(pair_yaml) + "# a comment\n");
   EXPECT_EQ(digest_of("seeds: {count: 2}\n"), digest);
   sample::write_bytes(folder_.file("pair.yaml"), std::string(pair_yaml) + "step_s: 0.1\n");

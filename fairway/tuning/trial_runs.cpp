@@ -8,6 +8,21 @@
 
 namespace fairway {
 
+CampaignFile campaign_on(const TuningSet& set, const std::vector<CampaignAlgorithm>& methods,
+                         std::size_t first, std::size_t count) {
+  return {.version = 1,
+          .name = "tuning",
+          .summary = {},
+          .scenarios = set.scenarios,
+          .set = set.set,
+          .algorithms = methods,
+          .grid = {},
+          .zip = {},
+          .first_seed = set.first_seed + first,
+          .seed_count = static_cast<std::uint32_t>(count),
+          .quantities = {}};
+}
+
 TrialRuns::TrialRuns(std::string file, RunMaker maker, Store& store, ExecutorOptions options)
     : file_{std::move(file)}, maker_{std::move(maker)}, store_{store}, options_{std::move(options)} {
   learn(store_.all());
@@ -71,17 +86,8 @@ void TrialRuns::wait_for_others(const Campaign& campaign) {
 
 std::vector<Outcomes> TrialRuns::outcomes(const std::vector<CampaignAlgorithm>& methods, const TuningSet& set,
                                           std::size_t first, std::size_t count) {
-  const CampaignFile asked{.version = 1,
-                           .name = "tuning",
-                           .summary = {},
-                           .scenarios = set.scenarios,
-                           .algorithms = methods,
-                           .grid = {},
-                           .zip = {},
-                           .first_seed = set.first_seed + first,
-                           .seed_count = static_cast<std::uint32_t>(count),
-                           .quantities = {}};
-  const Campaign campaign = expanded(asked, file_, maker_.check, options_.jobs, maker_.own);
+  const Campaign campaign =
+      expanded(campaign_on(set, methods, first, count), file_, maker_.check, options_.jobs, maker_.own);
   make(campaign);
   if (companions_ != nullptr) wait_for_others(campaign);
 

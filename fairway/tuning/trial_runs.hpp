@@ -22,6 +22,10 @@ struct RunMaker {
   Simulate simulate;
 };
 
+/// As a campaign: methods on `count` seeds of a set from the one with index `first` on.
+CampaignFile campaign_on(const TuningSet& set, const std::vector<CampaignAlgorithm>& methods,
+                         std::size_t first, std::size_t count);
+
 /// Makes the runs that are asked for, and no run twice: what the store has from another time is not made
 /// again, so that a search that is repeated goes the same way without them.
 class TrialRuns {

@@ -33,7 +33,9 @@ Appraisal appraised(std::span<const Outcome> outcomes, std::span<const Outcome> 
   std::size_t safe_runs = 0;
   std::vector<double> longer = time_ratios(outcomes, reference);
   for (double& ratio : longer) ratio -= 1.0;
+  std::vector<double> more_arrived = values_of(outcomes, &Outcome::arrived);
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    more_arrived[i] -= reference[i].arrived;
     const bool first = outcomes[i].is_safe, second = reference[i].is_safe;
     safe_runs += first ? 1 : 0;
     ++(first ? (second ? safe.both : safe.first) : (second ? safe.second : safe.neither));
@@ -44,6 +46,7 @@ Appraisal appraised(std::span<const Outcome> outcomes, std::span<const Outcome> 
           .time_s = mean_of_blocks(values_of(outcomes, &Outcome::time_s), scenarios),
           .safer = paired_rate_difference(safe),
           .safer_p = mcnemar_test(safe).p,
+          .arrived_difference = mean_of_blocks(more_arrived, scenarios),
           .time_difference = mean_of_blocks(longer, scenarios)};
 }
 
@@ -60,6 +63,16 @@ MeanEstimate difference_of(const MeanEstimate& a, const MeanEstimate& b) {
           .deviation = error,
           .low = difference - z * error,
           .high = difference + z * error};
+}
+
+/// The difference of two independent differences, by the distances to the ends of their intervals (Zou and
+/// Donner 2008, Statistics in Medicine 27, 1693-1702).
+RateDifference difference_of(const RateDifference& a, const RateDifference& b) {
+  const double difference = a.difference - b.difference;
+  return {.pairs = std::min(a.pairs, b.pairs),
+          .difference = difference,
+          .low = difference - std::hypot(a.difference - a.low, b.high - b.difference),
+          .high = difference + std::hypot(a.high - a.difference, b.difference - b.low)};
 }
 
 /// The search, from the method as written on.
@@ -172,6 +185,7 @@ class Search {
     const Outcomes seen = judge_on(tuning_.validation, result_.validation, result_.usual_validation);
     judge_on(tuning_.test, result_.test, result_.usual_test);
     result_.luck = difference_of(result_.test.time_difference, result_.train.time_difference);
+    result_.safety_luck = difference_of(result_.train.safer, result_.test.safer);
     if (!result_.is_usual) ablate(seen);
   }
 
@@ -199,6 +213,17 @@ class Search {
 };
 
 }  // namespace
+
+Shown shown_by(const Appraisal& appraisal) {
+  constexpr double significance = 0.05;
+  if (appraisal.safer_p < significance)
+    return appraisal.safer.difference > 0.0 ? Shown::safer : Shown::less_safe;
+  if (appraisal.arrived_difference.low > 0.0) return Shown::more_arrive;
+  if (appraisal.arrived_difference.high < 0.0) return Shown::fewer_arrive;
+  if (appraisal.time_difference.high < 0.0) return Shown::quicker;
+  if (appraisal.time_difference.low > 0.0) return Shown::slower;
+  return Shown::nothing;
+}
 
 std::size_t least_budget(const TuningFile& tuning) {
   const std::size_t generation = Sampler{tuning.parameters, Rng{0}}.population();

@@ -18,12 +18,18 @@ namespace fairway {
 struct Appraisal {
   std::size_t runs{};
   RateEstimate collision_free;
-  MeanEstimate arrived;          ///< share of vehicles, a block's mean being one value
-  MeanEstimate time_s;           ///< likewise
-  RateDifference safer;          ///< collision-free rate less that of the method as written, run by run
-  double safer_p{1.0};           ///< exact McNemar
-  MeanEstimate time_difference;  ///< relative to the method as written: -0.2 is a fifth less; by blocks
+  MeanEstimate arrived;             ///< share of vehicles, a block's mean being one value
+  MeanEstimate time_s;              ///< likewise
+  RateDifference safer;             ///< collision-free rate less that of the method as written, run by run
+  double safer_p{1.0};              ///< exact McNemar
+  MeanEstimate arrived_difference;  ///< share of vehicles less that of the method as written; by blocks
+  MeanEstimate time_difference;     ///< relative to the method as written: -0.2 is a fifth less; by blocks
 };
+
+/// What is shown of a setting beside the method as written, at 95 %: the first of safety, arrival and time in
+/// which there is a difference. Who is safer may be slower.
+enum class Shown { nothing, safer, less_safe, more_arrive, fewer_arrive, quicker, slower };
+Shown shown_by(const Appraisal& appraisal);
 
 /// One point of the way that a search went: the champion after so many runs.
 struct TuningStep {
@@ -45,7 +51,8 @@ struct TuningResult {
   std::size_t tried{};  ///< settings
   Appraisal train, validation, test;
   Appraisal usual_train, usual_validation, usual_test;
-  MeanEstimate luck;  ///< how much less time was saved on test than on train: of the gain, what was luck
+  MeanEstimate luck;           ///< how much less time was saved on test than on train: of the gain, luck
+  RateDifference safety_luck;  ///< likewise of the collision-free rate: how much less was gained on test
   std::vector<TuningStep> curve;
   std::vector<std::pair<Setting, Score>> front;  ///< of those who ran the whole course, none better in all
   std::vector<Ablation> ablations;

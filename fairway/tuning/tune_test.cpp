@@ -63,7 +63,7 @@ class Tuning : public ::testing::Test {
 
   std::string file() const { return folder_.file("spec.yaml"); }
   TuningFile parsed(const std::string& text = specification) const {
-    return parse_tuning_file(text, file(), catalogs_.avoiders);
+    return parse_tuning_file(text, file(), catalogs_.avoiders).tunings.front();
   }
 
   TuningResult tuned(Store& store, unsigned jobs, std::size_t budget = 800,
@@ -90,6 +90,7 @@ TEST_F(Tuning, FindsWhatIsBestAndSaysHowMuchBetterOnRunsThatItNeverSaw) {
   EXPECT_LT(result.test.time_difference.high, -0.2);
   EXPECT_LT(result.luck.low, 0.0);
   EXPECT_GT(result.luck.high, 0.0) << "nothing here is luck";
+  EXPECT_EQ(shown_by(result.test), Shown::quicker);
 }
 
 TEST_F(Tuning, IsTheSameOnAnyNumberOfThreadsAndGoesOnWhereItWasStopped) {
@@ -177,6 +178,25 @@ TEST_F(Tuning, TellsLuckFromGain) {
   EXPECT_GT(result.test.time_difference.high, 0.0) << "on test it is not";
 }
 
+TEST_F(Tuning, TellsLuckInSafetyFromGain) {
+  // who collides is drawn for each setting and seed: what is safest on train is no safer on test
+  const Simulate noise = [](const Scenario& scenario) {
+    std::vector<Measure> measures = pretended(scenario);
+    const double horizon = param(scenario, "time_horizon_s", 5.0);
+    Rng rng = Rng{scenario.seed}.stream("collision", static_cast<std::uint64_t>(1e6 * horizon));
+    measures[0].value = rng.uniform(0.0, 1.0) < 0.5 ? 1.0 : 0.0;
+    return measures;
+  };
+  Store store = Store::in_memory();
+  const TuningResult result = tuned(store, 2, 3000, noise);
+  ASSERT_FALSE(result.is_usual);
+  EXPECT_GT(result.train.safer.difference, 0.1) << "on train it looks better";
+  EXPECT_GT(result.safety_luck.difference, 0.1);
+  EXPECT_GT(result.safety_luck.low, result.safety_luck.difference - 0.5);
+  EXPECT_NE(shown_by(result.test), Shown::safer) << "on test it is not";
+  EXPECT_EQ(result.safety_luck.difference, result.train.safer.difference - result.test.safer.difference);
+}
+
 TEST_F(Tuning, TheAvoiderItWritesIsTheOneItFound) {
   Store store = Store::in_memory();
   const TuningResult result = tuned(store, 2);
@@ -185,6 +205,8 @@ TEST_F(Tuning, TheAvoiderItWritesIsTheOneItFound) {
   EXPECT_TRUE(text.find("# fairway tune spec.yaml\n") != std::string::npos);
   EXPECT_TRUE(text.find("time_horizon_s: " + value_text(parsed().parameters[0], result.best[0])) !=
               std::string::npos)
+      << text;
+  EXPECT_TRUE(text.find("\n# it is shown to be quicker than the method as written.\n") != std::string::npos)
       << text;
 }
 

@@ -138,39 +138,79 @@ const Block<TuningSet>& set_block() {
       key("count", &TuningSet::seed_count, yaml::seed_count(), "How many in a row.", Needed::yes)};
   static const Block<TuningSet> block{
       key("scenario", &TuningSet::scenarios, yaml::scenario_files(),
-          "One scenario or several, relative to this file.", Needed::yes),
+          "One scenario or several, relative to this file. Default: those of the specification."),
       group("seeds", seeds, "Under each of which every scenario is run.", Needed::yes)};
   return block;
 }
 
-/// The file's keys; those that need the catalog are read apart.
-const Block<TuningFile>& tuning_block() {
-  static const auto apart = [](const Value&, TuningFile&) {};
-  static const auto unwritten = [](const TuningFile&) { return std::optional<Tree>{}; };
+/// The file as it is written, without what only the catalog can read.
+struct Written {
+  std::int32_t version{};
+  std::string name;
+  std::string summary;
+  std::vector<CampaignScenarioFile> scenarios;  ///< of every set that has none of its own
+  Overrides set;
+  TuningSet train;
+  TuningSet validation;
+  TuningSet test;
+};
+
+const Block<Written>& tuning_block() {
+  static const auto apart = [](const Value&, Written&) {};
+  static const auto unwritten = [](const Written&) { return std::optional<Tree>{}; };
   static const auto set = yaml::block_form(set_block());
-  static const Block<TuningFile> block{
-      key("fairway_tuning", &TuningFile::version,
+  static const Block<Written> block{
+      key("fairway_tuning", &Written::version,
           yaml::read_only<std::int32_t>(read_version, yaml::schema_text(R"({"const": 1})")),
           "The format's version, 1.", Needed::yes),
-      key("name", &TuningFile::name, yaml::name(), "Of the specification.", Needed::yes),
-      key("summary", &TuningFile::summary, yaml::text(), "What it is meant to find out."),
-      key("method", &TuningFile::method,
-          yaml::read_only<CampaignAlgorithm>(yaml::read_algorithm,
-                                             yaml::schema_text(R"({"type": ["string", "object"]})")),
-          "The avoider that is tuned, with what is to stay as it is written.", Needed::yes),
+      key("name", &Written::name, yaml::name(), "Of the specification.", Needed::yes),
+      key("summary", &Written::summary, yaml::text(), "What it is meant to find out."),
+      {.name = "method",
+       .meaning = "The avoider that is tuned, with what is to stay as it is written.",
+       .read = apart,
+       .write = unwritten,
+       .schema = yaml::schema_text(R"({"type": ["string", "object"]})")},
       {.name = "parameters",
        .meaning =
            "What is searched for: {from, to, scale} of a number, a list of values of anything, nothing for "
            "all that the method declares.",
-       .needed = Needed::yes,
        .read = apart,
        .write = unwritten,
        .schema = yaml::schema_text(R"({"type": "object", "minProperties": 1})")},
-      key("train", &TuningFile::train, set, "What is searched on.", Needed::yes),
-      key("validation", &TuningFile::validation, set, "What the search never sees; shows its luck.",
+      {.name = "methods",
+       .meaning = "In place of these two: several, {method, parameters} each, tuned one after the other.",
+       .read = apart,
+       .write = unwritten,
+       .schema = yaml::schema_text(R"({"type": "array", "minItems": 1, "items": {"type": "object"}})")},
+      key("scenario", &Written::scenarios, yaml::scenario_files(),
+          "What train, validation and test have unless they say otherwise."),
+      key("set", &Written::set, yaml::settings("the keys seeds and method"),
+          "Paths as for --set, laid over every scenario."),
+      key("train", &Written::train, set, "What is searched on.", Needed::yes),
+      key("validation", &Written::validation, set, "What the search never sees; shows its luck.",
           Needed::yes),
-      key("test", &TuningFile::test, set, "What the result is reported on.", Needed::yes)};
+      key("test", &Written::test, set, "What the result is reported on.", Needed::yes)};
   return block;
+}
+
+/// What all methods have in common. Scenarios and settings of the whole specification go to each of its sets.
+TuningFile common_of(const Value& root, const Written& written) {
+  TuningFile common{.name = written.name,
+                    .summary = written.summary,
+                    .method = {},
+                    .parameters = {},
+                    .train = written.train,
+                    .validation = written.validation,
+                    .test = written.test};
+  for (const auto& [name, set] :
+       {std::pair{"train", &common.train}, std::pair{"validation", &common.validation},
+        std::pair{"test", &common.test}}) {
+    if (set->scenarios.empty()) set->scenarios = written.scenarios;
+    if (set->scenarios.empty())
+      root.at(name).refuse("has no scenario; give it one, or one for the whole specification");
+    set->set = written.set;
+  }
+  return common;
 }
 
 /// A run that is in both, as "cube20_8 under seed 7".
@@ -212,9 +252,38 @@ void refuse_bad_seeds(const Value& root, const TuningFile& tuning) {
       root.at(name).at("seeds").refuse("pass the largest seed there is");
 }
 
+/// One of the methods, from a mapping of `method` and `parameters`.
+TuningFile tuning_of(const Value& value, const Catalog& methods, TuningFile tuning) {
+  const Value method = value.at("method");
+  tuning.method = yaml::read_algorithm(method);
+  tuning.parameters = read_parameters(value.at("parameters"), methods,
+                                      yaml::read_choice(method, "algorithm", Needed::yes, {"label"}));
+  return tuning;
+}
+
+std::vector<TuningFile> tunings_of(const Value& list, const Catalog& methods, const TuningFile& common) {
+  list.expect_list("methods, {method, parameters} each");
+  std::vector<TuningFile> tunings;
+  for (std::size_t i = 0; i < list.tree().items.size(); ++i) {
+    const Value entry = list.entry(i);
+    entry.expect_keys({"method", "parameters"});
+    TuningFile tuning = tuning_of(entry, methods, common);
+    const std::string& label = tuning.method.label;
+    if (label.find('/') != std::string::npos || label.starts_with('.'))
+      entry.at("method").refuse("has the label " + label + ", which cannot name a folder");
+    if (std::ranges::any_of(tunings, [&](const TuningFile& t) { return t.method.label == label; }))
+      entry.refuse("a second " + label + "; give it a label of its own");
+    tuning.name += " " + label;
+    tunings.push_back(std::move(tuning));
+  }
+  if (tunings.empty()) list.refuse("the list is empty");
+  return tunings;
+}
+
 }  // namespace
 
-TuningFile parse_tuning_file(std::string_view text, const std::string& file, const Catalog& methods) {
+TuningSpecification parse_tuning_file(std::string_view text, const std::string& file,
+                                      const Catalog& methods) {
   const Tree document = yaml::parse_tree(text, file);
   if (!document.is_map() || document.find("fairway_tuning") == nullptr)
     throw InputError(
@@ -222,14 +291,16 @@ TuningFile parse_tuning_file(std::string_view text, const std::string& file, con
         "not a specification of a tuning: expected keys such as fairway_tuning, method and train");
   yaml::Reading reading{0};
   const Value root{document, "", reading};
-  TuningFile tuning;
-  yaml::read_block(root, tuning_block(), tuning);
-  tuning.parameters =
-      read_parameters(root.at("parameters"), methods,
-                      yaml::read_choice(root.at("method"), "algorithm", Needed::yes, {"label"}));
-  refuse_bad_seeds(root, tuning);
-  refuse_common_runs(tuning, file);
-  return tuning;
+  Written written;
+  yaml::read_block(root, tuning_block(), written);
+  const TuningFile common = common_of(root, written);
+  refuse_bad_seeds(root, common);
+  refuse_common_runs(common, file);
+  const std::optional<Value> list = root.find("methods");
+  if (!list) return {{tuning_of(root, methods, common)}, false};
+  for (const char* single : {"method", "parameters"})
+    if (const std::optional<Value> other = root.find(single)) other->refuse("is given beside methods");
+  return {tunings_of(*list, methods, common), true};
 }
 
 }  // namespace fairway

@@ -29,14 +29,20 @@ std::array<NamedSet, 3> sets_of(const TuningResult& result) {
 
 json mean_json(const MeanEstimate& e) { return {{"mean", e.mean}, {"low", e.low}, {"high", e.high}}; }
 
+json difference_json(const RateDifference& d) {
+  return {{"mean", d.difference}, {"low", d.low}, {"high", d.high}};
+}
+
 json appraisal_json(const Appraisal& a) {
+  json safer = difference_json(a.safer);
+  safer["p"] = a.safer_p;
   return {{"runs", a.runs},
           {"collision_free_ratio",
            {{"mean", a.collision_free.rate}, {"low", a.collision_free.low}, {"high", a.collision_free.high}}},
           {"arrived_ratio", mean_json(a.arrived)},
           {"navigation_time_s", mean_json(a.time_s)},
-          {"safer_ratio",
-           {{"mean", a.safer.difference}, {"low", a.safer.low}, {"high", a.safer.high}, {"p", a.safer_p}}},
+          {"safer_ratio", std::move(safer)},
+          {"arrived_difference_ratio", mean_json(a.arrived_difference)},
           {"time_difference_ratio", mean_json(a.time_difference)}};
 }
 
@@ -70,6 +76,31 @@ std::string percent(const MeanEstimate& e) {
   return fmt::format("{:+.1f} % [{:+.1f}, {:+.1f}]", 100.0 * e.mean, 100.0 * e.low, 100.0 * e.high);
 }
 
+std::string percent(const RateDifference& d) {
+  return fmt::format("{:+.1f} % [{:+.1f}, {:+.1f}]", 100.0 * d.difference, 100.0 * d.low, 100.0 * d.high);
+}
+
+/// What is shown of the result on the runs that the search never saw, in a sentence without its full stop.
+std::string shown_text(const Appraisal& test) {
+  switch (shown_by(test)) {
+    case Shown::safer:
+      return "it is shown to be safer than the method as written";
+    case Shown::less_safe:
+      return "it is shown to be less safe than the method as written";
+    case Shown::more_arrive:
+      return "more are shown to arrive than by the method as written";
+    case Shown::fewer_arrive:
+      return "fewer are shown to arrive than by the method as written";
+    case Shown::quicker:
+      return "it is shown to be quicker than the method as written";
+    case Shown::slower:
+      return "it is shown to be slower than the method as written";
+    case Shown::nothing:
+      break;
+  }
+  return "no gain over the method as written is shown";
+}
+
 std::string setting_text(const TuningFile& tuning, const Setting& setting) {
   std::string text;
   for (std::size_t i = 0; i < setting.size(); ++i)
@@ -99,10 +130,12 @@ std::string tuning_text(const TuningFile& tuning, const TuningResult& result) {
   }
   if (result.is_usual) return text;
   for (const NamedSet& set : sets_of(result))
-    text += fmt::format("  {}: time {}, run by run; collision-free {:+.1f} % [{:+.1f}, {:+.1f}], p {:.2g}\n",
-                        set.name, percent(set.found->time_difference), 100.0 * set.found->safer.difference,
-                        100.0 * set.found->safer.low, 100.0 * set.found->safer.high, set.found->safer_p);
-  text += fmt::format("  of the time saved on train, luck (lost again on test): {}\n", percent(result.luck));
+    text += fmt::format("  {}: time {}, run by run; collision-free {}, p {:.2g}\n", set.name,
+                        percent(set.found->time_difference), percent(set.found->safer), set.found->safer_p);
+  text +=
+      fmt::format("  of what was gained on train, luck (lost again on test): time {}; collision-free {}\n",
+                  percent(result.luck), percent(result.safety_luck));
+  text += "  on test " + shown_text(result.test) + "\n";
   for (const Ablation& ablation : result.ablations)
     text +=
         fmt::format("  without {}: time {} on validation, collision-free {:+.1f} %\n", ablation.parameter,
@@ -121,10 +154,12 @@ json to_json(const TuningFile& tuning, const TuningResult& result) {
                 {"generations", result.generations},
                 {"tried", result.tried},
                 {"luck_ratio", mean_json(result.luck)},
+                {"safety_luck_ratio", difference_json(result.safety_luck)},
                 {"default", {{"parameters", setting_json(tuning, usual_setting(tuning.parameters))}}},
                 {"curve", json::array()},
                 {"front", json::array()},
                 {"ablations", json::array()}};
+  for (const auto& [path, value] : tuning.train.set) document["set"][path] = value;
   for (const auto& [name, set] :
        {std::pair{"train", &tuning.train}, std::pair{"validation", &tuning.validation}}) {
     json& seen = document["seen"][name];
@@ -155,9 +190,9 @@ std::string tuned_avoider(const TuningFile& tuning, const TuningResult& result, 
   std::string text = fmt::format(
       "# Tuned by fairway {}, results epoch {}: {}\n# {}\n# On {} runs that the search never saw: "
       "collision-free "
-      "{:.4g} [{:.4g}, {:.4g}], time {} of the method as written.\n",
+      "{:.4g} [{:.4g}, {:.4g}], time {} of the method as written;\n# {}.\n",
       FAIRWAY_VERSION, results_epoch, tuning.name, command, test.runs, test.collision_free.rate,
-      test.collision_free.low, test.collision_free.high, percent(test.time_difference));
+      test.collision_free.low, test.collision_free.high, percent(test.time_difference), shown_text(test));
   const std::string avoider = result.is_usual
                                   ? tuning.method.avoider
                                   : avoider_text(tuning.method.avoider, tuning.parameters, result.best);
