@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "fairway/core/math.hpp"
 #include "fairway/tuning/race.hpp"
 #include "fairway/tuning/sampler.hpp"
 
@@ -69,10 +70,12 @@ MeanEstimate difference_of(const MeanEstimate& a, const MeanEstimate& b) {
 /// Donner 2008, Statistics in Medicine 27, 1693-1702).
 RateDifference difference_of(const RateDifference& a, const RateDifference& b) {
   const double difference = a.difference - b.difference;
+  const double below = math::hypot(a.difference - a.low, b.high - b.difference);
+  const double above = math::hypot(a.high - a.difference, b.difference - b.low);
   return {.pairs = std::min(a.pairs, b.pairs),
           .difference = difference,
-          .low = difference - std::hypot(a.difference - a.low, b.high - b.difference),
-          .high = difference + std::hypot(a.high - a.difference, b.difference - b.low)};
+          .low = difference - below,
+          .high = difference + above};
 }
 
 /// The search, from the method as written on.

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "fairway/core/angles.hpp"
 #include "fairway/core/math.hpp"
@@ -60,27 +61,38 @@ class NormalEquations {
     factor_ = columns_;
     step = downhill_;
     for (std::size_t j = first_; j < last_; ++j) {
-      Column& column = factor_[j];
+      Column column = factor_[j];  // apart from the others, so that the compiler sees it
       const double pivot = column[0] + damping;
       if (!(pivot > 0.0)) return false;
       const double inverse = 1.0 / std::sqrt(pivot);
       for (double& entry : column) entry *= inverse;
       column[0] = inverse;
+      factor_[j] = column;
       step[j] *= inverse;
-      for (std::size_t i = 1; i < reach; ++i) {
-        step[j + i] -= column[i] * step[j];
-        for (std::size_t k = i; k < reach; ++k) factor_[j + i][k - i] -= column[i] * column[k];
-      }
+      take_away(column, step[j], &factor_[j], &step[j], std::make_index_sequence<reach - 1>{});
     }
     for (std::size_t j = last_; j-- > first_;) {
-      for (std::size_t i = 1; i < reach; ++i) step[j] -= factor_[j][i] * step[j + i];
-      step[j] *= factor_[j][0];
+      double rest = step[j];
+      for (std::size_t i = 1; i < reach; ++i) rest -= factor_[j][i] * step[j + i];
+      step[j] = rest * factor_[j][0];
     }
     return true;
   }
 
  private:
   using Column = std::array<double, reach>;
+
+  /// What is known of a variable is taken away from the equations of the next ones, each by its own code.
+  template <std::size_t... I>
+  static void take_away(const Column& column, double known, Column* factor, double* step,
+                        std::index_sequence<I...>) {
+    ((step[I + 1] -= column[I + 1] * known), ...);
+    (take_away_from<I + 1>(column, factor[I + 1]), ...);
+  }
+  template <std::size_t I>
+  static void take_away_from(const Column& column, Column& other) {
+    for (std::size_t k = I; k < reach; ++k) other[k - I] -= column[I] * column[k];
+  }
 
   std::size_t first_, last_;  ///< of the free variables; one past the last
   std::vector<Column> columns_, factor_;
@@ -89,14 +101,13 @@ class NormalEquations {
 
 void linearise(const Problem& problem, const Band& band, NormalEquations& equations) {
   equations.clear();
-  const double* x = band.knots.front().data();
   const auto add = [&]<class C>(std::size_t at, const C& cost) {
-    typename C::Output out;
-    cost(x + at, out);
+    Residual<C::rows, C::width> out;
+    cost(out);
     equations.add(at, out);
   };
-  for_each_motion_cost(problem, band.size(), add);
-  for_each_barrier_cost(problem, add);
+  for_each_motion_cost(problem, band, add);
+  for_each_barrier_cost(problem, band, add);
 }
 
 /// The band moved along `step`.

@@ -25,27 +25,27 @@ Window random_window(Rng& rng) {
   return x;
 }
 
-/// Compares the slopes of a cost with central differences in random windows, where neither side of a
+/// Compares the slopes of `cost_at(x)` with central differences in random windows, where neither side of a
 /// difference is beyond a kink; how many slopes were not zero.
-template <class C>
-int check_slopes(const C& cost, std::uint64_t seed) {
-  using Output = typename C::Output;
+template <class CostAt>
+int check_slopes(const CostAt& cost_at, std::uint64_t seed) {
+  using C = decltype(cost_at(nullptr));
   constexpr double h = 1e-7;
   Rng rng{seed};
   int active = 0;
   for (int trial = 0; trial < 400; ++trial) {
     Window x = random_window(rng);
-    Output here;
-    cost(x.data(), here);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(Output::width); ++i) {
-      Output above, below;
+    Residual<C::rows, C::width> here;
+    cost_at(x.data())(here);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(C::width); ++i) {
+      Values<C::rows> above, below;
       const double middle = x[i];
       x[i] = middle + h;
-      cost(x.data(), above);
+      cost_at(x.data())(above);
       x[i] = middle - h;
-      cost(x.data(), below);
+      cost_at(x.data())(below);
       x[i] = middle;
-      for (int row = 0; row < Output::rows; ++row) {
+      for (int row = 0; row < C::rows; ++row) {
         const double ahead = (above.value[row] - here.value[row]) / h;
         const double behind = (here.value[row] - below.value[row]) / h;
         const double scale = 1.0 + std::abs(ahead) + std::abs(behind);
@@ -59,13 +59,28 @@ int check_slopes(const C& cost, std::uint64_t seed) {
   return active;
 }
 
+KinematicsCost kinematics_at(const double* x) {
+  return {params, {x[4] - x[0], x[5] - x[1]}, math::sin_cos(x[2]), math::sin_cos(x[6])};
+}
+
 TEST(Costs, SlopesAreThoseOfTheValues) {
-  EXPECT_GT(check_slopes(VelocityCost{params}, 1), 1000);
-  EXPECT_GT(check_slopes(AccelerationCost{params}, 2), 1000);
-  EXPECT_GT(check_slopes(EndAccelerationCost{params, 0.3, -0.1, false}, 3), 1000);
-  EXPECT_GT(check_slopes(EndAccelerationCost{params, 0.0, 0.0, true}, 4), 1000);
-  EXPECT_GT(check_slopes(KinematicsCost{params}, 5), 1000);
-  EXPECT_EQ(check_slopes(TimeCost{params}, 6), 400);
+  Twist motion, next;  // that a cost refers to
+  const auto move = [&](const double* x) {
+    motion = motion_between(x);
+    next = motion_between(x + 4);
+  };
+  const auto on_motion = [&](auto cost) {
+    return [&move, cost](const double* x) {
+      move(x);
+      return cost;
+    };
+  };
+  EXPECT_GT(check_slopes(on_motion(VelocityCost{params, motion}), 1), 1000);
+  EXPECT_GT(check_slopes(on_motion(AccelerationCost{params, motion, next}), 2), 1000);
+  EXPECT_GT(check_slopes(on_motion(EndAccelerationCost{params, motion, 0.3, -0.1, false}), 3), 1000);
+  EXPECT_GT(check_slopes(on_motion(EndAccelerationCost{params, motion, 0.0, 0.0, true}), 4), 1000);
+  EXPECT_GT(check_slopes(kinematics_at, 5), 1000);
+  EXPECT_EQ(check_slopes([](const double* x) { return TimeCost{params, x[0]}; }, 6), 400);
 
   const BandObstacle still{Obstacle{.kind = Obstacle::Kind::sphere, .position = {0.5, 0.2, 3}, .radius = 0.1},
                            0.2};
@@ -76,7 +91,8 @@ TEST(Costs, SlopesAreThoseOfTheValues) {
   const BandObstacle moving{Track{.position = {-1, 0, 0}, .velocity = {0.5, 0.1, 0}, .radius = 0.1}, 0.2,
                             true};
   for (const BandObstacle& barrier : {still, wall, solid, moving}) {
-    EXPECT_GT(check_slopes(BarrierCost{params, barrier, 1.7, 50.0}, 7), 300);
+    const auto at = [&](const double* x) { return BarrierCost{params, barrier, {x[0], x[1]}, 1.7, 50.0}; };
+    EXPECT_GT(check_slopes(at, 7), 300);
   }
 }
 
@@ -93,8 +109,10 @@ TEST(Costs, MotionIsWayAndTurnOverTime) {
 
 TEST(Costs, StandingStillHasNoSlopesThatAreNotNumbers) {
   const Window x{1, 1, 0.3, 0.3, 1, 1, 0.3, 0.3, 1, 1, 0.3, 0.3};
-  AccelerationCost::Output out;
-  AccelerationCost{params}(x.data(), out);
+  Residual<2, 11> out;
+  const Twist before = motion_between(x.data()), after = motion_between(x.data() + 4);
+  AccelerationCost{params, before, after}(out);
+  EXPECT_TRUE(before.speed_slope().allFinite());
   EXPECT_TRUE(out.value.isZero());
   EXPECT_TRUE(out.slope.allFinite());
 }
@@ -110,12 +128,12 @@ TEST(Costs, ExcessIsMeasuredFromTheMargin) {
 TEST(Costs, AnArcCostsNothingToTurnAlong) {
   // a quarter of a circle of radius 1: chord at 45 degrees
   const Window x{0, 0, 0, 1, 1, 1, pi / 2};
-  KinematicsCost::Output out;
-  KinematicsCost{params}(x.data(), out);
+  Values<2> out;
+  kinematics_at(x.data())(out);
   EXPECT_NEAR(out.value[0], 0.0, 1e-12);
   EXPECT_EQ(out.value[1], 0.0);
   const Window sideways{0, 0, 0, 1, 0, 0.1, 0};
-  KinematicsCost{params}(sideways.data(), out);
+  kinematics_at(sideways.data())(out);
   EXPECT_NEAR(std::abs(out.value[0]), std::sqrt(1000.0) * 0.2, 1e-12);  // (cos 0 + cos 0) * 0.1
 }
 
@@ -123,21 +141,18 @@ TEST(Costs, ABarrierCostsBelowTheLeastDistanceAndALittleBelowTheInflation) {
   // least distance 0.5 and margin 0.1, inflation 0.6: 0.45 between the surfaces
   const BandObstacle barrier{Obstacle{.kind = Obstacle::Kind::sphere, .position = {1.5, 0, 0}, .radius = 0.3},
                              0.75};
-  const std::array<double, 2> x{0.0, 0.0};
-  BarrierCost::Output out;
-  BarrierCost{params, barrier, 0.0, 50.0}(x.data(), out);
+  Residual<2, 2> out;
+  BarrierCost{params, barrier, Vec2::Zero(), 0.0, 50.0}(out);
   EXPECT_NEAR(out.value[0], std::sqrt(50.0) * 0.15, 1e-12);
   EXPECT_NEAR(out.value[1], std::sqrt(0.1) * 0.15, 1e-12);
-  const std::array<double, 2> clear{-0.2, 0.0};
-  BarrierCost{params, barrier, 0.0, 50.0}(clear.data(), out);
+  BarrierCost{params, barrier, {-0.2, 0.0}, 0.0, 50.0}(out);
   EXPECT_TRUE(out.value.isZero());
 }
 
 TEST(Costs, AtTheCentreOfADiscThereIsNoWayOut) {
   const BandObstacle barrier{Obstacle{.kind = Obstacle::Kind::sphere, .radius = 0.3}, 0.75};
-  const std::array<double, 2> x{0.0, 0.0};
-  BarrierCost::Output out;
-  BarrierCost{params, barrier, 0.0, 50.0}(x.data(), out);
+  Residual<2, 2> out;
+  BarrierCost{params, barrier, Vec2::Zero(), 0.0, 50.0}(out);
   EXPECT_TRUE(out.value.allFinite());
   EXPECT_TRUE(out.slope.isZero());
 }

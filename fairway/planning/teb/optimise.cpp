@@ -56,16 +56,15 @@ void associate(std::span<const BandObstacle> barriers, const Band& band, double 
 
 Cost cost_of(const Problem& problem, const Band& band) {
   Cost cost;
-  const double* x = band.knots.front().data();
-  const auto add_to = [x](double& sum) {
-    return [x, &sum]<class C>(std::size_t at, const C& c) {
-      typename C::Output out;
-      c(x + at, out);
+  const auto add_to = [](double& sum) {
+    return [&sum]<class C>(std::size_t, const C& each) {
+      Values<C::rows> out;
+      each(out);
       sum += out.value.squaredNorm();
     };
   };
-  for_each_motion_cost(problem, band.size(), add_to(cost.motion));
-  for_each_barrier_cost(problem, add_to(cost.barriers));
+  for_each_motion_cost(problem, band, add_to(cost.motion));
+  for_each_barrier_cost(problem, band, add_to(cost.barriers));
   return cost;
 }
 

@@ -32,26 +32,35 @@ struct Problem {
 void associate(std::span<const BandObstacle> barriers, const Band& band, double obstacle_weight,
                Problem& problem);
 
-/// Calls `visit(variable, cost)` for every cost that is not about barriers; `variable` is the first of its
-/// window.
+/// Calls `visit(variable, cost)` for every cost of a band that is not about barriers; `variable` is the first
+/// of its window.
 template <class Visit>
-void for_each_motion_cost(const Problem& problem, std::size_t knots, Visit&& visit) {
+void for_each_motion_cost(const Problem& problem, const Band& band, Visit&& visit) {
   const TebParams& params = problem.params;
-  visit(0, EndAccelerationCost{params, problem.speed, problem.yaw_rate, false});
-  for (std::size_t i = 0; i + 1 < knots; ++i) {
-    visit(4 * i, VelocityCost{params});
-    visit(4 * i, KinematicsCost{params});
-    visit(4 * i + time_of, TimeCost{params});
-    if (i + 2 < knots) visit(4 * i, AccelerationCost{params});
+  const double* x = band.knots.front().data();
+  const std::size_t last = band.size() - 2;  // interval
+  math::SinCos heading = math::sin_cos(x[heading_of]);
+  Twist motion = motion_between(x, heading);
+  visit(0, EndAccelerationCost{params, motion, problem.speed, problem.yaw_rate, false});
+  for (std::size_t i = 0; i <= last; ++i, x += 4) {
+    const math::SinCos next_heading = math::sin_cos(x[4 + heading_of]);
+    visit(4 * i, VelocityCost{params, motion});
+    visit(4 * i, KinematicsCost{params, motion.way, heading, next_heading});
+    visit(4 * i + time_of, TimeCost{params, x[time_of]});
+    if (i == last) break;
+    const Twist next = motion_between(x + 4, next_heading);
+    visit(4 * i, AccelerationCost{params, motion, next});
+    motion = next;
+    heading = next_heading;
   }
-  visit(4 * (knots - 2), EndAccelerationCost{params, 0.0, 0.0, true});
+  visit(4 * last, EndAccelerationCost{params, motion, 0.0, 0.0, true});
 }
 
 /// Calls `visit(variable, cost)` for every cost of a barrier.
 template <class Visit>
-void for_each_barrier_cost(const Problem& problem, Visit&& visit) {
+void for_each_barrier_cost(const Problem& problem, const Band& band, Visit&& visit) {
   for (const Closeness& c : problem.close) {
-    visit(4 * c.knot, BarrierCost{problem.params, *c.barrier, c.time, c.weight});
+    visit(4 * c.knot, BarrierCost{problem.params, *c.barrier, band.position(c.knot), c.time, c.weight});
   }
 }
 
