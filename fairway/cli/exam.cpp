@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -11,6 +12,7 @@
 #include <set>
 #include <tuple>
 
+#include "fairway/cli/listing.hpp"
 #include "fairway/cli/numbers.hpp"
 #include "fairway/cli/outputs.hpp"
 #include "fairway/cli/own_methods.hpp"
@@ -292,6 +294,14 @@ void tell_what_is_not_left_out(const ExamFile& exam, const ExamQuestion& questio
   }
 }
 
+ExamPlan listed_plan(const ExamFlags& flags, const ExamFile& exam, const ExamQuestion& question,
+                     const Program& program) {
+  Listing listing{exam.name, program.stop};
+  const auto check = [&](const Scenario& scenario) { Simulation{scenario, program.catalogs}; };
+  return plan_exam(exam, question, program.catalogs.avoiders, check, flags.jobs, own_methods(program),
+                   std::ref(listing));
+}
+
 int hold_exam(const ExamFlags& flags, const Outputs& outputs, const Program& program) {
   const Catalogs& catalogs = program.catalogs;
   const ExamFile exam = load_exam(flags.grounds);
@@ -303,12 +313,7 @@ int hold_exam(const ExamFlags& flags, const Outputs& outputs, const Program& pro
     question.seeds = std::min(flags.seeds.value_or(stored), stored);
   }
   if (!flags.as_it_is) tell_what_is_not_left_out(exam, question);
-  ExamPlan plan = plan_exam(
-      exam, question, catalogs.avoiders,
-      [&](const Scenario& scenario) {
-        Simulation{scenario, catalogs};
-      },
-      flags.jobs, own_methods(program));
+  ExamPlan plan = listed_plan(flags, exam, question, program);
   if (reference && flags.add)
     keep_lacking(plan, *reference);
   else if (reference)

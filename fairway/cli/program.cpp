@@ -13,6 +13,7 @@
 #include <sstream>
 
 #include "fairway/core/text.hpp"
+#include "fairway/experiment/executor.hpp"
 #include "fairway/experiment/version.hpp"
 #include "fairway/sim/divergence.hpp"
 
@@ -115,6 +116,9 @@ int run_command(int argc, const char* const* argv, const Catalogs& catalogs) {
     std::cout.flush();
     std::cerr << "fairway: " << error.what() << "\n";
     return bad_input;
+  } catch (const RunAbandoned&) {
+    std::cerr << "fairway: interrupted\n";
+    return interrupted;
   } catch (const RunDiverged& error) {
     std::cout.flush();
     std::cerr << "fairway: " << error.what() << "\n";

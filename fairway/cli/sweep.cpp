@@ -2,10 +2,12 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <functional>
 #include <iostream>
 #include <memory>
 #include <optional>
 
+#include "fairway/cli/listing.hpp"
 #include "fairway/cli/numbers.hpp"
 #include "fairway/cli/outputs.hpp"
 #include "fairway/cli/own_methods.hpp"
@@ -118,13 +120,23 @@ int stopped(const SweepFlags& flags, const ExecutorReport& report, const Program
   return *program.terminated && is_kept ? ok : interrupted;
 }
 
+Campaign listed_campaign(const SweepFlags& flags, const CheckScenario& check, const Program& program) {
+  Listing listing{flags.campaign, program.stop};
+  return load_campaign(flags.campaign, check, flags.jobs, own_methods(program),
+                       flags.shard.empty() ? Shard{} : parse_shard(flags.shard), std::ref(listing));
+}
+
 int sweep(const SweepFlags& flags, const Outputs& outputs, const Program& program) {
   if (!flags.shard.empty() && flags.out.empty()) throw InputError("--shard needs --out, where its runs go");
   const Catalogs& catalogs = program.catalogs;
   const std::atomic<bool>* stop = program.stop;
   const auto check = [&](const Scenario& scenario) { Simulation{scenario, catalogs}; };
-  Campaign campaign = load_campaign(flags.campaign, check, flags.jobs, own_methods(program),
-                                    flags.shard.empty() ? Shard{} : parse_shard(flags.shard));
+  Campaign campaign;
+  try {
+    campaign = listed_campaign(flags, check, program);
+  } catch (const RunAbandoned&) {
+    return stopped(flags, {}, program);
+  }
   if (!flags.out.empty()) judge_outputs(flags, outputs, campaign);
   leave_out_stored(flags, campaign);
   SweepStore store{flags, outputs.force() ? Store::Foreign::replace : Store::Foreign::refuse};

@@ -138,9 +138,10 @@ class Planner {
 }  // namespace
 
 ExamPlan plan_exam(const ExamFile& exam, const ExamQuestion& question, const Catalog& methods,
-                   const CheckScenario& check, unsigned jobs, const OwnMethods& own) {
+                   const CheckScenario& check, unsigned jobs, const OwnMethods& own,
+                   const WatchListing& watch) {
   ExamPlan plan = Planner{exam, question, methods}.made();
-  resolve_runs(plan.campaign, check, jobs, own);
+  resolve_runs(plan.campaign, check, jobs, own, watch);
   return plan;
 }
 

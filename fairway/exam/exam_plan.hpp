@@ -46,7 +46,8 @@ struct ExamPlan {
 /// test seeds, and the baseline's beside them. Throws InputError for a candidate that may enter none of the
 /// families, for more seeds than a family has, and as resolve_runs().
 ExamPlan plan_exam(const ExamFile& exam, const ExamQuestion& question, const Catalog& methods,
-                   const CheckScenario& check, unsigned jobs, const OwnMethods& own);
+                   const CheckScenario& check, unsigned jobs, const OwnMethods& own,
+                   const WatchListing& watch = {});
 
 /// A run of the plan, as it was stored.
 ExamRun exam_run_of(const RunRecord& record);

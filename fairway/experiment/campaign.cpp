@@ -253,12 +253,12 @@ Scenario Campaign::scenario_of(std::size_t run) const {
 }
 
 Campaign parse_campaign(std::string_view yaml, const std::string& file, const CheckScenario& check,
-                        unsigned jobs, const OwnMethods& own, const Shard& shard) {
-  return expanded(parse_campaign_file(yaml, file), file, check, jobs, own, shard);
+                        unsigned jobs, const OwnMethods& own, const Shard& shard, const WatchListing& watch) {
+  return expanded(parse_campaign_file(yaml, file), file, check, jobs, own, shard, watch);
 }
 
 Campaign expanded(const CampaignFile& written, const std::string& file, const CheckScenario& check,
-                  unsigned jobs, const OwnMethods& own, const Shard& shard) {
+                  unsigned jobs, const OwnMethods& own, const Shard& shard, const WatchListing& watch) {
   refuse_too_many(written, file);
   Campaign campaign{.name = written.name,
                     .summary = written.summary,
@@ -275,19 +275,26 @@ Campaign expanded(const CampaignFile& written, const std::string& file, const Ch
   campaign.cells = expanded_cells(written, campaign);
   campaign.digest = digest_of(campaign, written);
   list_runs(campaign, jobs);
-  resolve_runs(campaign, check, jobs, own);
+  resolve_runs(campaign, check, jobs, own, watch);
   return campaign;
 }
 
-void resolve_runs(Campaign& campaign, const CheckScenario& check, unsigned jobs, const OwnMethods& own) {
-  for_each_index(campaign.specs.size(), jobs, [&](std::size_t run) { resolve(campaign, run, check, own); });
+void resolve_runs(Campaign& campaign, const CheckScenario& check, unsigned jobs, const OwnMethods& own,
+                  const WatchListing& watch) {
+  const std::thread::id asking = std::this_thread::get_id();
+  std::atomic<std::size_t> listed{0};
+  for_each_index(campaign.specs.size(), jobs, [&](std::size_t run) {
+    resolve(campaign, run, check, own);
+    ++listed;
+    if (watch && std::this_thread::get_id() == asking) watch(listed, campaign.specs.size());
+  });
 }
 
 Campaign load_campaign(const std::string& file, const CheckScenario& check, unsigned jobs,
-                       const OwnMethods& own, const Shard& shard) {
+                       const OwnMethods& own, const Shard& shard, const WatchListing& watch) {
   const std::optional<std::string> text = read_file(file);
   if (!text) throw InputError({file, 0, 0}, "", "cannot be read");
-  return parse_campaign(*text, file, check, jobs, own, shard);
+  return parse_campaign(*text, file, check, jobs, own, shard, watch);
 }
 
 void keep_runs(Campaign& campaign, const std::function<bool(const RunSpec&)>& is_wanted) {

@@ -71,6 +71,10 @@ struct OwnMethods {
 /// Makes one run.
 using Simulate = std::function<std::vector<Measure>(const Scenario&)>;
 
+/// Told, now and then and in the thread that asked, how many of so many runs are listed. What it throws ends
+/// the listing.
+using WatchListing = std::function<void(std::size_t listed, std::size_t of)>;
+
 inline constexpr std::size_t max_campaign_runs = 10'000'000;
 
 /// Reads and expands a campaign. Every scenario is resolved for every seed, on `jobs` threads (0 = all),
@@ -81,7 +85,7 @@ inline constexpr std::size_t max_campaign_runs = 10'000'000;
 /// expected_cost() they are dealt by: file and shard alone decide which runs it has. Throws InputError with
 /// file, line, column and path.
 Campaign load_campaign(const std::string& file, const CheckScenario& check = {}, unsigned jobs = 1,
-                       const OwnMethods& own = {}, const Shard& shard = {});
+                       const OwnMethods& own = {}, const Shard& shard = {}, const WatchListing& watch = {});
 
 /// Of the whole campaign the first run of every cell alone.
 Campaign load_cells(const std::string& file, const CheckScenario& check = {}, unsigned jobs = 1,
@@ -92,12 +96,14 @@ Scenario scenario_of(const Campaign& campaign, std::size_t cell, std::uint64_t s
 
 /// The same from text; scenarios are looked for relative to `file`.
 Campaign parse_campaign(std::string_view yaml, const std::string& file, const CheckScenario& check = {},
-                        unsigned jobs = 1, const OwnMethods& own = {}, const Shard& shard = {});
+                        unsigned jobs = 1, const OwnMethods& own = {}, const Shard& shard = {},
+                        const WatchListing& watch = {});
 
 /// Writes down key and command of the runs that are listed in `specs` and `cells_of`, on `jobs` threads, and
 /// asks `check` of the first of every cell; those of a cell stand together. For whoever lists cells and runs
 /// that no file says. Throws InputError.
-void resolve_runs(Campaign& campaign, const CheckScenario& check, unsigned jobs, const OwnMethods& own);
+void resolve_runs(Campaign& campaign, const CheckScenario& check, unsigned jobs, const OwnMethods& own,
+                  const WatchListing& watch = {});
 
 /// Leaves only the runs of which `is_wanted` holds.
 void keep_runs(Campaign& campaign, const std::function<bool(const RunSpec&)>& is_wanted);
@@ -112,7 +118,8 @@ ShardPlan plan_of(const Campaign& campaign, std::uint32_t count, unsigned jobs =
 
 /// The same from what such a text says.
 Campaign expanded(const CampaignFile& written, const std::string& file, const CheckScenario& check = {},
-                  unsigned jobs = 1, const OwnMethods& own = {}, const Shard& shard = {});
+                  unsigned jobs = 1, const OwnMethods& own = {}, const Shard& shard = {},
+                  const WatchListing& watch = {});
 
 /// Its name, summary and the order of its labels' values. values_of(origin.order, "method") is what compare()
 /// takes as CompareOptions::order.

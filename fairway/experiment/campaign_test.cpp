@@ -383,6 +383,25 @@ TEST_F(CampaignTest, TheDigestIsOfWhatIsRunAndOfNothingElse) {
   EXPECT_NE(digest_of("seeds: {count: 2}\n"), digest);
 }
 
+TEST_F(CampaignTest, WhoWatchesTheListingIsToldInOrderAndMayEndIt) {
+  const CampaignFile written = parse_campaign_file(
+      "fairway_campaign: 1\nname: t\nscenario: pair.yaml\nseeds: {count: 50}\n", folder_.file("t.yaml"));
+  std::vector<std::size_t> told;
+  const auto list = [&](unsigned jobs, const WatchListing& watch) {
+    return expanded(written, folder_.file("t.yaml"), {}, jobs, {}, {}, watch);
+  };
+  list(3, [&](std::size_t listed, std::size_t of) {
+    EXPECT_EQ(of, 50U);
+    told.push_back(listed);
+  });
+  EXPECT_TRUE(std::ranges::is_sorted(told));
+  EXPECT_LE(told.size(), 50U);
+  told.clear();
+  list(1, [&](std::size_t listed, std::size_t) { told.push_back(listed); });
+  EXPECT_EQ(told.size(), 50U);
+  EXPECT_THROW(list(1, [](std::size_t, std::size_t) { throw RunAbandoned{}; }), RunAbandoned);
+}
+
 TEST_F(CampaignTest, RunsThatAreKeptKeepTheirCells) {
   Campaign c = parse("algorithms: [apf, orca3d]\nseeds: {count: 4}\n");
   keep_runs(c, [](const RunSpec& spec) { return spec.seed == 3; });
