@@ -16,7 +16,7 @@ void RunMetrics::write(const Frame& frame) {
   // all that is asked of one vehicle at a time, so that its frame is looked at once
   const Neighbours& all = neighbours_.of(frame);
   constexpr std::size_t size = 64;
-  const std::size_t count = frame.vehicles.size();
+  const std::size_t count = vehicles_ = frame.vehicles.size();
   while (near_.size() < hands) near_.emplace_back().reserve(count);
   const auto see = [&](std::size_t part, std::size_t hand) {
     for (std::size_t i = part * size; i < std::min(count, (part + 1) * size); ++i) {
@@ -41,6 +41,9 @@ void RunMetrics::write(const Frame& frame) {
 
 std::vector<Measure> RunMetrics::measures() const {
   std::vector<Measure> all;
+  std::size_t count = 0;
+  for (const QuantityInfo& quantity : all_quantities()) count += quantity.per_vehicle ? vehicles_ : 1;
+  all.reserve(count);
   encounters_.report(all);
   fleet_.report(all);
   effort_.report(all);

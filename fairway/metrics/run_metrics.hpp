@@ -48,6 +48,7 @@ class RunMetrics final : public FrameSink {
         progress_{progress_window, surroundings},
         fleet_{rules.safety_distance_m, surroundings} {}
 
+  std::size_t vehicles_{0};
   Neighbours neighbours_;
   std::vector<std::vector<Neighbour>> near_;  // of the vehicle that each hand is at
   EncounterMetric encounters_;
