@@ -3,8 +3,7 @@
 
 #include <array>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <optional>
 #include <utility>
 
 #include "fairway/experiment/campaign_forms.hpp"
@@ -182,10 +181,9 @@ Tree document_of(const std::string& text, const std::string& file, const char* k
 }  // namespace
 
 std::string text_of_file(const std::string& file) {
-  std::ifstream stream{file, std::ios::binary};
-  std::string text{std::istreambuf_iterator<char>{stream}, {}};
-  if (!stream || std::filesystem::is_directory(file)) throw InputError({file, 0, 0}, "", "cannot be read");
-  return text;
+  std::optional<std::string> text = yaml::document_in(file);
+  if (!text) throw InputError({file, 0, 0}, "", "cannot be read");
+  return std::move(*text);
 }
 
 ExamFamily parse_family(const std::string& text, const std::string& file) {

@@ -5,7 +5,6 @@
 #include <atomic>
 #include <exception>
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <mutex>
 #include <optional>
@@ -17,29 +16,17 @@
 #include "fairway/experiment/digest.hpp"
 #include "fairway/experiment/labels.hpp"
 #include "fairway/experiment/version.hpp"
+#include "fairway/scenario/tree.hpp"
 
 namespace fairway {
 namespace {
-
-constexpr std::size_t max_file_bytes = 4 << 20;
-
-/// The whole file, or nothing if it cannot be read or is far too long to be YAML of ours.
-std::optional<std::string> read_file(const std::string& file) {
-  std::ifstream stream{file, std::ios::binary};
-  std::string text(max_file_bytes + 1, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  // a folder opens and does not read
-  if (!stream.eof()) return {};
-  text.resize(static_cast<std::size_t>(stream.gcount()));
-  return text;
-}
 
 std::vector<CampaignScenario> load_scenarios(const CampaignFile& written, const std::string& file) {
   std::vector<CampaignScenario> scenarios;
   std::unordered_set<std::string> cases;
   for (const CampaignScenarioFile& scenario : written.scenarios) {
     const auto path = (std::filesystem::path(file).parent_path() / scenario.path).lexically_normal();
-    std::optional<std::string> text = read_file(path.string());
+    std::optional<std::string> text = yaml::document_in(path.string());
     if (!text) throw InputError(scenario.where, "scenario", path.string() + " cannot be read");
     if (!cases.insert(path.stem().string()).second) {
       throw InputError(scenario.where, "scenario", "a second one named " + path.stem().string());
@@ -292,7 +279,7 @@ void resolve_runs(Campaign& campaign, const CheckScenario& check, unsigned jobs,
 
 Campaign load_campaign(const std::string& file, const CheckScenario& check, unsigned jobs,
                        const OwnMethods& own, const Shard& shard, const WatchListing& watch) {
-  const std::optional<std::string> text = read_file(file);
+  const std::optional<std::string> text = yaml::document_in(file);
   if (!text) throw InputError({file, 0, 0}, "", "cannot be read");
   return parse_campaign(*text, file, check, jobs, own, shard, watch);
 }
@@ -310,7 +297,7 @@ void keep_runs(Campaign& campaign, const std::function<bool(const RunSpec&)>& is
 
 Campaign load_cells(const std::string& file, const CheckScenario& check, unsigned jobs,
                     const OwnMethods& own) {
-  const std::optional<std::string> text = read_file(file);
+  const std::optional<std::string> text = yaml::document_in(file);
   if (!text) throw InputError({file, 0, 0}, "", "cannot be read");
   // each of as many shards as there are seeds has one run of every cell, and this one the first
   return parse_campaign(*text, file, check, jobs, own, {0, parse_campaign_file(*text, file).seed_count});

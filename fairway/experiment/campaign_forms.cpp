@@ -2,8 +2,6 @@
 #include "fairway/experiment/campaign_forms.hpp"
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 namespace fairway::yaml {
 namespace {
@@ -31,10 +29,9 @@ CampaignAlgorithm read_algorithm_file(const Value& value, const Value& file) {
   const std::filesystem::path folder =
       std::filesystem::path(value.tree().where.location().file).parent_path();
   const std::string path = (folder / file.text()).lexically_normal().string();
-  std::ifstream stream{path};
-  const std::string text{std::istreambuf_iterator<char>{stream}, {}};
-  if (!stream) file.refuse(path + " cannot be read");
-  const Tree document = parse_tree(text, path);
+  const std::optional<std::string> text = document_in(path);
+  if (!text) file.refuse(path + " cannot be read");
+  const Tree document = parse_tree(*text, path);
   Reading reading;
   CampaignAlgorithm algorithm = read_algorithm({document, "", reading});
   const std::optional<Value> label = value.find("label");

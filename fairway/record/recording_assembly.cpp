@@ -39,24 +39,17 @@ void Recording::Assembly::read_frames() {
   verify();
 }
 
-bool Recording::Assembly::has_channel(std::string_view topic) const {
-  return std::ranges::any_of(mcap_.channels(),
-                             [&](const auto& channel) { return channel.second.topic == topic; });
-}
-
 void Recording::Assembly::find_channel(std::string_view topic, const MessageSchema& type, Target target) {
-  for (const auto& [id, channel] : mcap_.channels()) {
-    if (channel.topic != topic) continue;
-    const auto schema = mcap_.schemas().find(channel.schema);
-    if (channel.encoding != "cdr" || schema == mcap_.schemas().end() || schema->second.name != type.name ||
-        schema->second.text != type.text) {
-      damaged("topic " + channel.topic + " is not the " + std::string(type.name) +
-              " that this fairway knows");
-    }
-    if (!targets_.emplace(id, target).second) damaged("topic " + channel.topic + " belongs to two vehicles");
-    return;
+  const auto found = by_topic_.find(topic);
+  if (found == by_topic_.end()) damaged("topic " + std::string(topic) + " is missing");
+  const auto& channel = mcap_.channels().at(found->second);
+  const auto schema = mcap_.schemas().find(channel.schema);
+  if (channel.encoding != "cdr" || schema == mcap_.schemas().end() || schema->second.name != type.name ||
+      schema->second.text != type.text) {
+    damaged("topic " + channel.topic + " is not the " + std::string(type.name) + " that this fairway knows");
   }
-  damaged("topic " + std::string(topic) + " is missing");
+  if (!targets_.emplace(found->second, target).second)
+    damaged("topic " + channel.topic + " belongs to two vehicles");
 }
 
 void Recording::Assembly::see(const McapReader::Message& message) {

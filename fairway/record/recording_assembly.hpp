@@ -6,6 +6,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "fairway/record/mcap_reader.hpp"
@@ -19,7 +20,9 @@ namespace fairway {
 /// then what is shown besides. Throws Malformed.
 class Recording::Assembly {
  public:
-  Assembly(Recording& recording, const McapReader& mcap) : recording_{recording}, mcap_{mcap} {}
+  Assembly(Recording& recording, const McapReader& mcap) : recording_{recording}, mcap_{mcap} {
+    for (const auto& [id, channel] : mcap.channels()) by_topic_.emplace(channel.topic, id);
+  }
 
   /// The last of the recording's vehicles, with its `topic` as in the metadata.
   void add_vehicle(const std::string& topic);
@@ -41,7 +44,7 @@ class Recording::Assembly {
   };
 
   void find_channel(std::string_view topic, const MessageSchema& type, Target target);
-  bool has_channel(std::string_view topic) const;
+  bool has_channel(std::string_view topic) const { return by_topic_.contains(topic); }
 
   void see(const McapReader::Message& message);
   void see_vehicle(Role role, std::size_t vehicle, ByteView message);
@@ -59,6 +62,7 @@ class Recording::Assembly {
   Recording& recording_;
   const McapReader& mcap_;
   const RecordingInfo& info_ = recording_.info_;
+  std::unordered_map<std::string_view, std::uint16_t> by_topic_;  // of several channels the first
   std::map<std::uint16_t, Target> targets_;
   std::vector<std::size_t> counts_;  // of actuators, by vehicle and frame
   std::vector<Shown> shown_;         // by vehicle, at present

@@ -11,6 +11,7 @@
 
 #include "fairway/core/error.hpp"
 #include "fairway/core/testing/allocations.hpp"
+#include "fairway/core/testing/refusal.hpp"
 #include "fairway/record/frame_hash.hpp"
 #include "fairway/record/mcap_reader.hpp"
 #include "fairway/record/quantities.hpp"
@@ -199,6 +200,24 @@ TEST(TopicNames, AreWhatRosAccepts) {
                            {VehicleId{4}, "7seas", ""},
                            {VehicleId{5}, "vehicle_4", ""}}),
               ElementsAre("auv_1", "asv_1", "vehicle_2", "vehicle_3", "vehicle_4", "vehicle_5"));
+}
+
+TEST(TopicNames, OfAWholeFleetAreFoundWithoutComparingAll) {
+  std::vector<RecordingInfo::Vehicle> fleet(100'000, {VehicleId{0}, "auv", ""});
+  const std::vector<std::string> names = topic_names(fleet);
+  EXPECT_EQ(names.front(), "auv");
+  EXPECT_EQ(names.back(), "vehicle_99999");
+}
+
+TEST(RecordingWriter, RefusesMoreVehiclesThanThereIsRoomFor) {
+  const TemporaryFolder folder;
+  RecordingInfo info;
+  info.vehicles.resize(100'000);
+  const auto refusal = [&] { RecordingWriter{folder.file("r.mcap"), info, 1}; };
+  EXPECT_THAT(refusal_by(refusal),
+              HasSubstr("r.mcap: cannot hold 100000 vehicles; with what is recorded of each it has room for "
+                        "32500"));
+  EXPECT_FALSE(std::filesystem::exists(folder.file("r.mcap")));
 }
 
 TEST(FrameHash, ChangesWithAnyBit) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <unordered_set>
 #include <utility>
 
 #include "fairway/core/error.hpp"
@@ -33,6 +34,18 @@ std::string vehicles_json(const std::vector<RecordingInfo::Vehicle>& vehicles,
   return list.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
+/// MCAP numbers its channels by 16 bits, and a vehicle has one for each kind of message.
+void refuse_too_many(const RecordingInfo& info, const std::string& path) {
+  constexpr std::size_t channels = 65'000;
+  const std::size_t each = 2 + (info.perception ? 2 : 0) + (info.sketches ? 1 : 0);
+  if (info.vehicles.size() > channels / each)
+    throw InputError{{.file = path},
+                     "",
+                     "cannot hold " + std::to_string(info.vehicles.size()) +
+                         " vehicles; with what is recorded of each it has room for " +
+                         std::to_string(channels / each)};
+}
+
 std::uint16_t add_schema(McapWriter& mcap, const MessageSchema& schema) {
   return mcap.add_schema(schema.name, "ros2msg", schema.text);
 }
@@ -44,12 +57,13 @@ std::vector<std::string> topic_names(const std::vector<RecordingInfo::Vehicle>& 
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
   };
   std::vector<std::string> names;
+  std::unordered_set<std::string> taken;
   for (std::size_t i = 0; i < vehicles.size(); ++i) {
     std::string name = vehicles[i].name;
     std::ranges::replace_if(name, std::not_fn(plain), '_');
     const bool unusable = name.empty() || (name[0] >= '0' && name[0] <= '9');
-    if (unusable || std::ranges::find(names, name) != names.end()) name = "vehicle_" + std::to_string(i);
-    while (std::ranges::find(names, name) != names.end()) name += '_';
+    if (unusable || taken.contains(name)) name = "vehicle_" + std::to_string(i);
+    while (!taken.insert(name).second) name += '_';
     names.push_back(std::move(name));
   }
   return names;
@@ -58,6 +72,7 @@ std::vector<std::string> topic_names(const std::vector<RecordingInfo::Vehicle>& 
 RecordingWriter::RecordingWriter(std::string path, RecordingInfo info, std::int64_t stride)
     : path_{std::move(path)}, info_{std::move(info)}, stride_{stride} {
   if (stride_ < 1) throw InputError{{}, "stride", "is " + std::to_string(stride_) + "; expected 1 or more"};
+  refuse_too_many(info_, path_);
   mcap_ = std::make_unique<McapWriter>(path_, "ros2", "fairway " + info_.version);
   const std::vector<std::string> topics = topic_names(info_.vehicles);
   shown_.resize(topics.size());

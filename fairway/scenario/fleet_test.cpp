@@ -112,9 +112,9 @@ TEST(Fleet, WrittenAndReadAgainItIsTheSame) {
 
 TEST(Fleet, WhatCannotBeIsRefusedInOneLine) {
   EXPECT_EQ(refused_fleet("{count: 0, places: {lattice: {spacing_m: 5}}}"),
-            "f.yaml:4:16: fleet.count: expected a whole number in [1, 10000], got 0");
+            "f.yaml:4:16: fleet.count: expected a whole number in [1, 100000], got 0");
   EXPECT_EQ(refused_fleet("{count: 10000000, places: {lattice: {spacing_m: 5}}}"),
-            "f.yaml:4:16: fleet.count: expected a whole number in [1, 10000], got 10000000");
+            "f.yaml:4:16: fleet.count: expected a whole number in [1, 100000], got 10000000");
   EXPECT_EQ(refused_fleet("{count: 8, places: {latice: {spacing_m: 5}}}"),
             "f.yaml:4:28: fleet.places.latice: unknown kind; did you mean lattice?");
   EXPECT_EQ(refused_fleet("{count: 8, places: {lattice: {spacing: 5}}}"),
@@ -132,9 +132,9 @@ TEST(Fleet, WhatCannotBeIsRefusedInOneLine) {
               HasSubstr("fleet: no room was found for 900 vehicles 5 m apart"));
   EXPECT_THAT(refused_fleet("{count: 8, places: {lattice: {spacing_m: 9}}, goals: there}"),
               HasSubstr("fleet.goals: expected opposite or shuffled"));
-  EXPECT_THAT(refused_fleet("{count: 9999, places: {lattice: {spacing_m: 9}}}",
+  EXPECT_THAT(refused_fleet("{count: 99999, places: {lattice: {spacing_m: 9}}}",
                             "vehicles: [{start: {position_m: [0, 0, 0]}}, {start: {position_m: [2, 0, 0]}}]"),
-              HasSubstr("10001 vehicles; a scenario has 1 to 10000"));
+              HasSubstr("100001 vehicles; a scenario has 1 to 100000"));
 }
 
 }  // namespace

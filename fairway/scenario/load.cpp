@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/scenario/load.hpp"
 
-#include <fstream>
-
 #include "fairway/scenario/overrides.hpp"
 #include "fairway/scenario/parts.hpp"
 
@@ -44,13 +42,9 @@ Scenario parse_scenario(std::string_view text, const std::string& file, const Ov
 
 Scenario load_scenario(const std::string& file, const Overrides& overrides,
                        std::optional<std::uint64_t> seed) {
-  std::ifstream stream{file, std::ios::binary};
-  std::string text(yaml::max_document_bytes + 1, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  // a directory opens and does not read
-  if (!stream.eof() && !stream.good()) throw InputError({file}, "", "cannot be read");
-  text.resize(static_cast<std::size_t>(stream.gcount()));
-  return parse_scenario(text, file, overrides, seed);
+  const std::optional<std::string> text = yaml::document_in(file);
+  if (!text) throw InputError({file}, "", "cannot be read");
+  return parse_scenario(*text, file, overrides, seed);
 }
 
 std::string to_yaml(const Scenario& scenario) {

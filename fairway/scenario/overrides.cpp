@@ -161,7 +161,7 @@ void fill_vehicles(Tree& document) {
   const Tree* defaults = document.find("defaults");
   Tree* vehicles = document.find("vehicles");
   if (defaults == nullptr || !defaults->is_map() || vehicles == nullptr || !vehicles->is_list()) return;
-  if (vehicles->items.size() * defaults->size() > max_tree_nodes) {
+  if (vehicles->items.size() * defaults->size() > max_filled_nodes) {
     throw InputError(defaults->where.location(), "defaults", "too long for so many vehicles");
   }
   for (Tree& vehicle : vehicles->items) {

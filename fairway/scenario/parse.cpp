@@ -4,6 +4,8 @@
 #include <yaml-cpp/parser.h>
 
 #include <algorithm>
+#include <array>
+#include <fstream>
 #include <numeric>
 #include <sstream>
 #include <unordered_map>
@@ -17,8 +19,8 @@ namespace {
 /// own and refuses, while reading, whatever would grow beyond the bounds.
 class Builder : public YAML::EventHandler {
  public:
-  Builder(std::shared_ptr<const std::string> source, bool located)
-      : source_{std::move(source)}, located_{located} {}
+  Builder(std::shared_ptr<const std::string> source, bool located, std::size_t most_nodes)
+      : source_{std::move(source)}, located_{located}, most_nodes_{most_nodes} {}
 
   Tree& root() { return root_; }
 
@@ -108,7 +110,7 @@ class Builder : public YAML::EventHandler {
       nodes_ += tree.size();
       anchors_[anchor] = tree;
     }
-    if (++nodes_ > max_tree_nodes) throw too_large(tree.where);
+    if (++nodes_ > most_nodes_) throw too_large(tree.where);
     // where nothing is written, the key is what can be pointed at
     if (tree.is_null() && !open_.empty() && open_.back().tree.is_map())
       tree.where = open_.back().tree.key_where.back();
@@ -117,12 +119,12 @@ class Builder : public YAML::EventHandler {
 
   void count(const YAML::Mark& mark, std::size_t nodes) {
     nodes_ += nodes;
-    if (nodes_ > max_tree_nodes) throw too_large(at(mark));
+    if (nodes_ > most_nodes_) throw too_large(at(mark));
   }
 
-  static InputError too_large(const Where& where) {
+  InputError too_large(const Where& where) const {
     return {where.location(), "",
-            "more than " + std::to_string(max_tree_nodes) + " values, aliases written out"};
+            "more than " + std::to_string(most_nodes_) + " values, aliases written out"};
   }
 
   void refuse_tag(const YAML::Mark& mark, const std::string& tag) const {
@@ -148,6 +150,7 @@ class Builder : public YAML::EventHandler {
 
   std::shared_ptr<const std::string> source_;
   bool located_;
+  std::size_t most_nodes_;
   Tree root_;
   std::vector<Open> open_;
   std::unordered_map<YAML::anchor_t, Tree> anchors_;
@@ -169,6 +172,18 @@ void refuse_brackets(std::string_view yaml, const std::string& source) {
 
 }  // namespace
 
+std::optional<std::string> document_in(const std::string& file) {
+  std::ifstream stream{file, std::ios::binary};
+  std::string text;
+  std::array<char, 1 << 16> part;
+  while (text.size() <= max_document_bytes && stream.read(part.data(), part.size()).gcount() > 0)
+    text.append(part.data(), static_cast<std::size_t>(stream.gcount()));
+  // a folder opens and does not read
+  if (!stream.eof() && !stream.good()) return {};
+  text.resize(std::min(text.size(), max_document_bytes + 1));
+  return text;
+}
+
 Tree parse_tree(std::string_view yaml, const std::string& source, bool located) {
   if (yaml.size() > max_document_bytes) {
     throw InputError({source}, "",
@@ -178,14 +193,15 @@ Tree parse_tree(std::string_view yaml, const std::string& source, bool located) 
     throw InputError({source}, "", "holds a zero byte; not a text file");
   refuse_brackets(yaml, source);
 
-  Builder builder{std::make_shared<const std::string>(source), located};
+  Builder builder{std::make_shared<const std::string>(source), located,
+                  std::max(max_tree_nodes, yaml.size())};
   try {
     std::istringstream stream{std::string(yaml)};
     YAML::Parser parser{stream};
     if (!parser.HandleNextDocument(builder)) return {.where = builder.at({})};
 
     Tree root = std::move(builder.root());
-    Builder second{std::make_shared<const std::string>(source), located};
+    Builder second{std::make_shared<const std::string>(source), located, max_tree_nodes};
     if (parser.HandleNextDocument(second))
       throw InputError({source}, "", "more than one document; keep one per file");
     return root;

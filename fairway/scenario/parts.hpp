@@ -13,7 +13,7 @@ namespace fairway::yaml {
 inline constexpr Bounds anywhere = from_to(-1e7, 1e7);
 
 /// The most that one file may ask for.
-inline constexpr std::size_t max_vehicles = 10'000;
+inline constexpr std::size_t max_vehicles = 100'000;
 inline constexpr std::size_t max_vertices = 10'000;
 
 /// What a run draws from: `given`, or as the document says. Throws InputError for one that it does not

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -63,11 +64,17 @@ struct Tree {
   std::size_t size() const;
 };
 
-/// What a document may hold. A scenario of ten thousand vehicles, written out, needs half of it.
-inline constexpr std::size_t max_document_bytes = 16 << 20;
+/// What a document may hold. A scenario of a hundred thousand vehicles, written out, needs half of it.
+inline constexpr std::size_t max_document_bytes = 160 << 20;
+/// Where aliases are written out; as many as there are bytes, if those are more.
 inline constexpr std::size_t max_tree_nodes = 1'000'000;
+inline constexpr std::size_t max_filled_nodes = 5'000'000;  ///< of defaults, for all vehicles together
 inline constexpr std::size_t max_tree_depth = 64;
 inline constexpr std::size_t max_key_bytes = 100;  ///< YAML itself ends a key, escapes and all, at 1024
+
+/// What is in a text file; nothing where it cannot be read. Of one that is longer than a document may be, a
+/// byte more than that.
+std::optional<std::string> document_in(const std::string& file);
 
 /// The one document in `yaml`. Anchors and aliases are written out. Throws InputError with line and
 /// column: bad syntax, a key given twice, tags, more than one document, or beyond the bounds above.
