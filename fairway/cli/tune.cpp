@@ -109,9 +109,9 @@ RunMaker maker_for(const Program& program) {
 void refuse_mistakes(const TuneFlags& flags, const Task& task, const Outputs& outputs,
                      const Program& program) {
   const TuningFile& tuning = task.tuning;
-  refuse_small_budget(tuning, flags.budget);
   for (const TuningSet* set : {&tuning.train, &tuning.validation, &tuning.test})
     expanded(campaign_on(*set, {tuning.method}, 0, 1), flags.specification, maker_for(program).check);
+  refuse_small_budget(tuning, flags.budget);
   if (std::filesystem::exists(task.files.folder))
     outputs.judge(inputs_of(flags, tuning), {{"--out", task.files.store, store_file},
                                              {"--out", task.files.avoider, tuned_file},
