@@ -10,7 +10,6 @@ namespace fairway {
 namespace {
 
 using yaml::Block;
-using yaml::Form;
 using yaml::Needed;
 using yaml::one_line;
 using yaml::read_only;
