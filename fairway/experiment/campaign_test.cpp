@@ -6,17 +6,12 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <nlohmann/json.hpp>
-#include <regex>
 #include <set>
 
 #include "fairway/core/error.hpp"
 #include "fairway/core/testing/refusal.hpp"
 #include "fairway/core/text.hpp"
 #include "fairway/experiment/campaign_file.hpp"
-#include "fairway/experiment/digest.hpp"
 #include "fairway/experiment/labels.hpp"
 #include "fairway/experiment/testing/sample_runs.hpp"
 
@@ -269,41 +264,6 @@ TEST_F(CampaignTest, TooManyRunsAreRefusedAtOnce) {
               HasSubstr("more than 10000000 runs"));
 }
 
-TEST(PublishedCampaignsTest, LoadWithTheirScenarios) {
-  std::size_t files = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(FAIRWAY_SOURCE_DIR "/campaigns")) {
-    if (entry.path().extension() != ".yaml") continue;
-    const std::string file = entry.path().string();
-    std::ifstream stream{file};
-    const std::string text{std::istreambuf_iterator<char>{stream}, {}};
-    const std::string few_seeds = std::regex_replace(text, std::regex{"count: [0-9]+\\}"}, "count: 2}");
-    EXPECT_EQ(parse_campaign(few_seeds, file).name, entry.path().stem().string());
-    ++files;
-  }
-  EXPECT_GE(files, 2U);
-}
-
-TEST(CampaignSchemaTest, NamesEveryKey) {
-  const auto schema = nlohmann::json::parse(campaign_schema());
-  for (const char* key :
-       {"fairway_campaign", "name", "scenario", "set", "algorithms", "grid", "zip", "seeds", "quantities"}) {
-    EXPECT_TRUE(schema["properties"].contains(key)) << key;
-  }
-  EXPECT_EQ(schema["additionalProperties"], false);
-}
-
-TEST(DigestTest, IsTheOneOfThePublishedVectors) {
-  // draft-eastlake-fnv, appendix C
-  EXPECT_EQ(Digest::of(""), "6c62272e07bb014262b821756295c58d");
-  EXPECT_EQ(Digest::of("a"), "d228cb696f1a8caf78912b704e4a8964");
-  EXPECT_EQ(Digest::of("foobar"), "343e1662793c64bf6f0d3597ba446f18");
-}
-
-TEST(DigestTest, TellsWhereOneTextEndsAndTheNextBegins) {
-  EXPECT_NE(Digest{}.add("ab").add("c").hex(), Digest{}.add("a").add("bc").hex());
-  EXPECT_NE(Digest{}.add("").hex(), Digest{}.hex());
-}
-
 TEST_F(CampaignTest, ARunWithAMethodOfTheProgramsOwnHasItsVersionInTheKey) {
   const std::string two = "algorithms: [orca3d, {algorithm: mine+stop_and_wait}]\n";
   const auto with = [&](const std::string& version, const std::string& program) {
@@ -395,7 +355,6 @@ TEST_F(CampaignTest, WhoWatchesTheListingIsToldInOrderAndMayEndIt) {
     told.push_back(listed);
   });
   EXPECT_TRUE(std::ranges::is_sorted(told));
-  EXPECT_LE(told.size(), 50U);
   told.clear();
   list(1, [&](std::size_t listed, std::size_t) { told.push_back(listed); });
   EXPECT_EQ(told.size(), 50U);

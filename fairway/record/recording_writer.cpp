@@ -34,7 +34,7 @@ std::string vehicles_json(const std::vector<RecordingInfo::Vehicle>& vehicles,
   return list.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
-/// MCAP numbers its channels by 16 bits, and a vehicle has one for each kind of message.
+/// MCAP numbers its channels by 16 bits. A vehicle has one for each kind of message, and a few are the run's.
 void refuse_too_many(const RecordingInfo& info, const std::string& path) {
   constexpr std::size_t channels = 65'000;
   const std::size_t each = 2 + (info.perception ? 2 : 0) + (info.sketches ? 1 : 0);

@@ -27,23 +27,31 @@ std::array<NamedSet, 3> sets_of(const TuningResult& result) {
            {"test", &result.test, &result.usual_test}}};
 }
 
-json mean_json(const MeanEstimate& e) { return {{"mean", e.mean}, {"low", e.low}, {"high", e.high}}; }
+/// What all estimates have: a value and its interval.
+struct Interval {
+  double value, low, high;
 
-json difference_json(const RateDifference& d) {
-  return {{"mean", d.difference}, {"low", d.low}, {"high", d.high}};
+  Interval(const MeanEstimate& e) : value{e.mean}, low{e.low}, high{e.high} {}
+  Interval(const RateEstimate& e) : value{e.rate}, low{e.low}, high{e.high} {}
+  Interval(const RateDifference& e) : value{e.difference}, low{e.low}, high{e.high} {}
+};
+
+json interval_json(const Interval& e) { return {{"mean", e.value}, {"low", e.low}, {"high", e.high}}; }
+
+std::string percent(const Interval& e) {
+  return fmt::format("{:+.1f} % [{:+.1f}, {:+.1f}]", 100.0 * e.value, 100.0 * e.low, 100.0 * e.high);
 }
 
 json appraisal_json(const Appraisal& a) {
-  json safer = difference_json(a.safer);
+  json safer = interval_json(a.safer);
   safer["p"] = a.safer_p;
   return {{"runs", a.runs},
-          {"collision_free_ratio",
-           {{"mean", a.collision_free.rate}, {"low", a.collision_free.low}, {"high", a.collision_free.high}}},
-          {"arrived_ratio", mean_json(a.arrived)},
-          {"navigation_time_s", mean_json(a.time_s)},
+          {"collision_free_ratio", interval_json(a.collision_free)},
+          {"arrived_ratio", interval_json(a.arrived)},
+          {"navigation_time_s", interval_json(a.time_s)},
           {"safer_ratio", std::move(safer)},
-          {"arrived_difference_ratio", mean_json(a.arrived_difference)},
-          {"time_difference_ratio", mean_json(a.time_difference)}};
+          {"arrived_difference_ratio", interval_json(a.arrived_difference)},
+          {"time_difference_ratio", interval_json(a.time_difference)}};
 }
 
 json score_json(const Score& score) {
@@ -70,14 +78,6 @@ std::string row(const std::string& name, const Appraisal& a) {
   return fmt::format("  {:<24} {:>5}   {:.3f} [{:.3f}, {:.3f}]   {:.3f}   {:.4g} [{:.4g}, {:.4g}] s\n", name,
                      a.runs, a.collision_free.rate, a.collision_free.low, a.collision_free.high,
                      a.arrived.mean, a.time_s.mean, a.time_s.low, a.time_s.high);
-}
-
-std::string percent(const MeanEstimate& e) {
-  return fmt::format("{:+.1f} % [{:+.1f}, {:+.1f}]", 100.0 * e.mean, 100.0 * e.low, 100.0 * e.high);
-}
-
-std::string percent(const RateDifference& d) {
-  return fmt::format("{:+.1f} % [{:+.1f}, {:+.1f}]", 100.0 * d.difference, 100.0 * d.low, 100.0 * d.high);
 }
 
 /// What is shown of the result on the runs that the search never saw, in a sentence without its full stop.
@@ -153,8 +153,8 @@ json to_json(const TuningFile& tuning, const TuningResult& result) {
                 {"runs", result.runs},
                 {"generations", result.generations},
                 {"tried", result.tried},
-                {"luck_ratio", mean_json(result.luck)},
-                {"safety_luck_ratio", difference_json(result.safety_luck)},
+                {"luck_ratio", interval_json(result.luck)},
+                {"safety_luck_ratio", interval_json(result.safety_luck)},
                 {"default", {{"parameters", setting_json(tuning, usual_setting(tuning.parameters))}}},
                 {"curve", json::array()},
                 {"front", json::array()},

@@ -2,6 +2,7 @@
 #include "fairway/avoidance/pledge/clearance.hpp"
 
 #include <algorithm>
+#include <bit>
 
 namespace fairway::pledge {
 namespace {
@@ -81,6 +82,7 @@ bool Clearance::are_clear(const Stops& stops, const Reference& of_other, double 
 
 std::optional<std::size_t> Clearance::hindered_by(std::size_t member, const Reference& reference,
                                                   std::size_t suspected) const noexcept {
+  static_assert(std::has_single_bit(most_members), "so that the others can be told apart by a bit");
   std::array<double, most_members> apart_from{};
   const Vec3 begin = reference.at(start_);
   for (std::size_t i = 0; i < most_members; ++i) {

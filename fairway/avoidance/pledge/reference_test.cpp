@@ -117,5 +117,32 @@ TEST(Clearance, WhatItAcceptsStaysClearWhoeverDepartsAndWhereverSomebodyStops) {
   EXPECT_GT(placed, 20);
 }
 
+TEST(Clearance, WhoHindersAMemberDoesSoAloneAndWhetherAnybodyDoesIsTheSameWhoeverIsAskedFirst) {
+  Rng rng = Rng{4}.stream("clearance");
+  int hindered = 0, free = 0;
+  for (int i = 0; i < 300; ++i) {
+    std::array<Member, most_members> members;
+    for (Member& member : members) member = drawn_member(rng);
+    const Plan plan = drawn_plan(rng);
+    const Tubes tubes{.radius = 0.5, .told = 0.1};
+    Clearance scene{members, Members{}.set(), tubes, plan.start()};
+    for (std::size_t m = 0; m < most_members; ++m) {
+      const Reference way = reference_of(members[m], plan, plan.codes[m]);
+      for (std::size_t suspected = 0; suspected < most_members; ++suspected) {
+        const auto hindrance = scene.hindered_by(m, way, suspected);
+        ASSERT_EQ(hindrance.has_value(), !scene.accepts(m, way)) << i << " " << m << " " << suspected;
+        if (!hindrance || *hindrance == m) continue;
+        Clearance alone{members, Members{}.set(), tubes, plan.start()};
+        alone.place(*hindrance, scene.reference(*hindrance));
+        ASSERT_EQ(alone.hindered_by(m, way), hindrance) << i << " " << m << " " << suspected;
+      }
+      (scene.accepts(m, way) ? free : hindered) += 1;
+      if (scene.accepts(m, way)) scene.place(m, way);
+    }
+  }
+  EXPECT_GT(hindered, 100);
+  EXPECT_GT(free, 100);
+}
+
 }  // namespace
 }  // namespace fairway::pledge

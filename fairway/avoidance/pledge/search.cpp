@@ -165,9 +165,11 @@ Plan Search::empty_plan() const noexcept {
           .to_port = (attempt_ / centres + hub_) % 2 == 1};
 }
 
-bool Search::keeps_off_all(std::size_t member, const Reference& reference,
-                           const Chart& chart) const noexcept {
-  return keeps_off(reference, chart, berth(members_[member], tubes_));
+/// Who keeps a member from going so: itself, where that is what stands; nobody if it may.
+std::optional<std::size_t> Search::hindrance_to(std::size_t member, const Reference& reference,
+                                                const Clearance& scene, const Chart& chart) const noexcept {
+  if (!keeps_off(reference, chart, berth(members_[member], tubes_))) return member;
+  return scene.hindered_by(member, reference, suspected_);
 }
 
 bool Search::go_on(int count, const Chart& chart) noexcept {
@@ -216,11 +218,11 @@ int Search::carousel_count() const noexcept {
 }
 
 void Search::try_carousel(int number, const Chart& chart) noexcept {
-  const Code down{static_cast<std::uint8_t>(number % rings)},
-      up{static_cast<std::uint8_t>(number / rings % rings)};
-  if (number % (rings * rings) == 0) clashes_ = {};
+  const auto down = static_cast<std::uint8_t>(number % rings),
+             up = static_cast<std::uint8_t>(number / rings % rings);
+  if (number % (rings * rings) == 0) clashes_ = {};  // of another side or width
   Clashes::Rings by{};
-  for (std::size_t i = 0; i < most_members; ++i) by[i] = (dives(members_[i]) ? down : up).ring;
+  for (std::size_t i = 0; i < most_members; ++i) by[i] = dives(members_[i]) ? down : up;
   if (clashes_.are_any(participants_, by)) return;
   Plan plan = empty_plan();
   plan.scale = static_cast<std::uint8_t>(plan.scale + number / carousels);
@@ -231,9 +233,8 @@ void Search::try_carousel(int number, const Chart& chart) noexcept {
     if (!participants_[i]) continue;
     plan.codes[i].ring = by[i];
     const Reference reference = reference_of(members_[i], plan, plan.codes[i]);
-    std::optional<std::size_t> hindrance = i;
-    if (keeps_off_all(i, reference, chart)) hindrance = scene.hindered_by(i, reference);
-    if (hindrance) return clashes_.add(i, participants_[*hindrance] ? *hindrance : i, by);
+    if (const auto hindrance = hindrance_to(i, reference, scene, chart))
+      return clashes_.add(i, participants_[*hindrance] ? *hindrance : i, by);
     scene.place(i, reference);
   }
   keep(scene, plan);
@@ -270,8 +271,8 @@ void Search::try_code(double limit, const Chart& chart) noexcept {
   if (code.delay > 0 && undelayed_[code.dive] + delay_step * code.delay > limit + rounding) return;
   const Reference reference = reference_of(member, plan_, code, passage_);
   if (code.delay == 0) undelayed_[code.dive] = reference.end();
-  if (reference.end() >= limit || !keeps_off_all(member_, reference, chart)) return;
-  if (const auto hindrance = scene_.hindered_by(member_, reference, suspected_)) {
+  if (reference.end() >= limit) return;
+  if (const auto hindrance = hindrance_to(member_, reference, scene_, chart)) {
     suspected_ = *hindrance;
     return;
   }

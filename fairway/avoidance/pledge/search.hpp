@@ -63,7 +63,8 @@ class Search {
   void begin_hub() noexcept;
   Plan empty_plan() const noexcept;
   Clearance empty() const noexcept;
-  bool keeps_off_all(std::size_t member, const Reference& reference, const Chart& chart) const noexcept;
+  std::optional<std::size_t> hindrance_to(std::size_t member, const Reference& reference,
+                                          const Clearance& scene, const Chart& chart) const noexcept;
   int carousel_count() const noexcept;
   double cost_of(const Reference& reference) noexcept;
   void try_carousel(int number, const Chart& chart) noexcept;
@@ -105,7 +106,7 @@ class Search {
   int number_{0};             ///< of the next carousel, or code
   int spent_{0};              ///< on headway, in codes
   Clashes clashes_{};         ///< of carousels of the side and width that are tried
-  std::size_t suspected_{0};  ///< who hindered the last code that was tried
+  std::size_t suspected_{0};  ///< who hindered the last of the codes that were tried
   bool improved_{false};
   Code code_{};            ///< that the member may take
   std::size_t turn_{0};    ///< of the member that takes a code now

@@ -61,7 +61,7 @@ class NormalEquations {
     factor_ = columns_;
     step = downhill_;
     for (std::size_t j = first_; j < last_; ++j) {
-      Column column = factor_[j];  // apart from the others, so that the compiler sees it
+      Column column = factor_[j];  // a copy, so that nothing written below may change it
       const double pivot = column[0] + damping;
       if (!(pivot > 0.0)) return false;
       const double inverse = 1.0 / std::sqrt(pivot);
@@ -82,7 +82,8 @@ class NormalEquations {
  private:
   using Column = std::array<double, reach>;
 
-  /// What is known of a variable is taken away from the equations of the next ones, each by its own code.
+  /// What is known of a variable is taken away from the equations of the next ones. Unrolled: each of these
+  /// has a number of entries that the compiler knows, and several go together.
   template <std::size_t... I>
   static void take_away(const Column& column, double known, Column* factor, double* step,
                         std::index_sequence<I...>) {

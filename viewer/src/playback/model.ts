@@ -49,7 +49,7 @@ export type Obstacle = Of<typeof obstacle>;
 const wave = record({ amplitude_m: number, frequency_radps: number, number_radpm: number, phase_rad: number, direction: vec2 });
 export type Wave = Of<typeof wave>;
 
-const most_vehicles = 65_000;
+const most_vehicles = 100_000;
 const scene = record({
   vehicles: (value, path) => {
     const all = list(vehicle)(value, path);

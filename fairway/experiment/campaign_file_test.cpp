@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/experiment/campaign_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <regex>
+
+#include "fairway/experiment/campaign.hpp"
+
+namespace fairway {
+namespace {
+
+TEST(PublishedCampaignsTest, LoadWithTheirScenarios) {
+  std::size_t files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(FAIRWAY_SOURCE_DIR "/campaigns")) {
+    if (entry.path().extension() != ".yaml") continue;
+    const std::string file = entry.path().string();
+    std::ifstream stream{file};
+    const std::string text{std::istreambuf_iterator<char>{stream}, {}};
+    const std::string few_seeds = std::regex_replace(text, std::regex{"count: [0-9]+\\}"}, "count: 2}");
+    EXPECT_EQ(parse_campaign(few_seeds, file).name, entry.path().stem().string());
+    ++files;
+  }
+  EXPECT_GE(files, 2U);
+}
+
+TEST(CampaignSchemaTest, NamesEveryKey) {
+  const auto schema = nlohmann::json::parse(campaign_schema());
+  for (const char* key :
+       {"fairway_campaign", "name", "scenario", "set", "algorithms", "grid", "zip", "seeds", "quantities"}) {
+    EXPECT_TRUE(schema["properties"].contains(key)) << key;
+  }
+  EXPECT_EQ(schema["additionalProperties"], false);
+}
+
+}  // namespace
+}  // namespace fairway
