@@ -12,7 +12,8 @@ Ownship Pilot::own_ship(const VehicleState& x, bool has_arrived) const noexcept 
           .yaw = yaw_of(x.q_nb),
           .yaw_rate = x.omega_b.z(),
           .radius = ship_.radius,
-          .priority = has_arrived ? last_priority : ship_.priority};
+          .priority = has_arrived ? last_priority : ship_.priority,
+          .position_sigma = ship_.position_sigma};
 }
 
 Situation Pilot::situation(double time, const Ownship& own, const Leg& leg, std::span<const Track> tracks,

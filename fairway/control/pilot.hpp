@@ -26,6 +26,7 @@ struct Particulars {
   std::string name;
   double radius{1.0};  ///< of the enclosing sphere [m]
   std::int32_t priority{};
+  double position_sigma{};  ///< as its navigation states it [m]
   Limits limits;
   SteeringParams steering;
   Boxed<OnboardModel> model;

@@ -28,7 +28,8 @@ fairway::Ownship converted(const Ownship& own) {
           .yaw = own.yaw,
           .yaw_rate = own.yaw_rate,
           .radius = own.radius,
-          .priority = own.priority};
+          .priority = own.priority,
+          .position_sigma = own.position_sigma};
 }
 
 fairway::Track converted(const Track& track) {

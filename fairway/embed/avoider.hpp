@@ -34,6 +34,7 @@ struct Ownship {
   double radius{1.0};       ///< of the enclosing sphere [m]
   std::uint32_t id{};       ///< unlike that of every track
   std::int32_t priority{};  ///< the smaller number has the right of way
+  double position_sigma{};  ///< deviation of its error of position, to the worst side; 0: not stated [m]
 };
 
 /// Another vehicle, or anything else that moves, as perceived.

@@ -13,6 +13,7 @@ struct Fix {
   double time{};  ///< [s, of the clock that the helm is updated with]
   VehicleState state;
   std::optional<Vec3> through_water_b;  ///< velocity through the water, where it is measured [m/s, body]
+  double position_sigma{};  ///< deviation of the error of position, to the worst side; 0: not stated [m]
 };
 
 /// What became of a fix that was handed in. Whatever is not `accepted` changes nothing but a count.

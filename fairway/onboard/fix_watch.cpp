@@ -15,10 +15,11 @@ constexpr double attitude_error = 1e-3;  // of the quaternion's length
 bool is_plausible(const Fix& fix) {
   const VehicleState& x = fix.state;
   const Vec3 through_water_b = fix.through_water_b.value_or(Vec3::Zero());
-  return std::isfinite(fix.time) && is_finite(through_water_b) &&
-         through_water_b.cwiseAbs().maxCoeff() <= absurd_speed && is_finite(x) &&
-         x.p_n.cwiseAbs().maxCoeff() <= absurd_position && x.v_b.cwiseAbs().maxCoeff() <= absurd_speed &&
-         x.omega_b.cwiseAbs().maxCoeff() <= absurd_turn && std::fabs(x.q_nb.norm() - 1.0) <= attitude_error;
+  return std::isfinite(fix.time) && is_finite(through_water_b) && fix.position_sigma >= 0.0 &&
+         fix.position_sigma <= absurd_position && through_water_b.cwiseAbs().maxCoeff() <= absurd_speed &&
+         is_finite(x) && x.p_n.cwiseAbs().maxCoeff() <= absurd_position &&
+         x.v_b.cwiseAbs().maxCoeff() <= absurd_speed && x.omega_b.cwiseAbs().maxCoeff() <= absurd_turn &&
+         std::fabs(x.q_nb.norm() - 1.0) <= attitude_error;
 }
 
 /// Whether a vehicle that was at `before` can be at `after`.

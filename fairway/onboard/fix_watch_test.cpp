@@ -59,6 +59,8 @@ TEST(FixWatch, WhatIsNotANumberOrNoAttitudeOrAbsurdIsInvalid) {
   EXPECT_EQ(broken([](Fix& f) { f.state.v_b.x() = 1e300; }), invalid);
   EXPECT_EQ(broken([](Fix& f) { f.through_water_b = Vec3{0, nan, 0}; }), invalid);
   EXPECT_EQ(broken([](Fix& f) { f.through_water_b = Vec3{1e300, 0, 0}; }), invalid);
+  EXPECT_EQ(broken([](Fix& f) { f.position_sigma = nan; }), invalid);
+  EXPECT_EQ(broken([](Fix& f) { f.position_sigma = -0.1; }), invalid);
 }
 
 TEST(FixWatch, AnAttitudeThatIsUnitToWithinAThousandthIsOne) {

@@ -203,6 +203,7 @@ void Helm::see_arrival() noexcept {
 Ownship Helm::own_at(const Fix& fix) const noexcept {
   const double age = now_ - fix.time;
   Ownship own = pilot_.own_ship(fix.state, arrived_);
+  own.position_sigma = fix.position_sigma;
   if (age != 0.0) {
     own.position += age * own.velocity;
     own.yaw = wrap_angle(own.yaw + age * own.yaw_rate);

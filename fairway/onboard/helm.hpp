@@ -79,6 +79,7 @@ struct HelmReport {
   HelmOrder order;
   double own_age{};  ///< [s]
   FixVerdict own_verdict{};
+  double own_position_sigma{};  ///< of the last fix that was believed; 0: it stated none [m]
   std::array<std::int64_t, EnumNames<FixVerdict>::names.size()> own_counts{};
   std::int64_t decisions{};
   std::int64_t infeasible{};

@@ -46,7 +46,7 @@ class Helms {
     const double now = simulation.time();
     for (std::size_t i = 0; i < helms_.size(); ++i) {
       for (std::size_t k = 0; k < helms_.size(); ++k) {
-        Fix fix{.time = now, .state = agents[k].estimate};
+        Fix fix{.time = now, .state = agents[k].estimate, .position_sigma = agents[k].own.position_sigma};
         if (measure_water_)
           fix.through_water_b = fix.state.v_b - fix.state.q_nb.conjugate() * agents[k].estimated_current;
         const VehicleId id = agents[k].ship().id;
@@ -86,13 +86,15 @@ struct Case {
   const char* algorithm;
   std::int32_t steps_per_decision;
   double duration_s;
+  const char* navigation = "perfect";
 };
 
 class HelmBesideASimulation : public testing::TestWithParam<Case> {};
 
 TEST_P(HelmBesideASimulation, DecidesAndAsksTheSameToTheBit) {
-  const auto [algorithm, steps, duration] = GetParam();
-  const Scenario scenario = cube(algorithm, steps);
+  const auto [algorithm, steps, duration, navigation] = GetParam();
+  Scenario scenario = cube(algorithm, steps);
+  scenario.navigation.name = navigation;
   Simulation simulation{scenario, builtin_catalogs()};
   Helms helms{scenario, simulation};
   std::int64_t decisions = 0;
@@ -126,7 +128,8 @@ INSTANTIATE_TEST_SUITE_P(Cube, HelmBesideASimulation,
                          testing::Values(Case{"apf", 1, 600}, Case{"orca3d", 1, 600}, Case{"orca3d", 4, 600},
                                          Case{"orca3d", 20, 600}, Case{"orca3d+stop_and_wait", 1, 600},
                                          Case{"apf+stop_and_wait", 5, 600}, Case{"vo", 1, 90},
-                                         Case{"vo", 4, 200}, Case{"avoa", 4, 90}));
+                                         Case{"vo", 4, 200}, Case{"avoa", 4, 90},
+                                         Case{"orca3d+trackable", 4, 200, "drifting"}));
 
 TEST(HelmInsteadOfAvoiders, AFleetSteeredByHelmsGoesWhereTheSimulationGoesToTheBit) {
   for (const char* algorithm : {"orca3d", "orca3d+stop_and_wait"}) {

@@ -164,6 +164,7 @@ HelmReport Helm::report(double now) const {
   HelmReport report{.order = order_,
                     .own_age = own_watch_.age(now),
                     .own_verdict = own_watch_.verdict(),
+                    .own_position_sigma = own_watch_.last() ? own_watch_.last()->position_sigma : 0.0,
                     .own_counts = counts_of(own_watch_),
                     .decisions = decisions_,
                     .infeasible = infeasible_,

@@ -22,6 +22,7 @@ struct NavigationParams {
   double heading_sigma_deg = 0.5;
   double heading_correlation_s = 300.0;
   double current_sigma_mps = 0.0;
+  double stated_ratio = 1.0;
 
   static consteval auto fields() {
     return std::tuple{
@@ -34,6 +35,8 @@ struct NavigationParams {
         field<&NavigationParams::heading_correlation_s>({0.1, 1e6}, "how long that error stays alike"),
         field<&NavigationParams::current_sigma_mps>(
             {0, 10}, "standard deviation of north and of east of the estimated current, a constant bias"),
+        field<&NavigationParams::stated_ratio>(
+            {0, 100}, "of position_sigma_m, what it states of itself; 0: nothing, below 1: it is too sure"),
     };
   }
 };
@@ -53,6 +56,11 @@ class Navigation {
   /// ground less the one through the water, as a Doppler log that tracks both gives it. The estimate is off
   /// by a bias that stays the same for the run, and does not share the errors of `estimate`.
   Vec3 current(const Vec3& truth_n) const { return truth_n + current_bias_; }
+
+  /// What it states of itself: the standard deviation of north and of east. [m]
+  double position_sigma() const {
+    return drift_ ? drift_->params.stated_ratio * drift_->params.position_sigma_m : 0.0;
+  }
 
  private:
   struct Drift {

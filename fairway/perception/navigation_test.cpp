@@ -29,6 +29,11 @@ TEST(Navigation, PerfectIsTheTruthToTheBit) {
   EXPECT_EQ(believed.q_nb.coeffs(), x.q_nb.coeffs());
   EXPECT_EQ(believed.v_b, x.v_b);
   EXPECT_EQ(believed.omega_b, x.omega_b);
+  EXPECT_EQ(navigation.position_sigma(), 0.0);
+  EXPECT_EQ(Navigation("drifting", wandering, Rng{1}).position_sigma(), 2.0);
+  EXPECT_EQ(
+      Navigation("drifting", {{"position_sigma_m", 2.0}, {"stated_ratio", 0.5}}, Rng{1}).position_sigma(),
+      1.0);
 }
 
 TEST(Navigation, ErrorsHaveTheirStandardDeviationsFromTheFirstTickOn) {

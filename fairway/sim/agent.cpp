@@ -204,33 +204,32 @@ Agent make_agent(const VehicleSpec& spec, const Scenario& scenario, const Catalo
   Vehicle vehicle = alike != nullptr ? *alike : make_vehicle(spec, catalogs.vehicles);
   vehicle.set_state(start_of(spec));
   Autopilot autopilot = make_autopilot(spec, vehicle);
+  Navigation navigation = made(scenario.navigation, [&] {
+    return Navigation{scenario.navigation.name, scenario.navigation.params, drawn_for("navigation")};
+  });
   Particulars ship = particulars_of(spec, vehicle, scenario.step_s, catalogs.avoiders);
+  ship.position_sigma = navigation.position_sigma();
   Avoider avoider = make_avoider(spec, ship.limits, scenario.seed, catalogs.avoiders);
   Eigen::VectorXd demand = vehicle.actuator_state();
 
-  return {
-      .start_delay = spec.start_delay_s,
-      .cooperative = spec.cooperative,
-      .failure = spec.failure,
-      .vehicle = vehicle,
-      .pilot = Pilot{std::move(ship), scenario.steps_per_decision * scenario.step_s},
-      .autopilot = std::move(autopilot),
-      .mission = Mission{spec.mission, scenario.exam.time_coefficient_ratio},
-      .avoider = std::move(avoider),
-      .navigation = made(
-          scenario.navigation,
-          [&] {
-            return Navigation{scenario.navigation.name, scenario.navigation.params, drawn_for("navigation")};
-          }),
-      .lookout = made(perception.kind,
-                      [&] {
-                        return Lookout{perception.kind.name,
-                                       perception.kind.params,
-                                       {perception.range_m, perception.obstacle_range_m},
-                                       track_count,
-                                       drawn_for("perception")};
-                      }),
-      .demand = std::move(demand)};
+  return {.start_delay = spec.start_delay_s,
+          .cooperative = spec.cooperative,
+          .failure = spec.failure,
+          .vehicle = vehicle,
+          .pilot = Pilot{std::move(ship), scenario.steps_per_decision * scenario.step_s},
+          .autopilot = std::move(autopilot),
+          .mission = Mission{spec.mission, scenario.exam.time_coefficient_ratio},
+          .avoider = std::move(avoider),
+          .navigation = std::move(navigation),
+          .lookout = made(perception.kind,
+                          [&] {
+                            return Lookout{perception.kind.name,
+                                           perception.kind.params,
+                                           {perception.range_m, perception.obstacle_range_m},
+                                           track_count,
+                                           drawn_for("perception")};
+                          }),
+          .demand = std::move(demand)};
 }
 
 }  // namespace fairway

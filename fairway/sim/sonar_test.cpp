@@ -91,6 +91,9 @@ TEST(SonarInTheLoop, TheSameSeedGivesTheSameBitsAndAnotherDoesNot) {
 TEST(SonarInTheLoop, WithDriftingNavigationTheyStillPass) {
   Scenario scenario = head_on("sonar");
   scenario.navigation.name = "drifting";
+  Simulation simulation{scenario, builtin_catalogs()};
+  simulation.look();
+  EXPECT_EQ(simulation.agents()[0].own.position_sigma, 1.0) << "its methods are told what it states";
   const Outcome outcome = outcome_of(scenario);
   EXPECT_EQ(outcome.collisions, 0.0);
   EXPECT_GT(outcome.min_separation, 3.0);

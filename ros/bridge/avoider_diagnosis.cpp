@@ -124,6 +124,7 @@ Diagnosis diagnosis_of(const Helm& helm, double now) {
   say("clock_restart_count", std::to_string(report.clock_restarts));
   say("record_refused_count", std::to_string(report.records_refused));
   say("own.age_s", rounded(report.own_age));
+  say("own.position_sigma_m", rounded(report.own_position_sigma));
   say("own.verdict", enum_name(report.own_verdict));
   say_counts("own.", report.own_counts);
   for (const HelmReport::Neighbour& neighbour : report.neighbours) {

@@ -16,7 +16,8 @@ Fix fix_of(const Motion& motion) {
           .state = {.p_n = vec_of(motion.position_n),
                     .q_nb = Eigen::Quaterniond{w, x, y, z},
                     .v_b = vec_of(motion.v_b),
-                    .omega_b = vec_of(motion.omega_b)}};
+                    .omega_b = vec_of(motion.omega_b)},
+          .position_sigma = motion.position_sigma};
 }
 
 Triple triple_of(const Vec3& v) { return {v.x(), v.y(), v.z()}; }

@@ -284,6 +284,11 @@ TEST(AvoiderHost, TheDiagnosisSaysWhatItIsAbout) {
   EXPECT_THAT(host.diagnosis(2.0).summary, HasSubstr("2 of 2"));
   EXPECT_EQ(host.diagnosis(2.0).level, Diagnosis::Level::ok);
 
+  Motion unsure = northward(2.05);
+  unsure.position_sigma = 0.4;
+  host.own_motion(unsure, 2.05);
+  EXPECT_EQ(value(host.diagnosis(2.05), "own.position_sigma_m"), "0.40");
+
   Motion broken = northward(2.1);
   broken.position_n[0] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_STREQ(host.neighbour_motion(0, broken, 2.1), "invalid");

@@ -162,6 +162,7 @@ void FleetHost::Self::watch(std::size_t index) {
   FleetVehicle& vehicle = vehicles[index];
   vehicle.truth = motion_of(agent.vehicle.state(), simulation.time());
   vehicle.estimate = motion_of(agent.estimate, simulation.time());
+  vehicle.estimate.position_sigma = agent.own.position_sigma;
   vehicle.phase = enum_name(phase);
   vehicle.wants_command = is_avoiding(phase);
   vehicle.alert = static_cast<Alert>(events.film.alerts()[index]);

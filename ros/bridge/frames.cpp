@@ -20,8 +20,12 @@ Quaternion flip_attitude(const Quaternion& q) {
 }
 
 Motion motion_in(Frame frame, const Motion& motion) {
-  return {motion.time, world_in(frame, motion.position_n), attitude_in(frame, motion.q_nb),
-          body_in(frame, motion.v_b), body_in(frame, motion.omega_b)};
+  return {motion.time,
+          world_in(frame, motion.position_n),
+          attitude_in(frame, motion.q_nb),
+          body_in(frame, motion.v_b),
+          body_in(frame, motion.omega_b),
+          motion.position_sigma};
 }
 
 }  // namespace fairway::bridge

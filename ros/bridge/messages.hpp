@@ -57,7 +57,16 @@ Triple place_of(const Point& point, Frame frame) {
   return world_in(frame, triple_in(point));
 }
 
-/// Pose in the world, twist in the body's axes. Nothing is said of how sure it is: covariances stay 0.
+/// The greatest standard deviation that a covariance of pose gives a horizontal position, to any side; 0
+/// where it gives none, as where all is zero or the first is negative. [m]
+template <class Covariance>
+double position_sigma_of(const Covariance& rows) {
+  const double mean = 0.5 * (rows[0] + rows[7]), difference = 0.5 * (rows[0] - rows[7]);
+  const double variance = mean + std::sqrt(difference * difference + rows[1] * rows[1]);
+  return rows[0] >= 0.0 && rows[7] >= 0.0 && std::isfinite(variance) ? std::sqrt(variance) : 0.0;
+}
+
+/// Pose in the world, twist in the body's axes. Of how sure it is, the position north and east alone is told.
 template <class Odometry>
 void put_motion(Odometry& odometry, const Motion& motion, Frame frame) {
   const Motion shown = motion_in(frame, motion);
@@ -65,6 +74,7 @@ void put_motion(Odometry& odometry, const Motion& motion, Frame frame) {
   put(odometry.pose.pose.orientation, shown.q_nb);
   put(odometry.twist.twist.linear, shown.v_b);
   put(odometry.twist.twist.angular, shown.omega_b);
+  odometry.pose.covariance[0] = odometry.pose.covariance[7] = motion.position_sigma * motion.position_sigma;
 }
 
 /// Its numbers as they are, usable or not: whoever takes them judges. `time` [s].
@@ -75,7 +85,8 @@ Motion motion_of(const Odometry& odometry, double time, Frame frame) {
                            triple_in(odometry.pose.pose.position),
                            {q.w, q.x, q.y, q.z},
                            triple_in(odometry.twist.twist.linear),
-                           triple_in(odometry.twist.twist.angular)});
+                           triple_in(odometry.twist.twist.angular),
+                           position_sigma_of(odometry.pose.covariance)});
 }
 
 template <class Transform>

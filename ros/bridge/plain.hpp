@@ -21,6 +21,7 @@ struct Motion {
   Quaternion q_nb{1, 0, 0, 0};  ///< body to NED
   Triple v_b{};                 ///< over ground [m/s, body]
   Triple omega_b{};             ///< [rad/s, body]
+  double position_sigma{};      ///< deviation of the error of position, to the worst side; 0: not stated [m]
 };
 
 /// Asked of a vehicle's own controller: over ground, body forward-starboard-down.

@@ -230,7 +230,9 @@ namespace fairway {
 Command AvoaImproved::decide(const Situation& s, Memory& memory, Context& context) const noexcept {
   Params now = params;
   now.turn_aware = params.turn_aware && !avoa_improved::goes_any_way(s);
-  Command command = avoa_improved::decision(now, s, memory, context.sketch);
+  Situation wary = s;
+  wary.own.radius += s.own.position_error();
+  Command command = avoa_improved::decision(now, wary, memory, context.sketch);
   const double sign = command.turn_rate ? -1.0 : 1.0;
   memory.drift.command(sign * horizontal_norm(command.velocity));
   return command;

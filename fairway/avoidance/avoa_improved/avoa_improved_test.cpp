@@ -201,6 +201,19 @@ TEST(AvoaImproved, AVehicleThatGoesSidewaysAsWellNeedNotTurn) {
   EXPECT_GT(as_it_is.velocity.x(), 1.0);
 }
 
+TEST(AvoaImproved, WhatItsNavigationStatesIsKeptAsIfItsSphereWereLarger) {
+  const auto beside = [](double sigma, double radius) {
+    Situation s = northbound();
+    s.own.position_sigma = sigma;
+    s.own.radius = radius;
+    const std::array buoys{buoy(8, 1.5)};
+    s.obstacles = buoys;
+    return improved().decide(s);
+  };
+  EXPECT_EQ(beside(0.25, 0.75), beside(0.0, 1.25));
+  EXPECT_NE(beside(0.25, 0.75), beside(0.0, 0.75));
+}
+
 TEST(AvoaImproved, WhereNothingIsFreeItBrakesAndSaysSo) {
   Situation s = northbound();
   std::vector<Obstacle> ahead;

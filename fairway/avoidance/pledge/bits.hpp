@@ -26,6 +26,8 @@ struct Scale {
     if (!(steps > 0.0)) return 0;
     return steps < static_cast<double>(last()) ? static_cast<std::uint32_t>(steps) : last();
   }
+  /// The value that fits and is nearest above, but for a hair that is rounded off; the greatest at most.
+  double at_least(double given) const noexcept { return value(code(given + (0.5 - 1e-6) * step)); }
   double value(std::uint32_t code) const noexcept { return lowest + step * code; }
 };
 

@@ -15,8 +15,8 @@ double distance_at(const Reference& a, const Reference& b, double time) noexcept
 
 }  // namespace
 
-void DatumWatch::look(const Agreement& agreement, std::span<const AcousticRange> ranges,
-                      bool rests) noexcept {
+void DatumWatch::look(const Agreement& agreement, std::span<const AcousticRange> ranges, bool rests,
+                      double unsure) noexcept {
   const bool is_held = agreement.status() == Status::held || agreement.status() == Status::arrived;
   if (agreement.way() == nullptr && !(is_held && rests)) return;
   const Groups& groups = agreement.rounds().groups();
@@ -33,7 +33,7 @@ void DatumWatch::look(const Agreement& agreement, std::span<const AcousticRange>
     if (range.back <= known.back || other.empty() || agreement.is_lost(member)) continue;
     known.back = range.back;
     const double promised = 0.5 * (distance_at(own, other, range.out) + distance_at(own, other, range.back));
-    const double allowed = 2.0 * (tubes.radius + tubes.told) + deviations * range.deviation;
+    const double allowed = 2.0 * (tubes.radius + tubes.told + unsure) + deviations * range.deviation;
     known.misfits = std::abs(range.distance - promised) > allowed ? known.misfits + 1 : 0;
   }
 }

@@ -15,8 +15,11 @@ namespace fairway::pledge {
 /// measures is left out, since a thousandth of a second between two clocks is more than a metre in it.
 class DatumWatch {
  public:
-  /// To be called at every decision. `rests`: own ship, if it is held, is where it says. O(members · knots).
-  void look(const Agreement& agreement, std::span<const AcousticRange> ranges, bool rests) noexcept;
+  /// To be called at every decision. `rests`: own ship, if it is held, is where it says. `unsure`: by how
+  /// much own sphere is larger for an error that own navigation states [m]; the others are taken to be as
+  /// unsure. O(members · knots).
+  void look(const Agreement& agreement, std::span<const AcousticRange> ranges, bool rests,
+            double unsure) noexcept;
 
   /// Whose last two distances did not fit.
   Members doubted() const noexcept;

@@ -62,7 +62,7 @@ struct Measuring {
       spoke[to] = now;
     }
     for (std::size_t i = 0; i < watches.size(); ++i) {
-      watches[i].look(fleet.members[i], ranges[i], true);
+      watches[i].look(fleet.members[i], ranges[i], true, 0.0);
       ever_doubted[i] |= watches[i].doubted();
     }
   }
@@ -112,8 +112,9 @@ TEST(DatumWatch, OneMisfitOrADistanceByOneWordIsNoCause) {
   Fleet fleet{three_in_a_plane(), 3.2};
   while (fleet.time < 20.0) fleet.go_on(always);
   DatumWatch watch;
+  double unsure = 0.0;
   AcousticRange range{.to = VehicleId{1}, .distance = 1.0, .deviation = 0.1, .out = 20.0, .back = 20.0};
-  const auto look = [&] { watch.look(fleet.members[0], std::vector{range}, true); };
+  const auto look = [&] { watch.look(fleet.members[0], std::vector{range}, true, unsure); };
   for (int i = 0; i < 5; ++i, range.out = range.back += 3.2) look();
   EXPECT_TRUE(watch.doubted().none()) << "clocks are in it";
   range.out = range.back - 3.0;
@@ -123,6 +124,10 @@ TEST(DatumWatch, OneMisfitOrADistanceByOneWordIsNoCause) {
   range.back += 3.2;
   look();
   EXPECT_TRUE(watch.doubted().test(1));
+  unsure = 100.0;
+  range.back += 3.2;
+  look();
+  EXPECT_TRUE(watch.doubted().none()) << "whose own place may be that far off blames nobody";
 }
 
 }  // namespace

@@ -21,6 +21,7 @@ constexpr double still = 0.075;  // who would go slower than this through the wa
 constexpr double most_drift_share = 0.5;  // of what a member is to go, that its course makes up for
 constexpr double least_astern = 0.1;      // with which a member that is held goes back astern [m/s]
 constexpr double aside_for_good = 1.5;    // who is held and farther off than this turns to its anchor [m]
+constexpr double off_its_way = 0.5;       // that a member mostly is at most [m]
 constexpr double slack = 0.2;             // across, that a member that is held does not turn for [m]
 constexpr int longest_wait = 20;          // of a member for its turn [s]
 constexpr double turn_gain = 0.5;         // [1/s]
@@ -90,6 +91,10 @@ Member member_of(const Situation& s, double speed_ratio) noexcept {
           .climb = up,
           .descent = down,
           .turn = 1.5 + std::numbers::pi / turn_rate};
+}
+
+double beyond_tube(const Ownship& own, double tube) noexcept {
+  return own.position_sigma > 0.0 ? math::fmax(own.position_error() + off_its_way - tube, 0.0) : 0.0;
 }
 
 Vec3 resting_place(const Situation& s) noexcept {

@@ -14,6 +14,10 @@ namespace fairway::pledge {
 /// reaches no more by itself has what the current leaves of it. `speed_ratio` is of its greatest speed.
 Member member_of(const Situation& s, double speed_ratio) noexcept;
 
+/// What own sphere has to be larger by where its navigation states an error, since the tube has to hold that
+/// beside half a metre by which members are off their ways, and does not [m].
+double beyond_tube(const Ownship& own, double tube) noexcept;
+
 /// Where it lies once it has stopped, not above the surface [m, NED].
 Vec3 resting_place(const Situation& s) noexcept;
 

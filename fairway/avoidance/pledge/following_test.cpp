@@ -47,6 +47,13 @@ TEST(Following, WhoIsHeldGoesALittleWayBackAsternWithoutTurningRound) {
   EXPECT_GT(std::fabs(*held(s, Vec3::Zero(), "").turn_rate), 0.1) << "who cannot go astern turns round";
 }
 
+TEST(Following, OwnSphereIsLargerByWhatTheTubeDoesNotHoldOfAnUnsurePlace) {
+  EXPECT_EQ(beyond_tube({}, 0.1), 0.0) << "whose navigation states nothing keeps its tube as it always did";
+  EXPECT_EQ(beyond_tube({.position_sigma = 0.25}, 1.0), 0.0);
+  EXPECT_EQ(beyond_tube({.position_sigma = 1.0}, 1.0), 1.5);
+  EXPECT_EQ(beyond_tube({.position_sigma = 1.0}, 2.5), 0.0);
+}
+
 // Who learns only at a gate that it has to stop there has come a length too far by the time it does.
 TEST(Following, WhoMayHaveToStopAtAGateSlowsDownBeforeIt) {
   Reference way;

@@ -82,18 +82,22 @@ Command evaded(const Situation& s, const Agreement& agreement, const Vec3& stay,
 
 }  // namespace
 
-Command Pledge::decide(const Situation& s, Memory& memory, Context& context) const noexcept {
+Command Pledge::decide(const Situation& given, Memory& memory, Context& context) const noexcept {
+  const double unsure = pledge::beyond_tube(given.own, params.tube_m);
+  Situation s = given;
+  s.own.radius += unsure;
   const auto refused = [](std::string_view why) { return Command{.mode = Mode::infeasible, .note = why}; };
   if (s.link == nullptr) return refused("pledge hears nobody: it needs an exchange");
   if (number(s.own.id) >= static_cast<std::uint32_t>(params.team_count))
     return refused("its id is beyond those of the group (team_count)");
-  if (!memory.begun && !begin(s, memory)) return refused("it is too far from the datum for its words");
+  if (!memory.begun && !begin(s, memory))
+    return refused("it is too far from the datum for its words, or too large");
   hear(s, memory);
   const bool alone = memory.agreement.rounds().groups().count() == 1;
   std::array<Obstacle, pledge::most_vehicles> room;
   const pledge::Chart chart = alone ? s.obstacles : memory.agreement.chart(s.obstacles, room);
   Command command = decided(s, chart, memory, context);
-  memory.datum.look(memory.agreement, s.link->ranges, rests(s, memory));
+  memory.datum.look(memory.agreement, s.link->ranges, rests(s, memory), unsure);
   if (memory.datum.doubted().any())
     command.note = "measures a distance that does not fit: it or another is not where it says";
   return command;

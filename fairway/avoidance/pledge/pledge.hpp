@@ -82,7 +82,7 @@ struct Pledge {
 
   Params params;
 
-  Command decide(const Situation& s, Memory& memory, Context& context) const noexcept;
+  Command decide(const Situation& given, Memory& memory, Context& context) const noexcept;
   Speech speech(const Memory& memory) const noexcept;
   Reading reading(const Heard& word) const;
 

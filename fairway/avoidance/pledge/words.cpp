@@ -79,7 +79,7 @@ void put_member(BitWriter& bits, const Member& member, const Vec2& datum) {
   put_place(bits, member.anchor, datum);
   put_place(bits, member.destination, datum, coarse_across, coarse_depth);
   bits.put(member.arrival, arrival);
-  bits.put(member.radius, radius);
+  bits.put(radius.at_least(member.radius), radius);
   bits.put(member.speed, speed);
   bits.put(member.climb, climb);
   bits.put(member.descent, climb);
@@ -157,7 +157,8 @@ Vec2 centre_as_told(const Vec2& centre, const Vec2& datum) noexcept {
 
 bool fits(const Member& member, const Vec2& datum) noexcept {
   const Member told = as_told(member, datum);
-  return (told.anchor - member.anchor).norm() < 0.05 && (told.destination - member.destination).norm() < 0.2;
+  return (told.anchor - member.anchor).norm() < 0.05 &&
+         (told.destination - member.destination).norm() < 0.2 && told.radius > member.radius - 1e-6;
 }
 
 std::uint32_t digest_of(const std::array<Member, most_members>& members, const Members& participants,

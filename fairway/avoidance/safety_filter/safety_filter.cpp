@@ -105,7 +105,7 @@ class Barriers {
  public:
   /// For forces with a `response` of zero.
   Barriers(const Params& params, const Situation& s, double response) : own_{s.own} {
-    const BarrierGains gains{params.k1_hz, params.k2_hz, params.margin_m, response};
+    const BarrierGains gains{params.k1_hz, params.k2_hz, params.margin_m + s.own.position_error(), response};
     count_ = hazards_near(s, params.activation_m, hazards_);
     for (std::size_t i = 0; i < count_; ++i) barriers_[i] = barrier(hazards_[i], s.own, gains);
   }
@@ -183,7 +183,8 @@ Command SafetyFilter::decide(const Situation& s, Avoider& inner, Memory& memory,
                              Context& context) const noexcept {
   const Command asked = inner.decide_usable(s, context.sketch);
   if (!trackable::must_turn(s)) return filtered(s, asked, context.sketch);
-  const trackable::Keeping keeping{.margins = {.extra = params.margin_m}, .hold = params.hold_s};
+  const trackable::Keeping keeping{
+      .margins = {.navigation = s.own.position_error(), .extra = params.margin_m}, .hold = params.hold_s};
   return trackable::Keeper{keeping, s, memory}.keep(asked, deviations, context.sketch);
 }
 

@@ -149,6 +149,22 @@ TEST(SafetyFilter, AThousandFieldsAreCrossedWithoutATouch) {
   EXPECT_GT(arrived, 300);  // measured 340 within 60 s: it is no planner
 }
 
+TEST(SafetyFilter, WhatItsNavigationStatesIsKeptBesideTheMargin) {
+  int changed = 0;
+  for (std::uint64_t i = 0; i < 100; ++i) {
+    Field field{Rng{3}.stream("field", i)};
+    const auto answer = [&](double margin) {
+      const SafetyFilter filter{.params = {.margin_m = margin}};
+      return Avoider{filter, Avoider{Direct{{}}}}.decide(field.encounter);
+    };
+    const Command plain = answer(0.5), wider = answer(0.75);
+    field.encounter.situation.own.position_sigma = 0.125;
+    EXPECT_EQ(answer(0.5), wider) << i;
+    changed += plain == wider ? 0 : 1;
+  }
+  EXPECT_GT(changed, 10) << "otherwise nothing was put to the test";
+}
+
 TEST(SafetyFilter, WhatComesHeadOnAndDoesNotReactIsPassed) {
   OwnedSituation e = at_rest();
   e.tracks = {encounters::track(1, {35.0, 0.0, 0.0}, {-0.5, 0.0, 0.0}, 2.0)};

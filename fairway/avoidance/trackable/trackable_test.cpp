@@ -56,9 +56,10 @@ Avoider around_direct_trackable() { return Avoider{Trackable{{}}, Avoider{Direct
 TEST(Trackable, WithoutAnEnvelopeItShowsAMarginAndIsNothingElse) {
   for (std::uint64_t i = 0; i < 50; ++i) {
     OwnedSituation e = encounters::crowd(8, Rng{i});
+    e.situation.own.position_sigma = 0.125;
     Avoider wrapped = builtin_avoiders().make("orca3d+trackable", {{"shown_margin_m", 0.25}}, Rng{7});
     const Command command = wrapped.decide(e);
-    e.situation.own.radius += 0.25;
+    e.situation.own.radius += 0.25 + 2 * 0.125;
     EXPECT_EQ(command, builtin_avoiders().make("orca3d", {}, Rng{7}).decide(e)) << i;
   }
 }
@@ -366,6 +367,8 @@ TEST(Trackable, ItsMarginsAddUpAndAreDrawn) {
   EXPECT_EQ(mode_with({.perception_error_m = 0.8}), Mode::avoid);
   EXPECT_EQ(mode_with({.navigation_error_m = 0.8}), Mode::avoid);
   EXPECT_EQ(mode_with({.current_error_mps = 0.2}), Mode::avoid);
+  e.situation.own.position_sigma = 0.4;
+  EXPECT_EQ(mode_with({}), Mode::avoid) << "what its navigation states is kept too, twice";
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ std::optional<avoa_improved::WayRound> way_with(const ShortestWay::Params& param
 Command ShortestWay::decide(const Situation& s, Avoider& inner, Memory& memory,
                             Context& context) const noexcept {
   memory.chart.enter(s, true, params.same_place_m);
-  const double margin = std::max(params.way_margin_m, wider * inner.kept_margin());
+  const double margin = std::max(params.way_margin_m, wider * inner.kept_margin()) + s.own.position_error();
   std::optional<avoa_improved::WayRound> way = way_with(params, s, memory, margin);
   if (!way) way = way_with(params, s, memory, narrow_share * margin);
   memory.committed.reset();

@@ -52,6 +52,15 @@ TEST(ShortestWay, ItKeepsTwiceTheMarginOfWhoeverHoldsItToSurfaces) {
   EXPECT_NEAR(std::atan2(v.y(), v.x()), -angle, 1e-9);
 }
 
+TEST(ShortestWay, ItKeepsWhatItsNavigationStatesToo) {
+  OwnedSituation e = bound_north();
+  e.situation.own.position_sigma = 0.6;
+  e.obstacles = {{.kind = Obstacle::Kind::sphere, .position = {20.0, 0.5, 50.0}, .radius = 2.0}};
+  const Vec3 v = way_round_for_direct().decide(e).velocity;
+  const double angle = std::asin((3.6 + 2 * 0.6) / std::hypot(20.0, 0.5)) - std::atan2(0.5, 20.0);
+  EXPECT_NEAR(std::atan2(v.y(), v.x()), -angle, 1e-9);
+}
+
 TEST(ShortestWay, ItLeadsOutOfAPocketInWhichTheStraightWayEnds) {
   OwnedSituation e = bound_north();
   const auto wall = [](const Vec3& from, const Vec3& to) {

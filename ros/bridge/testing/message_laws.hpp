@@ -50,7 +50,8 @@ TYPED_TEST_P(Messages, NorthBoundNoseDownIsAsRep103HasIt) {
 }
 
 TYPED_TEST_P(Messages, InNedNothingChangesNotABitAndInEnuItComesBack) {
-  const Motion motion{7.5, {1.0 / 3, -4e-7, 5e5}, {0.5, -0.5, 0.5, 0.5}, {0.1, 0.2, 0.3}, {-0.1, 1e-9, 3}};
+  const Motion motion{7.5, {1.0 / 3, -4e-7, 5e5}, {0.5, -0.5, 0.5, 0.5}, {0.1, 0.2, 0.3}, {-0.1, 1e-9, 3},
+                      0.5};
   for (const Frame frame : {Frame::ned, Frame::enu}) {
     Writer<TypeParam> writer{frame};
     const Motion back = motion_of<TypeParam>(writer.odometry(motion, "auv"), frame);
@@ -58,9 +59,25 @@ TYPED_TEST_P(Messages, InNedNothingChangesNotABitAndInEnuItComesBack) {
     EXPECT_EQ(back.position_n, motion.position_n);
     EXPECT_EQ(back.v_b, motion.v_b);
     EXPECT_EQ(back.omega_b, motion.omega_b);
+    EXPECT_EQ(back.position_sigma, motion.position_sigma);
     for (std::size_t i = 0; i < 4; ++i)
       EXPECT_NEAR(back.q_nb[i], motion.q_nb[i], frame == Frame::ned ? 0.0 : 1e-15) << i;
   }
+}
+
+TYPED_TEST_P(Messages, OfACovarianceTheWorstSideCountsAndWhatIsNoneStatesNothing) {
+  const auto sigma_of = [](double north, double both, double east) {
+    typename TypeParam::Odometry odometry{};
+    auto& rows = odometry.pose.covariance;
+    rows[0] = north, rows[1] = rows[6] = both, rows[7] = east, rows[14] = 100.0;
+    return motion_of<TypeParam>(odometry, Frame::enu).position_sigma;
+  };
+  EXPECT_EQ(sigma_of(0, 0, 0), 0.0);
+  EXPECT_EQ(sigma_of(1, 0, 4), 2.0);
+  EXPECT_DOUBLE_EQ(sigma_of(5, 4, 5), 3.0) << "to the north-east";
+  EXPECT_EQ(sigma_of(-1, 0, 4), 0.0);
+  EXPECT_EQ(sigma_of(std::numeric_limits<double>::quiet_NaN(), 0, 4), 0.0);
+  EXPECT_EQ(sigma_of(4, std::numeric_limits<double>::infinity(), 4), 0.0);
 }
 
 TYPED_TEST_P(Messages, WhatIsNotANumberStaysSo) {
@@ -108,6 +125,7 @@ TYPED_TEST_P(Messages, MarkersClearWhatWasAndShowWhatIs) {
 
 REGISTER_TYPED_TEST_SUITE_P(Messages, AStampIsTheNearestNanosecondAndReadsBackTheSame,
                             NorthBoundNoseDownIsAsRep103HasIt, InNedNothingChangesNotABitAndInEnuItComesBack,
+                            OfACovarianceTheWorstSideCountsAndWhatIsNoneStatesNothing,
                             WhatIsNotANumberStaysSo, ATurnToStarboardAndADiveAreTurnedOverAndComeBack,
                             MarkersClearWhatWasAndShowWhatIs);
 
