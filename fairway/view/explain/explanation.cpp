@@ -107,6 +107,9 @@ ExplanationSection own_section(const Situation& s, const DecisionFacts& facts) {
   auto& lines = section.lines;
   lines.push_back(fmt::format("At {}, heading {:.1f} deg.", vector_words(s.own.position, "m NED"),
                               compass(wrap_angle(s.own.yaw))));
+  if (s.own.position_sigma > 0.0)
+    lines.push_back(
+        fmt::format("Its navigation states a standard deviation of {:.2f} m.", s.own.position_sigma));
   lines.push_back("Moving over ground: " + velocity_words(s.own.velocity) + ".");
   lines.push_back(fmt::format("Goal: {}, {:.2f} m away, {}, at {:.2f} m/s.",
                               vector_words(s.goal.position, "m NED"), facts.goal_distance,

@@ -32,7 +32,7 @@ class HeadOn : public ::testing::Test {
   FoundDecision answered(const Command& command, const Drawing& drawing = {}) const {
     const Situation s{.time = 10,
                       .period = 0.1,
-                      .own = {.velocity = {0.5, 0, 0}, .priority = 0},
+                      .own = {.velocity = {0.5, 0, 0}, .priority = 0, .position_sigma = position_sigma},
                       .goal = {.position = {40, 0, 0}, .cruise_speed = 0.5},
                       .limits = limits,
                       .tracks = tracks};
@@ -49,6 +49,7 @@ class HeadOn : public ::testing::Test {
 
   Scenario scenario;
   Limits limits{.max_speed = 0.5};
+  double position_sigma{};
   std::vector<Track> tracks{
       {.id = TrackId{1}, .position = {20, 0, 0}, .velocity = {-0.5, 0, 0}, .priority = 1}};
 };
@@ -117,6 +118,13 @@ TEST_F(HeadOn, SaysWhatOfTheSituationCannotBeDecidedOn) {
   EXPECT_THAT(told.headline, HasSubstr(": a track has a number that is not finite, or no radius."));
   EXPECT_THAT(section_of(told, "Command").lines,
               Contains("It says: a track has a number that is not finite, or no radius."));
+}
+
+TEST_F(HeadOn, SaysHowUnsureOfItsPlaceItIs) {
+  const auto own_lines = [&] { return section_of(explained({}), "Own state, as believed on board").lines; };
+  EXPECT_THAT(own_lines(), Not(Contains(HasSubstr("deviation"))));
+  position_sigma = 0.5;
+  EXPECT_THAT(own_lines(), Contains("Its navigation states a standard deviation of 0.50 m."));
 }
 
 TEST_F(HeadOn, SaysWhatIsBeyondTheVehicle) {
