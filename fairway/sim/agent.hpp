@@ -23,6 +23,7 @@ struct Agent {
   double start_delay{};
   bool cooperative{true};
   bool beyond_control{false};  ///< it goes on as it went
+  bool agrees{false};          ///< its method would set out, at a rendezvous that asks it
   FailureSpec failure;
   double set_out{std::numeric_limits<double>::infinity()};  ///< on its first transit [s]
 
@@ -40,7 +41,6 @@ struct Agent {
   Vec3 current = Vec3::Zero();            ///< of the water round it [m/s, NED]
   Vec3 estimated_current = Vec3::Zero();  ///< what it believes that to be
   Ownship own;
-  bool agrees{false};      ///< its method would set out, at a rendezvous that asks it
   std::string_view note;   ///< of the last command that had one
   Eigen::VectorXd demand;  ///< of the actuators
 
