@@ -120,5 +120,15 @@ def moved_by(metres):
     return fault
 
 
+def unsure_by(metres):
+    def fault(message):
+        covariance = [0.0] * 36
+        covariance[0] = covariance[7] = metres**2
+        message.pose.covariance = covariance
+        return message
+
+    return fault
+
+
 def silent(_message):
     return None

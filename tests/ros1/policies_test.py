@@ -93,6 +93,13 @@ def test_a_neighbour_that_tells_nonsense_is_not_believed(settled):
     settled.diagnostics.wait("under way", WARNING)
 
 
+def test_how_unsure_of_its_place_a_vehicle_is_reaches_its_avoider(settled):
+    name = "own.position_sigma_m"
+    assert settled.status.last()["values"][name] == "0.00"
+    settled.own.fault = apart.unsure_by(0.4)
+    settled.status.wait(lambda s: s["values"][name] == "0.40", 5, "what the covariance says")
+
+
 def test_a_paused_simulation_is_no_alarm_and_no_reason_to_hold(settled):
     import rospy
     from std_srvs.srv import Trigger
