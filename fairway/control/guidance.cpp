@@ -12,6 +12,7 @@ namespace {
 
 constexpr double hold_gain = 0.3;     // [1/s], position: slower than any vehicle's velocity loop
 constexpr double hold_speed = 0.3;    // [m/s]
+constexpr double abeam_most = 2.0;    // [m], beyond it the bow is turned to the place held
 constexpr double heading_gain = 0.3;  // [1/s]
 constexpr double heading_rate = 0.2;  // [rad/s]
 
@@ -42,6 +43,12 @@ BodyRequest keep_position(const HoldPoint& hold, const Ownship& own) noexcept {
   return {.surge_mps = limited(hold_gain * ahead, hold_speed),
           .heave_mps = limited(hold_gain * error.z(), hold_speed),
           .yaw_rate_radps = limited(heading_gain * wrap_angle(hold.yaw - own.yaw), heading_rate)};
+}
+
+double holding_yaw(const HoldPoint& hold, const Ownship& own) noexcept {
+  const Vec2 error = (hold.position - own.position).head<2>();
+  const double abeam = std::abs(cross(unit_at(own.yaw), error));
+  return abeam > abeam_most + own.position_error() ? math::atan2(error.y(), error.x()) : hold.yaw;
 }
 
 Command circle(const HoldPoint& hold, double radius, double speed, const Ownship& own) noexcept {

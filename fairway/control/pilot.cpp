@@ -5,7 +5,7 @@
 
 namespace fairway {
 
-Ownship Pilot::own_ship(const VehicleState& x, bool has_arrived) const noexcept {
+Ownship Pilot::own_ship(const VehicleState& x, double position_sigma, bool has_arrived) const noexcept {
   return {.id = ship_.id,
           .position = x.p_n,
           .velocity = x.v_n(),
@@ -13,7 +13,7 @@ Ownship Pilot::own_ship(const VehicleState& x, bool has_arrived) const noexcept 
           .yaw_rate = x.omega_b.z(),
           .radius = ship_.radius,
           .priority = has_arrived ? last_priority : ship_.priority,
-          .position_sigma = ship_.position_sigma};
+          .position_sigma = position_sigma};
 }
 
 Situation Pilot::situation(double time, const Ownship& own, const Leg& leg, std::span<const Track> tracks,
@@ -35,10 +35,11 @@ bool Pilot::is_due(double now, double interval) const noexcept {
   return now + 0.5 * std::clamp(interval, 0.0, period_) >= next_decision_;
 }
 
-void Pilot::obey(const Command& command, const HoldPoint& here) noexcept {
+void Pilot::obey(const Command& command, const Ownship& own) noexcept {
   command_ = command;
   const bool hold = command.mode == Mode::hold && !command.turn_rate;
-  if (hold && !holding_) hold_ = here;
+  if (hold && !holding_) hold_ = {own.position, own.yaw};
+  if (hold) hold_.yaw = holding_yaw(hold_, own);
   holding_ = hold;
 }
 

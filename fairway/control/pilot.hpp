@@ -26,7 +26,6 @@ struct Particulars {
   std::string name;
   double radius{1.0};  ///< of the enclosing sphere [m]
   std::int32_t priority{};
-  double position_sigma{};  ///< as its navigation states it [m]
   Limits limits;
   SteeringParams steering;
   Boxed<OnboardModel> model;
@@ -44,8 +43,9 @@ class Pilot {
   const Particulars& ship() const { return ship_; }
   double period() const { return period_; }  ///< between decisions [s]
 
-  /// Own ship, which believes to be in the state `x`. A vehicle that has arrived gives way to everyone.
-  Ownship own_ship(const VehicleState& x, bool has_arrived) const noexcept;
+  /// Own ship, which believes to be in the state `x`, by a navigation that states `position_sigma` [m] of
+  /// itself. A vehicle that has arrived gives way to everyone.
+  Ownship own_ship(const VehicleState& x, double position_sigma, bool has_arrived) const noexcept;
 
   /// What the method is shown at `time` [s] on the way to the end of `leg`, along its line if it is a
   /// section. The situation points into this pilot, `tracks` and `obstacles`.
@@ -60,9 +60,10 @@ class Pilot {
   /// The next decision is due as soon as there is something to decide.
   void ask_at_once() noexcept { next_decision_ = -std::numeric_limits<double>::infinity(); }
 
-  /// Puts `command` in force. A hold begins at `here` unless one is under way; any other command ends it, and
-  /// so does a hold with a turn rate, which says itself how to stay.
-  void obey(const Command& command, const HoldPoint& here) noexcept;
+  /// Puts `command` in force. A hold begins where own ship is unless one is under way, which is held on by
+  /// holding_yaw(); any other command ends it, and so does a hold with a turn rate, which says itself how to
+  /// stay.
+  void obey(const Command& command, const Ownship& own) noexcept;
   /// Ends a hold, so that the next one begins at another place.
   void end_hold() noexcept { holding_ = false; }
 

@@ -3,10 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include "fairway/core/angles.hpp"
+
 namespace fairway {
 namespace {
 
-const HoldPoint start{{10, 20, 5}, 0.0};
+const Ownship start{.position = {10, 20, 5}};
 const Ownship adrift{.position = {10, 20, 6}};  // 1 m too deep
 
 TEST(Pilot, AsksAtTheInstantNearestToOnePeriodAfterTheLastDecision) {
@@ -23,17 +25,31 @@ TEST(Pilot, AsksAtTheInstantNearestToOnePeriodAfterTheLastDecision) {
 TEST(Pilot, HoldsWhereItWasToldToUntilItIsToldOtherwise) {
   Pilot pilot{{}, 1.0};
   pilot.obey({.mode = Mode::hold}, start);
-  pilot.obey({.mode = Mode::hold}, {{500, 0, 5}, 0.0});
+  pilot.obey({.mode = Mode::hold}, {.position = {500, 20, 5}});
   EXPECT_NEAR(pilot.request(adrift, Vec3::Zero()).heave_mps, -0.3, 1e-12) << "back to the first place";
   EXPECT_EQ(pilot.request(adrift, Vec3::Zero()).surge_mps, 0.0);
 
   pilot.end_hold();
-  pilot.obey({.mode = Mode::hold}, {{10.5, 20, 6}, 0.0});
+  pilot.obey({.mode = Mode::hold}, {.position = {10.5, 20, 6}});
   EXPECT_EQ(pilot.request(adrift, Vec3::Zero()).heave_mps, 0.0);
   EXPECT_GT(pilot.request(adrift, Vec3::Zero()).surge_mps, 0.0);
 
   pilot.obey({.velocity = {0.5, 0, 0}}, start);
   EXPECT_EQ(pilot.request(adrift, Vec3::Zero()).surge_mps, 0.5);
+}
+
+TEST(Pilot, HoldsItsHeadingUntilItsPlaceLiesAbeamAndThenTurnsItsBowThere) {
+  Pilot pilot{{}, 1.0};
+  const auto turn_rate = [&](const Ownship& own) {
+    pilot.obey({.mode = Mode::hold}, own);
+    return pilot.request(own, Vec3::Zero()).yaw_rate_radps;
+  };
+  EXPECT_EQ(turn_rate(start), 0.0);
+  EXPECT_EQ(turn_rate({.position = {15, 21.9, 5}}), 0.0) << "what lies astern it makes good by its propeller";
+  EXPECT_EQ(turn_rate({.position = {10, 22.1, 5}, .position_sigma = 0.1}), 0.0) << "it may be there";
+  EXPECT_LT(turn_rate({.position = {10, 22.1, 5}}), 0.0) << "to port, where its place is";
+  EXPECT_LT(turn_rate({.position = {10, 20.5, 5}}), 0.0) << "until its bow is there";
+  EXPECT_EQ(turn_rate({.position = {10, 22.1, 5}, .yaw = -pi / 2}), 0.0);
 }
 
 TEST(Pilot, ReckonsWithTheCurrentOnlyWhereTheVehicleCannotStop) {
@@ -50,10 +66,11 @@ TEST(Pilot, ReckonsWithTheCurrentOnlyWhereTheVehicleCannotStop) {
 
 TEST(Pilot, ShowsASectionByTheVelocityOfItsLineAndWhoArrivedAsTheLastInRank) {
   const Pilot pilot{{.radius = 2.5, .priority = 3, .limits = {.max_speed = 0.7}}, 1.0};
-  const Ownship own = pilot.own_ship({.p_n = {5, 1, 5}}, false);
+  const Ownship own = pilot.own_ship({.p_n = {5, 1, 5}}, 0.25, false);
   EXPECT_EQ(own.priority, 3);
   EXPECT_EQ(own.radius, 2.5);
-  EXPECT_EQ(pilot.own_ship({}, true).priority, last_priority);
+  EXPECT_EQ(own.position_sigma, 0.25);
+  EXPECT_EQ(pilot.own_ship({}, 0.0, true).priority, last_priority);
 
   Leg leg{.kind = LegKind::section, .position = {50, 0, 5}, .from = {0, 0, 5}, .speed_mps = 0.5};
   const Situation along = pilot.situation(7.0, own, leg, {}, {});

@@ -156,7 +156,7 @@ void Helm::hold_because(HelmState state, std::string_view reason, const Command&
   order_.state = state;
   order_.reason = reason;
   order_.in_charge = true;
-  pilot_.obey(how, here());
+  pilot_.obey(how, within_depths());
   if (is_blind()) pilot_.end_hold();
   pilot_.ask_at_once();
 }
@@ -202,8 +202,7 @@ void Helm::see_arrival() noexcept {
 
 Ownship Helm::own_at(const Fix& fix) const noexcept {
   const double age = now_ - fix.time;
-  Ownship own = pilot_.own_ship(fix.state, arrived_);
-  own.position_sigma = fix.position_sigma;
+  Ownship own = pilot_.own_ship(fix.state, fix.position_sigma, arrived_);
   if (age != 0.0) {
     own.position += age * own.velocity;
     own.yaw = wrap_angle(own.yaw + age * own.yaw_rate);
@@ -282,7 +281,7 @@ void Helm::decide(Sketch* sketch) noexcept {
   show_link(situation);
   Command command = avoider_.decide(situation, sketch);
   lead_back(command);
-  pilot_.obey(command, here());
+  pilot_.obey(command, within_depths());
   pilot_.note_decision(now_);
   see_progress(situation);
   order_.decided = true;
@@ -322,10 +321,11 @@ void Helm::lead_back(Command& command) const noexcept {
   if (error < 0.0) down = math::fmin(down, back);
 }
 
-HoldPoint Helm::here() const noexcept {
-  Vec3 place = own_.position;
-  place.z() = within(limits(), place.z());
-  return {place, own_.yaw};
+/// Own ship, so that a hold that begins now is at a depth that the limits allow.
+Ownship Helm::within_depths() const noexcept {
+  Ownship own = own_;
+  own.position.z() = within(limits(), own.position.z());
+  return own;
 }
 
 }  // namespace fairway

@@ -211,7 +211,7 @@ class Helm {
                     const Command& how = {.mode = Mode::hold}) noexcept;
   Command how_to_stay() noexcept;
   void show_link(Situation& situation) noexcept;
-  HoldPoint here() const noexcept;
+  Ownship within_depths() const noexcept;
   const Limits& limits() const noexcept { return pilot_.ship().limits; }
 
   Pilot pilot_;

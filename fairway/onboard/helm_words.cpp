@@ -142,7 +142,7 @@ std::optional<TeamRecord> Helm::own_record(double now) const noexcept {
   const std::optional<Fix>& fix = own_watch_.last();
   if (!fix || own_watch_.age(now) > setup_.policy.own_lost_s || std::fabs(fix->time) > 1e9) return {};
   const Tick sent{std::llround(fix->time / setup_.record_period)};
-  const Ownship own = pilot_.own_ship(fix->state, arrived_);
+  const Ownship own = pilot_.own_ship(fix->state, fix->position_sigma, arrived_);
   const double since = seconds(sent, setup_.record_period) - fix->time;
   const Message message{.from = own.id,
                         .sent = sent,

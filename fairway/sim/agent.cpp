@@ -208,7 +208,6 @@ Agent make_agent(const VehicleSpec& spec, const Scenario& scenario, const Catalo
     return Navigation{scenario.navigation.name, scenario.navigation.params, drawn_for("navigation")};
   });
   Particulars ship = particulars_of(spec, vehicle, scenario.step_s, catalogs.avoiders);
-  ship.position_sigma = navigation.position_sigma();
   Avoider avoider = make_avoider(spec, ship.limits, scenario.seed, catalogs.avoiders);
   Eigen::VectorXd demand = vehicle.actuator_state();
 

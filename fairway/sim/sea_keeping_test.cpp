@@ -168,6 +168,28 @@ TEST(SeaKeeping, EveryoneArrivesThroughWavesAndCurrents) {
     EXPECT_EQ(agent.mission.phase(), Phase::arrived) << agent.ship().name;
 }
 
+TEST(SeaKeeping, WhoHasArrivedStaysThereThoughACurrentSetsItAside) {
+  for (const char* model : {"sparus2", "kinematic", "otter_by_thrust", "zarco", "minerva"}) {
+    Scenario scenario{.name = "abeam", .duration_s = 400};
+    scenario.water.current_n = {0, 0.2, 0};
+    scenario.stop_when_done = false;
+    const double depth =
+        std::string_view{model} == "otter_by_thrust" || std::string_view{model} == "zarco" ? 0 : 5;
+    scenario.vehicles = {crossing_vehicle(0, model, depth)};
+    scenario.vehicles[0].mission[0].position = {20, 0, depth};
+    Simulation simulation{scenario, builtin_catalogs()};
+    double farthest = 0.0;
+    while (!simulation.is_done()) {
+      simulation.step({});
+      const Agent& agent = simulation.agents()[0];
+      if (agent.mission.phase() == Phase::arrived)
+        farthest = std::fmax(farthest, (agent.vehicle.state().p_n - Vec3{20, 0, depth}).norm());
+    }
+    EXPECT_EQ(simulation.agents()[0].mission.phase(), Phase::arrived) << model;
+    EXPECT_LT(farthest, 6.5) << model << ", of 60 m that the water went";
+  }
+}
+
 TEST(SeaKeeping, TheSameSeedIsTheSameRunAndAnotherSeaIsNot) {
   Scenario scenario = rough({"sparus2", "otter_by_thrust"});
   const auto way = way_of({scenario, builtin_catalogs()}, 60);

@@ -275,7 +275,8 @@ void Simulation::locate(std::size_t index, Hand& /*hand*/) {
   agent.current = sea_.water_at(truth.p_n, time()).current_n;
   agent.estimated_current = agent.navigation.current(agent.current);
   agent.estimate = agent.navigation.estimate(truth, period_);
-  agent.own = agent.pilot.own_ship(agent.estimate, agent.mission.phase() == Phase::arrived);
+  agent.own = agent.pilot.own_ship(agent.estimate, agent.navigation.position_sigma(),
+                                   agent.mission.phase() == Phase::arrived);
 }
 
 void Simulation::tell(std::size_t index, Hand& hand) {

@@ -202,9 +202,8 @@ void Simulation::timed(std::size_t count, Hand& hand, const Decide& decide) {
 void Simulation::obey(Agent& agent, const Command& command) {
   if (agent.beyond_control) return;
   agent.beyond_control = agent.has_failed(FailureKind::leaves, time());
-  const HoldPoint here{agent.own.position, agent.own.yaw};
-  if (agent.beyond_control) return agent.pilot.obey({.velocity = agent.own.velocity}, here);
-  agent.pilot.obey(command, here);
+  if (agent.beyond_control) return agent.pilot.obey({.velocity = agent.own.velocity}, agent.own);
+  agent.pilot.obey(command, agent.own);
 }
 
 }  // namespace fairway
