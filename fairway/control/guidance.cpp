@@ -45,7 +45,8 @@ BodyRequest keep_position(const HoldPoint& hold, const Ownship& own) noexcept {
           .yaw_rate_radps = limited(heading_gain * wrap_angle(hold.yaw - own.yaw), heading_rate)};
 }
 
-double holding_yaw(const HoldPoint& hold, const Ownship& own) noexcept {
+double holding_yaw(const HoldPoint& hold, const Ownship& own, const Vec3& current_n) noexcept {
+  if (current_n.isZero(0.0)) return hold.yaw;
   const Vec2 error = (hold.position - own.position).head<2>();
   const double abeam = std::abs(cross(unit_at(own.yaw), error));
   return abeam > abeam_most + own.position_error() ? math::atan2(error.y(), error.x()) : hold.yaw;

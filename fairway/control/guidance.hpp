@@ -27,10 +27,11 @@ struct HoldPoint {
 /// error, at most 0.3 m/s and 0.2 rad/s. What lies abeam of a vehicle without sway is left to its heading.
 BodyRequest keep_position(const HoldPoint& hold, const Ownship& own) noexcept;
 
-/// The heading to hold by: that of `hold`, but towards its position once that lies abeam by more than 2 m
-/// and what own position may be off. So who cannot go sideways comes to lie with its bow to the current that
-/// sets it aside (weather-optimal positioning: Fossen and Strand 2001). [rad]
-double holding_yaw(const HoldPoint& hold, const Ownship& own) noexcept;
+/// The heading to hold by: that of `hold`, but where a current is known, `current_n` [m/s, NED], towards the
+/// position held once that lies abeam by more than 2 m and what own position may be off. So who cannot go
+/// sideways comes to lie with its bow to the current that sets it aside (weather-optimal positioning: Fossen
+/// and Strand 2001). [rad]
+double holding_yaw(const HoldPoint& hold, const Ownship& own, const Vec3& current_n) noexcept;
 
 /// Circle over the position, turning to starboard, and return to its depth: what is left to a vehicle that
 /// cannot stop. With d the distance from it, towards phi, and rho the radius, the course is

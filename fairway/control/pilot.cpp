@@ -35,11 +35,11 @@ bool Pilot::is_due(double now, double interval) const noexcept {
   return now + 0.5 * std::clamp(interval, 0.0, period_) >= next_decision_;
 }
 
-void Pilot::obey(const Command& command, const Ownship& own) noexcept {
+void Pilot::obey(const Command& command, const Ownship& own, const Vec3& current_n) noexcept {
   command_ = command;
   const bool hold = command.mode == Mode::hold && !command.turn_rate;
   if (hold && !holding_) hold_ = {own.position, own.yaw};
-  if (hold) hold_.yaw = holding_yaw(hold_, own);
+  if (hold) hold_.yaw = holding_yaw(hold_, own, current_n);
   holding_ = hold;
 }
 

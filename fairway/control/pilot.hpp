@@ -60,10 +60,10 @@ class Pilot {
   /// The next decision is due as soon as there is something to decide.
   void ask_at_once() noexcept { next_decision_ = -std::numeric_limits<double>::infinity(); }
 
-  /// Puts `command` in force. A hold begins where own ship is unless one is under way, which is held on by
-  /// holding_yaw(); any other command ends it, and so does a hold with a turn rate, which says itself how to
-  /// stay.
-  void obey(const Command& command, const Ownship& own) noexcept;
+  /// Puts `command` in force, in a current that is estimated to be `current_n` [m/s, NED]. A hold begins
+  /// where own ship is unless one is under way, which goes on by holding_yaw(); any other command ends it,
+  /// and so does a hold with a turn rate, which says itself how to stay.
+  void obey(const Command& command, const Ownship& own, const Vec3& current_n) noexcept;
   /// Ends a hold, so that the next one begins at another place.
   void end_hold() noexcept { holding_ = false; }
 

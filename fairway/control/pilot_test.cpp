@@ -24,39 +24,41 @@ TEST(Pilot, AsksAtTheInstantNearestToOnePeriodAfterTheLastDecision) {
 
 TEST(Pilot, HoldsWhereItWasToldToUntilItIsToldOtherwise) {
   Pilot pilot{{}, 1.0};
-  pilot.obey({.mode = Mode::hold}, start);
-  pilot.obey({.mode = Mode::hold}, {.position = {500, 20, 5}});
+  pilot.obey({.mode = Mode::hold}, start, Vec3::Zero());
+  pilot.obey({.mode = Mode::hold}, {.position = {500, 20, 5}}, Vec3::Zero());
   EXPECT_NEAR(pilot.request(adrift, Vec3::Zero()).heave_mps, -0.3, 1e-12) << "back to the first place";
   EXPECT_EQ(pilot.request(adrift, Vec3::Zero()).surge_mps, 0.0);
 
   pilot.end_hold();
-  pilot.obey({.mode = Mode::hold}, {.position = {10.5, 20, 6}});
+  pilot.obey({.mode = Mode::hold}, {.position = {10.5, 20, 6}}, Vec3::Zero());
   EXPECT_EQ(pilot.request(adrift, Vec3::Zero()).heave_mps, 0.0);
   EXPECT_GT(pilot.request(adrift, Vec3::Zero()).surge_mps, 0.0);
 
-  pilot.obey({.velocity = {0.5, 0, 0}}, start);
+  pilot.obey({.velocity = {0.5, 0, 0}}, start, Vec3::Zero());
   EXPECT_EQ(pilot.request(adrift, Vec3::Zero()).surge_mps, 0.5);
 }
 
-TEST(Pilot, HoldsItsHeadingUntilItsPlaceLiesAbeamAndThenTurnsItsBowThere) {
-  Pilot pilot{{}, 1.0};
-  const auto turn_rate = [&](const Ownship& own) {
-    pilot.obey({.mode = Mode::hold}, own);
-    return pilot.request(own, Vec3::Zero()).yaw_rate_radps;
+TEST(Pilot, HoldsItsHeadingUntilACurrentHasSetItAsideAndThenTurnsItsBowToItsPlace) {
+  const auto turn_rate = [](const Vec3& current, const Ownship& first, const Ownship& then) {
+    Pilot pilot{{}, 1.0};
+    for (const Ownship& own : {start, first, then}) pilot.obey({.mode = Mode::hold}, own, current);
+    return pilot.request(then, current).yaw_rate_radps;
   };
-  EXPECT_EQ(turn_rate(start), 0.0);
-  EXPECT_EQ(turn_rate({.position = {15, 21.9, 5}}), 0.0) << "what lies astern it makes good by its propeller";
-  EXPECT_EQ(turn_rate({.position = {10, 22.1, 5}, .position_sigma = 0.1}), 0.0) << "it may be there";
-  EXPECT_LT(turn_rate({.position = {10, 22.1, 5}}), 0.0) << "to port, where its place is";
-  EXPECT_LT(turn_rate({.position = {10, 20.5, 5}}), 0.0) << "until its bow is there";
-  EXPECT_EQ(turn_rate({.position = {10, 22.1, 5}, .yaw = -pi / 2}), 0.0);
+  const Vec3 still = Vec3::Zero(), to_starboard{0, 0.1, 0};
+  const Ownship astern{.position = {15, 21.9, 5}}, aside{.position = {10, 22.1, 5}};
+  EXPECT_EQ(turn_rate(to_starboard, start, astern), 0.0) << "it goes back by its propeller";
+  EXPECT_LT(turn_rate(to_starboard, start, aside), 0.0) << "to port, where its place is";
+  EXPECT_EQ(turn_rate(still, start, aside), 0.0) << "nothing carries it farther";
+  EXPECT_LT(turn_rate(to_starboard, aside, {.position = {10, 20.5, 5}}), 0.0) << "until its bow is there";
+  const Ownship unsure{.position = {10, 22.1, 5}, .position_sigma = 0.1};
+  EXPECT_EQ(turn_rate(to_starboard, start, unsure), 0.0) << "it may be there";
 }
 
 TEST(Pilot, ReckonsWithTheCurrentOnlyWhereTheVehicleCannotStop) {
   const Vec3 ahead{0.2, 0, 0};
   for (const SteeringKind kind : {SteeringKind::holonomic, SteeringKind::crab}) {
     Pilot pilot{{.steering = {.kind = kind, .min_speed_mps = 0.1}}, 1.0};
-    pilot.obey({.velocity = {0.5, 0, 0}}, start);
+    pilot.obey({.velocity = {0.5, 0, 0}}, start, Vec3::Zero());
     const BodyRequest request = pilot.request(adrift, ahead);
     EXPECT_EQ(request.through_water, kind == SteeringKind::crab);
     EXPECT_NEAR(request.surge_mps, request.through_water ? 0.3 : 0.5, 1e-12);

@@ -156,7 +156,7 @@ void Helm::hold_because(HelmState state, std::string_view reason, const Command&
   order_.state = state;
   order_.reason = reason;
   order_.in_charge = true;
-  pilot_.obey(how, within_depths());
+  pilot_.obey(how, within_depths(), current_);
   if (is_blind()) pilot_.end_hold();
   pilot_.ask_at_once();
 }
@@ -281,7 +281,7 @@ void Helm::decide(Sketch* sketch) noexcept {
   show_link(situation);
   Command command = avoider_.decide(situation, sketch);
   lead_back(command);
-  pilot_.obey(command, within_depths());
+  pilot_.obey(command, within_depths(), current_);
   pilot_.note_decision(now_);
   see_progress(situation);
   order_.decided = true;

@@ -202,8 +202,8 @@ void Simulation::timed(std::size_t count, Hand& hand, const Decide& decide) {
 void Simulation::obey(Agent& agent, const Command& command) {
   if (agent.beyond_control) return;
   agent.beyond_control = agent.has_failed(FailureKind::leaves, time());
-  if (agent.beyond_control) return agent.pilot.obey({.velocity = agent.own.velocity}, agent.own);
-  agent.pilot.obey(command, agent.own);
+  const Command carried_out = agent.beyond_control ? Command{.velocity = agent.own.velocity} : command;
+  agent.pilot.obey(carried_out, agent.own, agent.estimated_current);
 }
 
 }  // namespace fairway
