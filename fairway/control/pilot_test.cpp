@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "fairway/core/angles.hpp"
-
 namespace fairway {
 namespace {
 
