@@ -132,6 +132,7 @@ class Arguments {
     if (!given_.contains(name)) throw InputError(std::string("decide_batch: ") + name + " is missing");
     return given_[name];
   }
+  bool has(const char* name) const { return given_.contains(name); }
   void refuse_others() const {
     for (const auto& [key, value] : given_) {
       const auto name = py::cast<std::string>(key);
@@ -157,6 +158,8 @@ SituationRows rows_of(Arguments& given) {
   };
   const py::object zeros = py::module_::import("numpy").attr("zeros");
   const Limits limits = Read<Limits>::from(given.take("limits", py::cast(Limits{})), "limits");
+  if (!given.has("cruise_speed") && !std::isfinite(limits.max_speed))
+    throw InputError("decide_batch: cruise_speed is missing, and limits give no max_speed instead");
   const py::float_ top_speed{limits.max_speed};
   SituationRows all{
       .count = static_cast<std::size_t>(count),
@@ -188,7 +191,8 @@ lock. Each is asked of a copy of this avoider as it is now, which itself does no
 on jobs nor on each other. All arguments by keyword; one number stands for every row:
 
 position, velocity, goal: n x 3 [m, m/s, m, NED] (required)
-cruise_speed [m/s], yaw [rad], yaw_rate [rad/s], radius [m], time [s]: n; the speed limit, 0, 0, 1 and 0 without
+cruise_speed [m/s], yaw [rad], yaw_rate [rad/s], radius [m], time [s]: n; without, the limit of
+speed, which must be given then, 0, 0, 1 and 0
 track_position, track_velocity: n x k x 3 [m, m/s, NED]; a track whose first number is NaN is not there
 track_radius [m]: n x k; 1 without
 period: until the next decision [s]; 0.1 without

@@ -73,6 +73,14 @@ TEST(AnUnusableSituation, IsAnsweredWithANoteThatSaysWhatIsUnusable) {
       {[](auto& e) { e.situation.own.yaw_rate = nan; }, "the own yaw or its rate is not finite"},
       {[](auto& e) { e.situation.own.radius = -0.1; }, "the own radius is not a length"},
       {[](auto& e) { e.situation.own.radius = infinity; }, "the own radius is not a length"},
+      {[](auto& e) { e.situation.own.position_sigma = nan; },
+       "the deviation of the own position is not a length"},
+      {[](auto& e) { e.situation.own.position_sigma = -5.0; },
+       "the deviation of the own position is not a length"},
+      {[](auto& e) { e.situation.time = nan; }, "the time is not finite"},
+      {[](auto& e) { e.situation.goal.arrival = nan; }, "the goal's arrival is not a length"},
+      {[](auto& e) { e.situation.limits.max_turn_rate = nan; }, "the limit of turning is not a turn rate"},
+      {[](auto& e) { e.situation.limits.max_acceleration = nan; }, "the limit of acceleration is not one"},
       {[](auto& e) { e.situation.goal.position.y() = nan; }, "the goal's position is not finite"},
       {[](auto& e) {
          e.situation.goal.velocity = Vec3{0, nan, 0};

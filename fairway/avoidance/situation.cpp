@@ -59,6 +59,7 @@ bool is_usable(const Obstacle& obstacle) {
 }  // namespace
 
 std::string_view why_unusable(const Situation& s) noexcept {
+  if (!std::isfinite(s.time)) return "the time is not finite";
   if (!(s.period > 0.0) || !std::isfinite(s.period)) return "the period is not a positive number";
   if (!is_finite(s.own.position)) return "the own position is not finite";
   if (!is_finite(s.own.velocity)) return "the own velocity is not finite";
@@ -66,11 +67,15 @@ std::string_view why_unusable(const Situation& s) noexcept {
   if (!std::isfinite(s.own.yaw) || !std::isfinite(s.own.yaw_rate))
     return "the own yaw or its rate is not finite";
   if (!is_length(s.own.radius)) return "the own radius is not a length";
+  if (!is_length(s.own.position_sigma)) return "the deviation of the own position is not a length";
   if (!is_finite(s.goal.position)) return "the goal's position is not finite";
   if (s.goal.velocity && !is_finite(*s.goal.velocity)) return "the goal's velocity is not finite";
   if (!is_length(s.goal.cruise_speed)) return "the cruise speed is not a speed";
+  if (!is_length(s.goal.arrival)) return "the goal's arrival is not a length";
   if (!(s.limits.max_speed >= 0.0)) return "the speed limit is not a speed";
   if (!(s.limits.max_climb_rate >= 0.0)) return "the limit of climbing is not a speed";
+  if (!(s.limits.max_acceleration >= 0.0)) return "the limit of acceleration is not one";
+  if (!(s.limits.max_turn_rate >= 0.0)) return "the limit of turning is not a turn rate";
   if (!(s.limits.min_depth <= s.limits.max_depth)) return "the ceiling is not above the floor";
   if (!is_length(s.limits.min_speed)) return "the least speed is not a speed";
   if (!are_usable(s.tracks)) return "a track has a number that is not finite, or no radius";

@@ -104,18 +104,19 @@ struct Goal {
   }
 };
 
-/// What the mission does meanwhile. A method that speaks is asked before it sets out, and after it has
-/// arrived.
+/// What the mission does meanwhile. A method that speaks is asked before it sets out, after it has arrived,
+/// and while it is kept.
 enum class Attendance : std::uint8_t {
   under_way,  ///< the answer is carried out
   waiting,    ///< at a rendezvous; the goal is the next one, and of the answer only a hold is carried out
   ready,      ///< the same, where the mission goes on as soon as the answer is none to hold
   arrived,    ///< held for ever; of the answer only a hold is carried out
+  kept,       ///< stopped where it is, for as long as whoever commands it likes; likewise
 };
 
 template <>
 struct EnumNames<Attendance> {
-  static constexpr std::array names{"under_way", "waiting", "ready", "arrived"};
+  static constexpr std::array names{"under_way", "waiting", "ready", "arrived", "kept"};
 };
 
 /// All that an avoider may know at one instant. Immutable; the spans are valid only during the call
@@ -125,7 +126,7 @@ struct Situation {
   double period{};  ///< until the next decision [s], > 0
   Ownship own;
   Goal goal;
-  Limits limits;                        ///< `Avoider` holds every command to these
+  Limits limits;                        ///< `Avoider` holds commands to speed, climb and depth of these
   const OnboardModel* model{nullptr};   ///< null where nothing is known of forces
   const Envelope* envelope{nullptr};    ///< null unless a method asks for it (`needs_envelope`)
   const Link* link{nullptr};            ///< null unless the method speaks and has somebody to hear

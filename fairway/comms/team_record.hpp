@@ -11,7 +11,7 @@ namespace fairway {
 /// A message in the 25 bytes that a modem's packet leaves free for it, most significant bit first:
 ///
 ///     field        bits        step      holds
-///     from         10          1         the number modulo 1024
+///     from         10          1         the number modulo `record_ids`
 ///     sent         16          20 ms     modulo 1310.72 s
 ///     position     24, 24, 22  1 cm      +-83.9 km, depth +-21 km; beyond, the nearest that fits
 ///     velocity     3 x 12      1 cm/s    +-20.47 m/s; a faster one is shortened, its direction kept
@@ -23,6 +23,9 @@ namespace fairway {
 ///
 /// and one bit that says whether there is a destination. What is not a number is told as the lowest value.
 using TeamRecord = std::array<std::uint8_t, 25>;
+
+/// Numbers of vehicles are told modulo this.
+inline constexpr std::uint32_t record_ids = 1024;
 
 /// What can be told in a TeamRecord: up to half a step off, the radius up to a whole one above. `period` is
 /// that of the ticks that the message is stamped with [s]. O(1).

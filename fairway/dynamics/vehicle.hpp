@@ -24,7 +24,8 @@ concept PushedBody = requires(const M& model, const ActuatorValues& u) {
 };
 
 /// Any vehicle model together with its state and the state of its actuators. A value: a copy is a snapshot,
-/// which shares the model, since that is constant. step() neither allocates nor throws.
+/// which shares the model and how actuators lag in a step, since these are constant. step() neither throws
+/// nor allocates, but the first one of another length that a copy makes.
 class Vehicle {
  public:
   template <VehicleModel M>
@@ -47,6 +48,9 @@ class Vehicle {
   const Eigen::VectorXd& actuator_state() const { return actuators_.now(); }
   /// Puts the actuators there at once, within their limits, without lag. NaN leaves an actuator where it is.
   void set_actuator_state(const ActuatorValues& values) noexcept { actuators_.set(values); }
+
+  /// Steps are `h` [s] from now on; copies made after that need nothing of their own for them.
+  void prepare(double h) noexcept { actuators_.prepare(h); }
 
   /// Lets the actuators follow `command` (limits, first-order lag, exact over h; NaN leaves one where it
   /// is) and moves the vehicle by `h` [s] in `water`: one RK4 step with the actuators at their mean over h.

@@ -58,7 +58,7 @@ fairway::Obstacle converted(const Obstacle& obstacle) {
 }
 
 fairway::Goal converted(const Goal& goal) {
-  fairway::Goal g{.position = vec(goal.position), .cruise_speed = goal.cruise_speed};
+  fairway::Goal g{.position = vec(goal.position), .cruise_speed = goal.cruise_speed, .arrival = goal.arrival};
   if (goal.has_velocity) g.velocity = vec(goal.velocity);
   return g;
 }
@@ -165,6 +165,15 @@ ParamValues values_of(const std::vector<std::string>& settings) {
   return values;
 }
 
+fairway::Avoider made_without_link(std::string_view algorithm, const std::vector<std::string>& settings,
+                                   std::uint64_t seed) {
+  fairway::Avoider made = builtin_avoiders().make(algorithm, values_of(settings), Rng{seed});
+  if (made.speaks())
+    throw InputError(std::string{algorithm} +
+                     " decides nothing without a link to the others, which this interface has not");
+  return made;
+}
+
 }  // namespace
 
 struct Avoider::Self {
@@ -264,6 +273,7 @@ struct Avoider::Self {
                                                      .limits = converted(s.limits),
                                                      .model = s.model != nullptr ? &model : nullptr,
                                                      .envelope = s.envelope != nullptr ? &envelope : nullptr,
+                                                     .current = vec(s.current),
                                                      .tracks = tracks,
                                                      .obstacles = obstacles});
     return converted(command, s.track_count - tracks.size() + s.obstacle_count - obstacles.size());
@@ -282,8 +292,7 @@ struct Avoider::Self {
 
 Avoider::Avoider(std::string_view algorithm, const std::vector<std::string>& settings,
                  const Capacity& capacity, std::uint64_t seed)
-    : self_{std::make_unique<Self>(builtin_avoiders().make(algorithm, values_of(settings), Rng{seed}),
-                                   capacity)} {}
+    : self_{std::make_unique<Self>(made_without_link(algorithm, settings, seed), capacity)} {}
 
 Avoider::Avoider(const Avoider& other) : self_{std::make_unique<Self>(*other.self_)} {}
 Avoider& Avoider::operator=(const Avoider& other) { return *this = Avoider{other}; }
@@ -302,7 +311,8 @@ Envelope envelope_of(const std::vector<std::string>& numbers) {
 std::vector<std::string> algorithms() {
   const Catalog catalog = builtin_avoiders();
   std::vector<std::string> names;
-  for (const Catalog::Entry& entry : catalog.entries()) names.emplace_back(entry.info.name);
+  for (const Catalog::Entry& entry : catalog.entries())
+    if (!entry.info.needs_link) names.emplace_back(entry.info.name);
   return names;
 }
 

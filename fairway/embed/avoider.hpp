@@ -78,6 +78,7 @@ struct Goal {
   Triple velocity{};  ///< wanted instead of heading straight for the position, if `has_velocity` [m/s, NED]
   double cruise_speed{};  ///< [m/s]
   bool has_velocity{false};
+  double arrival{};  ///< this near to the position the mission has arrived [m]
 };
 
 /// What the vehicle can or may do.
@@ -135,7 +136,8 @@ struct Envelope {
 /// rates have to be. Throws std::runtime_error with what is wrong and the nearest valid name; std::bad_alloc.
 Envelope envelope_of(const std::vector<std::string>& numbers);
 
-/// All that an avoider may know at one instant. What it points to must live until decide() returns.
+/// All that an avoider may know at one instant, but for what others say: methods that agree by words (`needs
+/// link` in `fairway describe`) are not offered here. What it points to must live until decide() returns.
 struct Situation {
   Ownship own;
   Goal goal;
@@ -148,6 +150,7 @@ struct Situation {
   std::size_t track_count{};
   const Obstacle* obstacles{nullptr};  ///< in any order
   std::size_t obstacle_count{};
+  Triple current{};  ///< of the water, as estimated on board, 0 if unknown [m/s, NED]
 };
 
 /// Why the command is what it is.
@@ -189,7 +192,8 @@ class Avoider {
  public:
   /// `algorithm` as algorithms() lists it, wrappers behind it: "orca3d", "apf+stop_and_wait". `settings` are
   /// its parameters, "time_horizon_s=10", by the names that `fairway describe` shows; the others keep their
-  /// defaults. Throws std::runtime_error with what is wrong and the nearest valid name; std::bad_alloc.
+  /// defaults. Throws std::runtime_error with what is wrong and the nearest valid name, also for a method
+  /// that needs a link; std::bad_alloc.
   explicit Avoider(std::string_view algorithm, const std::vector<std::string>& settings = {},
                    const Capacity& capacity = {}, std::uint64_t seed = 0);
   Avoider(const Avoider& other);

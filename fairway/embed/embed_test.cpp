@@ -48,6 +48,8 @@ struct Scene {
     Rng rng = Rng{43}.stream("scene", i);
     fairway::Situation& s = e.situation;
     if (i % 3 == 0) s.goal.velocity = encounters::direction(rng);
+    if (i % 8 == 0) s.current = 0.2 * encounters::direction(rng);
+    if (i % 9 == 0) s.goal.arrival = 0.5;
     if (i % 5 == 0)
       s.limits = {.max_speed = 1.5, .max_climb_rate = 0.3, .max_acceleration = 0.2, .max_turn_rate = 0.4};
     if (i % 7 == 0) s.limits.max_depth = s.own.position.z() + 0.01;
@@ -343,10 +345,12 @@ TEST(EmbeddedAvoider, IsMadeByNameAndSettings) {
   EXPECT_NE(Avoider("orca3d", {"time_horizon_s=20"}).decide(s.view()).velocity, straight_on);
   EXPECT_EQ(refusal("apf+saw", {"crit_dist_m=4", "speed_law=bang_bang"}), "accepted");
   EXPECT_THAT(algorithms(), testing::IsSupersetOf({"apf", "orca3d", "avoa", "inflate"}));
+  EXPECT_THAT(algorithms(), testing::Not(testing::Contains("pledge")));
 }
 
 TEST(EmbeddedAvoider, SaysWhatItCannotBeMadeOfAndWhatWasProbablyMeant) {
   EXPECT_EQ(refusal("orca_3d", {}), "unknown algorithm \"orca_3d\"; did you mean orca3d?");
+  EXPECT_THAT(refusal("pledge", {}), HasSubstr("pledge decides nothing without a link to the others"));
   EXPECT_EQ(refusal("orca3d", {"time_horizon=2"}),
             "time_horizon: unknown parameter of orca3d; did you mean time_horizon_s?");
   EXPECT_THAT(refusal("orca3d", {"time_horizon_s=soon"}), HasSubstr("\"soon\"; expected a number"));

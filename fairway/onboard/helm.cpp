@@ -13,6 +13,7 @@ namespace {
 constexpr double return_gain = 0.3;   // [1/s], as a hold returns to its depth
 constexpr double return_speed = 0.3;  // [m/s]
 constexpr double farthest = 1e7;      // [m] from the origin: no goal is there
+constexpr int most_standing = 10;     // updates at one time, before the clock is taken to stand still
 
 /// `depth`, or the nearest within the limits.
 double within(const Limits& limits, double depth) {
@@ -63,6 +64,7 @@ void Helm::begin_again() noexcept {
   current_time_.reset();
   progress_watch_ = ProgressWatch{setup_.policy.progress_window_s};
   updated_ = -std::numeric_limits<double>::infinity();
+  standing_ = 0;
   task_ = Task::none;
   health_ = Health::good;
   arrived_ = false;
@@ -71,7 +73,8 @@ void Helm::begin_again() noexcept {
 bool Helm::set_out(const Leg& leg) noexcept {
   const double depth = leg.position.z();
   if (!is_place(leg.position) || !is_place(leg.from) || !std::isfinite(leg.speed_mps) ||
-      leg.speed_mps <= 0.0 || std::fabs(within(limits(), depth) - depth) > leg.arrival_m)
+      leg.speed_mps <= 0.0 || !std::isfinite(leg.arrival_m) || leg.arrival_m <= 0.0 ||
+      std::fabs(within(limits(), depth) - depth) > leg.arrival_m)
     return false;
   task_ = Task::go;
   leg_ = leg;
@@ -106,6 +109,7 @@ std::optional<Vec3> Helm::goal() const noexcept {
 
 const HelmOrder& Helm::update(double now, Sketch* sketch) noexcept {
   see_clock(now);
+  standing_ = now_ > updated_ ? 0 : standing_ + 1;
   see_health();
   order_ = {.time = now_};
   if (own_watch_.last()) own_ = own_at(*own_watch_.last());
@@ -120,15 +124,13 @@ const HelmOrder& Helm::update(double now, Sketch* sketch) noexcept {
                                        ? "own navigation is lost"
                                        : "own navigation was lost and has not been good for long enough");
   } else if (health_ == Health::stale) {
-    hold_because(HelmState::holding, is_blind()
-                                         ? "own navigation is stale"
-                                         : "own navigation was stale and has not been good for long enough");
+    hold_because(HelmState::holding, why_stale(), how_to_stay(Attendance::kept));
   } else if (arrived_) {
-    hold_because(HelmState::arrived, {}, how_to_stay());
+    hold_because(HelmState::arrived, {}, how_to_stay(Attendance::arrived));
   } else if (task_ == Task::keep) {
-    hold_because(HelmState::keeping);
+    hold_because(HelmState::keeping, {}, how_to_stay(Attendance::kept));
   } else if (waits_for_neighbour()) {
-    hold_because(HelmState::holding, "a neighbour is lost");
+    hold_because(HelmState::holding, "a neighbour is lost", how_to_stay(Attendance::kept));
   } else {
     order_.state = HelmState::under_way;
     order_.in_charge = true;
@@ -139,6 +141,8 @@ const HelmOrder& Helm::update(double now, Sketch* sketch) noexcept {
   if (order_.in_charge) {
     order_.command = pilot_.command();
     order_.request = is_blind() ? pilot_.blind_request() : pilot_.request(own_, current_);
+    double& turn_rate = order_.request.yaw_rate_radps;
+    turn_rate = math::fmax(-limits().max_turn_rate, math::fmin(limits().max_turn_rate, turn_rate));
   }
   updated_ = now_;
   return order_;
@@ -161,12 +165,12 @@ void Helm::hold_because(HelmState state, std::string_view reason, const Command&
   pilot_.ask_at_once();
 }
 
-/// A method that speaks goes on speaking where it has arrived, and may say how to hold there.
-Command Helm::how_to_stay() noexcept {
+/// A method that speaks goes on speaking where it has arrived or was stopped, and may say how to hold there.
+Command Helm::how_to_stay(Attendance attendance) noexcept {
   if (!avoider_.speaks()) return {.mode = Mode::hold};
   Situation situation =
       pilot_.situation(now_, own_, {.kind = LegKind::transit, .position = own_.position}, {}, setup_.chart);
-  situation.attendance = Attendance::arrived;
+  situation.attendance = attendance;
   situation.current = current_;
   show_link(situation);
   Command command = avoider_.decide(situation);
@@ -186,7 +190,7 @@ void Helm::see_health() noexcept {
   const double age = own_watch_.age(now_);
   if (has_begun && age > policy.own_lost_s) {
     health_ = Health::lost;
-  } else if (has_begun && age > policy.own_stale_s) {
+  } else if (has_begun && (age > policy.own_stale_s || !has_clock())) {
     health_ = std::max(health_, Health::stale);
   } else if (!has_begun || now_ - own_watch_.good_since() >= policy.recovery_s) {
     health_ = Health::good;
@@ -208,6 +212,15 @@ Ownship Helm::own_at(const Fix& fix) const noexcept {
     own.yaw = wrap_angle(own.yaw + age * own.yaw_rate);
   }
   return own;
+}
+
+/// By a clock that stands still nothing grows old.
+bool Helm::has_clock() const noexcept { return standing_ < most_standing; }
+
+std::string_view Helm::why_stale() const noexcept {
+  if (!has_clock()) return "the clock stands still";
+  return is_blind() ? "own navigation is stale"
+                    : "own navigation was stale and has not been good for long enough";
 }
 
 bool Helm::is_blind() const noexcept { return own_watch_.age(now_) > setup_.policy.own_stale_s; }

@@ -102,8 +102,9 @@ struct HelmReport {
 /// It judges what it is told (`OnboardPolicy`), predicts what is late, and steers. It reads no clock: `now`
 /// [s] must not run backwards by itself, and if it does by more than `max_ahead_s`, because a simulation has
 /// begun again, everything heard is forgotten, goals included, and the method begins afresh (which copies it,
-/// and so allocates). A value: a copy is a snapshot. Otherwise nothing throws, allocates or locks after
-/// construction, unless the method does.
+/// and so allocates). A clock that does not go on from update to update says nothing about the age of
+/// anything: after ten of them the vehicle holds. A value: a copy is a snapshot. Otherwise nothing throws,
+/// allocates or locks after construction, unless the method does.
 class Helm {
  public:
   /// Throws InputError for a parameter of steering or policy outside its range.
@@ -120,7 +121,8 @@ class Helm {
   /// that is not a record's or a sender that is not of the team.
   FixVerdict team_record(std::span<const std::uint8_t> bytes, double now) noexcept;
   /// What the method of a neighbour said at `sent` [s], for a method that speaks. False for somebody who is
-  /// not of the team, and for more bytes than a speech has.
+  /// not of the team, for more bytes than a speech has, and for a time that is more than `max_ahead_s` ahead
+  /// of the clock.
   bool speech(VehicleId from, std::span<const std::uint8_t> bytes, double sent, double now) noexcept;
   /// When this vehicle's next turn to speak begins and how far apart its turns are [s].
   void turns(double next, double period) noexcept;
@@ -133,9 +135,10 @@ class Helm {
   /// Along the line from `leg.from` to `leg.position`, avoiding, until within `leg.arrival_m` of its end.
   /// Refused likewise, and if the line has no length.
   bool follow(const Leg& leg) noexcept;
-  /// Hold here.
+  /// Hold here. A method that speaks is asked on, so that the others hear that it has stopped.
   void keep_position() noexcept;
-  /// Nothing: leave the vehicle to others.
+  /// Nothing: leave the vehicle to others. Its method falls silent: the others of a method that speaks go on
+  /// as was agreed.
   void stand_by() noexcept;
 
   /// The order for `now`. Asks the avoider when a decision is due, which is at the update nearest to the
@@ -205,11 +208,13 @@ class Helm {
   void stop_watching_progress() noexcept;
   void lead_back(Command& command) const noexcept;
   bool is_blind() const noexcept;
+  bool has_clock() const noexcept;
+  std::string_view why_stale() const noexcept;
   bool waits_for_neighbour() const noexcept;
   void let_go(HelmState state, std::string_view reason = {}) noexcept;
   void hold_because(HelmState state, std::string_view reason = {},
                     const Command& how = {.mode = Mode::hold}) noexcept;
-  Command how_to_stay() noexcept;
+  Command how_to_stay(Attendance attendance) noexcept;
   void show_link(Situation& situation) noexcept;
   Ownship within_depths() const noexcept;
   const Limits& limits() const noexcept { return pilot_.ship().limits; }
@@ -240,6 +245,7 @@ class Helm {
   std::int64_t infeasible_{};
   std::int64_t clock_restarts_{};
   std::int64_t records_refused_{};
+  int standing_{};  ///< updates since the clock went on
   HelmOrder order_;
   Task task_{Task::none};
   Health health_{Health::good};

@@ -43,7 +43,13 @@ class Swap {
     now_ += h;
   }
 
-  const Helm& helm(std::size_t i) const { return helms_[i]; }
+  bool has_arrived(std::size_t i) const { return helms_[i].order().state == HelmState::arrived; }
+  void go_on_until(double time) {
+    while (now_ < time && !(has_arrived(0) && has_arrived(1))) step();
+  }
+
+  Helm& helm(std::size_t i) { return helms_[i]; }
+  const Vec3& place(std::size_t i) const { return states_[i].p_n; }
   double now() const { return now_; }
   double least() const { return least_; }
   int said() const { return said_; }
@@ -72,10 +78,9 @@ class Swap {
 
 TEST(HelmSpeech, TwoAgreeByTheirWordsAloneAndSwapPlaces) {
   Swap swap;
-  const auto has_arrived = [&](std::size_t i) { return swap.helm(i).order().state == HelmState::arrived; };
-  while (swap.now() < 400.0 && !(has_arrived(0) && has_arrived(1))) swap.step();
-  EXPECT_TRUE(has_arrived(0));
-  EXPECT_TRUE(has_arrived(1));
+  swap.go_on_until(400.0);
+  EXPECT_TRUE(swap.has_arrived(0));
+  EXPECT_TRUE(swap.has_arrived(1));
   EXPECT_GT(swap.least(), 3.0) << "the radii together";
   const int said = swap.said();
   for (int i = 0; i < 200; ++i) swap.step();
@@ -90,6 +95,47 @@ TEST(HelmSpeech, WhoHearsNobodyStaysWhereItIs) {
   EXPECT_GT(swap.least(), 39.0);
 }
 
+TEST(HelmSpeech, AnotherGoalIsAgreedOnAndReached) {
+  const Vec3 elsewhere{0, 30, 10};
+  for (const double when : {1.0, 20.0, 40.0, 300.0}) {
+    Swap swap;
+    while (swap.now() < when) swap.step();
+    ASSERT_TRUE(swap.helm(0).go_to(elsewhere, 0.5));
+    swap.step();
+    swap.go_on_until(when + 600.0);
+    EXPECT_TRUE(swap.has_arrived(0)) << when;
+    EXPECT_LT((swap.place(0) - elsewhere).norm(), 2.0) << when;
+    EXPECT_TRUE(swap.has_arrived(1)) << when;
+    EXPECT_GT(swap.least(), 3.0) << when;
+  }
+}
+
+TEST(HelmSpeech, AGoalThatCannotBeToldIsSaid) {
+  Swap swap;
+  while (swap.now() < 300.0) swap.step();
+  ASSERT_TRUE(swap.helm(0).go_to({400, 0, 10}, 0.5));
+  for (int i = 0; i < 20; ++i) swap.step();
+  EXPECT_EQ(swap.helm(0).order().command.note, "its goal is too far from the datum for its words");
+}
+
+TEST(HelmSpeech, WhoIsKeptOnItsWaySaysSoAndNobodyRunsIntoIt) {
+  for (const double when : {5.0, 15.0, 20.0, 25.0, 30.0, 35.0, 40.0, 50.0}) {
+    Swap swap;
+    while (swap.now() < when) swap.step();
+    swap.helm(0).keep_position();
+    while (swap.now() < when + 300.0) swap.step();
+    EXPECT_EQ(swap.helm(0).order().state, HelmState::keeping);
+    EXPECT_GT(swap.least(), 3.0) << when;
+    const bool lies_on_goal = (swap.place(0) - Vec3{0, 0.5, 10}).norm() < 5.0;
+    EXPECT_TRUE(swap.has_arrived(1) || lies_on_goal) << when << ": nobody waits for who is kept";
+    ASSERT_TRUE(swap.helm(0).go_to({40, 0, 10}, 0.5));
+    swap.step();
+    swap.go_on_until(when + 900.0);
+    EXPECT_TRUE(swap.has_arrived(0)) << when;
+    EXPECT_GT(swap.least(), 3.0) << when;
+  }
+}
+
 TEST(HelmSpeech, WhatIsNoSpeechOfTheTeamIsRefused) {
   fixes::Parts setup = fixes::setup();
   setup.team = {{.id = VehicleId{1}, .name = "other"}};
@@ -98,7 +144,8 @@ TEST(HelmSpeech, WhatIsNoSpeechOfTheTeamIsRefused) {
   EXPECT_TRUE(helm.speech(VehicleId{1}, std::span{bytes}.first(25), 0.0, 0.0));
   EXPECT_FALSE(helm.speech(VehicleId{1}, bytes, 0.0, 0.0));
   EXPECT_FALSE(helm.speech(VehicleId{9}, std::span{bytes}.first(3), 0.0, 0.0));
-  EXPECT_EQ(helm.report(0.0).records_refused, 2);
+  EXPECT_FALSE(helm.speech(VehicleId{1}, std::span{bytes}.first(3), 1e12, 0.0)) << "of a time to come";
+  EXPECT_EQ(helm.report(0.0).records_refused, 3);
   EXPECT_TRUE(helm.own_speech().empty()) << "its method has nothing to say";
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "fairway/onboard/testing/fixes.hpp"
 
@@ -157,6 +158,19 @@ TEST(HelmInATeam, ATeamRecordIsAFixWithPriorityRadiusAndGoal) {
   EXPECT_EQ(report.records_refused, 2);
   EXPECT_NEAR(report.neighbours[0].age, 0.5, 1e-9);
   EXPECT_NEAR(report.neighbours[0].distance, (Vec3{10.15, 20, 5} - helm.own().position).norm(), 0.02);
+}
+
+TEST(HelmInATeam, RecordsPassByAClockThatCountsFrom1970) {
+  constexpr double today = 1.78e9;
+  Helm helm = helm_of(setup());
+  helm.own_fix(fixes::north(today, {0, 0, 10}), today);
+  const std::optional<TeamRecord> own = helm.own_record(today);
+  ASSERT_TRUE(own);
+  const Tick now{std::llround(today / 0.05)};
+  EXPECT_NEAR(static_cast<double>(count(decode(*own, now, 0.05).sent) - count(now)), 0.0, 1.0);
+  const TeamRecord other = encode({.from = VehicleId{1}, .sent = now, .position = {9, 9, 9}}, 0.05);
+  EXPECT_EQ(helm.team_record(other, today), FixVerdict::accepted);
+  EXPECT_NEAR(helm.report(today).neighbours[0].age, 0.0, 0.05);
 }
 
 TEST(HelmInATeam, ARecordOfAClockThatIsALittleAheadIsOfNow) {

@@ -284,6 +284,40 @@ TEST(Helm, AClockThatStepsBackALittleStandsStill) {
   EXPECT_EQ(helm.report(10.0).clock_restarts, 0);
 }
 
+TEST(Helm, AClockThatStandsStillEndsInAHold) {
+  for (const double stopped : {nan, 10.0, 9.9}) {
+    Helm helm = under_way(10.0);
+    for (int i = 0; i < 20; ++i) {
+      helm.own_fix(on_course(10.0 + h * i), stopped);
+      helm.update(stopped);
+    }
+    EXPECT_EQ(helm.order().state, HelmState::holding) << stopped;
+    EXPECT_EQ(helm.order().reason, "the clock stands still");
+    for (int i = 1; i <= 20; ++i) {
+      helm.own_fix(on_course(10.0 + h * i), 10.0 + h * i);
+      helm.update(10.0 + h * i);
+    }
+    EXPECT_EQ(helm.order().state, HelmState::under_way) << "and it goes on when that does";
+  }
+}
+
+TEST(Helm, NoOrderTurnsFasterThanTheLimit) {
+  fixes::Parts with = setup();
+  with.ship.limits.max_turn_rate = 0.05;
+  Helm helm = helm_of(with);
+  helm.own_fix(on_course(0.0), 0.0);
+  ASSERT_TRUE(helm.go_to({-500, 10, 10}, 0.5));
+  EXPECT_EQ(std::fabs(helm.update(0.0).request.yaw_rate_radps), 0.05);
+}
+
+TEST(Helm, ALegWithoutAnArrivalIsRefused) {
+  Helm helm = helm_of(setup());
+  for (const double arrival : {nan, infinity, 0.0, -1.0})
+    EXPECT_FALSE(
+        helm.follow({.position = {50, 0, 10}, .from = {0, 0, 10}, .speed_mps = 0.5, .arrival_m = arrival}))
+        << arrival;
+}
+
 TEST(Helm, ACopyIsASnapshot) {
   Helm helm = under_way(5.0);
   Helm copy = helm;

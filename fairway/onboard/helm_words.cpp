@@ -9,7 +9,7 @@
 namespace fairway {
 namespace {
 
-constexpr std::uint32_t record_ids = 1024;  // a record holds the number modulo this
+constexpr double no_clock = 1e12;  // farther from 0 than any that counts seconds [s]
 
 Fix fix_of(const Message& message, double record_period) {
   Fix fix{.time = seconds(message.sent, record_period)};
@@ -75,7 +75,8 @@ void Helm::neighbour_goal(VehicleId id, const std::optional<Vec3>& goal) noexcep
 
 bool Helm::speech(VehicleId from, std::span<const std::uint8_t> bytes, double sent, double now) noexcept {
   see_clock(now);
-  if (!index_of(number(from), 0) || bytes.size() > Speech::most_bytes || !std::isfinite(sent)) {
+  const bool is_time = sent <= now_ + setup_.policy.max_ahead_s && std::isfinite(sent);
+  if (!index_of(number(from), 0) || bytes.size() > Speech::most_bytes || !is_time) {
     ++records_refused_;
     return false;
   }
@@ -99,7 +100,8 @@ void Helm::turns(double next, double period) noexcept {
 }
 
 Speech Helm::own_speech() const noexcept {
-  const bool was_asked = order_.state == HelmState::under_way || order_.state == HelmState::arrived;
+  const bool was_asked = order_.state == HelmState::under_way || order_.state == HelmState::arrived ||
+                         order_.state == HelmState::keeping || order_.state == HelmState::holding;
   return was_asked && avoider_.speaks() ? avoider_.speech() : Speech{};
 }
 
@@ -111,7 +113,7 @@ FixVerdict Helm::team_record(std::span<const std::uint8_t> bytes, double now) no
 
   // a clock that is a little ahead must not make a message look a whole cycle old
   const double latest = now_ + setup_.policy.max_ahead_s;
-  const bool has_clock = std::fabs(latest) < 1e9;
+  const bool has_clock = std::fabs(latest) < no_clock;
   const Tick latest_tick{has_clock ? std::llround(latest / setup_.record_period) : 0};
   const Message message = decode(record, latest_tick, setup_.record_period);
   const std::optional<std::size_t> index = index_of(number(message.from), record_ids);
@@ -140,7 +142,7 @@ double Helm::common_time() const noexcept {
 
 std::optional<TeamRecord> Helm::own_record(double now) const noexcept {
   const std::optional<Fix>& fix = own_watch_.last();
-  if (!fix || own_watch_.age(now) > setup_.policy.own_lost_s || std::fabs(fix->time) > 1e9) return {};
+  if (!fix || own_watch_.age(now) > setup_.policy.own_lost_s || std::fabs(fix->time) > no_clock) return {};
   const Tick sent{std::llround(fix->time / setup_.record_period)};
   const Ownship own = pilot_.own_ship(fix->state, fix->position_sigma, arrived_);
   const double since = seconds(sent, setup_.record_period) - fix->time;

@@ -202,6 +202,7 @@ Agent make_agent(const VehicleSpec& spec, const Scenario& scenario, const Catalo
   const PerceptionSpec& perception = scenario.perception;
   const std::size_t track_count = scenario.vehicles.size() + scenario.obstacles.size();
   Vehicle vehicle = alike != nullptr ? *alike : make_vehicle(spec, catalogs.vehicles);
+  vehicle.prepare(scenario.step_s);
   vehicle.set_state(start_of(spec));
   Autopilot autopilot = make_autopilot(spec, vehicle);
   Navigation navigation = made(scenario.navigation, [&] {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <string_view>
+#include <utility>
 
 namespace fairway::bridge {
 namespace {
@@ -27,6 +28,10 @@ bool is_due(std::chrono::steady_clock::time_point& last, std::chrono::steady_clo
 
 std::string bare(const std::string& frame_id) {
   return !frame_id.empty() && frame_id.front() == '/' ? frame_id.substr(1) : frame_id;
+}
+
+std::string in_other_frame(const std::string& frame_id, const std::string& own) {
+  return "it is in the frame '" + frame_id + "'; own odometry is in '" + own + "'";
 }
 
 /// What about an order cannot be carried out.
@@ -61,12 +66,22 @@ double AvoiderDuty::clock_at(double clock, double stamp) {
 }
 
 void AvoiderDuty::hear_own(const Motion& motion, const std::string& frame_id, double clock) {
-  own_frame_ = frame_id;
+  hear_frame(frame_id);
   if (settings_.lockstep && motion.time < now_ - restart_s) now_ = motion.time;
   const std::string_view verdict = host_.own_motion(motion, clock_at(clock, motion.time));
   judge("own odometry", verdict.data());
   if (verdict == "accepted") own_ = motion.time;
   is_news_ = true;
+}
+
+/// What it was told to do before it knew its own frame may turn out to be in another.
+void AvoiderDuty::hear_frame(const std::string& frame_id) {
+  own_frame_ = frame_id;
+  if (own_frame_.empty() || goal_frame_.empty()) return;
+  const std::string told_in = std::exchange(goal_frame_, "");
+  if (bare(told_in) == bare(own_frame_)) return;
+  outlet_.warn("what it was told to do is dropped: " + in_other_frame(told_in, own_frame_));
+  stand_by();
 }
 
 void AvoiderDuty::hear_mate(std::size_t mate, const Motion& motion, double clock) {
@@ -107,7 +122,8 @@ std::string AvoiderDuty::refused(const Task& task, const std::string& why) const
 /// A place in another frame than that of the own navigation is not what it seems to be.
 std::string AvoiderDuty::accept(const Task& task, const std::string& frame_id) {
   if (!frame_id.empty() && !own_frame_.empty() && bare(frame_id) != bare(own_frame_))
-    return refused(task, "it is in the frame '" + frame_id + "'; own odometry is in '" + own_frame_ + "'");
+    return refused(task, in_other_frame(frame_id, own_frame_));
+  if (own_frame_.empty()) goal_frame_ = frame_id;
   if (settings_.lockstep && own_ && task.stamp > *own_ && task.stamp <= *own_ + lead_s) {
     next_task_ = task;
     return "";

@@ -80,6 +80,7 @@ class AvoiderDuty {
   std::string take_up(Task task);
   std::string refused(const Task& task, const std::string& why) const;
   void hear_told();
+  void hear_frame(const std::string& frame_id);
   void answer(double now, double stamp);
   void tell_team(double now);
   void report(bool at_once);
@@ -98,6 +99,7 @@ class AvoiderDuty {
   AvoiderHost host_;
   double now_{};                    // [s]
   std::string own_frame_;           // of the own odometry, empty before the first
+  std::string goal_frame_;          // of what it was told before that to do
   std::optional<double> own_;       // time of the own navigation last accepted [s]
   std::optional<double> answered_;  // in lockstep, the last instant answered [s]
   std::optional<Task> next_task_;   // in lockstep, of an instant that is still to come

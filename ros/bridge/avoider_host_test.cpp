@@ -162,6 +162,7 @@ TEST(AvoiderHost, WhatIsWrongIsSaidInOneLineWithTheNearestName) {
       {named({{"team.auv_22.radius_m", "2"}}), "nobody of the team is called auv_22; did you mean auv_2?"},
       {named({{"team.auv_2.radius", "2"}}), "did you mean radius_m?"},
       {named({{"id", "1"}}), "id: 1 is that of two vehicles, one of them auv_2"},
+      {named({{"id", "1025"}}), "id: 1, of auv_2, and 1025 are the same in a team record"},
       {named({{"min_depth_m", "30"}, {"max_depth_m", "20"}}), "min_depth_m: is 30, below max_depth_m, 20"},
       {named({{"envelope.ahed_mps", "1"}}), "envelope.ahed_mps: unknown number; did you mean ahead_mps?"},
       {named({{"envelope.ahead_mps", "-1"}}), "envelope.ahead_mps: is \"-1\"; expected a number, 0 or more"},

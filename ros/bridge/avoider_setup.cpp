@@ -11,6 +11,7 @@
 #include <string_view>
 #include <type_traits>
 
+#include "fairway/comms/team_record.hpp"
 #include "fairway/core/envelope_numbers.hpp"
 #include "fairway/core/math.hpp"
 #include "fairway/core/names.hpp"
@@ -235,11 +236,18 @@ void check(Draft& draft) {
   }
   std::vector<std::uint32_t> ids{own.id};
   for (const TeamMate& mate : draft.helm.team) {
-    if (std::ranges::find(ids, number(mate.id)) != ids.end()) {
-      throw InputError(
-          {}, "id", std::to_string(number(mate.id)) + " is that of two vehicles, one of them " + mate.name);
+    const std::uint32_t id = number(mate.id);
+    const auto same =
+        std::ranges::find(ids, id % record_ids, [](std::uint32_t other) { return other % record_ids; });
+    if (same != ids.end()) {
+      const std::string which = std::to_string(id);
+      throw InputError({}, "id",
+                       *same == id ? which + " is that of two vehicles, one of them " + mate.name
+                                   : which + ", of " + mate.name + ", and " + std::to_string(*same) +
+                                         " are the same in a team record, which tells them modulo " +
+                                         std::to_string(record_ids));
     }
-    ids.push_back(number(mate.id));
+    ids.push_back(id);
   }
 }
 

@@ -253,6 +253,16 @@ TEST(AvoiderDuty, AnOrderThatCannotBeCarriedOutIsRefusedInWordsAndChangesNothing
   EXPECT_TRUE(duty.host().goal());
 }
 
+TEST(AvoiderDuty, AGoalThatCameBeforeTheFirstOdometryIsDroppedIfItWasInAnotherFrame) {
+  for (const std::string frame : {"map", "world", "/world", ""}) {
+    Pilot pilot{alone()};
+    EXPECT_EQ(pilot.duty.go_to({50, 0, 5}, frame, 0.0), "");
+    pilot.duty.hear_own(at(10.0, 0), "world", 10.0);
+    EXPECT_EQ(pilot.duty.host().goal().has_value(), frame != "map") << frame;
+    if (frame == "map") EXPECT_THAT(pilot.warnings, HasSubstr("is dropped: it is in the frame 'map'"));
+  }
+}
+
 TEST(AvoiderDuty, InLockstepItWaitsForWhoeverIsBehindAndAnswersAnOrderOfTheInstantAgain) {
   AvoiderNodeSettings settings = alone();
   settings.lockstep = true;

@@ -145,6 +145,7 @@ def test_a_batch_leaves_the_avoider_as_it_was():
         ({"track_radius": np.ones((4, 2))}, "track_radius: expected 4 x 3 numbers"),
         ({"track_positions": 1}, "there is no argument track_positions; did you mean track_position?"),
         ({"jobs": -1}, "jobs: expected 0 (all cores) or more, got -1"),
+        ({"limits": fw.Limits()}, "cruise_speed is missing, and limits give no max_speed instead"),
     ],
 )
 def test_a_batch_says_which_array_does_not_fit(changes, message):

@@ -167,6 +167,13 @@ std::string_view DelayCheck::what_it_waits_for(const Memory& memory) noexcept {
   return memory.own.next ? "waits out its delay check" : "waits for a clear way";
 }
 
+/// Who is kept gives up what it was to do, and stands where it comes to rest.
+void DelayCheck::stand(const Situation& s, Memory& memory) noexcept {
+  memory.own.next.reset();
+  if (s.time < memory.own.committed.ends)
+    memory.own.committed = Trajectory::standing(pledge::resting_place(s), s.time);
+}
+
 Command DelayCheck::decide(const Situation& s, Memory& memory, Context& context) const noexcept {
   const auto refused = [](std::string_view why) { return Command{.mode = Mode::infeasible, .note = why}; };
   if (s.link == nullptr) return refused("delay_check hears nobody: it needs an exchange");
@@ -175,6 +182,7 @@ Command DelayCheck::decide(const Situation& s, Memory& memory, Context& context)
   hear(s, memory);
   check(s, memory);
   if (s.attendance == Attendance::under_way) plan(s, memory);
+  if (s.attendance == Attendance::kept) stand(s, memory);
 
   const Reference way = memory.own.committed.reference();
   if (context.sketch != nullptr) pledge::draw(way, s.time, params.tube_m, *context.sketch);

@@ -90,6 +90,7 @@ struct DelayCheck {
   void check(const Situation& s, Memory& memory) const noexcept;
   bool is_first_to_plan(const Situation& s, const Memory& memory) const noexcept;
   void plan(const Situation& s, Memory& memory) const noexcept;
+  static void stand(const Situation& s, Memory& memory) noexcept;
   std::optional<delay_check::Trajectory> soonest_leg(const Situation& s, const Memory& memory, double departs,
                                                      double most_bend) const noexcept;
   static std::string_view what_it_waits_for(const Memory& memory) noexcept;

@@ -26,6 +26,7 @@ constexpr int patient_rounds = 2;     // without a plan, before a member goes as
 constexpr double at_rest = 0.05;      // slower than this a member is held [m/s]
 constexpr double settling = 4.0;      // for so long, before it departs, a member turns to its course [s]
 constexpr double resting = 12.0;      // at rest for so long, who was lost is held again [s]
+constexpr double same_place = 0.2;    // as near to each other two destinations are one [m]
 
 /// The course on which a member that is held will depart, once it is time to turn to it: who departs while it
 /// turns the other way is late. Not in a current, in which nobody who has turned aside stays where it is.
@@ -91,13 +92,14 @@ Command Pledge::decide(const Situation& given, Memory& memory, Context& context)
   if (number(s.own.id) >= static_cast<std::uint32_t>(params.team_count))
     return refused("its id is beyond those of the group (team_count)");
   if (!memory.begun && !begin(s, memory))
-    return refused("it is too far from the datum for its words, or too large");
+    return refused("it is too far from the datum for its words, too large, or too slow to turn");
   hear(s, memory);
   const bool alone = memory.agreement.rounds().groups().count() == 1;
   std::array<Obstacle, pledge::most_vehicles> room;
   const pledge::Chart chart = alone ? s.obstacles : memory.agreement.chart(s.obstacles, room);
   Command command = decided(s, chart, memory, context);
   memory.datum.look(memory.agreement, s.link->ranges, rests(s, memory), unsure);
+  if (memory.is_beyond) command.note = "its goal is too far from the datum for its words";
   if (memory.datum.doubted().any())
     command.note = "measures a distance that does not fit: it or another is not where it says";
   return command;
@@ -159,12 +161,14 @@ void Pledge::take_part(const Situation& s, const pledge::Chart& chart, Memory& m
     const Reference* gone = agreement.way();
     agreement.arrive(gone != nullptr ? gone->knots().back().position : s.own.position);
   }
+  if (s.attendance == Attendance::kept) keep(s, agreement);
   // where the clock has not begun there is time
   const double patience = s.attendance == Attendance::ready ? params.patience_count : 0.0;
   // who measures that somebody is not where it says does not set out among them
   const bool is_wary = agreement.status() == pledge::Status::held && memory.datum.doubted().any();
-  const bool is_free =
-      !is_wary && (s.attendance == Attendance::ready || s.attendance == Attendance::under_way);
+  const bool goes_on = s.attendance == Attendance::ready || s.attendance == Attendance::under_way;
+  const bool is_free = !is_wary && (goes_on || s.attendance == Attendance::kept);
+  if (goes_on) retarget(s, memory);
   if (is_free) {
     aim(s, chart, memory);
     agreement.go_on(s.time, s.period, *s.link, patience, chart, {params.headway_s, s.current});
@@ -175,6 +179,33 @@ void Pledge::take_part(const Situation& s, const pledge::Chart& chart, Memory& m
 /// Whether it is where it says, if it is held.
 bool Pledge::rests(const Situation& s, const Memory& memory) const noexcept {
   return (memory.agreement.own().anchor - s.own.position).norm() <= params.tube_m;
+}
+
+/// Whose goal is another than it has told tells that: from where it is held, or once it has come to the end
+/// of what it has promised. Where there are several groups, `aim` does.
+void Pledge::retarget(const Situation& s, Memory& memory) const noexcept {
+  Agreement& agreement = memory.agreement;
+  const pledge::Status status = agreement.status();
+  memory.is_beyond = false;
+  if ((agreement.own().destination - s.goal.position).norm() <= same_place || status == pledge::Status::lost)
+    return;
+  if (agreement.rounds().groups().count() > 1 && status != pledge::Status::arrived) return;
+  const Reference* way = agreement.way();
+  Member member = pledge::member_of(s, params.speed_ratio);
+  member.anchor = way != nullptr ? way->knots().back().position : agreement.own().anchor;
+  memory.is_beyond = !pledge::fits(member, agreement.terms().datum);
+  if (!memory.is_beyond && (way == nullptr || s.time >= way->end())) agreement.hold(member);
+}
+
+/// Who is kept has nowhere to go, and stops where it is if it was on its way. So it goes on hearing the
+/// others, and no plan of theirs waits for it.
+void Pledge::keep(const Situation& s, Agreement& agreement) const noexcept {
+  if (agreement.status() != pledge::Status::held && agreement.status() != pledge::Status::moving) return;
+  Member member = pledge::member_of(s, params.speed_ratio);
+  member.anchor = agreement.way() != nullptr ? resting_place(s) : agreement.own().anchor;
+  member.destination = member.anchor;
+  if (agreement.way() != nullptr || (agreement.own().destination - member.anchor).norm() > same_place)
+    agreement.hold(member);
 }
 
 /// Where there are several groups it says once a round of its own where it is to go in that.
@@ -202,7 +233,7 @@ void Pledge::aim(const Situation& s, const pledge::Chart& chart, Memory& memory)
     member.arrival = aside_within;
   }
   const Vec3 told = agreement.own().destination;
-  if ((told - member.destination).norm() > 0.2) agreement.hold(member, aside);
+  if ((told - member.destination).norm() > same_place) agreement.hold(member, aside);
 }
 
 /// Who is off its tube by as much again is lost; before that it is best to come back. Who is held and

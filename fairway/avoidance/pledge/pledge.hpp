@@ -68,6 +68,7 @@ struct Pledge {
     int idle_rounds{};               ///< of its own, since it lay elsewhere
     std::size_t asides{};            ///< how often it went aside, since no plan led it on
     bool waits{false};               ///< it has chosen to stay for this round
+    bool is_beyond{false};           ///< its goal is too far from the datum to be told
     double moved{};                  ///< when it was not at rest, since it was lost [s]
     double turn_period{};
     double time{};
@@ -95,6 +96,8 @@ struct Pledge {
   void hear(const Situation& s, Memory& memory) const noexcept;
   void take_part(const Situation& s, const pledge::Chart& chart, Memory& memory) const noexcept;
   bool rests(const Situation& s, const Memory& memory) const noexcept;
+  void retarget(const Situation& s, Memory& memory) const noexcept;
+  void keep(const Situation& s, pledge::Agreement& agreement) const noexcept;
   void aim(const Situation& s, const pledge::Chart& chart, Memory& memory) const noexcept;
   void watch(const Situation& s, const pledge::Chart& chart, Memory& memory) const noexcept;
   void stay_at(const Situation& s, const Vec3& place, pledge::Agreement& agreement) const noexcept;

@@ -158,7 +158,8 @@ Vec2 centre_as_told(const Vec2& centre, const Vec2& datum) noexcept {
 bool fits(const Member& member, const Vec2& datum) noexcept {
   const Member told = as_told(member, datum);
   return (told.anchor - member.anchor).norm() < 0.05 &&
-         (told.destination - member.destination).norm() < 0.2 && told.radius > member.radius - 1e-6;
+         (told.destination - member.destination).norm() < 0.2 && told.radius > member.radius - 1e-6 &&
+         told.turn > member.turn - 1.0;
 }
 
 std::uint32_t digest_of(const std::array<Member, most_members>& members, const Members& participants,

@@ -136,8 +136,8 @@ Member as_told(const Member& member, const Vec2& datum) noexcept;
 /// The nearest centre of rings that can be told.
 Vec2 centre_as_told(const Vec2& centre, const Vec2& datum) noexcept;
 
-/// False if its places are too far from the datum to be told, or its sphere, in steps of 25 cm upwards, is
-/// larger than 15.75 m.
+/// False if its places are too far from the datum to be told, its sphere, in steps of 25 cm upwards, is
+/// larger than 15.75 m, or it takes longer than 16 s to turn before it gets under way.
 bool fits(const Member& member, const Vec2& datum) noexcept;
 
 /// 24 bits of the states of those who take part, by which a receiver sees whether it reckons with the same.

@@ -132,7 +132,7 @@ TEST(Words, WhatWasDamagedOrIsNoneIsRefused) {
       << "of bytes at random, 1 in 4 is of this version and of them 1 in 256 has the right sum";
 }
 
-TEST(Words, TooFarFromTheDatumOrTooLargeDoesNotFit) {
+TEST(Words, TooFarFromTheDatumTooLargeOrTooSlowToTurnDoesNotFit) {
   Member member{.anchor = {datum.x(), datum.y(), 10}, .destination = {datum.x() + 50, datum.y(), 10}};
   EXPECT_TRUE(fits(member, datum));
   member.radius = 15.75;
@@ -140,6 +140,11 @@ TEST(Words, TooFarFromTheDatumOrTooLargeDoesNotFit) {
   member.radius = 15.8;
   EXPECT_FALSE(fits(member, datum));
   member.radius = 1.5;
+  member.turn = 15.5;
+  EXPECT_TRUE(fits(member, datum));
+  member.turn = 32.9;
+  EXPECT_FALSE(fits(member, datum));
+  member.turn = 8.0;
   member.anchor.x() += 200;
   EXPECT_FALSE(fits(member, datum));
 }

@@ -107,18 +107,24 @@ inline OwnedSituation crossing(double time = 6.0, double speed = 1.0) {
 
 inline Vec3 direction(Rng& rng) { return unit(Vec3{rng.normal(), rng.normal(), rng.normal()}); }
 
+/// Slower than `most` [m/s]. The speed is drawn first, whatever order a compiler takes for factors.
+inline Vec3 velocity(double most, Rng& rng) {
+  const double speed = rng.uniform(0.0, most);
+  return speed * direction(rng);
+}
+
 /// `count` vehicles placed between `nearest` and `farthest` [m] and moving, both at random in space;
 /// the goal too lies anywhere.
 inline OwnedSituation swarm(int count, double nearest, double farthest, Rng rng) {
   OwnedSituation e = open_water();
   Situation& s = e.situation;
-  s.own.velocity = rng.uniform(0.0, 1.0) * direction(rng);
+  s.own.velocity = velocity(1.0, rng);
   s.own.yaw = std::atan2(s.own.velocity.y(), s.own.velocity.x());
   s.goal.position = s.own.position + 40.0 * direction(rng);
   for (int i = 0; i < count; ++i) {
     const double range = std::cbrt(rng.uniform(nearest * nearest * nearest, farthest * farthest * farthest));
-    e.tracks.push_back(track(static_cast<std::uint32_t>(i + 1), s.own.position + range * direction(rng),
-                             rng.uniform(0.0, 1.0) * direction(rng)));
+    const Vec3 position = s.own.position + range * direction(rng);
+    e.tracks.push_back(track(static_cast<std::uint32_t>(i + 1), position, velocity(1.0, rng)));
   }
   return e.sorted();
 }

@@ -71,10 +71,11 @@ struct Hazard {
   double contact;  ///< own radius and its own
 };
 
-/// As std::clamp().
+/// As std::clamp(). A register takes the smaller of two, or the larger, by one instruction.
 template <class Real>
 Real clamped(const Real& value, const Real& least, const Real& most) {
-  return select(value < least, least, select(most < value, most, value));
+  const Real at_most = select(most < value, most, value);
+  return select(at_most < least, least, at_most);
 }
 
 /// As Envelope::turn_rate(), and what the law and the mission leave of it.

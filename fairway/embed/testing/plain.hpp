@@ -76,12 +76,13 @@ struct PlainSituation {
     situation.own = {plain(s.own.position), plain(s.own.velocity), s.own.yaw,     s.own.yaw_rate,
                      s.own.radius,          number(s.own.id),      s.own.priority};
     situation.goal = {plain(s.goal.position), plain(s.goal.velocity.value_or(Vec3::Zero())),
-                      s.goal.cruise_speed, s.goal.velocity.has_value()};
+                      s.goal.cruise_speed, s.goal.velocity.has_value(), s.goal.arrival};
     situation.limits = {s.limits.max_speed,     s.limits.max_climb_rate, s.limits.max_acceleration,
                         s.limits.max_turn_rate, s.limits.min_depth,      s.limits.max_depth,
                         s.limits.min_speed,     s.limits.sternway,       s.limits.sway};
     situation.time = s.time;
     situation.period = s.period;
+    situation.current = plain(s.current);
     if (s.model != nullptr) {
       model = {plain(s.model->mass),      plain(s.model->linear_damping), plain(s.model->quadratic_damping),
                plain(s.model->restoring), plain(s.model->least),          plain(s.model->greatest)};
