@@ -77,12 +77,20 @@ BodyRequest through_water(const BodyRequest& over_ground, const Vec3& current_b)
           .through_water = true};
 }
 
-/// Asks the memory for a vehicle that a stage will come to: of a large fleet hardly anyone is in the cache,
-/// and to wait for one line of it at a time costs more than what is done with it.
-void fetch(const Agent& agent) {
+/// Asks the memory for what a stage will come to: of a large fleet hardly anyone is in the cache, and to wait
+/// for one line of it at a time costs more than what is done with it.
+template <class T>
+void fetch(const T& what) {
   constexpr std::size_t line = 64;  // [B]
-  const std::span<const std::byte> bytes = std::as_bytes(std::span{&agent, 1});
+  const std::span<const std::byte> bytes = std::as_bytes(std::span{&what, 1});
   for (std::size_t at = 0; at < bytes.size(); at += line) __builtin_prefetch(&bytes[at]);
+}
+
+/// Likewise for what a vehicle points to, once it has come itself.
+void fetch_beyond(const Agent& agent) {
+  if (const Leg* leg = agent.mission.leg()) fetch(*leg);
+  __builtin_prefetch(agent.vehicle.actuator_state().data());
+  __builtin_prefetch(agent.demand.data());
 }
 
 /// Whoever looks round usually looks at no more than a few, within perception's range.
@@ -181,16 +189,18 @@ void Simulation::in_parts(Works... /*in this order*/) {
   constexpr std::size_t size = 32;
   constexpr std::size_t many = 1500;  // so few stay in a cache; of 1000 it gains nothing, of 2000 a little
   constexpr std::size_t ahead = 4;    // are fetched, while the first stage is at another
+  constexpr std::size_t soon = 2;     // and what they point to
   const auto go_through = [&](std::size_t part, std::size_t number) {
     Hand& hand = hands_[number];
     const std::size_t first = part * size, end = std::min(first + size, agents_.size());
     if (timing_stages_) hand.stages.begin();
-    std::size_t fetched = agents_.size() > many ? first : end;
+    std::size_t fetched = agents_.size() > many ? first : end, beyond = fetched;
     const auto go =
         [&]<Stage stage, void (Simulation::*work)(std::size_t, Hand&), void (Simulation::*together)(Hand&)>(
             Work<stage, work, together>) {
           for (std::size_t i = first; i < end; ++i) {
             for (; fetched < std::min(i + ahead, end); ++fetched) fetch(agents_[fetched]);
+            for (; beyond < std::min(i + soon, fetched); ++beyond) fetch_beyond(agents_[beyond]);
             (this->*work)(i, hand);
           }
           if constexpr (together != nullptr) (this->*together)(hand);
