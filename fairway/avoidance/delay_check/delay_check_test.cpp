@@ -143,6 +143,22 @@ TEST(DelayCheck, TwoThatHearEachOtherSwapPlacesAndKeepApart) {
   EXPECT_LT(pair.to_goal(1), 2.0);
 }
 
+TEST(DelayCheck, WhoIsKeptOnItsWayStandsAndSaysSo) {
+  Pair pair;
+  const auto all = [](std::size_t) { return true; };
+  while (pair.seen[0].situation.own.velocity.norm() < 0.3) pair.go_on(all);
+  Situation& s = pair.seen[0].situation;
+  s.attendance = Attendance::kept;
+  const Vec3 stopped = s.own.position;
+  while (pair.time < 120.0) pair.go_on(all);
+  EXPECT_LT((s.own.position - stopped).norm(), 2.0);
+  const std::optional<Word> word = decode(pair.heard[1][0].speech, Vec2::Zero(), pair.time);
+  ASSERT_TRUE(word);
+  EXPECT_EQ(word->committed.from, word->committed.to);
+  EXPECT_LT((word->committed.to - s.own.position).norm(), 0.5);
+  EXPECT_FALSE(word->next);
+}
+
 TEST(DelayCheck, NobodyPromisesALegThatTakesLongerThanAWordCanTell) {
   Pair pair;
   for (std::size_t i = 0; i < 2; ++i) {
