@@ -8,6 +8,7 @@
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <thread>
 
 #include "fairway/core/testing/refusal.hpp"
@@ -91,6 +92,15 @@ TEST_F(Tuning, FindsWhatIsBestAndSaysHowMuchBetterOnRunsThatItNeverSaw) {
   EXPECT_LT(result.luck.low, 0.0);
   EXPECT_GT(result.luck.high, 0.0) << "nothing here is luck";
   EXPECT_EQ(shown_by(result.test), Shown::quicker);
+}
+
+TEST_F(Tuning, ItsResultIsKnownAgainHoweverLongTheCurve) {
+  Store store = Store::in_memory();
+  TuningResult result = tuned(store, 2);
+  result.curve.resize(20'000, result.curve.front());
+  std::ofstream{folder_.file("tuning.json")} << to_json(parsed(), result).dump(2);
+  EXPECT_TRUE(is_of_kind(folder_.file("tuning.json"), tuning_document));
+  EXPECT_TRUE(is_of_kind(FAIRWAY_SOURCE_DIR "/campaigns/exam/tuned/vo/tuning.json", tuning_document));
 }
 
 TEST_F(Tuning, IsTheSameOnAnyNumberOfThreadsAndGoesOnWhereItWasStopped) {
