@@ -16,6 +16,7 @@
 #include "fairway/cli/numbers.hpp"
 #include "fairway/cli/outputs.hpp"
 #include "fairway/cli/own_methods.hpp"
+#include "fairway/cli/paths.hpp"
 #include "fairway/cli/program.hpp"
 #include "fairway/exam/against.hpp"
 #include "fairway/exam/exam_page.hpp"
@@ -268,7 +269,7 @@ Store open_store(const ExamFlags& flags, const ExamFile& exam, const ExamPlan& p
                                              {"--out", files.page, report_file},
                                              {"--out", files.reference, reference_file},
                                              {"--out", files.decisions, decision_times_file}});
-  std::filesystem::create_directories(flags.out);
+  make_folder(flags.out, "--out");
   Store store = Store::open(files.store, outputs.force() ? Store::Foreign::replace : Store::Foreign::refuse);
   Origin origin{.campaign = exam.name, .summary = exam.summary};
   for (const CampaignCell& cell : plan.campaign.cells) add_values(origin.order, cell.labels);
@@ -357,6 +358,7 @@ void add_exam(CLI::App& app, Program& program) {
   auto outputs = std::make_shared<Outputs>(*verb);
   verb->add_option("--methods", flags->methods,
                    "names, or files such as mine.yaml; default: those of the exam")
+      ->check(not_empty())
       ->delimiter(',')
       ->type_name("NAMES");
   verb->add_option("--families", flags->families, "of the exam's; default: all")
@@ -370,15 +372,19 @@ void add_exam(CLI::App& app, Program& program) {
   verb->add_option(
           "--against", flags->against,
           "stored results: \"stored\", those that come with fairway, or reference.csv.zst of another exam")
+      ->check(not_empty())
       ->type_name("STORED");
   verb->add_flag("--add", flags->add, "make what --against lacks: families, conditions, methods and seeds")
       ->needs("--against");
   verb->add_option("--tuned", flags->tuned, "what tune found: best.yaml, or a folder of such")
+      ->check(not_empty())
       ->type_name("PATH");
   verb->add_option("--grounds", flags->grounds, "the exam: families and conditions")
+      ->check(not_empty())
       ->type_name("YAML")
       ->capture_default_str();
   verb->add_option("--out", flags->out, "folder for runs, tables and page; goes on where it is there")
+      ->check(not_empty())
       ->required()
       ->type_name("FOLDER");
   verb->add_option("--jobs", flags->jobs, "threads; 0 = as many as the machine has")

@@ -116,6 +116,10 @@ int run_command(int argc, const char* const* argv, const Catalogs& catalogs) {
     std::cout.flush();
     std::cerr << "fairway: " << error.what() << "\n";
     return bad_input;
+  } catch (const std::filesystem::filesystem_error& error) {  // a name too long, a folder that is not ours
+    std::cout.flush();
+    std::cerr << "fairway: " << error.path1().string() << ": " << error.code().message() << "\n";
+    return bad_input;
   } catch (const RunAbandoned&) {
     std::cerr << "fairway: interrupted\n";
     return interrupted;
