@@ -257,6 +257,13 @@ void keep_complete_cells(ExamPlan& plan, const Store& store) {
                              .why = "has not been run"});
 }
 
+/// A table of runs lies there that this folder's exam cannot have made, since it has no runs.
+bool is_of_other_runs(const ExamFiles& files) {
+  std::error_code none;
+  return std::filesystem::exists(files.reference, none) &&
+         !std::filesystem::is_empty(files.reference, none) && !std::filesystem::exists(files.store, none);
+}
+
 /// The store in the exam's folder, which is made; refuses to write over what is of another kind, or is asked
 /// of.
 Store open_store(const ExamFlags& flags, const ExamFile& exam, const ExamPlan& plan, const Outputs& outputs) {
@@ -269,6 +276,9 @@ Store open_store(const ExamFlags& flags, const ExamFile& exam, const ExamPlan& p
                                              {"--out", files.page, report_file},
                                              {"--out", files.reference, reference_file},
                                              {"--out", files.decisions, decision_times_file}});
+  if (!outputs.force() && is_of_other_runs(files))
+    throw InputError("--out " + files.reference + ": is there, and no " + files.store +
+                     " with its runs; expected another folder, or --force to replace it");
   make_folder(flags.out, "--out");
   Store store = Store::open(files.store, outputs.force() ? Store::Foreign::replace : Store::Foreign::refuse);
   Origin origin{.campaign = exam.name, .summary = exam.summary};
