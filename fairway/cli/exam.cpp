@@ -321,7 +321,12 @@ int hold_exam(const ExamFlags& flags, const Outputs& outputs, const Program& pro
   question.seeds = flags.seeds.value_or(20);
   if (reference && !flags.add) {
     const std::size_t stored = seeds_in(*reference, question.families);
-    question.seeds = std::min(flags.seeds.value_or(stored), stored);
+    question.seeds = flags.seeds.value_or(stored);
+    if (question.seeds > stored)
+      throw InputError(
+          fmt::format("--seeds {}: --against {} has {} seeds of each family; expected at most as "
+                      "many, or --add to make the others",
+                      question.seeds, flags.against, stored));
   }
   if (!flags.as_it_is) tell_what_is_not_left_out(exam, question);
   ExamPlan plan = listed_plan(flags, exam, question, program);
