@@ -167,8 +167,12 @@ ExamQuestion question_of(const ExamFlags& flags, const ExamFile& exam, const Cat
                         .conditions = chosen_by_name(exam.conditions, flags.conditions, "--conditions"),
                         .candidates = {},
                         .by_name = !flags.methods.empty()};
-  for (const std::string& name : flags.methods)
+  for (const std::string& name : flags.methods) {
     question.candidates.push_back(candidate_of(name, exam, methods, "--methods"));
+    if (name.ends_with(".yaml") && !is_search_told("--methods", name, question.families))
+      std::cerr << "fairway: --methods " << name
+                << ": was tuned, and no tuning.json beside it says on which seeds; they may be test seeds\n";
+  }
   if (flags.methods.empty() && (flags.against.empty() || flags.add))
     for (const CampaignAlgorithm& method : exam.methods)
       question.candidates.push_back(candidate_of(method.label, exam, methods, "methods:"));
