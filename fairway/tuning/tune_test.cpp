@@ -94,6 +94,15 @@ TEST_F(Tuning, FindsWhatIsBestAndSaysHowMuchBetterOnRunsThatItNeverSaw) {
   EXPECT_EQ(shown_by(result.test), Shown::quicker);
 }
 
+TEST_F(Tuning, WhatItLeavesIsAnAvoiderWhateverWasTyped) {
+  Store store = Store::in_memory();
+  std::istringstream lines{tuned_avoider(parsed(), tuned(store, 2), "fairway tune --out 'a\nb'")};
+  std::string line;
+  std::size_t count = 0;
+  while (std::getline(lines, line)) count += line.starts_with("#") ? 0 : 1;
+  EXPECT_EQ(count, 1U);
+}
+
 TEST_F(Tuning, ItsResultIsKnownAgainHoweverLongTheCurve) {
   Store store = Store::in_memory();
   TuningResult result = tuned(store, 2);

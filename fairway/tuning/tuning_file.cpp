@@ -163,7 +163,7 @@ const Block<Written>& tuning_block() {
       key("fairway_tuning", &Written::version,
           yaml::read_only<std::int32_t>(read_version, yaml::schema_text(R"({"const": 1})")),
           "The format's version, 1.", Needed::yes),
-      key("name", &Written::name, yaml::name(), "Of the specification.", Needed::yes),
+      key("name", &Written::name, yaml::title(), "Of the specification.", Needed::yes),
       key("summary", &Written::summary, yaml::text(), "What it is meant to find out."),
       {.name = "method",
        .meaning = "The avoider that is tuned, with what is to stay as it is written.",
