@@ -97,14 +97,6 @@ std::vector<CampaignCell> expanded_cells(const CampaignFile& written, const Camp
   return cells;
 }
 
-/// A scenario without what is only there for people or for tests.
-std::string canonical_text(Scenario scenario) {
-  scenario.name.clear();
-  scenario.summary.clear();
-  scenario.expect.clear();
-  return to_yaml(scenario);
-}
-
 /// A digest of all that decides the outcome.
 std::string key_of(const CampaignCell& cell, Scenario scenario, const std::string& own_version) {
   Digest digest;
@@ -229,6 +221,13 @@ std::string digest_of(const Campaign& campaign, const CampaignFile& written) {
 }
 
 }  // namespace
+
+std::string canonical_text(Scenario scenario) {
+  scenario.name.clear();
+  scenario.summary.clear();
+  scenario.expect.clear();
+  return to_yaml(scenario);
+}
 
 Scenario scenario_of(const Campaign& campaign, std::size_t cell, std::uint64_t seed) {
   const CampaignScenario& scenario = campaign.scenarios[campaign.cells[cell].scenario];

@@ -105,6 +105,9 @@ Campaign parse_campaign(std::string_view yaml, const std::string& file, const Ch
 void resolve_runs(Campaign& campaign, const CheckScenario& check, unsigned jobs, const OwnMethods& own,
                   const WatchListing& watch = {});
 
+/// A scenario as text, without what is only there for people or for tests: equal texts are the same run.
+std::string canonical_text(Scenario scenario);
+
 /// Leaves only the runs of which `is_wanted` holds.
 void keep_runs(Campaign& campaign, const std::function<bool(const RunSpec&)>& is_wanted);
 

@@ -94,6 +94,23 @@ TEST_F(Tuning, FindsWhatIsBestAndSaysHowMuchBetterOnRunsThatItNeverSaw) {
   EXPECT_EQ(shown_by(result.test), Shown::quicker);
 }
 
+TEST_F(Tuning, ACopyOfAScenarioUnderAnotherNameIsTheSameRun) {
+  std::string text = specification;
+  text.replace(text.find("validation: {scenario: meeting.yaml, seeds: {first: 101"), 55,
+               "validation: {scenario: copy.yaml, seeds: {first: 7");
+  std::string copy = "# another comment\n" + scenario_text;
+  copy.replace(copy.find("name: meeting"), 13, "name: copy");
+  copy.replace(copy.find("avoider: orca3d"), 15, "avoider: apf");  // each run has the method that is tuned
+  std::ofstream{folder_.file("copy.yaml")} << copy;
+  EXPECT_EQ(
+      refusal_by([&] { parsed(text); }).substr(file().size()),
+      ":9:24: validation: has copy, which is meeting, under seed 7 as train has; what is judged by must "
+      "be new");
+  copy.replace(copy.find("duration_s: 10"), 14, "duration_s: 11");
+  std::ofstream{folder_.file("copy.yaml")} << copy;
+  EXPECT_EQ(refusal_by([&] { parsed(text); }), "accepted");
+}
+
 TEST_F(Tuning, WhatItLeavesIsAnAvoiderWhateverWasTyped) {
   Store store = Store::in_memory();
   std::istringstream lines{tuned_avoider(parsed(), tuned(store, 2), "fairway tune --out 'a\nb'")};
