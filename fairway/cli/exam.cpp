@@ -19,6 +19,7 @@
 #include "fairway/cli/paths.hpp"
 #include "fairway/cli/program.hpp"
 #include "fairway/exam/against.hpp"
+#include "fairway/exam/entrance.hpp"
 #include "fairway/exam/exam_page.hpp"
 #include "fairway/exam/exam_text.hpp"
 #include "fairway/exam/reference.hpp"
@@ -167,6 +168,7 @@ ExamQuestion question_of(const ExamFlags& flags, const ExamFile& exam, const Cat
                         .conditions = chosen_by_name(exam.conditions, flags.conditions, "--conditions"),
                         .candidates = {},
                         .by_name = !flags.methods.empty()};
+  expect_known(exam.baseline, methods);
   for (const std::string& name : flags.methods) {
     question.candidates.push_back(candidate_of(name, exam, methods, "--methods"));
     if (name.ends_with(".yaml") && !is_search_told("--methods", name, question.families))

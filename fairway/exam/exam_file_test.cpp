@@ -126,6 +126,19 @@ TEST(ExamFile, MistakesAreToldWithTheNearestName) {
   EXPECT_NE(refusal_by([&] { exam.load(); }).find("not a family of scenarios"), std::string::npos);
 }
 
+TEST(ExamFile, AMethodThatIsUnknownIsToldWhereItIsWritten) {
+  SmallExam exam;
+  exam.write("exam.yaml",
+             "fairway_exam: 1\nname: small\nbaseline: direkt\nmethods:\n  - orca3d\n  - orcad\nconditions:\n"
+             "  - name: known\n    meaning: |\n      of several\n      lines\nfamilies: [meeting.yaml]\n");
+  const ExamFile read = exam.load();
+  const std::string file = exam.folder.file("exam.yaml");
+  EXPECT_EQ(refusal_by([&] { candidate_of("orcad", read, methods(), "methods:"); }),
+            file + ":6:5: methods[1]: unknown algorithm \"orcad\"; did you mean orca3d?");
+  EXPECT_EQ(refusal_by([&] { expect_known(read.baseline, methods()); }),
+            file + ":3:11: baseline: unknown algorithm \"direkt\"; did you mean direct?");
+}
+
 TEST(ExamFile, WhatASearchSawIsAskedOfTheFileBesideIt) {
   SmallExam exam;
   const ExamFile read = exam.load();

@@ -73,11 +73,14 @@ Candidate candidate_of(const std::string& name, const ExamFile& exam, const Cata
   if (name.ends_with(".yaml")) {
     Candidate own{.method = avoider_in(name), .tuned = false, .families = {}};
     own.method.label = fs::path(name).stem().string();
-    methods.params(algorithm_of(own.method));
+    expect_known(own.method, methods);
     return own;
   }
-  for (const CampaignAlgorithm& method : exam.methods)
-    if (method.label == name) return {.method = method, .tuned = false, .families = {}};
+  for (const CampaignAlgorithm& method : exam.methods) {
+    if (method.label != name) continue;
+    expect_known(method, methods);
+    return {.method = method, .tuned = false, .families = {}};
+  }
   try {
     methods.params(name);
   } catch (const InputError& error) {
@@ -92,7 +95,7 @@ std::vector<Candidate> tuned_candidates(const std::string& path, const std::vect
   for (const std::string& file : avoider_files(path)) {
     Candidate candidate{.method = avoider_in(file), .tuned = true, .families = {}};
     candidate.method.label = algorithm_of(candidate.method);
-    methods.params(candidate.method.label);
+    expect_known(candidate.method, methods);
     if (std::string family = family_above(file, families); !family.empty())
       candidate.families.push_back(std::move(family));
     if (!is_search_told("--tuned", file, families))

@@ -32,6 +32,7 @@ struct CampaignCell {
   std::size_t scenario{};  ///< index into Campaign::scenarios
   std::string algorithm;   ///< YAML of the avoider, or empty: as in the scenario
   Overrides overrides;     ///< all of them, what is laid over every scenario first
+  WrittenPlace place{};    ///< of the algorithm
 };
 
 /// Everything that is to be run, or a shard of it.

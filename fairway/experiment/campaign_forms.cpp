@@ -68,7 +68,8 @@ CampaignAlgorithm read_algorithm(const Value& value) {
   if (const std::optional<Value> file = value.tree().is_map() ? value.find("file") : std::nullopt)
     return read_algorithm_file(value, *file);
   const Choice choice = read_choice(value, "algorithm", Needed::yes, {"label"});
-  CampaignAlgorithm algorithm{.label = choice.name, .avoider = one_line(value.tree())};
+  CampaignAlgorithm algorithm{
+      .label = choice.name, .avoider = one_line(value.tree()), .place = {choice.where, choice.path}};
   if (!value.tree().is_map()) return algorithm;
 
   Tree avoider = Tree::map();

@@ -94,6 +94,17 @@ TEST_F(Tuning, FindsWhatIsBestAndSaysHowMuchBetterOnRunsThatItNeverSaw) {
   EXPECT_EQ(shown_by(result.test), Shown::quicker);
 }
 
+TEST_F(Tuning, AMethodThatIsUnknownIsToldWhereItIsWritten) {
+  const auto refusal = [&](const std::string& method) {
+    std::string text = specification;
+    text.replace(text.find("{algorithm"), std::string{"{algorithm: orca3d, crit_dist_m: 20}"}.size(), method);
+    return refusal_by([&] { parsed(text); }).substr(file().size());
+  };
+  EXPECT_EQ(refusal("orcad"), ":3:9: method: unknown algorithm \"orcad\"; did you mean orca3d?");
+  EXPECT_EQ(refusal("{label: x, algorithm: orcad}"),
+            ":3:31: method: unknown algorithm \"orcad\"; did you mean orca3d?");
+}
+
 TEST_F(Tuning, ACopyOfAScenarioUnderAnotherNameIsTheSameRun) {
   std::string text = specification;
   text.replace(text.find("validation: {scenario: meeting.yaml, seeds: {first: 101"), 55,

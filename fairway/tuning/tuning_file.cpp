@@ -276,8 +276,13 @@ void refuse_bad_seeds(const Value& root, const TuningFile& tuning) {
 TuningFile tuning_of(const Value& value, const Catalog& methods, TuningFile tuning) {
   const Value method = value.at("method");
   tuning.method = yaml::read_algorithm(method);
-  tuning.parameters = read_parameters(value.at("parameters"), methods,
-                                      yaml::read_choice(method, "algorithm", Needed::yes, {"label"}));
+  const Choice choice = yaml::read_choice(method, "algorithm", Needed::yes, {"label"});
+  try {
+    methods.params(choice.name);
+  } catch (const InputError& error) {
+    throw InputError(choice.where, choice.path, error.what());
+  }
+  tuning.parameters = read_parameters(value.at("parameters"), methods, choice);
   return tuning;
 }
 
