@@ -6,6 +6,7 @@
 #include <string>
 
 #include "fairway/cli/numbers.hpp"
+#include "fairway/cli/paths.hpp"
 #include "fairway/cli/program.hpp"
 #include "fairway/cli/runner.hpp"
 #include "fairway/core/text.hpp"
@@ -59,7 +60,7 @@ void add_check(CLI::App& app, Program& program) {
   auto seed = std::make_shared<std::optional<std::uint64_t>>();
   auto json = std::make_shared<bool>(false);
   auto schema = std::make_shared<bool>(false);
-  verb->add_option("files", *files, "scenario files");
+  verb->add_option("files", *files, "scenario files")->check(not_empty());
   verb->add_option("--set", *settings, "path=value, over what the file says");
   verb->add_option("--seed", *seed, "instead of the file's")->transform(whole_number<std::uint64_t>());
   verb->add_flag("--schema", *schema, "print the JSON schema of scenario files instead");

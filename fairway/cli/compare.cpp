@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "fairway/cli/numbers.hpp"
+#include "fairway/cli/paths.hpp"
 #include "fairway/cli/program.hpp"
 #include "fairway/experiment/store.hpp"
 #include "fairway/experiment/stored_results.hpp"
@@ -21,7 +22,7 @@ void add_compare(CLI::App& app, Program& program) {
   auto options = std::make_shared<CompareOptions>();
   auto csv = std::make_shared<bool>(false);
   auto json = std::make_shared<bool>(false);
-  verb->add_option("results", *stores, "results stores")->required();
+  verb->add_option("results", *stores, "results stores")->check(not_empty())->required();
   verb->add_option("--by", options->by, "label whose values are compared")->capture_default_str();
   verb->add_option("--baseline", options->baseline,
                    "value that the others are compared with; the first of the campaign if not given");

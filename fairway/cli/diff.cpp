@@ -5,6 +5,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "fairway/cli/paths.hpp"
 #include "fairway/cli/program.hpp"
 
 namespace fairway::cli {
@@ -39,7 +40,7 @@ void add_diff(CLI::App& app, Program& program) {
   verb->footer("Example: fairway diff before.mcap after.mcap");
   auto files = std::make_shared<std::vector<std::string>>();
   auto json = std::make_shared<bool>(false);
-  verb->add_option("recordings", *files, "two MCAP files")->required()->expected(2);
+  verb->add_option("recordings", *files, "two MCAP files")->check(not_empty())->required()->expected(2);
   verb->add_flag("--json", *json, "print JSON");
   program.on(*verb, [=] {
     const Difference difference = diff(Recording::read((*files)[0]), Recording::read((*files)[1]));

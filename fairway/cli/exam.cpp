@@ -16,8 +16,10 @@
 #include "fairway/cli/numbers.hpp"
 #include "fairway/cli/outputs.hpp"
 #include "fairway/cli/own_methods.hpp"
+#include "fairway/cli/paths.hpp"
 #include "fairway/cli/program.hpp"
 #include "fairway/exam/against.hpp"
+#include "fairway/exam/entrance.hpp"
 #include "fairway/exam/exam_page.hpp"
 #include "fairway/exam/exam_text.hpp"
 #include "fairway/exam/reference.hpp"
@@ -166,8 +168,13 @@ ExamQuestion question_of(const ExamFlags& flags, const ExamFile& exam, const Cat
                         .conditions = chosen_by_name(exam.conditions, flags.conditions, "--conditions"),
                         .candidates = {},
                         .by_name = !flags.methods.empty()};
-  for (const std::string& name : flags.methods)
+  expect_known(exam.baseline, methods);
+  for (const std::string& name : flags.methods) {
     question.candidates.push_back(candidate_of(name, exam, methods, "--methods"));
+    if (name.ends_with(".yaml") && !is_search_told("--methods", name, question.families))
+      std::cerr << "fairway: --methods " << name
+                << ": was tuned, and no tuning.json beside it says on which seeds; they may be test seeds\n";
+  }
   if (flags.methods.empty() && (flags.against.empty() || flags.add))
     for (const CampaignAlgorithm& method : exam.methods)
       question.candidates.push_back(candidate_of(method.label, exam, methods, "methods:"));
@@ -256,6 +263,13 @@ void keep_complete_cells(ExamPlan& plan, const Store& store) {
                              .why = "has not been run"});
 }
 
+/// A table of runs lies there that this folder's exam cannot have made, since it has no runs.
+bool is_of_other_runs(const ExamFiles& files) {
+  std::error_code none;
+  return std::filesystem::exists(files.reference, none) &&
+         !std::filesystem::is_empty(files.reference, none) && !std::filesystem::exists(files.store, none);
+}
+
 /// The store in the exam's folder, which is made; refuses to write over what is of another kind, or is asked
 /// of.
 Store open_store(const ExamFlags& flags, const ExamFile& exam, const ExamPlan& plan, const Outputs& outputs) {
@@ -268,7 +282,10 @@ Store open_store(const ExamFlags& flags, const ExamFile& exam, const ExamPlan& p
                                              {"--out", files.page, report_file},
                                              {"--out", files.reference, reference_file},
                                              {"--out", files.decisions, decision_times_file}});
-  std::filesystem::create_directories(flags.out);
+  if (!outputs.force() && is_of_other_runs(files))
+    throw InputError("--out " + files.reference + ": is there, and no " + files.store +
+                     " with its runs; expected another folder, or --force to replace it");
+  make_folder(flags.out, "--out");
   Store store = Store::open(files.store, outputs.force() ? Store::Foreign::replace : Store::Foreign::refuse);
   Origin origin{.campaign = exam.name, .summary = exam.summary};
   for (const CampaignCell& cell : plan.campaign.cells) add_values(origin.order, cell.labels);
@@ -310,7 +327,12 @@ int hold_exam(const ExamFlags& flags, const Outputs& outputs, const Program& pro
   question.seeds = flags.seeds.value_or(20);
   if (reference && !flags.add) {
     const std::size_t stored = seeds_in(*reference, question.families);
-    question.seeds = std::min(flags.seeds.value_or(stored), stored);
+    question.seeds = flags.seeds.value_or(stored);
+    if (question.seeds > stored)
+      throw InputError(
+          fmt::format("--seeds {}: --against {} has {} seeds of each family; expected at most as "
+                      "many, or --add to make the others",
+                      question.seeds, flags.against, stored));
   }
   if (!flags.as_it_is) tell_what_is_not_left_out(exam, question);
   ExamPlan plan = listed_plan(flags, exam, question, program);
@@ -357,6 +379,7 @@ void add_exam(CLI::App& app, Program& program) {
   auto outputs = std::make_shared<Outputs>(*verb);
   verb->add_option("--methods", flags->methods,
                    "names, or files such as mine.yaml; default: those of the exam")
+      ->check(not_empty())
       ->delimiter(',')
       ->type_name("NAMES");
   verb->add_option("--families", flags->families, "of the exam's; default: all")
@@ -370,15 +393,19 @@ void add_exam(CLI::App& app, Program& program) {
   verb->add_option(
           "--against", flags->against,
           "stored results: \"stored\", those that come with fairway, or reference.csv.zst of another exam")
+      ->check(not_empty())
       ->type_name("STORED");
   verb->add_flag("--add", flags->add, "make what --against lacks: families, conditions, methods and seeds")
       ->needs("--against");
   verb->add_option("--tuned", flags->tuned, "what tune found: best.yaml, or a folder of such")
+      ->check(not_empty())
       ->type_name("PATH");
   verb->add_option("--grounds", flags->grounds, "the exam: families and conditions")
+      ->check(not_empty())
       ->type_name("YAML")
       ->capture_default_str();
   verb->add_option("--out", flags->out, "folder for runs, tables and page; goes on where it is there")
+      ->check(not_empty())
       ->required()
       ->type_name("FOLDER");
   verb->add_option("--jobs", flags->jobs, "threads; 0 = as many as the machine has")

@@ -8,6 +8,7 @@
 
 #include "fairway/cli/numbers.hpp"
 #include "fairway/cli/outputs.hpp"
+#include "fairway/cli/paths.hpp"
 #include "fairway/cli/program.hpp"
 #include "fairway/core/text.hpp"
 #include "fairway/view/explain/explain_recording.hpp"
@@ -91,7 +92,9 @@ void add_explain(CLI::App& app, Program& program) {
       "Example: fairway explain cube.mcap --vehicle auv_2 --time 31.5 --out why.html\n"
       "The run is simulated again until then; exit code 1 if the command found is not the recorded one.");
   auto flags = std::make_shared<ExplainFlags>();
-  verb->add_option("recording", flags->recording, "MCAP file written by `fairway run --out`")->required();
+  verb->add_option("recording", flags->recording, "MCAP file written by `fairway run --out`")
+      ->check(not_empty())
+      ->required();
   verb->add_option("--vehicle", flags->vehicle, "its name, id or index")->required();
   verb->add_option("--time", flags->time,
                    "s since the start; the last recorded frame at or before it is taken")

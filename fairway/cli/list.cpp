@@ -8,6 +8,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "fairway/cli/paths.hpp"
 #include "fairway/cli/program.hpp"
 #include "fairway/comms/exchange.hpp"
 #include "fairway/metrics/run_metrics.hpp"
@@ -109,7 +110,9 @@ void add_list(CLI::App& app, Program& program) {
   std::vector<std::string> kinds;
   for (const auto& [name, items] : lists(program.catalogs, *directory)) kinds.push_back(name);
   verb->add_option("kind", *kind, "one of them; all without it")->check(CLI::IsMember(kinds));
-  verb->add_option("--dir", *directory, "where scenarios are looked for")->capture_default_str();
+  verb->add_option("--dir", *directory, "where scenarios are looked for")
+      ->check(not_empty())
+      ->capture_default_str();
   verb->add_flag("--json", *json, "print JSON");
   program.on(*verb, [=, &program] {
     nlohmann::json document;

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "fairway/cli/outputs.hpp"
+#include "fairway/cli/paths.hpp"
 #include "fairway/cli/program.hpp"
 #include "fairway/experiment/local_store.hpp"
 
@@ -64,7 +65,9 @@ void add_merge(CLI::App& app, Program& program) {
   verb->footer(
       "Example: fairway merge parts/*.db --out all.db\nIn any order, and again when there are more of them.");
   auto flags = std::make_shared<MergeFlags>();
-  verb->add_option("results", flags->stores, "results stores of one campaign")->required();
+  verb->add_option("results", flags->stores, "results stores of one campaign")
+      ->check(not_empty())
+      ->required();
   auto outputs = std::make_shared<Outputs>(*verb);
   outputs->add("--out", flags->out, store_file, "results store to write; what it holds already is kept")
       ->required();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/cli/outputs.hpp"
 
+#include "fairway/cli/paths.hpp"
+
 namespace fairway::cli {
 
 Outputs::Outputs(CLI::App& verb) : verb_{&verb} {
@@ -10,7 +12,7 @@ Outputs::Outputs(CLI::App& verb) : verb_{&verb} {
 CLI::Option* Outputs::add(const std::string& flag, std::string& path, const FileKind& kind,
                           const std::string& help) {
   declared_.push_back({flag, &path, kind});
-  return verb_->add_option(flag, path, help)->type_name("FILE");
+  return verb_->add_option(flag, path, help)->check(not_empty())->type_name("FILE");
 }
 
 void Outputs::judge(const std::vector<std::string>& inputs, const std::vector<Output>& more) const {

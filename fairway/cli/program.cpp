@@ -15,6 +15,7 @@
 #include "fairway/core/text.hpp"
 #include "fairway/experiment/executor.hpp"
 #include "fairway/experiment/version.hpp"
+#include "fairway/scenario/tree.hpp"
 #include "fairway/sim/divergence.hpp"
 
 namespace fairway::cli {
@@ -89,6 +90,13 @@ int explain_parse_error(const CLI::App& app, const CLI::ParseError& error, int a
   return bad_input;
 }
 
+/// Names and values go into tables and pages, which are UTF-8.
+int refuse_word(std::string_view word) {
+  std::cerr << "fairway: the command line has \"" << yaml::shown(word)
+            << "\", which is not UTF-8; expected names and values in that encoding\n";
+  return bad_input;
+}
+
 }  // namespace
 
 int run_command(int argc, const char* const* argv, const Catalogs& catalogs) {
@@ -98,6 +106,8 @@ int run_command(int argc, const char* const* argv, const Catalogs& catalogs) {
   app.require_subcommand(1);
   app.footer("Example: fairway study cubes --seeds 20 --out results");
   Program program{typed_line(argc, argv), {}, &stop_requested, app.get_name(), catalogs, &terminated};
+  for (int i = 1; i < argc; ++i)
+    if (not_utf8(argv[i])) return refuse_word(argv[i]);
   add_verbs(app, program);
   std::signal(SIGINT, on_interrupt);
   std::signal(SIGTERM, on_interrupt);
@@ -115,6 +125,10 @@ int run_command(int argc, const char* const* argv, const Catalogs& catalogs) {
   } catch (const InputError& error) {
     std::cout.flush();
     std::cerr << "fairway: " << error.what() << "\n";
+    return bad_input;
+  } catch (const std::filesystem::filesystem_error& error) {  // a name too long, a folder that is not ours
+    std::cout.flush();
+    std::cerr << "fairway: " << error.path1().string() << ": " << error.code().message() << "\n";
     return bad_input;
   } catch (const RunAbandoned&) {
     std::cerr << "fairway: interrupted\n";

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "fairway/cli/outputs.hpp"
+#include "fairway/cli/paths.hpp"
 #include "fairway/cli/program.hpp"
 #include "fairway/experiment/measure_run.hpp"
 #include "fairway/experiment/recording_info.hpp"
@@ -114,7 +115,9 @@ void add_replay(CLI::App& app, Program& program) {
       "replay", "What a recording holds; --verify simulates it again and compares every frame");
   verb->footer("Example: fairway replay cube.mcap --verify");
   auto flags = std::make_shared<ReplayFlags>();
-  verb->add_option("recording", flags->recording, "MCAP file written by `fairway run --out`")->required();
+  verb->add_option("recording", flags->recording, "MCAP file written by `fairway run --out`")
+      ->check(not_empty())
+      ->required();
   verb->add_flag("--verify", flags->verify, "run it again: same bits, or exit code 1");
   auto outputs = std::make_shared<Outputs>(*verb);
   outputs->add("--csv", flags->csv, recording_table, "write the frames as CSV; - for standard output");

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "fairway/cli/outputs.hpp"
+#include "fairway/cli/paths.hpp"
 #include "fairway/cli/program.hpp"
 #include "fairway/experiment/stored_results.hpp"
 #include "fairway/report/page.hpp"
@@ -17,7 +18,7 @@ void add_report(CLI::App& app, Program& program) {
   auto out = std::make_shared<std::string>("report.html");
   auto options = std::make_shared<CompareOptions>();
   auto json = std::make_shared<bool>(false);
-  verb->add_option("results", *stores, "results stores")->required();
+  verb->add_option("results", *stores, "results stores")->check(not_empty())->required();
   auto outputs = std::make_shared<Outputs>(*verb);
   outputs->add("--out", *out, report_file, "write the page here")->capture_default_str();
   verb->add_option("--by", options->by, "label whose values are compared")->capture_default_str();

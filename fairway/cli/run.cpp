@@ -10,6 +10,7 @@
 #include "fairway/cli/numbers.hpp"
 #include "fairway/cli/outcome.hpp"
 #include "fairway/cli/outputs.hpp"
+#include "fairway/cli/paths.hpp"
 #include "fairway/cli/program.hpp"
 #include "fairway/cli/runner.hpp"
 #include "fairway/record/recording_writer.hpp"
@@ -81,9 +82,10 @@ void add_run(CLI::App& app, Program& program) {
       "Exit code 1 if an expectation is not kept, and if the run diverges: then it has no results, and the\n"
       "recording ends before that.");
   auto options = std::make_shared<RunOptions>();
-  verb->add_option("scenario", options->file, "scenario file")->required();
+  verb->add_option("scenario", options->file, "scenario file")->check(not_empty())->required();
   verb->add_option("--algorithm", options->algorithm,
-                   "for every vehicle, instead of the file's: a name, or a YAML file that tune made");
+                   "for every vehicle, instead of the file's: a name, or a YAML file that tune made")
+      ->check(not_empty());
   verb->add_option("--set", options->settings, "path=value, over what the file says");
   verb->add_option("--seed", options->seed, "instead of the file's")
       ->transform(whole_number<std::uint64_t>());

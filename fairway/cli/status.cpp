@@ -7,6 +7,7 @@
 #include <memory>
 #include <numeric>
 
+#include "fairway/cli/paths.hpp"
 #include "fairway/cli/program.hpp"
 #include "fairway/cli/scheduler.hpp"
 #include "fairway/core/error.hpp"
@@ -122,7 +123,7 @@ void add_status(CLI::App& app, Program& program) {
   verb->footer("Example: fairway status methods");
   auto folder = std::make_shared<std::string>();
   auto json = std::make_shared<bool>(false);
-  verb->add_option("folder", *folder, "that fairway submit wrote")->required();
+  verb->add_option("folder", *folder, "that fairway submit wrote")->check(not_empty())->required();
   verb->add_flag("--json", *json, "print JSON");
   program.on(*verb, [=] {
     const Submission submission = read_submission(*folder);

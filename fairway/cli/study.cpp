@@ -8,6 +8,7 @@
 
 #include "fairway/cli/numbers.hpp"
 #include "fairway/cli/outputs.hpp"
+#include "fairway/cli/paths.hpp"
 #include "fairway/cli/program.hpp"
 #include "fairway/cli/study_run.hpp"
 #include "fairway/experiment/executor.hpp"
@@ -65,9 +66,7 @@ std::vector<Output> files_in(const std::filesystem::path& directory) {
 
 std::filesystem::path prepared(const std::string& out, const std::string& name, const char* part) {
   std::filesystem::path directory = std::filesystem::path(out) / name / part;
-  std::error_code error;
-  std::filesystem::create_directories(directory, error);
-  if (error) throw InputError(directory.string() + ": cannot be made a folder: " + error.message());
+  make_folder(directory.string(), "--out");
   return directory;
 }
 
@@ -188,13 +187,17 @@ void add_study(CLI::App& app, Program& program) {
       ->capture_default_str()
       ->transform(whole_number(0, 100000));
   verb->add_option("--out", flags->out, "write results, rows and the report into this folder")
+      ->check(not_empty())
       ->type_name("FOLDER");
   verb->add_flag("--json", flags->json, "print the rows as JSON");
   verb->add_option("--set", flags->overrides, "path=value, put into every scenario of the study");
-  CLI::Option* only = verb->add_option(
-      "--only", flags->only,
-      "make this run alone and print its measures: a name as reports show it, or its beginning");
+  CLI::Option* only =
+      verb->add_option(
+              "--only", flags->only,
+              "make this run alone and print its measures: a name as reports show it, or its beginning")
+          ->check(not_empty());
   verb->add_option("--shard", flags->shard, "make only part I of N of the runs, from 0, and nothing of them")
+      ->check(not_empty())
       ->type_name("I/N")
       ->excludes(only);
   auto outputs = std::make_shared<Outputs>(*verb);

@@ -15,6 +15,7 @@
 #include "fairway/cli/numbers.hpp"
 #include "fairway/cli/outputs.hpp"
 #include "fairway/cli/own_methods.hpp"
+#include "fairway/cli/paths.hpp"
 #include "fairway/cli/program.hpp"
 #include "fairway/cli/scheduler.hpp"
 #include "fairway/core/text.hpp"
@@ -197,11 +198,7 @@ std::vector<Output> files_of(const Submission& s) {
 }
 
 void make_folders(const Submission& s) {
-  for (const char* part : {"/parts", "/logs"}) {
-    std::error_code error;
-    fs::create_directories(s.folder + part, error);
-    if (error) throw InputError(s.folder + part + ": cannot be made a folder: " + error.message());
-  }
+  for (const char* part : {"/parts", "/logs"}) make_folder(s.folder + part, "--out");
 }
 
 /// So that the error of an attempt before is not taken for one of that which begins.
@@ -286,13 +283,14 @@ void add_submit(CLI::App& app, Program& program) {
       "Example: fairway submit campaigns/methods.yaml --engine slurm --nodes 8 --time 00:30 --out methods\n"
       "The same command again sends what is missing. `fairway status methods` says how far it is.");
   auto flags = std::make_shared<SubmitFlags>();
-  verb->add_option("campaign", flags->campaign, "campaign file")->required();
+  verb->add_option("campaign", flags->campaign, "campaign file")->check(not_empty())->required();
   verb->add_option("--engine", flags->engine,
                    "slurm; local: processes on this machine; or mpi: one job of Open MPI")
       ->required()
       ->check(CLI::IsMember({"slurm", "local", "mpi"}));
   verb->add_option("--out", flags->out,
                    "folder for scripts, shards and the merged store all.db; all machines see it")
+      ->check(not_empty())
       ->required()
       ->type_name("FOLDER");
   verb->add_option("--nodes", flags->nodes, "shards at a time")

@@ -11,6 +11,7 @@
 #include "fairway/cli/numbers.hpp"
 #include "fairway/cli/outputs.hpp"
 #include "fairway/cli/own_methods.hpp"
+#include "fairway/cli/paths.hpp"
 #include "fairway/cli/program.hpp"
 #include "fairway/experiment/campaign.hpp"
 #include "fairway/experiment/compare.hpp"
@@ -176,12 +177,14 @@ void add_sweep(CLI::App& app, Program& program) {
       "On several machines: fairway sweep campaigns/methods.yaml --shard 3/64 --out part3.sqlite, and then "
       "fairway merge");
   auto flags = std::make_shared<SweepFlags>();
-  verb->add_option("campaign", flags->campaign, "campaign file")->required();
+  verb->add_option("campaign", flags->campaign, "campaign file")->check(not_empty())->required();
   auto outputs = std::make_shared<Outputs>(*verb);
   outputs->add("--out", flags->out, store_file, "results store to write; continued if it is there");
   verb->add_option("--shard", flags->shard, "only part I of N, from 0; --out then appears when it is whole")
+      ->check(not_empty())
       ->type_name("I/N");
   verb->add_option("--missing", flags->missing, "only what this results store does not have")
+      ->check(not_empty())
       ->type_name("STORE");
   verb->add_option("--jobs", flags->jobs, "threads; 0 = as many as the machine has")
       ->transform(whole_number(0U, max_jobs))

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "fairway/cli/outcome.hpp"
+#include "fairway/cli/paths.hpp"
 #include "fairway/cli/program.hpp"
 #include "fairway/cli/runner.hpp"
 
@@ -63,7 +64,7 @@ void add_test(CLI::App& app, Program& program) {
   verb->footer("Example: fairway test scenarios");
   auto directory = std::make_shared<std::string>(shipped("scenarios"));
   auto as_json = std::make_shared<bool>(false);
-  verb->add_option("directory", *directory, "folder")->capture_default_str();
+  verb->add_option("directory", *directory, "folder")->check(not_empty())->capture_default_str();
   verb->add_flag("--json", *as_json, "print JSON");
   program.on(*verb, [=, &program] { return test(*directory, *as_json, program); });
 }

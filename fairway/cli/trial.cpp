@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "fairway/cli/outputs.hpp"
+#include "fairway/cli/paths.hpp"
 #include "fairway/cli/program.hpp"
 #include "fairway/record/output_file.hpp"
 
@@ -43,7 +44,7 @@ void add_trial(CLI::App& app, Program& program) {
       "Inputs: columns time_s and the actuators that `fairway describe VEHICLE` shows.");
   auto flags = std::make_shared<TrialFlags>();
   verb->add_option("vehicle", flags->vehicle, "as `fairway list vehicles` shows it")->required();
-  verb->add_option("--inputs", flags->inputs, "CSV; - for standard input")->required();
+  verb->add_option("--inputs", flags->inputs, "CSV; - for standard input")->check(not_empty())->required();
   auto outputs = std::make_shared<Outputs>(*verb);
   outputs->add("--out", flags->out, trial_table, "write the states as CSV; - for standard output")
       ->required();

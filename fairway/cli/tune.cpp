@@ -14,6 +14,7 @@
 #include "fairway/cli/numbers.hpp"
 #include "fairway/cli/outputs.hpp"
 #include "fairway/cli/own_methods.hpp"
+#include "fairway/cli/paths.hpp"
 #include "fairway/cli/program.hpp"
 #include "fairway/core/names.hpp"
 #include "fairway/experiment/digest.hpp"
@@ -121,7 +122,7 @@ void refuse_mistakes(const TuneFlags& flags, const Task& task, const Outputs& ou
 TuningResult search(const TuneFlags& flags, const Task& task, const Shard& shard, Store::Foreign foreign,
                     const Program& program) {
   const auto& [tuning, files] = task;
-  std::filesystem::create_directories(shard.is_all() ? files.folder : files.parts);
+  make_folder(shard.is_all() ? files.folder : files.parts, "--out");
   const ExecutorOptions options{.jobs = flags.jobs, .stop = program.stop};
   Progress progress{tuning.name};
   const TuneOptions how{.budget = flags.budget, .seed = flags.seed, .progress = &progress};
@@ -182,6 +183,7 @@ void add_tune(CLI::App& app, Program& program) {
   auto flags = std::make_shared<TuneFlags>();
   auto outputs = std::make_shared<Outputs>(*verb);
   verb->add_option("specification", flags->specification, "what to tune, on what, and on what to judge it")
+      ->check(not_empty())
       ->required();
   verb->add_option("--methods", flags->methods, "of a specification with several, those to tune")
       ->delimiter(',')
@@ -193,12 +195,14 @@ void add_tune(CLI::App& app, Program& program) {
   verb->add_option("--out", flags->out,
                    "folder for the runs, best.yaml and tuning.json, of several methods one in it for each; "
                    "goes on where it is there")
+      ->check(not_empty())
       ->required()
       ->type_name("FOLDER");
   verb->add_option(
           "--shard", flags->shard,
           "I/N: makes part I, from 0, of the runs, beside others that make theirs in the same folder; "
           "part 0 writes the result")
+      ->check(not_empty())
       ->type_name("I/N");
   verb->add_option("--seed", flags->seed, "of the search")
       ->transform(whole_number<std::uint64_t>())

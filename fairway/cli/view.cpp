@@ -12,6 +12,7 @@
 
 #include "fairway/cli/numbers.hpp"
 #include "fairway/cli/outputs.hpp"
+#include "fairway/cli/paths.hpp"
 #include "fairway/cli/program.hpp"
 #include "fairway/experiment/recording_info.hpp"
 #include "fairway/view/film_recording.hpp"
@@ -138,7 +139,9 @@ void add_view(CLI::App& app, Program& program) {
       app.add_subcommand("view", "A recorded run in three dimensions: one page that plays it in any browser");
   verb->footer("Example: fairway view cube.mcap --sketch --out cube.html");
   auto options = std::make_shared<ViewOptions>();
-  verb->add_option("recording", options->recording, "MCAP file written by `fairway run --out`")->required();
+  verb->add_option("recording", options->recording, "MCAP file written by `fairway run --out`")
+      ->check(not_empty())
+      ->required();
   auto outputs = std::make_shared<Outputs>(*verb);
   outputs->add("--out", options->out, playback_file,
                "write the page here; beside the recording, as .html, unless given");

@@ -24,6 +24,34 @@ std::string shell_word(std::string_view text) {
   return quoted + "'";
 }
 
+std::optional<std::size_t> not_utf8(std::string_view text) {
+  const auto byte = [&](std::size_t i) -> unsigned {
+    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
+  };
+  for (std::size_t i = 0; i < text.size();) {
+    const unsigned first = byte(i);
+    std::size_t more = 0;  // bytes that follow, the first of them in [lo, hi] (Unicode 15, table 3-7)
+    unsigned lo = 0x80, hi = 0xBF;
+    if (first >= 0xF0) {
+      more = 3;
+      if (first == 0xF0) lo = 0x90;
+      if (first == 0xF4) hi = 0x8F;
+    } else if (first >= 0xE0) {
+      more = 2;
+      if (first == 0xE0) lo = 0xA0;
+      if (first == 0xED) hi = 0x9F;
+    } else if (first >= 0x80) {
+      more = 1;
+    }
+    if (first > 0xF4 || (first >= 0x80 && first < 0xC2)) return i;
+    if (more > 0 && (byte(i + 1) < lo || byte(i + 1) > hi)) return i;
+    for (std::size_t j = 2; j <= more; ++j)
+      if (byte(i + j) < 0x80 || byte(i + j) > 0xBF) return i;
+    i += more + 1;
+  }
+  return {};
+}
+
 ParamValue parse_value(std::string_view text) {
   if (text == "true") return true;
   if (text == "false") return false;

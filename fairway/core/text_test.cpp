@@ -6,6 +6,16 @@
 namespace fairway {
 namespace {
 
+TEST(Text, IsUtf8UpToTheFirstByteThatIsNoneOfIt) {
+  for (const char* text :
+       {"", "plain", "\xC3\xA9t\xC3\xA9", "\xE2\x82\xAC", "\xF0\x9F\x9A\xA2", "\xED\x9F\xBF"})
+    EXPECT_EQ(not_utf8(text), std::nullopt) << text;
+  // a stray byte, a character cut short, an overlong one, half of a pair, beyond the last, none at all
+  for (const char* text :
+       {"ab\xE9z", "ab\xE2\x82", "ab\xC0\xAF", "ab\xED\xA0\x80", "ab\xF4\x90\x80\x80", "ab\xFF", "ab\x80"})
+    EXPECT_EQ(not_utf8(text), 2U) << text;
+}
+
 TEST(ShellWord, LeavesPlainWordsAsTheyAre) {
   for (const char* plain : {"scenarios/head_on.yaml", "exam.crit_dist_m=-6.5", "apf+saw", "a@b:c,d%"})
     EXPECT_EQ(shell_word(plain), plain);

@@ -37,6 +37,14 @@ std::string algorithm_of(const CampaignAlgorithm& method) {
   return yaml::read_choice({tree, "", reading}, "algorithm", yaml::Needed::yes).name;
 }
 
+void expect_known(const CampaignAlgorithm& method, const Catalog& methods) {
+  try {
+    methods.params(algorithm_of(method));
+  } catch (const InputError& error) {
+    throw InputError(method.place.where, method.place.path, error.what());
+  }
+}
+
 std::string why_not(const Catalog& methods, std::string_view algorithm, const ExamFamily& family) {
   if (family.needs_space && methods.needs(algorithm, &AlgorithmInfo::planar))
     return "thinks in the plane, and the ways there lead up and down";

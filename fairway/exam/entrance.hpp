@@ -16,6 +16,9 @@ namespace fairway {
 /// orca3d+inflate, crit_dist_m: 20}`.
 std::string algorithm_of(const CampaignAlgorithm& method);
 
+/// Throws InputError, which says where the method is written, unless the catalog has it.
+void expect_known(const CampaignAlgorithm& method, const Catalog& methods);
+
 /// Why a method is not made for a family: "ignores obstacles, and there are some"; empty if it may enter.
 /// Follows from what its layers declare (AlgorithmInfo). One that needs a link avoids whoever speaks as it
 /// does, so what moves has to be vehicles that all have it, in a group of a size that it is made for.

@@ -69,7 +69,7 @@ const Block<ExamFamily>& family_block() {
       key("test", &ExamFamily::test, range, "The exam is held on these.", Needed::yes)};
   static const Block<ExamFamily> block{
       key("fairway_family", &ExamFamily::version, version_form(), "The format's version, 1.", Needed::yes),
-      key("name", &ExamFamily::name, yaml::name(), "As it stands in results.", Needed::yes),
+      key("name", &ExamFamily::name, yaml::title(), "As it stands in results.", Needed::yes),
       key("summary", &ExamFamily::summary, yaml::name(), "What happens on these grounds.", Needed::yes),
       key("source", &ExamFamily::source, yaml::name(), "Where they come from, and what is drawn.",
           Needed::yes),
@@ -101,7 +101,7 @@ ConditionOf read_of(const Value& value) {
 
 const Block<ExamCondition>& condition_block() {
   static const Block<ExamCondition> block{
-      key("name", &ExamCondition::name, yaml::name(), "As it stands in results.", Needed::yes),
+      key("name", &ExamCondition::name, yaml::title(), "As it stands in results.", Needed::yes),
       key("meaning", &ExamCondition::meaning, yaml::name(), "In a sentence.", Needed::yes),
       key("of", &ExamCondition::of,
           read_only<ConditionOf>(read_of, schema_text(R"({"enum": ["all", "told", "seen"]})")),
@@ -122,7 +122,7 @@ const Block<ExamOmission>& omission_block() {
 const Block<ExamFile>& exam_block() {
   static const Block<ExamFile> block{
       key("fairway_exam", &ExamFile::version, version_form(), "The format's version, 1.", Needed::yes),
-      key("name", &ExamFile::name, yaml::name(), "Of the exam.", Needed::yes),
+      key("name", &ExamFile::name, yaml::title(), "Of the exam.", Needed::yes),
       key("summary", &ExamFile::summary, yaml::text(), "What it is meant to find out."),
       key("baseline", &ExamFile::baseline, algorithm_form(),
           "What times, lengths and energies are relative to; it enters every family and no ranking.",

@@ -11,6 +11,7 @@
 #include "fairway/core/testing/temporary_folder.hpp"
 #include "fairway/exam/entrance.hpp"
 #include "fairway/exam/exam_plan.hpp"
+#include "fairway/exam/tuned.hpp"
 #include "fairway/planning/builtin.hpp"
 #include "fairway/scenario/load.hpp"
 
@@ -123,6 +124,40 @@ TEST(ExamFile, MistakesAreToldWithTheNearestName) {
   EXPECT_NE(refusal_by([&] { exam.load(); }).find("did you mean keep_named_avoiders?"), std::string::npos);
   exam.write("meeting.yaml", "name: x\n");
   EXPECT_NE(refusal_by([&] { exam.load(); }).find("not a family of scenarios"), std::string::npos);
+}
+
+TEST(ExamFile, AMethodThatIsUnknownIsToldWhereItIsWritten) {
+  SmallExam exam;
+  exam.write("exam.yaml",
+             "fairway_exam: 1\nname: small\nbaseline: direkt\nmethods:\n  - orca3d\n  - orcad\nconditions:\n"
+             "  - name: known\n    meaning: |\n      of several\n      lines\nfamilies: [meeting.yaml]\n");
+  const ExamFile read = exam.load();
+  const std::string file = exam.folder.file("exam.yaml");
+  EXPECT_EQ(refusal_by([&] { candidate_of("orcad", read, methods(), "methods:"); }),
+            file + ":6:5: methods[1]: unknown algorithm \"orcad\"; did you mean orca3d?");
+  EXPECT_EQ(refusal_by([&] { expect_known(read.baseline, methods()); }),
+            file + ":3:11: baseline: unknown algorithm \"direkt\"; did you mean direct?");
+}
+
+TEST(ExamFile, WhatASearchSawIsAskedOfTheFileBesideIt) {
+  SmallExam exam;
+  const ExamFile read = exam.load();
+  const auto told = [&] { return is_search_told("--flag", exam.folder.file("best.yaml"), read.families); };
+  exam.write("best.yaml", "algorithm: orca3d\n");
+  EXPECT_TRUE(told()) << "nobody says that it was searched for";
+  exam.write("best.yaml", "# Tuned by fairway 0.2.0\nalgorithm: orca3d\n");
+  EXPECT_FALSE(told());
+  for (const char* nothing : {"no JSON", "{}", "[]"}) {
+    exam.write("tuning.json", nothing);
+    EXPECT_FALSE(told()) << nothing;
+  }
+  exam.write("tuning.json",
+             R"({"seen": {"train": {"first_seed": 1, "seed_count": 200, "scenarios": ["a"]}}})");
+  EXPECT_TRUE(told());
+  exam.write("tuning.json",
+             R"({"seen": {"train": {"first_seed": 1, "seed_count": 201, "scenarios": ["a"]}}})");
+  EXPECT_EQ(refusal_by(told), "--flag " + exam.folder.file("best.yaml") +
+                                  ": its train has the seed 201 of a, which is a test seed of meeting");
 }
 
 TEST(ExamFile, NamesAreChosenInTheOrderOfTheExam) {

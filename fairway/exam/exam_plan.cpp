@@ -110,7 +110,8 @@ class Planner {
                                    {"tuned", entrant.tuned ? "true" : "false"}},
                         .scenario = first_scenario + ground,
                         .algorithm = entrant.method.avoider,
-                        .overrides = family.set};
+                        .overrides = family.set,
+                        .place = entrant.method.place};
       const std::string avoider = family.keep_named_avoiders ? "defaults.avoider" : "vehicles[*].avoider";
       cell.overrides.emplace_back(avoider, entrant.method.avoider);
       if (team_sizes(methods_, algorithm_of(entrant.method)))

@@ -41,35 +41,46 @@ std::string family_above(const fs::path& file, const std::vector<ExamFamily>& fa
   return {};
 }
 
-void refuse_seen(const std::string& file, const std::vector<ExamFamily>& families) {
+/// What tuning.json beside a file of an avoider says of it; null where it says nothing.
+nlohmann::json seen_beside(const std::string& file) {
   const fs::path beside = fs::path(file).parent_path() / "tuning.json";
-  if (!fs::is_regular_file(beside)) return;
+  if (!fs::is_regular_file(beside)) return {};
   const nlohmann::json document = nlohmann::json::parse(text_of_file(beside.string()), nullptr, false);
-  if (!document.is_object() || !document.contains("seen")) return;
-  for (const auto& [name, seen] : document["seen"].items()) {
+  return document.is_object() && document.contains("seen") ? document["seen"] : nlohmann::json{};
+}
+
+}  // namespace
+
+bool is_search_told(const std::string& flag, const std::string& file,
+                    const std::vector<ExamFamily>& families) {
+  const nlohmann::json all_seen = seen_beside(file);
+  if (!all_seen.is_object()) return !text_of_file(file).starts_with("# Tuned by fairway");
+  for (const auto& [name, seen] : all_seen.items()) {
     const SeedRange range{seen.value("first_seed", std::uint64_t{1}), seen.value("seed_count", 1U)};
     for (const ExamFamily& family : families)
       for (const ExamGround& ground : family.grounds)
         if (range.meets(family.test) &&
             std::ranges::find(seen["scenarios"], nlohmann::json(ground.name)) != seen["scenarios"].end())
-          throw InputError("--tuned " + file + ": its " + name + " has the seed " +
+          throw InputError(flag + " " + file + ": its " + name + " has the seed " +
                            std::to_string(std::max(range.first, family.test.first)) + " of " + ground.name +
                            ", which is a test seed of " + family.name);
   }
+  return true;
 }
-
-}  // namespace
 
 Candidate candidate_of(const std::string& name, const ExamFile& exam, const Catalog& methods,
                        const std::string& flag) {
   if (name.ends_with(".yaml")) {
     Candidate own{.method = avoider_in(name), .tuned = false, .families = {}};
     own.method.label = fs::path(name).stem().string();
-    methods.params(algorithm_of(own.method));
+    expect_known(own.method, methods);
     return own;
   }
-  for (const CampaignAlgorithm& method : exam.methods)
-    if (method.label == name) return {.method = method, .tuned = false, .families = {}};
+  for (const CampaignAlgorithm& method : exam.methods) {
+    if (method.label != name) continue;
+    expect_known(method, methods);
+    return {.method = method, .tuned = false, .families = {}};
+  }
   try {
     methods.params(name);
   } catch (const InputError& error) {
@@ -84,10 +95,11 @@ std::vector<Candidate> tuned_candidates(const std::string& path, const std::vect
   for (const std::string& file : avoider_files(path)) {
     Candidate candidate{.method = avoider_in(file), .tuned = true, .families = {}};
     candidate.method.label = algorithm_of(candidate.method);
-    methods.params(candidate.method.label);
+    expect_known(candidate.method, methods);
     if (std::string family = family_above(file, families); !family.empty())
       candidate.families.push_back(std::move(family));
-    refuse_seen(file, families);
+    if (!is_search_told("--tuned", file, families))
+      throw InputError("--tuned " + file + ": was tuned, and no tuning.json beside it says on which seeds");
     for (const Candidate& other : candidates)
       if (other.method.label == candidate.method.label && other.families == candidate.families)
         throw InputError("--tuned " + file + ": a second one of " + candidate.method.label + " for " +

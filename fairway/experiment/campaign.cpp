@@ -16,7 +16,7 @@
 #include "fairway/experiment/digest.hpp"
 #include "fairway/experiment/labels.hpp"
 #include "fairway/experiment/version.hpp"
-#include "fairway/scenario/tree.hpp"
+#include "fairway/scenario/value.hpp"
 
 namespace fairway {
 namespace {
@@ -83,6 +83,7 @@ std::vector<CampaignCell> expanded_cells(const CampaignFile& written, const Camp
           cell.labels.emplace_back("method", algorithm ? algorithm->label : "as_written");
           if (algorithm) {
             cell.algorithm = algorithm->avoider;
+            cell.place = algorithm->place;
             cell.overrides.emplace_back("vehicles[*].avoider", algorithm->avoider);
           }
           for (const Overrides* part : {&row, &settings}) {
@@ -95,14 +96,6 @@ std::vector<CampaignCell> expanded_cells(const CampaignFile& written, const Camp
     }
   }
   return cells;
-}
-
-/// A scenario without what is only there for people or for tests.
-std::string canonical_text(Scenario scenario) {
-  scenario.name.clear();
-  scenario.summary.clear();
-  scenario.expect.clear();
-  return to_yaml(scenario);
 }
 
 /// A digest of all that decides the outcome.
@@ -122,14 +115,28 @@ std::string command_for(const Campaign& campaign, const CampaignCell& cell, cons
   return command + " --seed ";
 }
 
+/// An error in the algorithm of a cell is told where that is written: of "--set vehicles[*].avoider:
+/// vehicles[0].avoider.radius: unknown" the path from the avoider on.
+void refuse_algorithm(const CampaignCell& cell, std::string_view error) {
+  constexpr std::string_view setting = ".avoider: ", avoider = ".avoider";
+  const std::size_t end = error.find(setting);
+  if (cell.place.where.file.empty() || !error.starts_with(yaml::override_prefix) || end == error.npos) return;
+  const std::size_t begin = error.find(avoider, end + setting.size());
+  if (begin == error.npos) return;
+  std::string said = cell.place.path + std::string(error.substr(begin + avoider.size()));
+  said.erase(0, said.find_first_not_of(".: "));
+  throw InputError(cell.place.where.prefix() + said);
+}
+
 /// What `make` makes of a run; an error says which run it is of.
 template <class Make>
-auto of_run(const Campaign& campaign, const Labels& labels, std::uint64_t seed, const Make& make) {
+auto of_run(const Campaign& campaign, const CampaignCell& cell, std::uint64_t seed, const Make& make) {
   try {
     return make();
   } catch (const InputError& error) {
-    throw InputError(campaign.file + ": in " + labels_text(labels) + " seed=" + std::to_string(seed) + ": " +
-                     error.what());
+    refuse_algorithm(cell, error.what());
+    throw InputError(campaign.file + ": in " + labels_text(cell.labels) + " seed=" + std::to_string(seed) +
+                     ": " + error.what());
   }
 }
 
@@ -167,7 +174,7 @@ std::vector<std::uint32_t> dealt_runs(const Campaign& campaign, std::uint32_t co
   costs.assign(campaign.cells.size(), 0.0);
   for_each_index(campaign.cells.size(), jobs, [&](std::size_t i) {
     const CampaignCell& cell = campaign.cells[i];
-    costs[i] = of_run(campaign, cell.labels, campaign.first_seed,
+    costs[i] = of_run(campaign, cell, campaign.first_seed,
                       [&] { return expected_cost(scenario_of(campaign, i, campaign.first_seed)); });
   });
   return dealt(costs, campaign.seed_count, count);
@@ -195,7 +202,7 @@ void list_runs(Campaign& campaign, unsigned jobs) {
 void resolve(Campaign& campaign, std::size_t run, const CheckScenario& check, const OwnMethods& own) {
   RunSpec& spec = campaign.specs[run];
   const CampaignCell& cell = campaign.cell_of(run);
-  of_run(campaign, spec.labels, spec.seed, [&] {
+  of_run(campaign, cell, spec.seed, [&] {
     Scenario scenario = campaign.scenario_of(run);
     if (check && (run == 0 || campaign.cells_of[run - 1] != campaign.cells_of[run])) check(scenario);
     const std::string own_version = own.version ? own.version(scenario) : "";
@@ -229,6 +236,13 @@ std::string digest_of(const Campaign& campaign, const CampaignFile& written) {
 }
 
 }  // namespace
+
+std::string canonical_text(Scenario scenario) {
+  scenario.name.clear();
+  scenario.summary.clear();
+  scenario.expect.clear();
+  return to_yaml(scenario);
+}
 
 Scenario scenario_of(const Campaign& campaign, std::size_t cell, std::uint64_t seed) {
   const CampaignScenario& scenario = campaign.scenarios[campaign.cells[cell].scenario];

@@ -32,6 +32,7 @@ struct CampaignCell {
   std::size_t scenario{};  ///< index into Campaign::scenarios
   std::string algorithm;   ///< YAML of the avoider, or empty: as in the scenario
   Overrides overrides;     ///< all of them, what is laid over every scenario first
+  WrittenPlace place{};    ///< of the algorithm
 };
 
 /// Everything that is to be run, or a shard of it.
@@ -104,6 +105,9 @@ Campaign parse_campaign(std::string_view yaml, const std::string& file, const Ch
 /// that no file says. Throws InputError.
 void resolve_runs(Campaign& campaign, const CheckScenario& check, unsigned jobs, const OwnMethods& own,
                   const WatchListing& watch = {});
+
+/// A scenario as text, without what is only there for people or for tests: equal texts are the same run.
+std::string canonical_text(Scenario scenario);
 
 /// Leaves only the runs of which `is_wanted` holds.
 void keep_runs(Campaign& campaign, const std::function<bool(const RunSpec&)>& is_wanted);

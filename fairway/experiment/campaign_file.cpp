@@ -3,8 +3,10 @@
 
 #include <algorithm>
 
+#include "fairway/core/names.hpp"
 #include "fairway/experiment/campaign_forms.hpp"
 #include "fairway/experiment/labels.hpp"
+#include "fairway/metrics/run_metrics.hpp"
 
 namespace fairway {
 namespace {
@@ -92,6 +94,20 @@ std::vector<Overrides> read_zip(const Value& value) {
   return rows;
 }
 
+/// Names of quantities, or `all` alone.
+std::vector<std::string> read_quantities(const Value& value) {
+  static const std::vector<QuantityInfo> known = all_quantities();
+  std::vector<std::string> names = yaml::list_of(yaml::name(), "names of quantities").read(value);
+  if (names == std::vector<std::string>{"all"}) return names;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (std::ranges::find(known, names[i], &QuantityInfo::name) != known.end()) continue;
+    std::vector<std::string_view> all;
+    for (const QuantityInfo& quantity : known) all.push_back(quantity.name);
+    value.entry(i).refuse("no run measures " + yaml::shown(names[i]) + suggestion(names[i], all));
+  }
+  return names;
+}
+
 constexpr std::string_view algorithms_schema_text =
     R"({"type": "array", "minItems": 1, "items": {"anyOf": [{"type": "string", "minLength": 1},
         {"type": "object", "anyOf": [{"required": ["algorithm"]}, {"required": ["file"]}],
@@ -111,7 +127,7 @@ const Block<CampaignFile>& campaign_block() {
       key("fairway_campaign", &CampaignFile::version,
           read_only<std::int32_t>(read_version, schema_text(R"({"const": 1})")), "The format's version, 1.",
           Needed::yes),
-      key("name", &CampaignFile::name, yaml::name(), "Of the campaign.", Needed::yes),
+      key("name", &CampaignFile::name, yaml::title(), "Of the campaign.", Needed::yes),
       key("summary", &CampaignFile::summary, yaml::text(), "What it is meant to find out."),
       key("scenario", &CampaignFile::scenarios, yaml::scenario_files(),
           "One scenario or several, relative to this file. The label case is the file's name.", Needed::yes),
@@ -127,7 +143,9 @@ const Block<CampaignFile>& campaign_block() {
           read_only<std::vector<Overrides>>(read_zip, schema_text(zip_schema_text)),
           "Settings that change together, one row after the other."),
       group("seeds", seeds, "The same for every cell, so that runs are compared in pairs. Default: 1 alone."),
-      key("quantities", &CampaignFile::quantities, yaml::list_of(yaml::name(), "names of quantities"),
+      key("quantities", &CampaignFile::quantities,
+          read_only<std::vector<std::string>>(read_quantities,
+                                              yaml::list_of(yaml::name(), "names of quantities").schema),
           "Those to print; `fairway list metrics`. Default: all."),
   };
   return block;

@@ -12,9 +12,16 @@
 /// The campaign format as written, before it is expanded.
 namespace fairway {
 
+/// Where something is written, for errors about it.
+struct WrittenPlace {
+  Location where;
+  std::string path;  ///< of the key: "algorithms[1]"
+};
+
 struct CampaignAlgorithm {
   std::string label;
   std::string avoider;  ///< YAML for `vehicles[*].avoider`
+  WrittenPlace place{};
 };
 
 /// One path with the values that it takes, as YAML.

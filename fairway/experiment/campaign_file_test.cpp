@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
+#include "fairway/core/testing/refusal.hpp"
 #include "fairway/experiment/campaign.hpp"
 
 namespace fairway {
@@ -26,6 +27,24 @@ TEST(PublishedCampaignsTest, LoadWithTheirScenarios) {
     ++files;
   }
   EXPECT_GE(files, 2U);
+}
+
+std::string campaign_refusal(const std::string& more, const std::string& name = "c") {
+  return refusal_by([&] {
+    parse_campaign_file("fairway_campaign: 1\nname: " + name + "\nscenario: s.yaml\n" + more, "c.yaml");
+  });
+}
+
+TEST(CampaignFileTest, AQuantityThatNoRunMeasuresIsToldWhereItIsWritten) {
+  EXPECT_EQ(campaign_refusal("quantities: [makespan_s, navigation_tim_s]\n"),
+            "c.yaml:4:26: quantities[1]: no run measures navigation_tim_s; did you mean navigation_time_s?");
+  for (const char* names : {"[makespan_s]", "[all]", "[]"})
+    EXPECT_EQ(campaign_refusal("quantities: " + std::string(names) + "\n"), "accepted");
+}
+
+TEST(CampaignFileTest, ANameIsOfOneLine) {
+  EXPECT_EQ(campaign_refusal("", "\"a\\nb\""),
+            "c.yaml:2:7: name: \"a?b\" has a line break or another control character; expected a name");
 }
 
 TEST(CampaignSchemaTest, NamesEveryKey) {

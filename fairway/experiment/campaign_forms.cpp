@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/experiment/campaign_forms.hpp"
 
+#include <algorithm>
 #include <filesystem>
 
 namespace fairway::yaml {
@@ -35,7 +36,7 @@ CampaignAlgorithm read_algorithm_file(const Value& value, const Value& file) {
   Reading reading;
   CampaignAlgorithm algorithm = read_algorithm({document, "", reading});
   const std::optional<Value> label = value.find("label");
-  algorithm.label = label ? name().read(*label) : std::filesystem::path(path).stem().string();
+  algorithm.label = label ? title().read(*label) : std::filesystem::path(path).stem().string();
   return algorithm;
 }
 
@@ -67,13 +68,14 @@ CampaignAlgorithm read_algorithm(const Value& value) {
   if (const std::optional<Value> file = value.tree().is_map() ? value.find("file") : std::nullopt)
     return read_algorithm_file(value, *file);
   const Choice choice = read_choice(value, "algorithm", Needed::yes, {"label"});
-  CampaignAlgorithm algorithm{.label = choice.name, .avoider = one_line(value.tree())};
+  CampaignAlgorithm algorithm{
+      .label = choice.name, .avoider = one_line(value.tree()), .place = {choice.where, choice.path}};
   if (!value.tree().is_map()) return algorithm;
 
   Tree avoider = Tree::map();
   for (std::size_t i = 0; i < value.tree().keys.size(); ++i) {
     if (value.tree().keys[i] == "label") {
-      algorithm.label = name().read(value.entry(i));
+      algorithm.label = title().read(value.entry(i));
     } else {
       avoider.set(value.tree().keys[i], value.tree().items[i]);
     }
@@ -96,6 +98,18 @@ Form<Overrides> settings(std::string_view others) {
         return settings;
       },
       schema_text(R"({"type": "object"})"));
+}
+
+Form<std::string> title() {
+  Form<std::string> form = name();
+  form.read = [](const Value& value) {
+    std::string title = name().read(value);
+    const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
+    if (std::ranges::any_of(title, is_control))
+      value.refuse("\"" + shown(title) + "\" has a line break or another control character; expected a name");
+    return title;
+  };
+  return form;
 }
 
 Form<std::uint32_t> seed_count() {

@@ -30,6 +30,9 @@ CampaignAlgorithm read_algorithm(const Value& value);
 /// are refused, being set by `others`.
 Form<Overrides> settings(std::string_view others);
 
+/// A name that fits into a table and a comment: of one line, without control characters.
+Form<std::string> title();
+
 /// How many seeds in a row.
 Form<std::uint32_t> seed_count();
 

@@ -14,6 +14,7 @@
 #include "fairway/experiment/campaign_file.hpp"
 #include "fairway/experiment/labels.hpp"
 #include "fairway/experiment/testing/sample_runs.hpp"
+#include "fairway/sim/simulation.hpp"
 
 namespace fairway {
 namespace {
@@ -202,6 +203,22 @@ TEST_F(CampaignTest, EachCellIsCheckedBeforeAnythingIsRun) {
   EXPECT_THAT(
       refusal_by([&] { parse("algorithms: [apf, orca, orca3d]\nseeds: {first: 4, count: 3}\n", check); }),
       HasSubstr("test.yaml: in case=pair method=orca seed=4: unknown algorithm orca"));
+}
+
+TEST_F(CampaignTest, AnAlgorithmThatDoesNotFitIsToldWhereItIsWritten) {
+  const auto check = [](const Scenario& scenario) { Simulation{scenario, builtin_catalogs()}; };
+  const auto told = [&](const std::string& more) {
+    return refusal_by([&] { parse(more, check); }).substr(folder_.file("").size());
+  };
+  EXPECT_EQ(told("algorithms: [apf, orcad]\n"),
+            "test.yaml:4:19: algorithms[1]: unknown algorithm \"orcad\"; did you mean orca3d?");
+  EXPECT_EQ(
+      told("algorithms:\n  - {algorithm: orca3d, time_horizn_s: 4}\n"),
+      "test.yaml:5:17: algorithms[0].time_horizn_s: unknown parameter of orca3d+trackable; did you mean "
+      "time_horizon_s?");
+  sample::write_bytes(folder_.file("best.yaml"), "algorithm: orca3d\ntime_horizn_s: 4\n");
+  EXPECT_THAT(told("algorithms: [{file: best.yaml}]\n"),
+              testing::StartsWith("best.yaml:1:12: time_horizn_s: unknown parameter of orca3d"));
 }
 
 TEST_F(CampaignTest, MistakesAreRefusedWithTheirPlace) {

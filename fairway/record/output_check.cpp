@@ -71,7 +71,7 @@ void check_output(const Output& output, std::span<const std::string> inputs, boo
 }  // namespace
 
 bool is_of_kind(const std::string& path, const FileKind& kind) {
-  std::string head(4096, '\0');
+  std::string head(kind.searched_bytes, '\0');
   std::ifstream file{path, std::ios::binary};
   if (!file) return false;
   file.read(head.data(), static_cast<std::streamsize>(head.size()));

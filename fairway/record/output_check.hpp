@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
@@ -9,10 +10,11 @@ namespace fairway {
 
 /// A kind of file that we write, and how it is known again. Declared where it is written.
 struct FileKind {
-  std::string_view name;    ///< "a recording of fairway"
-  std::string_view begins;  ///< its first bytes
-  std::string_view holds;   ///< somewhere in its first 4 KiB
-  bool is_table{false};     ///< text that may go to standard output, as "-"
+  std::string_view name;             ///< "a recording of fairway"
+  std::string_view begins;           ///< its first bytes
+  std::string_view holds;            ///< somewhere in the bytes that are searched
+  bool is_table{false};              ///< text that may go to standard output, as "-"
+  std::size_t searched_bytes{4096};  ///< of its beginning
 };
 
 /// True of an empty file too, in which nothing can be lost. Throws nothing: what cannot be read is of no

@@ -73,6 +73,14 @@ TEST_F(OutputCheckTest, AFileOfAnotherKindIsRefusedWithoutForce) {
   EXPECT_THAT(judged(file("foreign")), HasSubstr("is not a file of notes"));
 }
 
+TEST_F(OutputCheckTest, WhatMarksAKindIsSearchedForAsFarAsTheKindSays) {
+  write_file(file("late"), "notes\n" + std::string(10'000, '.') + "by us");
+  EXPECT_FALSE(is_of_kind(file("late"), notes));
+  FileKind long_notes = notes;
+  long_notes.searched_bytes = 20'000;
+  EXPECT_TRUE(is_of_kind(file("late"), long_notes));
+}
+
 TEST_F(OutputCheckTest, TwoOutputsAreTwoFiles) {
   EXPECT_THAT(judged({{"--a", file("new"), notes}, {"--b", file("./new"), notes}}),
               HasSubstr("./new: is what --a writes; expected another file"));

@@ -10,6 +10,7 @@
 #include <sstream>
 #include <unordered_map>
 
+#include "fairway/core/text.hpp"
 #include "fairway/scenario/tree.hpp"
 
 namespace fairway::yaml {
@@ -157,13 +158,25 @@ class Builder : public YAML::EventHandler {
   std::size_t nodes_{};
 };
 
+/// The line and column of a byte of the text, from 1.
+Location place_in(std::string_view yaml, std::size_t byte, const std::string& source) {
+  const std::string_view before = yaml.substr(0, byte);
+  const auto lines = std::ranges::count(before, '\n');
+  const std::size_t begin = before.rfind('\n') + 1;  // npos + 1 is 0
+  return {source, static_cast<int>(lines) + 1, static_cast<int>(byte - begin) + 1};
+}
+
 /// The scanner holds every token of an unclosed bracket in memory and the parser recurses, so brackets
 /// are counted before either sees them. Those in quotes and comments count too: nobody writes so many.
-void refuse_brackets(std::string_view yaml, const std::string& source) {
+void refuse_brackets(std::string_view yaml, const std::string& source, bool located) {
   std::size_t depth = 0;
-  for (const char c : yaml) {
+  for (std::size_t i = 0; i < yaml.size(); ++i) {
+    const char c = yaml[i];
     if (c == '[' || c == '{') {
-      if (++depth > 16 * max_tree_depth) throw InputError({source}, "", "brackets are opened and not closed");
+      if (++depth > 16 * max_tree_depth)
+        throw InputError(
+            located ? place_in(yaml, i, source) : Location{source}, "",
+            "brackets nested deeper than " + std::to_string(max_tree_depth) + " levels, or not closed");
     } else if ((c == ']' || c == '}') && depth > 0) {
       --depth;
     }
@@ -191,7 +204,11 @@ Tree parse_tree(std::string_view yaml, const std::string& source, bool located) 
   }
   if (yaml.find('\0') != std::string_view::npos)
     throw InputError({source}, "", "holds a zero byte; not a text file");
-  refuse_brackets(yaml, source);
+  if (not_utf8(source)) throw InputError({source}, "", "has a name that is not UTF-8; expected another name");
+  if (const std::optional<std::size_t> byte = not_utf8(yaml))
+    throw InputError(located ? place_in(yaml, *byte, source) : Location{source}, "",
+                     "holds a byte that is not UTF-8; save the text in that encoding");
+  refuse_brackets(yaml, source, located);
 
   Builder builder{std::make_shared<const std::string>(source), located,
                   std::max(max_tree_nodes, yaml.size())};

@@ -249,6 +249,25 @@ TEST(RefusalTest, BrokenYamlNamesItsLine) {
   EXPECT_THAT(refusal("a: !!binary b\n"), HasSubstr("means nothing here"));
 }
 
+TEST(RefusalTest, BracketsTooDeepAreToldWithTheirPlaceThoughTheyAreClosed) {
+  const std::string deep = std::string(5000, '[') + std::string(5000, ']');
+  EXPECT_EQ(
+      refusal("fairway: 1\nname: " + deep),
+      "f.yaml:2:1031: brackets nested deeper than 64 levels, or not closed");  // the 1025th, from column 7
+  EXPECT_THAT(refusal("fairway: 1\nname: " + deep.substr(4900, 200)),
+              HasSubstr("f.yaml:2:70: nested deeper than 64 levels"));
+}
+
+TEST(RefusalTest, TextThatIsNotUtf8IsToldWithItsPlace) {
+  EXPECT_EQ(refusal(with("summary: caf\xE9")),
+            "f.yaml:9:13: holds a byte that is not UTF-8; save the text in that encoding");
+  EXPECT_EQ(refusal(with("summary: caf\xC3\xA9")), "accepted");
+  EXPECT_EQ(refusal(with(""), {{"summary", "caf\xE9"}}),
+            "--set summary: holds a byte that is not UTF-8; save the text in that encoding");
+  EXPECT_EQ(refusal_by([] { parse_scenario(with(""), "caf\xE9.yaml"); }),
+            "caf\xE9.yaml: has a name that is not UTF-8; expected another name");
+}
+
 /// The processor time that a document takes to be refused [s]: it does not depend on who else is busy.
 double refusal_time(const std::string& yaml) {
   const std::clock_t start = std::clock();

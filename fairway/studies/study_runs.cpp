@@ -2,14 +2,17 @@
 #include "fairway/studies/study_runs.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <set>
 #include <unordered_map>
 
 #include "fairway/core/names.hpp"
 #include "fairway/core/text.hpp"
 #include "fairway/experiment/digest.hpp"
 #include "fairway/experiment/executor.hpp"
+#include "fairway/scenario/value.hpp"
 #include "fairway/sim/divergence.hpp"
 
 namespace fairway {
@@ -38,8 +41,20 @@ std::string command_under(const StudyOptions& options, const RunSpec& spec) {
                                names.size() > told ? ", ..." : ""));
 }
 
+/// "; did you mean crossing/apf/1?", or how the names begin.
+std::string hint_for(std::string_view called, const std::vector<std::string>& names) {
+  const std::string_view nearest = nearest_name(called, {names.begin(), names.end()});
+  if (!nearest.empty()) return fmt::format("; did you mean {}?", nearest);
+  std::set<std::string> beginnings;
+  for (const std::string& name : names) beginnings.insert(name.substr(0, name.find('/') + 1));
+  if (beginnings.empty()) return "";
+  return fmt::format("; names begin with {}, and --only {} tells some that do", fmt::join(beginnings, ", "),
+                     *beginnings.begin());
+}
+
 /// Each run of a study counts, so one that failed ends the study, as it would end alone.
 [[noreturn]] void refuse_failure(const RunRecord& record) {
+  if (record.failure.starts_with(yaml::override_prefix)) throw InputError(record.failure);
   const std::string text = "run " + record.spec.key + " failed: " + record.failure;
   if (record.failure.starts_with("diverged: ")) throw RunDiverged{text};
   throw InputError(text);
@@ -86,8 +101,7 @@ const StudyRun& find_run(std::span<const StudyRun> runs, std::string_view called
   }
   if (begun.size() > 1) refuse_several(called, begun);
   if (found != nullptr) return *found;
-  const std::vector<std::string_view> known{names.begin(), names.end()};
-  throw InputError(fmt::format("no run is called \"{}\"{}", called, suggestion(called, known)));
+  throw InputError(fmt::format("no run is called \"{}\"{}", called, hint_for(called, names)));
 }
 
 void show_run(const StudyRun& run, const StudyOptions& options) {

@@ -117,6 +117,21 @@ TEST(StudyRunAlone, IsRefusedWhereNoneOrSeveralAreCalledSo) {
             "2 runs begin with \"cube/apf+\": cube/apf+saw/as_coded/w=0.5/1, cube/apf+saw/as_coded/w=0.5/12");
 }
 
+TEST(StudyRunAlone, OneThatIsNotNearlyCalledSoIsToldHowNamesBegin) {
+  EXPECT_EQ(refusal_by([] { find_run(some_runs(), "nowhere"); }),
+            "no run is called \"nowhere\"; names begin with cube/, and --only cube/ tells some that do");
+}
+
+TEST(StudyOverrides, ThatNoRunTakesAreToldWithoutTheRun) {
+  const MeasureRun refused = [](const Scenario&, const std::atomic<bool>*,
+                                std::span<FrameSink* const>) -> std::vector<Measure> {
+    throw InputError("--set exchange.kind: exchange: kind: unknown exchange");
+  };
+  const std::vector<StudyRun> runs{{{"some/key", {}, 1}, lone_vehicle, refused}};
+  EXPECT_EQ(refusal_by([&] { make_runs(runs, {.jobs = 1, .overrides = half_a_hertz}); }),
+            "--set exchange.kind: exchange: kind: unknown exchange");
+}
+
 /// To the bit, with NaNs that are alike.
 std::vector<std::string> texts_of(const std::vector<Measure>& measures) {
   std::vector<std::string> texts;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <thread>
 
 #include "fairway/core/testing/refusal.hpp"
@@ -91,6 +92,52 @@ TEST_F(Tuning, FindsWhatIsBestAndSaysHowMuchBetterOnRunsThatItNeverSaw) {
   EXPECT_LT(result.luck.low, 0.0);
   EXPECT_GT(result.luck.high, 0.0) << "nothing here is luck";
   EXPECT_EQ(shown_by(result.test), Shown::quicker);
+}
+
+TEST_F(Tuning, AMethodThatIsUnknownIsToldWhereItIsWritten) {
+  const auto refusal = [&](const std::string& method) {
+    std::string text = specification;
+    text.replace(text.find("{algorithm"), std::string{"{algorithm: orca3d, crit_dist_m: 20}"}.size(), method);
+    return refusal_by([&] { parsed(text); }).substr(file().size());
+  };
+  EXPECT_EQ(refusal("orcad"), ":3:9: method: unknown algorithm \"orcad\"; did you mean orca3d?");
+  EXPECT_EQ(refusal("{label: x, algorithm: orcad}"),
+            ":3:31: method: unknown algorithm \"orcad\"; did you mean orca3d?");
+}
+
+TEST_F(Tuning, ACopyOfAScenarioUnderAnotherNameIsTheSameRun) {
+  std::string text = specification;
+  text.replace(text.find("validation: {scenario: meeting.yaml, seeds: {first: 101"), 55,
+               "validation: {scenario: copy.yaml, seeds: {first: 7");
+  std::string copy = "# another comment\n" + scenario_text;
+  copy.replace(copy.find("name: meeting"), 13, "name: copy");
+  copy.replace(copy.find("avoider: orca3d"), 15, "avoider: apf");  // each run has the method that is tuned
+  std::ofstream{folder_.file("copy.yaml")} << copy;
+  EXPECT_EQ(
+      refusal_by([&] { parsed(text); }).substr(file().size()),
+      ":9:24: validation: has copy, which is meeting, under seed 7 as train has; what is judged by must "
+      "be new");
+  copy.replace(copy.find("duration_s: 10"), 14, "duration_s: 11");
+  std::ofstream{folder_.file("copy.yaml")} << copy;
+  EXPECT_EQ(refusal_by([&] { parsed(text); }), "accepted");
+}
+
+TEST_F(Tuning, WhatItLeavesIsAnAvoiderWhateverWasTyped) {
+  Store store = Store::in_memory();
+  std::istringstream lines{tuned_avoider(parsed(), tuned(store, 2), "fairway tune --out 'a\nb'")};
+  std::string line;
+  std::size_t count = 0;
+  while (std::getline(lines, line)) count += line.starts_with("#") ? 0 : 1;
+  EXPECT_EQ(count, 1U);
+}
+
+TEST_F(Tuning, ItsResultIsKnownAgainHoweverLongTheCurve) {
+  Store store = Store::in_memory();
+  TuningResult result = tuned(store, 2);
+  result.curve.resize(20'000, result.curve.front());
+  std::ofstream{folder_.file("tuning.json")} << to_json(parsed(), result).dump(2);
+  EXPECT_TRUE(is_of_kind(folder_.file("tuning.json"), tuning_document));
+  EXPECT_TRUE(is_of_kind(FAIRWAY_SOURCE_DIR "/campaigns/exam/tuned/vo/tuning.json", tuning_document));
 }
 
 TEST_F(Tuning, IsTheSameOnAnyNumberOfThreadsAndGoesOnWhereItWasStopped) {

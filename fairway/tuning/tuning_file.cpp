@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <optional>
 
 #include "fairway/core/names.hpp"
 #include "fairway/core/text.hpp"
+#include "fairway/experiment/campaign.hpp"
 #include "fairway/experiment/campaign_forms.hpp"
 
 namespace fairway {
@@ -163,7 +165,7 @@ const Block<Written>& tuning_block() {
       key("fairway_tuning", &Written::version,
           yaml::read_only<std::int32_t>(read_version, yaml::schema_text(R"({"const": 1})")),
           "The format's version, 1.", Needed::yes),
-      key("name", &Written::name, yaml::name(), "Of the specification.", Needed::yes),
+      key("name", &Written::name, yaml::title(), "Of the specification.", Needed::yes),
       key("summary", &Written::summary, yaml::text(), "What it is meant to find out."),
       {.name = "method",
        .meaning = "The avoider that is tuned, with what is to stay as it is written.",
@@ -213,7 +215,19 @@ TuningFile common_of(const Value& root, const Written& written) {
   return common;
 }
 
-/// A run that is in both, as "cube20_8 under seed 7".
+/// What is run of a scenario under a seed, whoever avoids there. Of one that cannot be read, which is refused
+/// where it is run, its path.
+std::string run_of(const TuningSet& set, const std::string& path, std::uint64_t seed) {
+  Overrides overrides = set.set;
+  overrides.emplace_back("vehicles[*].avoider", "direct");
+  try {
+    return canonical_text(load_scenario(path, overrides, seed));
+  } catch (const InputError&) {
+    return path;
+  }
+}
+
+/// A run that is in both, as "cube20_8 under seed 7", or "copy, which is cube20_8, under seed 7".
 std::optional<std::string> common_run(const TuningSet& a, const TuningSet& b,
                                       const std::filesystem::path& folder) {
   const std::uint64_t first = std::max(a.first_seed, b.first_seed);
@@ -222,10 +236,16 @@ std::optional<std::string> common_run(const TuningSet& a, const TuningSet& b,
   const auto place = [&](const CampaignScenarioFile& file) {
     return (folder / file.path).lexically_normal();
   };
-  for (const CampaignScenarioFile& one : a.scenarios)
-    for (const CampaignScenarioFile& other : b.scenarios)
-      if (place(one) == place(other))
-        return place(one).stem().string() + " under seed " + std::to_string(first);
+  std::map<std::string, std::string> names;  // of the runs of a
+  for (const CampaignScenarioFile& file : a.scenarios)
+    names.emplace(run_of(a, place(file).string(), first), place(file).stem().string());
+  for (const CampaignScenarioFile& file : b.scenarios) {
+    const auto same = names.find(run_of(b, place(file).string(), first));
+    if (same == names.end()) continue;
+    const std::string name = place(file).stem().string();
+    return name + (same->second == name ? "" : ", which is " + same->second + ",") + " under seed " +
+           std::to_string(first);
+  }
   return {};
 }
 
@@ -256,8 +276,13 @@ void refuse_bad_seeds(const Value& root, const TuningFile& tuning) {
 TuningFile tuning_of(const Value& value, const Catalog& methods, TuningFile tuning) {
   const Value method = value.at("method");
   tuning.method = yaml::read_algorithm(method);
-  tuning.parameters = read_parameters(value.at("parameters"), methods,
-                                      yaml::read_choice(method, "algorithm", Needed::yes, {"label"}));
+  const Choice choice = yaml::read_choice(method, "algorithm", Needed::yes, {"label"});
+  try {
+    methods.params(choice.name);
+  } catch (const InputError& error) {
+    throw InputError(choice.where, choice.path, error.what());
+  }
+  tuning.parameters = read_parameters(value.at("parameters"), methods, choice);
   return tuning;
 }
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -187,11 +188,13 @@ json to_json(const TuningFile& tuning, const TuningResult& result) {
 
 std::string tuned_avoider(const TuningFile& tuning, const TuningResult& result, const std::string& command) {
   const Appraisal& test = result.test;
+  std::string typed = command;
+  std::ranges::replace(typed, '\n', ' ');
   std::string text = fmt::format(
       "# Tuned by fairway {}, results epoch {}: {}\n# {}\n# On {} runs that the search never saw: "
       "collision-free "
       "{:.4g} [{:.4g}, {:.4g}], time {} of the method as written;\n# {}.\n",
-      FAIRWAY_VERSION, results_epoch, tuning.name, command, test.runs, test.collision_free.rate,
+      FAIRWAY_VERSION, results_epoch, tuning.name, typed, test.runs, test.collision_free.rate,
       test.collision_free.low, test.collision_free.high, percent(test.time_difference), shown_text(test));
   const std::string avoider = result.is_usual
                                   ? tuning.method.avoider
