@@ -87,6 +87,13 @@ class Avoider {
   static void decide_many(std::span<Avoider* const> avoiders, std::span<const Situation> situations,
                           std::span<Command> commands) noexcept;
 
+  /// Asks the memory for the method, which will be asked soon, and the beginning of what it remembers.
+  void fetch() const noexcept {
+    constexpr std::size_t line = 64, lines = 3;  // [B]
+    const auto* begin = reinterpret_cast<const std::byte*>(self_.get());
+    for (std::size_t i = 0; i < lines; ++i) __builtin_prefetch(begin + i * line);
+  }
+
   /// Decides and takes it back: memory and randomness are as before, but what deciding has allocated is kept.
   /// So no later decision on a situation with no more in it allocates, not even the first.
   void rehearse(const Situation& situation) {

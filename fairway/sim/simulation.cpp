@@ -91,6 +91,7 @@ void fetch_beyond(const Agent& agent) {
   if (const Leg* leg = agent.mission.leg()) fetch(*leg);
   __builtin_prefetch(agent.vehicle.actuator_state().data());
   __builtin_prefetch(agent.demand.data());
+  agent.avoider.fetch();
 }
 
 /// Whoever looks round usually looks at no more than a few, within perception's range.

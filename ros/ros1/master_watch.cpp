@@ -22,6 +22,7 @@ using XmlRpc::XmlRpcValue;
 constexpr double watch_period_s = 1.0;
 constexpr double patience_s = 2.0;     // for an answer
 constexpr double others_need_s = 2.5;  // to see that the master is back: more than a watch period
+constexpr int deaf_periods = 8;        // between looks for subscriptions without a connection
 
 struct Endpoint {
   std::string host;
@@ -72,16 +73,28 @@ std::vector<std::pair<std::string, std::string>> topics(const std::atomic<bool>&
   return found;
 }
 
-/// The publishers of `topic` that this node is connected with: [id, whom, direction, transport, topic...].
-std::set<std::string> connected_publishers(const std::atomic<bool>& stopping, const std::string& topic) {
-  std::set<std::string> found;
+/// What this node hears: (topic, publisher).
+using Connections = std::set<std::pair<std::string, std::string>>;
+
+std::optional<Connections> connections(const std::atomic<bool>& stopping) {
   std::optional<XmlRpcValue> info = ask(own_endpoint(), stopping, "getBusInfo");
-  if (!info || info->getType() != XmlRpcValue::TypeArray) return found;
+  if (!info || info->getType() != XmlRpcValue::TypeArray) return {};
+  Connections found;
   for (int i = 0; i < info->size(); ++i) {
-    XmlRpcValue& link = (*info)[i];
-    if (static_cast<std::string>(link[2]) == "i" && static_cast<std::string>(link[4]) == topic)
-      found.insert(static_cast<std::string>(link[1]));
+    XmlRpcValue& link = (*info)[i];  // [id, whom, direction, transport, topic...]
+    if (static_cast<std::string>(link[2]) == "i")
+      found.emplace(static_cast<std::string>(link[4]), static_cast<std::string>(link[1]));
   }
+  return found;
+}
+
+/// The topics that the master knows publishers of: [[topic, [publisher...]]...] is the first it answers.
+std::set<std::string> published(const std::atomic<bool>& stopping) {
+  std::set<std::string> found;
+  std::optional<XmlRpcValue> state = ask(master_endpoint(), stopping, "getSystemState");
+  if (!state || state->getType() != XmlRpcValue::TypeArray || state->size() < 1) return found;
+  XmlRpcValue& publishers = (*state)[0];
+  for (int i = 0; i < publishers.size(); ++i) found.insert(static_cast<std::string>(publishers[i][0]));
   return found;
 }
 
@@ -91,7 +104,9 @@ void subscribe_anew(const std::atomic<bool>& stopping, const std::string& topic,
   const std::string& own = ros::XMLRPCManager::instance()->getServerURI();
   std::optional<XmlRpcValue> known = ask(master_endpoint(), stopping, "registerSubscriber", topic, type, own);
   if (!known || known->getType() != XmlRpcValue::TypeArray) return;
-  std::set<std::string> publishers = connected_publishers(stopping, topic);
+  std::set<std::string> publishers;
+  for (const auto& [heard, publisher] : connections(stopping).value_or(Connections{}))
+    if (heard == topic) publishers.insert(publisher);
   for (int i = 0; i < known->size(); ++i) publishers.insert(static_cast<std::string>((*known)[i]));
   publishers.erase(own);
   XmlRpcValue all;
@@ -119,7 +134,7 @@ void MasterWatch::rest(double seconds) const {
 
 void MasterWatch::watch() {
   std::optional<int> process;  // of the master that knows this node
-  for (; !stopping_; rest(watch_period_s)) {
+  for (int period = 1; !stopping_; rest(watch_period_s), ++period) {
     std::optional<XmlRpcValue> answer = ask(master_endpoint(), stopping_, "getPid");
     if (stopping_) return;
     const bool answered = answer && answer->getType() == XmlRpcValue::TypeInt;
@@ -131,6 +146,21 @@ void MasterWatch::watch() {
     const int now = *answer;
     if (process && *process != now) register_anew();
     process = now;
+    if (period % deaf_periods == 0) connect_the_deaf();
+  }
+}
+
+/// What is published and not heard at all.
+void MasterWatch::connect_the_deaf() const {
+  const auto heard = connections(stopping_);
+  if (!heard) return;
+  const std::set<std::string> spoken = published(stopping_);
+  for (const auto& [topic, type] : topics(stopping_, "getSubscriptions")) {
+    const auto first = heard->lower_bound({topic, ""});
+    const bool is_deaf = spoken.count(topic) > 0 && (first == heard->end() || first->first != topic);
+    if (!is_deaf) continue;
+    ROS_WARN_STREAM(topic << " is published and was not heard: it is subscribed to anew");
+    subscribe_anew(stopping_, topic, type);
   }
 }
 

@@ -10,11 +10,13 @@
 
 namespace fairway::ros1 {
 
-/// Brings a node back after its master was restarted: a new master knows nothing of it, and roscpp does not
-/// tell it. Existing connections are not touched, neither while the master is away nor when it returns:
-/// topics and services are registered anew by the master's own interface, publications and services at once,
-/// and subscriptions when other nodes have had time to do the same, so that no subscriber is told of a list
-/// in which a publisher is still missing. Works in a thread of its own; the node's loop notices nothing.
+/// Keeps a node in the graph. A subscription whose connection has failed, as it may where many nodes begin at
+/// once, is deaf for ever to roscpp: it is made anew. And it brings a node back after its master was
+/// restarted: a new master knows nothing of it, and roscpp does not tell it. Existing connections are not
+/// touched, neither while the master is away nor when it returns: topics and services are registered anew by
+/// the master's own interface, publications and services at once, and subscriptions when other nodes have had
+/// time to do the same, so that no subscriber is told of a list in which a publisher is still missing. Works
+/// in a thread of its own; the node's loop notices nothing.
 class MasterWatch {
  public:
   /// Begins to watch; after ros::start(), that is after the first NodeHandle. `services` are the full names
@@ -34,6 +36,7 @@ class MasterWatch {
   void watch();
   void rest(double seconds) const;
   void register_anew();
+  void connect_the_deaf() const;
 
   std::vector<std::string> services_;
   std::function<void()> on_return_;

@@ -49,6 +49,20 @@ def test_an_avoider_that_comes_back_takes_over_again(graph, tmp_path):
     state.wait(lambda s: not s["vehicles"][0]["holding"], 15, "it is under way again")
 
 
+def test_a_connection_that_was_lost_is_made_again(graph, tmp_path):
+    import xmlrpc.client
+
+    import rosgraph
+
+    state = listen.Simulated()
+    start_pair(graph, tmp_path)
+    state.wait_until(2.0)
+    node = xmlrpc.client.ServerProxy(rosgraph.Master("/test").lookupNode("/left/avoider"))
+    assert node.publisherUpdate("/master", "/left/odometry", [])[0] == 1  # it drops whom it is not told of
+    state.wait(lambda s: s["vehicles"][0]["holding"], 10, "it hears nothing and holds")
+    state.wait(lambda s: not s["vehicles"][0]["holding"], 30, "it is connected again, and under way")
+
+
 def test_a_process_that_stands_still_is_noticed_by_the_vehicle(graph, tmp_path):
     state = listen.Simulated()
     avoider = start_pair(graph, tmp_path)
