@@ -245,8 +245,8 @@ class Helm {
   std::int64_t infeasible_{};
   std::int64_t clock_restarts_{};
   std::int64_t records_refused_{};
-  int standing_{};  ///< updates since the clock went on
   HelmOrder order_;
+  int standing_{};  ///< updates since the clock went on
   Task task_{Task::none};
   Health health_{Health::good};
   bool arrived_{};

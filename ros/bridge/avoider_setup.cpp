@@ -11,7 +11,6 @@
 #include <string_view>
 #include <type_traits>
 
-#include "fairway/comms/team_record.hpp"
 #include "fairway/core/envelope_numbers.hpp"
 #include "fairway/core/math.hpp"
 #include "fairway/core/names.hpp"
