@@ -13,7 +13,7 @@ namespace {
 constexpr double return_gain = 0.3;   // [1/s], as a hold returns to its depth
 constexpr double return_speed = 0.3;  // [m/s]
 constexpr double farthest = 1e7;      // [m] from the origin: no goal is there
-constexpr int most_standing = 10;     // updates at one time, before the clock is taken to stand still
+constexpr int most_standing = 10;  // updates by a time that is past or none, before the clock is not believed
 
 /// `depth`, or the nearest within the limits.
 double within(const Limits& limits, double depth) {
@@ -108,8 +108,9 @@ std::optional<Vec3> Helm::goal() const noexcept {
 }
 
 const HelmOrder& Helm::update(double now, Sketch* sketch) noexcept {
+  const bool goes_on = now >= now_;
   see_clock(now);
-  standing_ = now_ > updated_ ? 0 : standing_ + 1;
+  standing_ = goes_on ? 0 : standing_ + 1;
   see_health();
   order_ = {.time = now_};
   if (own_watch_.last()) own_ = own_at(*own_watch_.last());
@@ -214,11 +215,11 @@ Ownship Helm::own_at(const Fix& fix) const noexcept {
   return own;
 }
 
-/// By a clock that stands still nothing grows old.
+/// By a clock that runs back, or says no time, nothing grows old.
 bool Helm::has_clock() const noexcept { return standing_ < most_standing; }
 
 std::string_view Helm::why_stale() const noexcept {
-  if (!has_clock()) return "the clock stands still";
+  if (!has_clock()) return "the clock runs back or says no time";
   return is_blind() ? "own navigation is stale"
                     : "own navigation was stale and has not been good for long enough";
 }

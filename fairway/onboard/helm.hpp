@@ -102,8 +102,8 @@ struct HelmReport {
 /// It judges what it is told (`OnboardPolicy`), predicts what is late, and steers. It reads no clock: `now`
 /// [s] must not run backwards by itself, and if it does by more than `max_ahead_s`, because a simulation has
 /// begun again, everything heard is forgotten, goals included, and the method begins afresh (which copies it,
-/// and so allocates). A clock that does not go on from update to update says nothing about the age of
-/// anything: after ten of them the vehicle holds. A value: a copy is a snapshot. Otherwise nothing throws,
+/// and so allocates). By a clock that runs back, or says no time, nothing grows old: after
+/// ten such updates the vehicle holds. A value: a copy is a snapshot. Otherwise nothing throws,
 /// allocates or locks after construction, unless the method does.
 class Helm {
  public:
@@ -246,7 +246,7 @@ class Helm {
   std::int64_t clock_restarts_{};
   std::int64_t records_refused_{};
   HelmOrder order_;
-  int standing_{};  ///< updates since the clock went on
+  int standing_{};  ///< updates by a time that was past, or none
   Task task_{Task::none};
   Health health_{Health::good};
   bool arrived_{};
