@@ -159,7 +159,7 @@ void MasterWatch::connect_the_deaf() const {
     const auto first = heard->lower_bound({topic, ""});
     const bool is_deaf = spoken.count(topic) > 0 && (first == heard->end() || first->first != topic);
     if (!is_deaf) continue;
-    ROS_WARN_STREAM(topic << " is published and was not heard: it is subscribed to anew");
+    ROS_WARN_STREAM_THROTTLE(60.0, topic << " is published and was not heard: it is subscribed to anew");
     subscribe_anew(stopping_, topic, type);
   }
 }
