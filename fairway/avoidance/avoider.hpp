@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "fairway/avoidance/algorithm.hpp"
+#include "fairway/core/prefetch.hpp"
 
 namespace fairway {
 
@@ -89,9 +90,8 @@ class Avoider {
 
   /// Asks the memory for the method, which will be asked soon, and the beginning of what it remembers.
   void fetch() const noexcept {
-    constexpr std::size_t line = 64, lines = 3;  // [B]
-    const auto* begin = reinterpret_cast<const std::byte*>(self_.get());
-    for (std::size_t i = 0; i < lines; ++i) __builtin_prefetch(begin + i * line);
+    constexpr std::size_t enough = 192;  // [B]
+    prefetch(self_.get(), enough);
   }
 
   /// Decides and takes it back: memory and randomness are as before, but what deciding has allocated is kept.

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "fairway/core/math.hpp"
+#include "fairway/core/prefetch.hpp"
 #include "fairway/sim/feasibility.hpp"
 
 namespace fairway {
@@ -77,18 +78,9 @@ BodyRequest through_water(const BodyRequest& over_ground, const Vec3& current_b)
           .through_water = true};
 }
 
-/// Asks the memory for what a stage will come to: of a large fleet hardly anyone is in the cache, and to wait
-/// for one line of it at a time costs more than what is done with it.
-template <class T>
-void fetch(const T& what) {
-  constexpr std::size_t line = 64;  // [B]
-  const std::span<const std::byte> bytes = std::as_bytes(std::span{&what, 1});
-  for (std::size_t at = 0; at < bytes.size(); at += line) __builtin_prefetch(&bytes[at]);
-}
-
-/// Likewise for what a vehicle points to, once it has come itself.
+/// Of a large fleet hardly anyone is in the cache: what a vehicle points to, once it has come itself.
 void fetch_beyond(const Agent& agent) {
-  if (const Leg* leg = agent.mission.leg()) fetch(*leg);
+  if (const Leg* leg = agent.mission.leg()) prefetch(leg, sizeof *leg);
   __builtin_prefetch(agent.vehicle.actuator_state().data());
   __builtin_prefetch(agent.demand.data());
   agent.avoider.fetch();
@@ -200,7 +192,7 @@ void Simulation::in_parts(Works... /*in this order*/) {
         [&]<Stage stage, void (Simulation::*work)(std::size_t, Hand&), void (Simulation::*together)(Hand&)>(
             Work<stage, work, together>) {
           for (std::size_t i = first; i < end; ++i) {
-            for (; fetched < std::min(i + ahead, end); ++fetched) fetch(agents_[fetched]);
+            for (; fetched < std::min(i + ahead, end); ++fetched) prefetch(&agents_[fetched], sizeof(Agent));
             for (; beyond < std::min(i + soon, fetched); ++beyond) fetch_beyond(agents_[beyond]);
             (this->*work)(i, hand);
           }
