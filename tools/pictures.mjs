@@ -2,9 +2,9 @@
 // Draws the pictures listed in docs/images/pictures.json, or with --check compares them with what is there.
 //
 // A picture is a command that writes a page, and what of it is photographed:
-//   {"name", "commands": [[word...]...], "page", "size": [width, height], "scheme"?, "hash"?, "clip"?: css selector,
+//   {"name", "program"?, "commands": [[word...]...], "page", "size": [width, height], "scheme"?, "hash"?, "clip"?: css selector,
 //    "moving"?: {"from_s", "to_s", "frames", "frame_ms", "quality"}}
-// Words may hold {dir}, a scratch folder. `hash` is the page's fragment: moment, vehicles, camera, layers. What is `moving` is a playback
+// `program`, of build/bin, is fairway unless another is named. Words may hold {dir}, a scratch folder. `hash` is the page's fragment: moment, vehicles, camera, layers. What is `moving` is a playback
 // photographed at as many instants as it has frames, from one to the other; when checked, at five of them.
 import { spawnSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -63,9 +63,9 @@ function run(program, words, accepted) {
 }
 
 /** Makes the page and photographs it: once, or the frames of these numbers. */
-async function photograph({ commands, page: name, size: [width, height], scheme = 'light', hash = '', clip, moving }, frames) {
+async function photograph({ program = 'fairway', commands, page: name, size: [width, height], scheme = 'light', hash = '', clip, moving }, frames) {
   // 1: an expectation of the scenario failed, which under another method it may.
-  for (const command of commands) run(join(root, 'build/bin/fairway'), command.map((word) => word.replaceAll('{dir}', folder)), [0, 1]);
+  for (const command of commands) run(join(root, 'build/bin', program), command.map((word) => word.replaceAll('{dir}', folder)), [0, 1]);
   // A still is drawn twice as fine, then made smaller: edges come out smooth although the processor draws them.
   const context = await browser.newContext({ viewport: { width, height }, deviceScaleFactor: moving === undefined ? 2 : 1, colorScheme: scheme, reducedMotion: 'reduce' });
   try {
@@ -75,6 +75,9 @@ async function photograph({ commands, page: name, size: [width, height], scheme 
     await page.waitForSelector('main');
     await page.evaluate(() => document.fonts.ready);
     await page.waitForTimeout(1500);
+    // A part of a report that the fragment names: what is above it takes its size only as it is drawn.
+    await page.evaluate(() => window.document.getElementById(decodeURIComponent(location.hash.slice(1)))?.scrollIntoView());
+    await page.waitForTimeout(500);
     const drawn = [];
     for (const frame of frames) {
       if (moving !== undefined) {
