@@ -22,7 +22,8 @@ using Change = lanes::ChangeOf<double>;
   return lanes::least_change(encounter, tau, period);
 }
 
-/// The velocities of `share` of that change or more, seen from `v_opt` (raja2024, eq. 7).
+/// The velocities of `share` of that change or more, seen from `v_opt` (van den Berg et al. 2011, section 4;
+/// raja2024, eq. 7, which prints the other side where v lies in the velocity obstacle: see README.md).
 inline HalfSpace half_space(const Change& change, const Vec3& v_opt, double share) noexcept {
   return lanes::half_space<double>(change, v_opt, share);
 }

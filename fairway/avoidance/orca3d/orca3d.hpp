@@ -13,8 +13,9 @@ namespace fairway {
 
 /// ORCA in three dimensions: each neighbour forbids a half-space of velocities, such that two who both
 /// keep to theirs do not collide within the time horizon; of what is left, the velocity nearest to the
-/// preferred one (van den Berg, Guy, Lin, Manocha 2011; raja2024, section II-B, eqs. 5-10). The
-/// optimisation velocity is the present one; neighbours and static obstacles are spheres.
+/// preferred one (van den Berg, Guy, Lin, Manocha 2011; raja2024, section II-B, eqs. 5-10, but for the sign
+/// that eq. 7 prints where v lies in the velocity obstacle: see README.md). The optimisation velocity is the
+/// present one; neighbours and static obstacles are spheres.
 /// O(neighbours + obstacle vertices) and a velocity program. No memory.
 ///
 ///     paper      here

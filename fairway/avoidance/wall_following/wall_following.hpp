@@ -26,7 +26,7 @@ struct EnumNames<WallFollowingForm> {
 ///     K_gtg, K_ao, alpha  goal_gain_hz, wall_gain_hz, alpha_ratio
 ///     e_eta,gtg           goal.position - own.position
 ///     e_eta,ao            eta - eta_obs, away from the obstacle's centre
-///     R                   clockwise (eq. 17) unless the other way (eq. 18) leads nearer to the goal
+///     R                   eq. 17 unless the other way, eq. 18, leads nearer to the goal
 ///     nu_d                R(yaw)^T of the desired velocity
 struct WallFollowing {
   static constexpr AlgorithmInfo info{
