@@ -66,7 +66,7 @@ void DelayCheck::hear(const Situation& s, Memory& memory) const noexcept {
     const auto known = std::span{memory.others}.first(memory.count);
     const auto at = std::ranges::find(known, heard.from, &Other::id);
     if (at != known.end() && heard.sent <= at->sent) continue;
-    const auto word = delay_check::decode(heard.speech, datum(), s.time);
+    const auto word = delay_check::decode(heard.speech, datum(), heard.sent);
     if (!word) continue;
     if (at == known.end() && memory.count == most_others) {
       memory.is_crowded = true;

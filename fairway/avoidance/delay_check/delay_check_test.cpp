@@ -51,6 +51,29 @@ TEST(DelayCheck, WhatHasEndedIsToldAsStandingHoweverLongAgo) {
   EXPECT_EQ(told.committed.from, told.committed.to);
 }
 
+TEST(DelayCheck, AWordIsOfTheTimeAtWhichItWasSentHoweverLateItIsHeard) {
+  const Word said{.radius = 1.0, .committed = {{60, 0, 5}, {0, 0, 5}, 1.0, 100.0}};
+  std::array<Heard, 1> heard{
+      {{.from = VehicleId{1}, .sent = 1.0, .speech = encode(said, Vec2::Zero(), 1.0)}}};
+  const Link link{.heard = heard, .turn_period = 3.2, .next_turn = 1e9};
+  for (const double begins : {110.0, 310.0, 420.0}) {
+    fairway::DelayCheck method;
+    fairway::DelayCheck::Memory memory;
+    Rng rng{1};
+    Context context{rng};
+    Situation s{.time = begins, .period = 0.1};
+    s.own = {.id = VehicleId{0}, .position = {0, 10, 5}, .radius = 1.0};
+    s.goal = {.position = {40, 10, 5}, .cruise_speed = 0.5, .arrival = 1.0};
+    s.limits = {.max_speed = 0.5, .max_climb_rate = 0.3};
+    s.link = &link;
+    s.attendance = Attendance::under_way;
+    method.decide(s, memory, context);
+    ASSERT_EQ(memory.count, 1U);
+    const Vec3 there = memory.others[0].word.committed.reference().at(begins);
+    EXPECT_LT((there - Vec3{0, 0, 5}).norm(), 0.05) << begins;
+  }
+}
+
 TEST(DelayCheck, ADamagedWordIsRefused) {
   Speech speech = encode({.radius = 1.0}, Vec2::Zero(), 0.0);
   for (std::size_t bit = 0; bit < 8 * Speech::most_bytes; ++bit) {

@@ -118,6 +118,15 @@ bool Agreement::meets_held(const Reference& own, double now, double time) const 
   return false;
 }
 
+bool Agreement::meets_moving(const Reference& own, double now, double time) const noexcept {
+  for (std::size_t i = 0; i < count_; ++i) {
+    if (i == self_ || statuses_[i] != Status::moving) continue;
+    const Reference way = whereabouts(i);
+    if (!way.empty() && least_distance(own, way, now, time) < clear_of(i)) return true;
+  }
+  return false;
+}
+
 void Agreement::go_on(double now, double period, const Link& link, double patience, const Chart& chart,
                       const Headway& headway) noexcept {
   assume(now, link.turn_period);

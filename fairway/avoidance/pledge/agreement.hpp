@@ -12,6 +12,13 @@
 
 namespace fairway::pledge {
 
+/// What became of a word that came in.
+enum class Hearing : std::uint8_t {
+  taken,
+  early,       ///< it was said later than it is by own clock, and may be heard again then
+  unreadable,  ///< damaged, or of another version
+};
+
 /// One member's part of an agreement. It is held at its anchor until it has a plan that every member has
 /// acknowledged, and then keeps to its reference. The rules, on which the safety argument of the README
 /// rests:
@@ -42,9 +49,9 @@ class Agreement {
   /// that is only `aside`, and not where its mission leads, it is held there once it has come there.
   void hold(const Member& member, bool aside = false) noexcept;
 
-  /// A word that came in, to be heard once: its clock goes round. What it says is believed if it was made by
-  /// a member. False if its clock is ahead of own ship's, and it may be heard again later.
-  bool hear(const Speech& speech, double now) noexcept;
+  /// A word that was `sent` [s] and has come in, to be heard once. What it says is believed if it was made by
+  /// a member, and is not older than any word may be.
+  Hearing hear(const Speech& speech, double sent, double now) noexcept;
 
   /// Acknowledges, proposes, departs and stops as the rules say. To be called at every decision, `period` [s]
   /// apart. `patience` is how many turns more than the least it gives acknowledgements to come in; `chart` is
@@ -73,6 +80,9 @@ class Agreement {
   /// Whether own ship comes too near by `time` to somebody who is held, as nobody does who only keeps to
   /// plans.
   bool meets_held(const Reference& own, double now, double time) const noexcept;
+
+  /// Whether somebody comes too near to own ship by `time` who goes as it has promised.
+  bool meets_moving(const Reference& own, double now, double time) const noexcept;
 
   /// Where a member is at what time, as far as is known here; without knots if it is not.
   Reference whereabouts(std::size_t i) const noexcept;

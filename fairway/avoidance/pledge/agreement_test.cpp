@@ -12,29 +12,32 @@
 namespace fairway::pledge {
 namespace {
 
-TEST(Agreement, OfThreeNeverBringsTwoTogetherWhateverIsLostInTheTurnsThatDecide) {
-  // every pattern of nine words lost or heard, and nothing is heard after them for a while
-  const Fleet begins = three_about_to_decide();
-  ASSERT_TRUE(std::ranges::any_of(begins.members, has_plan)) << "a plan was found";
+TEST(Agreement, OfThreeNeverBringsTwoTogetherWhateverIsLostInTheTurnsThatDecideAndWhoeverSpeaksFirst) {
+  // every pattern of nine words lost or heard, in every order of turns, and nothing is heard after them for a
+  // while
   constexpr unsigned words = 9;
   int all_departed = 0, some_departed = 0;
-  for (unsigned pattern = 0; pattern < 1U << words; ++pattern) {
-    Fleet fleet = begins;
-    unsigned word = 0;
-    const auto by_pattern = [&](std::size_t, std::size_t) {
-      const bool heard = word >= words || ((pattern >> word) & 1U) != 0;
-      ++word;
-      return heard;
-    };
-    const auto silence = [](std::size_t, std::size_t) { return false; };
-    while (word < words) fleet.go_on(by_pattern);
-    for (int i = 0; i < 350; ++i) fleet.go_on(silence);
-    ASSERT_GE(fleet.least, 3.0 + 2.0) << pattern;
-    const auto moved = std::ranges::count_if(fleet.members, [](const Agreement& m) {
-      return m.status() != Status::held || m.member(0).version > 0;
-    });
-    all_departed += moved == 3 ? 1 : 0;
-    some_departed += moved > 0 && moved < 3 ? 1 : 0;
+  for (const std::vector<std::size_t>& slots : orders_of_three()) {
+    const Fleet begins = three_about_to_decide(slots);
+    ASSERT_TRUE(std::ranges::any_of(begins.members, has_plan)) << "a plan was found";
+    for (unsigned pattern = 0; pattern < 1U << words; ++pattern) {
+      Fleet fleet = begins;
+      unsigned word = 0;
+      const auto by_pattern = [&](std::size_t, std::size_t) {
+        const bool heard = word >= words || ((pattern >> word) & 1U) != 0;
+        ++word;
+        return heard;
+      };
+      const auto silence = [](std::size_t, std::size_t) { return false; };
+      while (word < words) fleet.go_on(by_pattern);
+      for (int i = 0; i < 350; ++i) fleet.go_on(silence);
+      ASSERT_GE(fleet.least, 3.0 + 2.0) << pattern;
+      const auto moved = std::ranges::count_if(fleet.members, [](const Agreement& m) {
+        return m.status() != Status::held || m.member(0).version > 0;
+      });
+      all_departed += moved == 3 ? 1 : 0;
+      some_departed += moved > 0 && moved < 3 ? 1 : 0;
+    }
   }
   EXPECT_GT(all_departed, 0);
   EXPECT_GT(some_departed, 0) << "patterns that divide the group are among them";
@@ -161,8 +164,8 @@ TEST(Agreement, NobodyAcknowledgesWhatNotAllMightHearOf) {
   const std::size_t other = proposer == fleet.members.begin() ? 1 : 0;
   const auto acknowledges_at = [&](double time) {
     Agreement member = before.members[other];
-    member.hear(state, time);
-    member.hear(word, time);
+    member.hear(state, time, time);
+    member.hear(word, time, time);
     member.go_on(time, step, {{}, 3.0, time + 2.5}, 0.0);
     EXPECT_EQ(member.plan().epoch, proposer->plan().epoch);
     return !member.promised(time).empty();
@@ -290,6 +293,44 @@ TEST(Agreement, WhoIsSilentAfterItHasGoneIsTakenToHaveArrivedWhereItsWayEnds) {
   fleet.members[0].hold(crossing(fleet.places[0], down));
   for (int i = 0; i < 500; ++i) fleet.go_on(without_2);
   EXPECT_LT((fleet.places[0] - down).norm(), 3.1);
+}
+
+TEST(Agreement, AWordIsOfTheTimeAtWhichItWasSentAndNotHeardWhenThatIsLongAgo) {
+  const std::vector<Member> all = three_in_a_plane();
+  const Terms terms{.count = all.size()};
+  Agreement speaker{1, terms};
+  speaker.hold(all[1]);
+  const Speech word = speaker.say(10.0, 3.0);
+  const auto heard_at = [&](double now) {
+    Agreement listener{0, terms};
+    listener.hold(all[0]);
+    EXPECT_EQ(listener.hear(word, 10.0, now), Hearing::taken);
+    return !listener.whereabouts(1).empty();
+  };
+  EXPECT_TRUE(heard_at(10.5));
+  EXPECT_TRUE(heard_at(150.0));
+  for (const double now : {300.0, 419.0, 420.0, 829.0}) EXPECT_FALSE(heard_at(now)) << now;
+}
+
+TEST(Agreement, WhoIsLostIsSpokenOfInEveryOtherTurnByWhoeverIsOnItsWay) {
+  Fleet fleet{three_in_a_plane(), 3.0};
+  while (fleet.moving() < 3) fleet.go_on(always);
+  const double lost_at = fleet.time;
+  int own = 0, passed_on = 0;
+  while (fleet.time < lost_at + 24.0) {
+    fleet.members[0].lose(fleet.places[0], {0.0, 0.0, 0.1});
+    fleet.go_on(always);
+    const double now = fleet.time;
+    if (now < lost_at + 6.0 || !fleet.has_turn(1)) continue;
+    const auto word = decode(fleet.members[1].say(now, 3.0), Vec2::Zero(), now);
+    ASSERT_TRUE(word.has_value());
+    ASSERT_EQ(fleet.members[1].status(), Status::moving);
+    const Header& header = header_of(*word);
+    ++(header.sender == 0 && header.status == Status::lost ? passed_on : own);
+  }
+  EXPECT_GE(own, 2);
+  EXPECT_GE(passed_on, 2);
+  EXPECT_LE(std::abs(own - passed_on), 1);
 }
 
 TEST(Agreement, IsTheSameWheneverItIsCopied) {

@@ -8,25 +8,27 @@
 namespace fairway::pledge {
 namespace {
 
-constexpr double long_unheard = 6.0;     // turns after which a state is passed on to who has not heard it
-constexpr double longest_kept = 100.0;   // an older word is not passed on [s]
-constexpr std::int64_t passes_each = 3;  // turns, of which one is for passing on
+constexpr double long_unheard = 6.0;         // turns after which a state is passed on to who has not heard it
+constexpr double longest_kept = 100.0;       // an older word is not passed on [s]
+constexpr double longest_under_way = 200.0;  // an older one is not heard [s]
+constexpr std::int64_t passes_each = 3;      // turns, of which one is for passing on
 
 }  // namespace
 
-bool Agreement::hear(const Speech& speech, double now) noexcept {
-  const std::optional<Word> word = decode(speech, terms_.datum, now);
-  if (!word) return true;
+Hearing Agreement::hear(const Speech& speech, double sent, double now) noexcept {
+  if (sent < now - longest_under_way) return Hearing::taken;
+  const std::optional<Word> word = decode(speech, terms_.datum, sent);
+  if (!word) return Hearing::unreadable;
   const Header& header = header_of(*word);
-  if (header.sent > now + 1.0) return false;
+  if (header.sent > now + 1.0) return Hearing::early;
   const Groups& groups = others_.rounds.groups();
-  if (header.sender >= groups.vehicles || header.sender == vehicle_) return true;
+  if (header.sender >= groups.vehicles || header.sender == vehicle_) return Hearing::taken;
   if (groups.group_of(header.sender) != groups.group_of(vehicle_)) {
     others_.hear(*word);
-    return true;
+    return Hearing::taken;
   }
   const std::size_t from = groups.member_of(header.sender);
-  if (header.sent <= last_heard_[from]) return true;
+  if (header.sent <= last_heard_[from]) return Hearing::taken;
   others_.rounds.hear(header.sender, header.round, false);
   if (const auto* state = std::get_if<StateWord>(&*word)) {
     if (is_alarm(from, *state)) alarmed_[from] = now;
@@ -40,7 +42,7 @@ bool Agreement::hear(const Speech& speech, double now) noexcept {
     learn(std::get<PlanWord>(*word));
   }
   learn(header);
-  return true;
+  return Hearing::taken;
 }
 
 /// Whether it tells that somebody is lost, or is held elsewhere than before while somebody is.
@@ -81,12 +83,18 @@ void Agreement::learn(const PlanWord& word) noexcept {
   search_.reset();
 }
 
-/// The state of somebody, in the very bytes that it said: in the turn after an alarm that, and in some turns
-/// that of whom another has not heard for long. For all who hear it that is a word that took longer.
+/// The state of somebody, in the very bytes that it said: of who is lost in every other turn, as long as own
+/// ship is on its way or has arrived, in the turn after an alarm that, and in some turns that of whom another
+/// has not heard for long. For all who hear it that is a word that took longer.
 const Speech* Agreement::passed_on(double now, double turn_period) const noexcept {
+  const auto turn = static_cast<std::int64_t>(std::floor(now / turn_period));
+  const bool has_time = status_ != Status::held && !is_pending(now);
+  if (has_time && (turn + static_cast<std::int64_t>(self_)) % 2 == 0) {
+    for (std::size_t i = 0; i < count_; ++i)
+      if (i != self_ && is_lost(i) && now < last_heard_[i] + turn_period) return &said_[i].speech;
+  }
   const auto alarm = std::ranges::max_element(alarmed_);
   if (now < *alarm + turn_period) return &said_[static_cast<std::size_t>(alarm - alarmed_.begin())].speech;
-  const auto turn = static_cast<std::int64_t>(std::floor(now / turn_period));
   if (turn % passes_each != 0) return nullptr;
   for (std::size_t k = 0; k < count_; ++k) {
     const std::size_t of = (static_cast<std::size_t>(turn / passes_each) + k) % count_;

@@ -113,7 +113,7 @@ TEST(PledgeGroups, WhoIsOfNoGroupIsNotListenedTo) {
   for (const std::size_t vehicle : {9U, 31U}) {
     Agreement stranger{vehicle, {.count = 32}};
     stranger.hold(crossing({10, 0, 5}, {-20, 0, 5}));
-    EXPECT_TRUE(member.hear(stranger.say(0.0, 3.6), 0.0));
+    EXPECT_EQ(member.hear(stranger.say(0.0, 3.6), 0.0, 0.0), Hearing::taken);
     EXPECT_EQ(member.rounds().heard_in(vehicle), -1) << vehicle;
     EXPECT_FALSE(member.bystanders()[vehicle].known) << vehicle;
   }

@@ -29,7 +29,7 @@ struct Nine {
     for (std::size_t i = 1; i < 9; ++i) {
       Agreement other{i, own.terms()};
       other.hold(all[i]);
-      own.hear(other.say(0.0, 3.6), 0.0);
+      own.hear(other.say(0.0, 3.6), 0.0, 0.0);
     }
     return own;
   }

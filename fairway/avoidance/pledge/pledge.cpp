@@ -25,6 +25,7 @@ constexpr double aside_within = 0.5;  // of a place to which a member goes aside
 constexpr int patient_rounds = 2;     // without a plan, before a member goes aside
 constexpr double at_rest = 0.05;      // slower than this a member is held [m/s]
 constexpr double settling = 4.0;      // for so long, before it departs, a member turns to its course [s]
+constexpr double drifting = 3.0;      // for which it is foretold how far a member will be off [s]
 constexpr double resting = 12.0;      // at rest for so long, who was lost is held again [s]
 constexpr double same_place = 0.2;    // as near to each other two destinations are one [m]
 
@@ -49,7 +50,8 @@ std::string_view hemmed_in(const Situation& s, const Member& member, double bert
   return {};
 }
 
-/// Out of the way of who is lost: by ORCA among all whose whereabouts are known.
+/// Out of the way: by ORCA among all whose whereabouts are known, none of whom is counted on to know own
+/// ship's.
 Command evaded(const Situation& s, const Agreement& agreement, const Vec3& stay, Context& context) noexcept {
   std::array<Track, pledge::most_members + pledge::most_vehicles> tracks;
   std::size_t count = 0;
@@ -59,8 +61,8 @@ Command evaded(const Situation& s, const Agreement& agreement, const Vec3& stay,
     tracks[count++] = {.id = TrackId{static_cast<std::uint32_t>(i)},
                        .position = way.at(s.time),
                        .velocity = way.velocity(s.time),
-                       .radius = agreement.member(i).radius,
-                       .reacts = !agreement.is_lost(i)};
+                       .radius = agreement.member(i).radius + agreement.terms().tubes.radius,
+                       .reacts = false};
   }
   for (std::size_t i = 0; i < pledge::most_vehicles; ++i) {
     const pledge::Bystander& other = agreement.bystanders()[i];
@@ -78,7 +80,25 @@ Command evaded(const Situation& s, const Agreement& agreement, const Vec3& stay,
   NoMemory none;
   const Command way_out = Orca3d{{.time_horizon_s = threatened}}.decide(shown, none, context);
   return driven(s, way_out.velocity, {}, s.attendance == Attendance::under_way ? Mode::avoid : Mode::hold,
-                "goes out of the way of a member that is lost");
+                "goes out of the way of a member that is lost, or cannot know of it");
+}
+
+/// Of somebody who is lost, or, where it has stopped beside a plan, of who goes by that and may not have
+/// heard of it.
+bool is_in_the_way(const Situation& s, const Agreement& agreement, bool is_beside) noexcept {
+  const Reference here{resting_place(s)};
+  const double until = s.time + threatened;
+  return agreement.meets_lost(here, s.time, until) ||
+         (is_beside && agreement.meets_moving(here, s.time, until));
+}
+
+/// Off its tube by as much again, or on its way there.
+bool is_off(const Situation& s, const Reference& way, double tube) noexcept {
+  const auto off_in = [&](double time) {
+    return (way.at(s.time + time) - s.own.position - time * s.own.velocity).norm();
+  };
+  const double off = off_in(0.0);
+  return off > 2.0 * tube || (off > tube && off_in(drifting) > 2.0 * tube);
 }
 
 }  // namespace
@@ -91,14 +111,17 @@ Command Pledge::decide(const Situation& given, Memory& memory, Context& context)
   if (s.link == nullptr) return refused("pledge hears nobody: it needs an exchange");
   if (number(s.own.id) >= static_cast<std::uint32_t>(params.team_count))
     return refused("its id is beyond those of the group (team_count)");
-  if (!memory.begun && !begin(s, memory))
-    return refused("it is too far from the datum for its words, too large, or too slow to turn");
-  hear(s, memory);
+  if (!memory.begun) {
+    const std::string_view misfit = begin(s, memory);
+    if (!misfit.empty()) return refused(misfit);
+  }
+  const std::string_view unheard = hear(s, memory);
   const bool alone = memory.agreement.rounds().groups().count() == 1;
   std::array<Obstacle, pledge::most_vehicles> room;
   const pledge::Chart chart = alone ? s.obstacles : memory.agreement.chart(s.obstacles, room);
   Command command = decided(s, chart, memory, context);
   memory.datum.look(memory.agreement, s.link->ranges, rests(s, memory), unsure);
+  if (!unheard.empty()) command.note = unheard;
   if (memory.is_beyond) command.note = "its goal is too far from the datum for its words";
   if (memory.datum.doubted().any())
     command.note = "measures a distance that does not fit: it or another is not where it says";
@@ -129,28 +152,43 @@ Command Pledge::stayed(const Situation& s, const Memory& memory, Context& contex
               is_lost ? std::nullopt : first_course(s, agreement));
 }
 
-/// Enters the group where it will come to rest. False if that is too far away to be told.
-bool Pledge::begin(const Situation& s, Memory& memory) const noexcept {
+/// Enters the group where it will come to rest. Why it cannot, if that is so.
+std::string_view Pledge::begin(const Situation& s, Memory& memory) const noexcept {
   const Vec2 datum{params.datum_north_m, params.datum_east_m};
   Member member = pledge::member_of(s, params.speed_ratio);
   member.anchor = resting_place(s);
-  if (!pledge::fits(member, datum)) return false;
+  const std::string_view misfit = pledge::misfit_of(member, datum);
+  if (!misfit.empty()) return misfit;
   memory.agreement =
       Agreement{number(s.own.id),
                 {.count = static_cast<std::size_t>(params.team_count), .datum = datum, .tubes = tubes()}};
   memory.agreement.hold(member);
-  return memory.begun = true;
+  memory.begun = true;
+  return {};
 }
 
-void Pledge::hear(const Situation& s, Memory& memory) const noexcept {
+/// Why somebody's last word could not be taken, if that is so.
+std::string_view Pledge::hear(const Situation& s, Memory& memory) const noexcept {
+  std::string_view unheard;
   memory.time = s.time;
   memory.turn_period = s.link->turn_period;
   for (const Heard& heard : s.link->heard) {
     if (number(heard.from) >= memory.heard.size()) continue;
     std::optional<double>& last = memory.heard[number(heard.from)];
-    const bool is_new = !last || heard.sent > *last;
-    if (is_new && memory.agreement.hear(heard.speech, s.time)) last = heard.sent;
+    if (last && heard.sent <= *last) continue;
+    switch (memory.agreement.hear(heard.speech, heard.sent, s.time)) {
+      case pledge::Hearing::taken:
+        last = heard.sent;
+        break;
+      case pledge::Hearing::early:
+        unheard = "hears a word that is yet to be said: its clock, or another's, is wrong";
+        break;
+      case pledge::Hearing::unreadable:
+        unheard = "cannot read a word: it is damaged, of another version, or of another method";
+        break;
+    }
   }
+  return unheard;
 }
 
 /// Goes on with the agreement as far as its mission lets it.
@@ -236,17 +274,16 @@ void Pledge::aim(const Situation& s, const pledge::Chart& chart, Memory& memory)
   if ((told - member.destination).norm() > same_place) agreement.hold(member, aside);
 }
 
-/// Who is off its tube by as much again is lost; before that it is best to come back. Who is held and
-/// leaves its tube tells another anchor, unless it is about to depart. Who
-/// would come near somebody who is lost, or is held beside its promised way, or near something that it did
-/// not know to stand there, stops where it is and is held there; who is held where somebody comes who is lost
-/// goes out of the way, and tells where it is by then.
+/// Who is off is lost. Who is held and leaves its tube tells another anchor, unless it is about to depart.
+/// Who would come near somebody who is lost, or is held beside its promised way, or near something that it
+/// did not know to stand there, stops where it is and is held there; who is in the way of others goes out of
+/// it, and tells where it is by then.
 void Pledge::watch(const Situation& s, const pledge::Chart& chart, Memory& memory) const noexcept {
   Agreement& agreement = memory.agreement;
   if (agreement.status() == pledge::Status::lost) return recover(s, memory);
   const Reference* way = agreement.way();
   if (way == nullptr) {
-    memory.gives_way = agreement.meets_lost(Reference{s.own.position}, s.time, s.time + threatened);
+    memory.gives_way = is_in_the_way(s, agreement, memory.is_beside);
     const double off = (agreement.own().anchor - s.own.position).norm();
     if (memory.gives_way && off > 0.5 * params.tube_m) {
       stay_at(s, s.own.position, agreement);
@@ -257,13 +294,14 @@ void Pledge::watch(const Situation& s, const pledge::Chart& chart, Memory& memor
     }
     return;
   }
-  memory.gives_way = false;
-  const double off = (way->at(s.time) - s.own.position).norm();
-  if (off > 2.0 * params.tube_m) {
+  memory.gives_way = memory.is_beside = false;
+  if (is_off(s, *way, params.tube_m)) {
     lose(s, memory);
   } else if (agreement.meets_lost(*way, s.time, s.time + soon) ||
              agreement.meets_held(*way, s.time, s.time + soon) ||
              !pledge::keeps_off(*way, chart, s.own.radius + params.tube_m, s.time, s.time + soon)) {
+    memory.is_beside = true;
+    memory.gives_way = is_in_the_way(s, agreement, false);
     stay_at(s, resting_place(s), agreement);
   }
 }

@@ -74,7 +74,8 @@ struct Pledge {
     double time{};
     Vec3 stay = Vec3::Zero();  ///< where a lost member holds [m, NED]
     int losses{};              ///< how often it was lost
-    bool gives_way{false};     ///< to somebody who is lost
+    bool gives_way{false};     ///< to somebody who is lost, or who goes as it has promised
+    bool is_beside{false};     ///< it has stopped beside a plan
     std::array<std::optional<double>, pledge::most_vehicles>
         heard{};  ///< when each said what was taken last [s]
     pledge::Agreement agreement{};
@@ -92,8 +93,8 @@ struct Pledge {
   Command decided(const Situation& s, const pledge::Chart& chart, Memory& memory,
                   Context& context) const noexcept;
   Command stayed(const Situation& s, const Memory& memory, Context& context) const noexcept;
-  bool begin(const Situation& s, Memory& memory) const noexcept;
-  void hear(const Situation& s, Memory& memory) const noexcept;
+  std::string_view begin(const Situation& s, Memory& memory) const noexcept;
+  std::string_view hear(const Situation& s, Memory& memory) const noexcept;
   void take_part(const Situation& s, const pledge::Chart& chart, Memory& memory) const noexcept;
   bool rests(const Situation& s, const Memory& memory) const noexcept;
   void retarget(const Situation& s, Memory& memory) const noexcept;

@@ -13,13 +13,14 @@ namespace {
 
 using pledge::Reference;
 
-/// What member 1 says at time 0: it is lost at (20, 0, 5) and does not move.
-Heard from_who_is_lost() {
+/// What member 1 says: it is lost at (20, 0, 5) and does not move.
+Speech said_at(double time) {
   pledge::Agreement other{1, {.count = 2, .tubes = {.radius = 1.0, .told = 0.1}}};
   other.hold({.anchor = {20.0, 0.0, 5.0}, .destination = {-20.0, 0.0, 5.0}, .radius = 1.5, .speed = 0.4});
   other.lose({20.0, 0.0, 5.0}, Vec3::Zero());
-  return {.from = VehicleId{1}, .sent = 0.0, .speech = other.say(0.0, 3.2)};
+  return other.say(time, 3.2);
 }
+Heard from_who_is_lost() { return {.from = VehicleId{1}, .sent = 0.0, .speech = said_at(0.0)}; }
 
 /// Member 0 at rest at (0, 0, 5), which has heard that once and hears nothing more.
 struct Alone {
@@ -30,12 +31,13 @@ struct Alone {
   Rng rng{1};
   Context context{rng};
   std::vector<Obstacle> obstacles;
-  Vec3 position{0.0, 0.0, 5.0};
+  Vec3 position{0.0, 0.0, 5.0}, goal{40.0, 0.0, 5.0};
+  double radius{1.5};
 
   Command decide(double time) {
     Situation s{.time = time, .period = 0.1};
-    s.own = {.id = VehicleId{0}, .position = position, .radius = 1.5};
-    s.goal = {.position = {40.0, 0.0, 5.0}, .cruise_speed = 0.5, .arrival = 1.0};
+    s.own = {.id = VehicleId{0}, .position = position, .radius = radius};
+    s.goal = {.position = goal, .cruise_speed = 0.5, .arrival = 1.0};
     s.limits = {.max_speed = 0.5, .max_climb_rate = 0.3};
     s.link = &link;
     s.attendance = Attendance::under_way;
@@ -77,6 +79,32 @@ TEST(Pledge, WhoWasLostIsHeldAgainOnceItHasRestedForLongAndIsLostForGoodWhenItTh
   member.position.x() = 1.2;
   EXPECT_EQ(status_at(20.0), pledge::Status::lost);
   for (const double time : {21.0, 40.0, 100.0}) EXPECT_EQ(status_at(time), pledge::Status::lost);
+}
+
+TEST(Pledge, AWordThatItCannotTakeIsSpokenOf) {
+  Alone member;
+  member.heard[0].speech.bytes[3] ^= 1;
+  EXPECT_NE(member.decide(1.0).note.find("cannot read a word"), std::string::npos);
+  Alone early;
+  early.heard[0].sent = 30.0;
+  early.heard[0].speech = said_at(30.0);
+  EXPECT_NE(early.decide(0.0).note.find("yet to be said"), std::string::npos);
+  EXPECT_EQ(early.decide(29.5).note.find("yet to be said"), std::string::npos);
+}
+
+TEST(Pledge, WhoCannotBeToldSaysWhy) {
+  const auto why = [](const Vec3& place, double radius, const Vec3& goal) {
+    Alone member;
+    member.position = place;
+    member.radius = radius;
+    member.goal = goal;
+    const Command command = member.decide(0.0);
+    EXPECT_EQ(command.mode, Mode::infeasible);
+    return std::string(command.note);
+  };
+  EXPECT_EQ(why({500, 0, 5}, 1.5, {0, 0, 5}), "it is too far from the datum for its words");
+  EXPECT_EQ(why({0, 0, 5}, 1.5, {500, 0, 5}), "its goal is too far from the datum for its words");
+  EXPECT_EQ(why({0, 0, 5}, 20.0, {40, 0, 5}), "its sphere is too large for its words");
 }
 
 TEST(Pledge, WhoLiesOrIsToGoTooNearToWhatStandsSaysSo) {

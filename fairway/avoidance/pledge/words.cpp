@@ -155,11 +155,13 @@ Vec2 centre_as_told(const Vec2& centre, const Vec2& datum) noexcept {
   return datum + Vec2{told(centre.x() - datum.x()), told(centre.y() - datum.y())};
 }
 
-bool fits(const Member& member, const Vec2& datum) noexcept {
+std::string_view misfit_of(const Member& member, const Vec2& datum) noexcept {
   const Member told = as_told(member, datum);
-  return (told.anchor - member.anchor).norm() < 0.05 &&
-         (told.destination - member.destination).norm() < 0.2 && told.radius > member.radius - 1e-6 &&
-         told.turn > member.turn - 1.0;
+  if (!((told.anchor - member.anchor).norm() < 0.05)) return "it is too far from the datum for its words";
+  if (!((told.destination - member.destination).norm() < 0.2))
+    return "its goal is too far from the datum for its words";
+  if (!(told.radius > member.radius - 1e-6)) return "its sphere is too large for its words";
+  return told.turn > member.turn - 1.0 ? "" : "it turns too slowly for its words";
 }
 
 std::uint32_t digest_of(const std::array<Member, most_members>& members, const Members& participants,

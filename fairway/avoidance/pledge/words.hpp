@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <string_view>
 #include <variant>
 
 #include "fairway/avoidance/pledge/rounds.hpp"
@@ -136,9 +137,12 @@ Member as_told(const Member& member, const Vec2& datum) noexcept;
 /// The nearest centre of rings that can be told.
 Vec2 centre_as_told(const Vec2& centre, const Vec2& datum) noexcept;
 
-/// False if its places are too far from the datum to be told, its sphere, in steps of 25 cm upwards, is
-/// larger than 15.75 m, or it takes longer than 16 s to turn before it gets under way.
-bool fits(const Member& member, const Vec2& datum) noexcept;
+/// Why a member cannot be told, empty if it can: its places are too far from the datum, its sphere, in steps
+/// of 25 cm upwards, is larger than 15.75 m, or it takes longer than 16 s to turn before it gets under way.
+std::string_view misfit_of(const Member& member, const Vec2& datum) noexcept;
+inline bool fits(const Member& member, const Vec2& datum) noexcept {
+  return misfit_of(member, datum).empty();
+}
 
 /// 24 bits of the states of those who take part, by which a receiver sees whether it reckons with the same.
 std::uint32_t digest_of(const std::array<Member, most_members>& members, const Members& participants,

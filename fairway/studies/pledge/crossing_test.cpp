@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <set>
+#include <utility>
 
+#include "fairway/experiment/measure_run.hpp"
 #include "fairway/sim/simulation.hpp"
 
 namespace fairway::pledges {
@@ -50,6 +52,21 @@ TEST(PledgeStudy, RocksStandInTheCubeAndNotWhereACrossingBeginsOrEnds) {
     }
     const Scenario without = crossing_scenario({.cycle_s = 3.2}, methods()[0], seed);
     EXPECT_EQ(without.vehicles[3].yaw, scenario.vehicles[3].yaw) << "all else is the same";
+  }
+}
+
+// Each of these had a collision where it stood still, or was taken to know of who had stopped.
+TEST(PledgeStudy, WhoStopsBesideAPlanGoesOutOfTheWayOfWhoGoesByIt) {
+  const Condition condition{
+      .cycle_s = 10.0, .loss_ratio = 0.5, .current_mps = 0.2, .failure = FailureKind::stops};
+  for (const auto& [seed, broken] : {std::pair{40002, 0}, {40006, 3}, {50003, 2}, {50004, 3}}) {
+    Scenario scenario = crossing_scenario(condition, methods()[0], static_cast<std::uint64_t>(seed));
+    FailureSpec failure;
+    for (VehicleSpec& vehicle : scenario.vehicles)
+      if (vehicle.failure.kind != FailureKind::none) failure = std::exchange(vehicle.failure, {});
+    scenario.vehicles[static_cast<std::size_t>(broken)].failure = failure;
+    for (const Measure& measure : measure_run(scenario, builtin_catalogs()))
+      if (measure.quantity == "pair_collision_count") EXPECT_EQ(measure.value, 0.0) << seed;
   }
 }
 

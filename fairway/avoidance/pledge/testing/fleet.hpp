@@ -29,6 +29,7 @@ struct Fleet {
   std::vector<Vec3> places;
   std::vector<std::vector<Obstacle>> charts;  ///< of each member
   std::vector<Reference> last_ways;           ///< of who has arrived, which goes on to its end
+  std::vector<std::size_t> slots;             ///< of a turn, in which each member speaks
   double turn_period{};
   double on_the_air{0.0};  ///< for which a word is [s]
   double patience{0.0};    ///< in turns
@@ -42,12 +43,13 @@ struct Fleet {
       members.emplace_back(i, terms).hold(all[i]);
       places.push_back(members[i].own().anchor);
       last_ways.emplace_back();
+      slots.push_back(i);
     }
     charts.resize(all.size());
   }
 
   double turn(std::size_t i, double after) const {
-    const double first = turn_period * static_cast<double>(i) / static_cast<double>(members.size());
+    const double first = turn_period * static_cast<double>(slots[i]) / static_cast<double>(members.size());
     return first + turn_period * std::ceil((after - first) / turn_period + 1e-9);
   }
 
@@ -60,7 +62,8 @@ struct Fleet {
     for (const Said& word : said) {
       if (word.heard > time + 1e-9) continue;
       for (std::size_t j = 0; j < members.size(); ++j)
-        if (j != word.from && gets_through(word.from, j)) members[j].hear(word.speech, time);
+        if (j != word.from && gets_through(word.from, j))
+          members[j].hear(word.speech, word.heard - on_the_air, time);
     }
     std::erase_if(said, [&](const Said& word) { return word.heard <= time + 1e-9; });
     for (std::size_t i = 0; i < members.size(); ++i) {
@@ -152,8 +155,15 @@ inline const auto always = [](std::size_t, std::size_t) { return true; };
 inline bool has_plan(const Agreement& member) { return bool{member.plan().epoch}; }
 
 /// Three of whom one has just proposed, so that all know all and the words that follow decide.
-inline Fleet three_about_to_decide() {
+/// In which order three may have their turns.
+inline std::vector<std::vector<std::size_t>> orders_of_three() {
+  return {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
+}
+
+/// Who speak in these slots.
+inline Fleet three_about_to_decide(const std::vector<std::size_t>& slots = {0, 1, 2}) {
   Fleet fleet{three_in_a_plane(), 3.0};
+  fleet.slots = slots;
   while (std::ranges::none_of(fleet.members, has_plan) && fleet.time < 60.0) fleet.go_on(always);
   return fleet;
 }
