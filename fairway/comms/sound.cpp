@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "fairway/core/math.hpp"
+#include "fairway/core/segments.hpp"
 
 namespace fairway {
 namespace {
@@ -30,11 +31,6 @@ double viscosity(double t) noexcept {
 double decibels(double ratio) noexcept { return 10.0 * log10_of(ratio); }
 
 double power_ratio(double decibels) noexcept { return ten_to(decibels / 10.0); }
-
-double thorp_absorption(double frequency_khz) noexcept {
-  const double f2 = frequency_khz * frequency_khz;
-  return 3.3e-3 + 0.11 * f2 / (1.0 + f2) + 44.0 * f2 / (4100.0 + f2) + 3.0e-4 * f2;
-}
 
 double francois_garrison_absorption(double frequency_khz, const SeaWater& water) noexcept {
   const double t = water.temperature_degc, s = water.salinity_psu, d = water.depth_m;
@@ -66,13 +62,23 @@ double ambient_noise(double frequency_khz, double shipping, double wind) noexcep
 
 bool is_in_shadow(const Obstacle& obstacle, const Vec3& a, const Vec3& b) noexcept {
   constexpr double touching = 0.01;
-  const double length = (b - a).norm();
-  const Vec3 direction = length > 0.0 ? Vec3{(b - a) / length} : Vec3{Vec3::Zero()};
-  double gone = 0.0;
-  while (gone < length) {  // nothing is nearer than the nearest point
-    const double free = nearest_point(obstacle, a + gone * direction).distance;
-    if (free < touching) return true;
-    gone += free;
+  const double free = nearest_point(obstacle, 0.5 * (a + b)).distance;  // half way
+  if (free < touching) return true;
+  if (free >= 0.5 * (b - a).norm() + touching) return false;
+  switch (obstacle.kind) {
+    case Obstacle::Kind::sphere:
+      return distance_to_segment(a, b, obstacle.position) - obstacle.radius < touching;
+    case Obstacle::Kind::segment:
+      return distance_between(a, b, obstacle.from, obstacle.to) < touching;
+    case Obstacle::Kind::polygon:
+      break;
+  }
+  // seen from above, and half way it is outside: whoever is inside at an end crosses an edge
+  const std::span<const Vec3> vertices = obstacle.vertices;
+  const Vec2 from = a.head<2>(), to = b.head<2>();
+  for (std::size_t i = 0, j = vertices.size() - 1; i < vertices.size(); j = i++) {
+    const Vec2 here = vertices[j].head<2>(), next = vertices[i].head<2>();
+    if (distance_between(from, to, here, next) < touching) return true;
   }
   return false;
 }

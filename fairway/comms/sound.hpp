@@ -12,10 +12,6 @@ namespace fairway {
 double decibels(double ratio) noexcept;
 double power_ratio(double decibels) noexcept;
 
-/// What sound loses to sea water by the formula of Thorp (1967), in the form of Jensen et al., Computational
-/// Ocean Acoustics (2011), equation 1.47: about 4 C, pH 8, at 1000 m. For 0.1 to 50 kHz. [dB/km]
-double thorp_absorption(double frequency_khz) noexcept;
-
 /// Sea water, for Francois and Garrison.
 struct SeaWater {
   double temperature_degc{10.0};
@@ -24,8 +20,8 @@ struct SeaWater {
   double ph{8.0};
 };
 
-/// The same by Francois and Garrison, "Sound absorption based on ocean measurements" II, J. Acoust. Soc. Am.
-/// 72 (1982), equations 2 to 10: within 5 % for 0.4 to 1000 kHz. [dB/km]
+/// What sound loses to sea water by Francois and Garrison, "Sound absorption based on ocean measurements" II,
+/// J. Acoust. Soc. Am. 72 (1982), equations 2 to 10: within 5 % for 0.4 to 1000 kHz. [dB/km]
 double francois_garrison_absorption(double frequency_khz, const SeaWater& water) noexcept;
 
 /// Noise of turbulence, ships, wind and heat by Coates (1990), as in Stojanovic, "On the relationship between

@@ -3,14 +3,18 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <ctime>
 
 namespace fairway {
 namespace {
 
-TEST(Sound, AbsorptionIsThatOfThorp) {
-  // Jensen et al. (2011), equation 1.47, by hand: 0.0033 + 11 / 101 + 4400 / 4200 + 0.03
-  EXPECT_NEAR(thorp_absorption(10.0), 1.18983, 1e-5);
+/// What sound loses to sea water by the formula of Thorp (1967), in the form of Jensen et al., Computational
+/// Ocean Acoustics (2011), equation 1.47: about 4 C, pH 8, at 1000 m. [dB/km]
+double thorp_absorption(double frequency_khz) {
+  const double f2 = frequency_khz * frequency_khz;
+  return 3.3e-3 + 0.11 * f2 / (1.0 + f2) + 44.0 * f2 / (4100.0 + f2) + 3.0e-4 * f2;
 }
 
 TEST(Sound, AbsorptionIsThatOfFrancoisAndGarrison) {
@@ -25,7 +29,7 @@ TEST(Sound, AbsorptionIsThatOfFrancoisAndGarrison) {
   EXPECT_NEAR(mediterranean(6000.0), 16.0, 0.5);
 }
 
-TEST(Sound, TheTwoFormulasAgreeWhereBothHold) {
+TEST(Sound, AbsorptionIsThatOfThorpWhereHisFormulaHolds) {
   // Thorp's is for about 4 C at 1000 m; from 50 kHz on it is a third above the other
   const SeaWater deep{.temperature_degc = 4.0, .salinity_psu = 35.0, .depth_m = 1000.0, .ph = 8.0};
   for (const double frequency : {1.0, 5.0, 10.0, 25.0}) {
@@ -55,6 +59,36 @@ TEST(Sound, IsLostBySpreadingAndByAbsorption) {
   EXPECT_EQ(transmission_loss(0.1, 2.0, 10.0), 0.0);
   EXPECT_NEAR(transmission_loss(100.0, 2.0, 0.0), 40.0, 1e-12);
   EXPECT_NEAR(transmission_loss(1000.0, 1.5, 5.0), 45.0 + 5.0 * 0.999, 1e-12);
+}
+
+TEST(Sound, IsStoppedByWhatComesWithinACentimetreOfItsWay) {
+  const Vec3 a{0, 0, 10}, b{100, 0, 10};
+  const auto sphere = [](double east, double radius) {
+    return Obstacle{.kind = Obstacle::Kind::sphere, .position = {30, east, 10}, .radius = radius};
+  };
+  EXPECT_TRUE(is_in_shadow(sphere(5.0, 6.0), a, b));
+  EXPECT_TRUE(is_in_shadow(sphere(5.0, 4.991), a, b));
+  EXPECT_FALSE(is_in_shadow(sphere(5.0, 4.989), a, b));
+  EXPECT_FALSE(is_in_shadow(sphere(5.0, 6.0), a, {20, 0, 10})) << "it ends before";
+
+  const Obstacle wall{.kind = Obstacle::Kind::segment, .from = {50, -5, 0}, .to = {50, 5, 20}};
+  EXPECT_TRUE(is_in_shadow(wall, a, b));
+  EXPECT_FALSE(is_in_shadow(wall, a + Vec3{0, 0, 1}, b + Vec3{0, 0, 1})) << "a thin one, and below it";
+
+  const std::array<Vec3, 3> corners{Vec3{40, -5, 0}, Vec3{60, -5, 0}, Vec3{50, 5, 0}};
+  const Obstacle pier{.kind = Obstacle::Kind::polygon, .vertices = corners};
+  EXPECT_TRUE(is_in_shadow(pier, a, b));
+  EXPECT_TRUE(is_in_shadow(pier, a, {50, 0, 10})) << "it ends inside";
+  EXPECT_TRUE(is_in_shadow(pier, a + Vec3{0, 5.009, 0}, b + Vec3{0, 5.009, 0}));
+  EXPECT_FALSE(is_in_shadow(pier, a + Vec3{0, 5.011, 0}, b + Vec3{0, 5.011, 0}));
+}
+
+TEST(Sound, IsJudgedAsSoonBesideALongWall) {
+  // on 5 km of way 2 cm beside it there are 250 000 times 2 cm
+  const Obstacle wall{.kind = Obstacle::Kind::segment, .from = {0, 0.02, 10}, .to = {5000, 0.02, 10}};
+  const std::clock_t began = std::clock();
+  for (int i = 0; i < 1000; ++i) ASSERT_FALSE(is_in_shadow(wall, {0, 0, 10}, {5000, 0, 10}));
+  EXPECT_LT(std::clock() - began, CLOCKS_PER_SEC) << "one in 10 us takes a hundredth of it";
 }
 
 TEST(Sound, PacketsErrAsTheirBitsDo) {

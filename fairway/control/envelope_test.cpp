@@ -93,14 +93,6 @@ TEST_P(EveryEnvelope, BoundsTheErrorOfFollowingACourseThatNoTrialHad) {
   }
 }
 
-TEST_P(EveryEnvelope, SaysWhichChangeCanBeFollowedWithinAnError) {
-  const Envelope envelope = envelope_of(GetParam());
-  for (const double error : {0.1, 0.5, 2.0, 8.0}) {
-    const double change = envelope.followable_change(error);
-    EXPECT_LE(envelope.following_error(change), error + 1e-9);
-  }
-}
-
 TEST(Envelope, OfAKinematicVehicleIsItsParameters) {
   const Envelope envelope = envelope_of("kinematic");
   EXPECT_NEAR(envelope.ahead, 0.5, 1e-3);

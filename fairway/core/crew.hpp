@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <thread>
 #include <vector>
 
@@ -13,9 +14,14 @@ namespace fairway {
 /// nobody waits for one who is not there. What comes out must not depend on who did which.
 class Crew {
  public:
-  /// `hands` at least 1, the one who calls among them.
+  /// `hands` at least 1, the one who calls among them; fewer where the system gives no more threads.
   explicit Crew(std::size_t hands = 1) {
-    for (std::size_t hand = 1; hand < hands; ++hand) threads_.emplace_back([this, hand] { serve(hand); });
+    if (hands < 2) return;
+    threads_.reserve(hands - 1);
+    try {
+      for (std::size_t hand = 1; hand < hands; ++hand) threads_.emplace_back([this, hand] { serve(hand); });
+    } catch (const std::exception&) {  // what comes out is the same by fewer
+    }
   }
   /// As many others.
   Crew(const Crew& other) : Crew{other.hands()} {}

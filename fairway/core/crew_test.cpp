@@ -2,6 +2,7 @@
 #include "fairway/core/crew.hpp"
 
 #include <gtest/gtest.h>
+#include <pthread.h>
 
 #include <numeric>
 
@@ -25,6 +26,33 @@ TEST(Crew, GoesThroughEveryPartOnce) {
       }
     }
   }
+}
+
+/// While it lives the system makes no thread: each would have a stack larger than all memory there can be.
+struct NoMoreThreads {
+  NoMoreThreads() {
+    pthread_getattr_default_np(&usual);
+    pthread_attr_t attributes;
+    pthread_attr_init(&attributes);
+    pthread_attr_setstacksize(&attributes, std::size_t{1} << 56);
+    pthread_setattr_default_np(&attributes);
+    pthread_attr_destroy(&attributes);
+  }
+  ~NoMoreThreads() {
+    pthread_setattr_default_np(&usual);
+    pthread_attr_destroy(&usual);
+  }
+  pthread_attr_t usual;
+};
+
+TEST(Crew, GoesThroughEveryPartByAsManyHandsAsThereAre) {
+  const NoMoreThreads none;
+  Crew crew{4};
+  EXPECT_EQ(crew.hands(), 1U);
+  int done = 0;
+  crew.go_through(10, [&](std::size_t, std::size_t hand) { done += hand == 0 ? 1 : 100; });
+  EXPECT_EQ(done, 10);
+  EXPECT_EQ(Crew{crew}.hands(), 1U);
 }
 
 }  // namespace

@@ -112,19 +112,6 @@ struct Envelope {
     return place < 1.0 ? place * following_errors[0] : between(following_errors, place - 1.0);
   }
 
-  /// The largest change of course whose error stays below `error` [m]: the inverse of following_error(),
-  /// where that grows. [rad] O(1).
-  double followable_change(double error) const noexcept {
-    double before = 0.0;
-    for (std::size_t i = 0; i < change_count; ++i) {
-      const double here = following_errors[i];
-      if (here > error)
-        return (static_cast<double>(i) + (error - before) / (here - before)) * pi / change_count;
-      before = std::max(before, here);
-    }
-    return pi;
-  }
-
   friend bool operator==(const Envelope&, const Envelope&) = default;
 
  private:

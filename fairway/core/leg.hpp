@@ -49,6 +49,8 @@ struct Leg {
   double arrival_m{1.0};         ///< arrival when the distance is at most this (transit; others if no box)
   double duration_s{0.0};        ///< keep_position
   bool agreed{false};            ///< rendezvous: waits for the vehicle's method too
+
+  friend bool operator==(const Leg&, const Leg&) = default;
 };
 
 }  // namespace fairway

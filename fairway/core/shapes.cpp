@@ -2,17 +2,13 @@
 #include "fairway/core/shapes.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+
+#include "fairway/core/segments.hpp"
 
 namespace fairway {
 namespace {
-
-Vec3 nearest_on_segment(const Vec3& a, const Vec3& b, const Vec3& p) {
-  const Vec3 ab = b - a;
-  const double length2 = ab.squaredNorm();
-  const double t = length2 > 0.0 ? std::clamp((p - a).dot(ab) / length2, 0.0, 1.0) : 0.0;
-  return a + t * ab;
-}
 
 SurfacePoint nearest_on_sphere(const Obstacle& sphere, const Vec3& p) {
   const Vec3 out = p - sphere.position;
@@ -44,6 +40,19 @@ SurfacePoint nearest_on_prism(std::span<const Vec3> vertices, const Vec3& p) {
 }
 
 }  // namespace
+
+bool has_shape(const Obstacle& obstacle) noexcept {
+  switch (obstacle.kind) {
+    case Obstacle::Kind::sphere:
+      return is_finite(obstacle.position) && obstacle.radius >= 0.0 && std::isfinite(obstacle.radius);
+    case Obstacle::Kind::segment:
+      return is_finite(obstacle.from) && is_finite(obstacle.to);
+    case Obstacle::Kind::polygon:
+      return obstacle.vertices.size() >= 3 &&
+             std::ranges::all_of(obstacle.vertices, [](const Vec3& v) { return is_finite(v); });
+  }
+  return false;
+}
 
 SurfacePoint nearest_point(const Obstacle& obstacle, const Vec3& p) noexcept {
   switch (obstacle.kind) {

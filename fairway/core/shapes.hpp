@@ -30,6 +30,9 @@ struct EnumNames<Obstacle::Kind> {
   static constexpr std::array names{"sphere", "segment", "polygon"};
 };
 
+/// Whether the members of its kind are finite and make a solid. O(1), or O(vertices) for a polygon.
+bool has_shape(const Obstacle& obstacle) noexcept;
+
 /// A solid that may drift at a constant velocity; only spheres do.
 struct DriftingObstacle {
   Obstacle start;                ///< where it is at time 0

@@ -15,6 +15,16 @@ std::string number_text(double value) {
   return {buffer.data(), end};
 }
 
+double to_six_digits(double value) {
+  if (!std::isfinite(value)) return value;
+  std::array<char, 32> buffer{};
+  char* const begin = buffer.data();
+  const char* const end =
+      std::to_chars(begin, begin + buffer.size(), value, std::chars_format::general, 6).ptr;
+  std::from_chars(begin, end, value);
+  return value;
+}
+
 std::string shell_word(std::string_view text) {
   constexpr std::string_view plain =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,:/@%";

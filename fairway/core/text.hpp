@@ -13,6 +13,9 @@ namespace fairway {
 /// The shortest decimal that reads back as the same double; "inf", "-inf" and "nan" spelled so.
 std::string number_text(double value);
 
+/// `value` to six significant digits, whatever the locale.
+double to_six_digits(double value);
+
 /// `text` as one word of a POSIX shell: as it is where nothing in it means anything to a shell, else quoted.
 std::string shell_word(std::string_view text);
 

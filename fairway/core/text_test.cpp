@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
 namespace fairway {
 namespace {
 
@@ -14,6 +17,15 @@ TEST(Text, IsUtf8UpToTheFirstByteThatIsNoneOfIt) {
   for (const char* text :
        {"ab\xE9z", "ab\xE2\x82", "ab\xC0\xAF", "ab\xED\xA0\x80", "ab\xF4\x90\x80\x80", "ab\xFF", "ab\x80"})
     EXPECT_EQ(not_utf8(text), 2U) << text;
+}
+
+TEST(Text, ANumberToSixDigitsIsTheNearestThatHasNoMore) {
+  EXPECT_EQ(to_six_digits(1.0 / 3.0), 0.333333);
+  EXPECT_EQ(to_six_digits(-123456789.0), -123457000.0);
+  EXPECT_EQ(to_six_digits(1.2345678e-310), 1.23457e-310) << "of a number that has no six digits itself";
+  EXPECT_EQ(to_six_digits(0.1), 0.1);
+  EXPECT_TRUE(std::isinf(to_six_digits(std::numeric_limits<double>::infinity())));
+  EXPECT_TRUE(std::isnan(to_six_digits(std::numeric_limits<double>::quiet_NaN())));
 }
 
 TEST(ShellWord, LeavesPlainWordsAsTheyAre) {

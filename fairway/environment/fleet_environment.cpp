@@ -313,7 +313,8 @@ void FleetEnvironment::advise(std::span<double> actions) {
     Vec3 advised = Vec3::Zero();
     if (command.mode != Mode::hold)
       advised = to_axes(options_.observation.axes, agent(row).own.yaw, command.velocity);
-    if (options_.scaled_actions) advised /= learners_[row].max_speed;
+    const double full = learners_[row].max_speed;
+    if (options_.scaled_actions) advised = full > 0.0 ? Vec3{advised / full} : Vec3{Vec3::Zero()};
     for (int axis = 0; axis < 3; ++axis) actions[3 * row + static_cast<std::size_t>(axis)] = advised[axis];
   }
 }

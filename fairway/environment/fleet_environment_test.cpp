@@ -80,6 +80,20 @@ TEST(FleetEnvironment, follows_its_advice_to_the_end) {
   for (const FleetEnvironment::Learner& learner : environment->learners()) EXPECT_FALSE(learner.collided);
 }
 
+TEST(FleetEnvironment, advises_who_may_not_go_at_all_to_do_nothing) {
+  const auto draw = [](std::uint64_t seed) {
+    return load_scenario(std::string(FAIRWAY_SOURCE_DIR) + "/scenarios/crossing.yaml",
+                         {{"vehicles[0].limits.max_speed_mps", "0"}}, seed);
+  };
+  const Catalogs catalogs = builtin_catalogs();
+  FleetEnvironment environment{draw(1), draw, catalogs, {}};
+  environment.reset(1);
+  std::vector<double> actions(3 * environment.learners().size());
+  environment.advise(std::span{actions});
+  EXPECT_THAT(actions, testing::Each(testing::AllOf(testing::Ge(-1.0), testing::Le(1.0))));
+  EXPECT_EQ(actions[0], 0.0);
+}
+
 TEST(FleetEnvironment, refuses_a_scenario_in_which_its_learner_is_never_under_way) {
   const auto draw = [](std::uint64_t seed) {
     return parse_scenario(

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/exam/exam_run.hpp"
 
-#include <fmt/format.h>
-
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 
+#include "fairway/core/text.hpp"
 #include "fairway/experiment/compare.hpp"
 
 namespace fairway {
@@ -25,15 +23,6 @@ constexpr std::array<OutcomeMember, 10> members{{{"collision_free_ratio", &ExamO
                                                  {"clearance_m", &ExamOutcome::clearance_m},
                                                  {"worst_vehicle_count", &ExamOutcome::worst_vehicle},
                                                  {"worst_time_s", &ExamOutcome::worst_time_s}}};
-
-/// To six significant digits, as they are written.
-double shortened(double value) {
-  if (!std::isfinite(value)) return value;
-  const std::string text = fmt::format("{:.6g}", value);
-  double read{};
-  std::from_chars(text.data(), text.data() + text.size(), read);
-  return read;
-}
 
 }  // namespace
 
@@ -77,7 +66,7 @@ ExamOutcome exam_outcome(std::span<const Measure> measures, const Scenario& scen
   outcome.length_m = run_value(measures, "distance_m");
   outcome.energy_j = run_value(measures, "energy_j");
   outcome.turning_rad = run_value(measures, "heading_change_rad");
-  for (const OutcomeMember& each : members) outcome.*each.member = shortened(outcome.*each.member);
+  for (const OutcomeMember& each : members) outcome.*each.member = to_six_digits(outcome.*each.member);
   return outcome;
 }
 

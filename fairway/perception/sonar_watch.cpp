@@ -42,7 +42,7 @@ void SonarWatch::report(const Scene& scene, const Viewpoint& own, const Reach& r
   const TrackId self = scene.movers[scene.own_index].id;
   known_.clear();
   for (const Message& message : scene.heard) {
-    if (!message.told || TrackId{number(message.from)} == self) continue;
+    if (!message.tells_place() || TrackId{number(message.from)} == self) continue;
     const Track track = track_of(message, scene);
     if ((track.position - here).norm() <= reach.vehicles) known_.push_back(track);
   }

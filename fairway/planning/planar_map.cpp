@@ -8,40 +8,10 @@
 
 #include "fairway/core/error.hpp"
 #include "fairway/core/math.hpp"
+#include "fairway/core/segments.hpp"
 
 namespace fairway {
 namespace {
-
-double distance_to_line(const Vec2& p, const Vec2& a, const Vec2& b) {
-  const Vec2 ab = b - a;
-  const double length2 = ab.squaredNorm();
-  const double t = length2 > 0.0 ? std::clamp((p - a).dot(ab) / length2, 0.0, 1.0) : 0.0;
-  return (p - (a + t * ab)).norm();
-}
-
-/// True if the lines cross at a point inside both.
-bool cross_each_other(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
-  return cross(b - a, c - a) * cross(b - a, d - a) < 0.0 && cross(d - c, a - c) * cross(d - c, b - c) < 0.0;
-}
-
-double distance_between_lines(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
-  if (cross_each_other(a, b, c, d)) return 0.0;
-  return std::min({distance_to_line(a, c, d), distance_to_line(b, c, d), distance_to_line(c, a, b),
-                   distance_to_line(d, a, b)});
-}
-
-bool is_sound(const Obstacle& obstacle) {
-  switch (obstacle.kind) {
-    case Obstacle::Kind::sphere:
-      return is_finite(obstacle.position) && obstacle.radius >= 0.0 && std::isfinite(obstacle.radius);
-    case Obstacle::Kind::segment:
-      return is_finite(obstacle.from) && is_finite(obstacle.to);
-    case Obstacle::Kind::polygon:
-      return obstacle.vertices.size() >= 3 &&
-             std::ranges::all_of(obstacle.vertices, [](const Vec3& v) { return is_finite(v); });
-  }
-  return false;
-}
 
 Vec3 at_depth_zero(const Vec3& p) { return {p.x(), p.y(), 0.0}; }
 
@@ -68,16 +38,17 @@ SurfacePoint PlanarMap::FlatObstacle::nearest(const Vec2& p) const noexcept {
 double PlanarMap::FlatObstacle::distance(const Vec2& a, const Vec2& b) const noexcept {
   switch (kind) {
     case Obstacle::Kind::sphere:
-      return math::fmax(0.0, distance_to_line(position.head<2>(), a, b) - radius);
+      return math::fmax(0.0, distance_to_segment<Vec2>(a, b, position.head<2>()) - radius);
     case Obstacle::Kind::segment:
-      return distance_between_lines(a, b, from.head<2>(), to.head<2>());
+      return distance_between(a, b, Vec2{from.head<2>()}, Vec2{to.head<2>()});
     case Obstacle::Kind::polygon:
       break;
   }
   if (nearest(a).distance <= 0.0) return 0.0;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0, j = vertices.size() - 1; i < vertices.size(); j = i++) {
-    least = math::fmin(least, distance_between_lines(a, b, vertices[j].head<2>(), vertices[i].head<2>()));
+    least =
+        math::fmin(least, distance_between(a, b, Vec2{vertices[j].head<2>()}, Vec2{vertices[i].head<2>()}));
   }
   return least;
 }
@@ -105,7 +76,7 @@ PlanarMap::PlanarMap(std::span<const Obstacle> obstacles, double inflation_m) : 
     throw InputError("the inflation of a map must be 0 m or more, not " + std::to_string(inflation_m));
   }
   for (const Obstacle& obstacle : obstacles) {
-    if (!is_sound(obstacle)) {
+    if (!has_shape(obstacle)) {
       throw InputError("obstacles[" + std::to_string(solids_.size()) + "] of a map has no usable shape");
     }
     solids_.push_back(flattened(obstacle));

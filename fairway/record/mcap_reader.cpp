@@ -65,13 +65,11 @@ ByteView open_chunk(ByteView content, Bytes& buffer) {
   return records;
 }
 
-}  // namespace
+constexpr std::size_t magic_size = mcap::magic.size();
+constexpr std::size_t tail_size = mcap::footer_size + magic_size;
 
-McapReader::McapReader(ByteView file) {
-  const std::string read = std::to_string(file.size()) + " bytes read";
-
-  // magic at both ends
-  constexpr std::size_t magic_size = mcap::magic.size();
+/// Throws Malformed unless the file begins and ends as those of MCAP do.
+void check_magic(ByteView file) {
   const ByteView magic{mcap::magic};
   const ByteView start = file.first(std::min(file.size(), magic_size));
   if (file.empty()) throw Malformed{"empty file; expected a recording (MCAP)"};
@@ -81,17 +79,21 @@ McapReader::McapReader(ByteView file) {
     }
     throw Malformed{"not a recording: it does not begin as an MCAP file does"};
   }
-  constexpr std::size_t tail_size = mcap::footer_size + magic_size;
   if (file.size() < magic_size + tail_size || !std::ranges::equal(file.last(magic_size), magic)) {
-    throw Malformed{"truncated recording: the footer is missing; " + read};
+    throw Malformed{"truncated recording: the footer is missing; " + std::to_string(file.size()) +
+                    " bytes read"};
   }
+}
 
-  // footer and summary
+/// Where the data section ends and, if there is one, the summary begins. Throws Malformed unless the footer
+/// and the summary are whole.
+std::size_t end_of_data(ByteView file) {
   const ByteView tail = file.last(tail_size);
   ByteReader tail_reader{tail};
   const auto [opcode, content] = next_record(tail_reader);
   if (opcode != Opcode::footer || content.size() != mcap::footer_size - mcap::prefix_size) {
-    throw Malformed{"truncated or damaged recording: the footer is missing; " + read};
+    throw Malformed{"truncated or damaged recording: the footer is missing; " + std::to_string(file.size()) +
+                    " bytes read"};
   }
   ByteReader footer{content};
   const auto summary_start = footer.number<std::uint64_t>();
@@ -102,6 +104,14 @@ McapReader::McapReader(ByteView file) {
   const std::size_t data_end = summary_start == 0 ? tail_offset : static_cast<std::size_t>(summary_start);
   const std::size_t crc_end = tail_offset + mcap::footer_size - sizeof(summary_crc);
   check_crc(summary_crc, file.subspan(data_end, crc_end - data_end), "the summary");
+  return data_end;
+}
+
+}  // namespace
+
+McapReader::McapReader(ByteView file) {
+  check_magic(file);
+  const std::size_t data_end = end_of_data(file);
 
   // data section: header, records, end
   if (data_end < magic_size) damaged("the footer points into the first bytes");
@@ -128,7 +138,7 @@ McapReader::McapReader(ByteView file) {
 
   // schemas and channels of chunks are repeated in the summary, so no chunk is opened for them
   collect(data_);
-  collect(file.subspan(data_end, tail_offset - data_end));
+  collect(file.subspan(data_end, file.size() - tail_size - data_end));
 }
 
 void McapReader::collect(ByteView records) {

@@ -20,7 +20,7 @@ namespace {
 /// own and refuses, while reading, whatever would grow beyond the bounds.
 class Builder : public YAML::EventHandler {
  public:
-  Builder(std::shared_ptr<const std::string> source, bool located, std::size_t most_nodes)
+  Builder(Shared<std::string> source, bool located, std::size_t most_nodes)
       : source_{std::move(source)}, located_{located}, most_nodes_{most_nodes} {}
 
   Tree& root() { return root_; }
@@ -149,7 +149,7 @@ class Builder : public YAML::EventHandler {
     }
   }
 
-  std::shared_ptr<const std::string> source_;
+  Shared<std::string> source_;
   bool located_;
   std::size_t most_nodes_;
   Tree root_;
@@ -210,15 +210,14 @@ Tree parse_tree(std::string_view yaml, const std::string& source, bool located) 
                      "holds a byte that is not UTF-8; save the text in that encoding");
   refuse_brackets(yaml, source, located);
 
-  Builder builder{std::make_shared<const std::string>(source), located,
-                  std::max(max_tree_nodes, yaml.size())};
+  Builder builder{source, located, std::max(max_tree_nodes, yaml.size())};
   try {
     std::istringstream stream{std::string(yaml)};
     YAML::Parser parser{stream};
     if (!parser.HandleNextDocument(builder)) return {.where = builder.at({})};
 
     Tree root = std::move(builder.root());
-    Builder second{std::make_shared<const std::string>(source), located, max_tree_nodes};
+    Builder second{source, located, max_tree_nodes};
     if (parser.HandleNextDocument(second))
       throw InputError({source}, "", "more than one document; keep one per file");
     return root;

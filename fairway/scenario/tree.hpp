@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,16 +9,17 @@
 #include <vector>
 
 #include "fairway/core/error.hpp"
+#include "fairway/core/shared.hpp"
 
 namespace fairway::yaml {
 
 /// Where a piece of a tree was written. Cheap to copy: the source's name is shared.
 struct Where {
-  std::shared_ptr<const std::string> source;
+  Shared<std::string> source;
   int line{};
   int column{};
 
-  Location location() const { return {source ? *source : "", line, column}; }
+  Location location() const { return {source, line, column}; }
 };
 
 /// A YAML document as a plain value: what was written and where, nothing interpreted. Copies are

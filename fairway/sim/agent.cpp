@@ -29,7 +29,7 @@ InputError located(const Choice& choice, const InputError& error) {
     const std::string& param = choice.params[i].first;
     if (!message.starts_with(param + ":")) continue;
     const Location& where = i < choice.param_where.size() ? choice.param_where[i] : choice.where;
-    return InputError(where, choice.path + "." + param, message.substr(param.size() + 2));
+    return InputError(where, *choice.path + "." + param, message.substr(param.size() + 2));
   }
   return InputError(choice.where, choice.path, message);
 }
@@ -99,12 +99,13 @@ SteeringParams steering_of(const VehicleSpec& spec, const Vehicle& vehicle) {
 
 /// What the envelope of a vehicle depends on.
 struct EnvelopeKey {
+  const VehicleInfo* kind;  ///< a model's own: catalogs may have different ones under one name
   Choice model, autopilot, allocation;
   Limits limits;
   double step;
 
   bool operator==(const EnvelopeKey& other) const {
-    return is_same(model, other.model) && is_same(autopilot, other.autopilot) &&
+    return kind == other.kind && is_same(model, other.model) && is_same(autopilot, other.autopilot) &&
            is_same(allocation, other.allocation) && limits == other.limits && step == other.step;
   }
 };
@@ -116,7 +117,7 @@ std::optional<Envelope> known_envelope(const VehicleSpec& spec, const Vehicle& v
   static std::deque<std::pair<EnvelopeKey, std::optional<Envelope>>> known;
   constexpr std::size_t most_known = 64;
   const std::lock_guard lock{one_at_a_time};
-  const EnvelopeKey key{spec.model, spec.autopilot, spec.allocation, limits, step};
+  const EnvelopeKey key{&vehicle.info(), spec.model, spec.autopilot, spec.allocation, limits, step};
   const auto found =
       std::ranges::find(known, key, [](const auto& entry) -> const EnvelopeKey& { return entry.first; });
   if (found != known.end()) return found->second;

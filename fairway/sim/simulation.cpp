@@ -47,8 +47,13 @@ Mover mover_of(const Drifter& drifter) {
           .is_vehicle = false};
 }
 
-/// Makes `message` what a vehicle says of itself, as it believes to be.
+/// Makes `message` what a vehicle says of itself, as it believes to be, or what its method says instead.
 void write(const Agent& agent, Tick now, bool is_told, Message& message) {
+  const Speech speech = is_told && agent.avoider.speaks() ? agent.avoider.speech() : Speech{};
+  if (!speech.empty()) {
+    message = {.from = agent.ship().id, .sent = now, .speech = speech};
+    return;
+  }
   const Leg* leg = agent.mission.leg();
   const bool going =
       leg != nullptr && leg->kind != LegKind::rendezvous && leg->kind != LegKind::keep_position;
@@ -62,7 +67,7 @@ void write(const Agent& agent, Tick now, bool is_told, Message& message) {
   message.destination.reset();
   if (going) message.destination = leg->position;
   message.told = is_told;
-  message.speech = is_told && agent.avoider.speaks() ? agent.avoider.speech() : Speech{};
+  message.speech = {};
 }
 
 Viewpoint viewpoint_of(const Agent& agent) {

@@ -12,13 +12,6 @@ bool is_same_method(const VehicleSpec& a, const VehicleSpec& b) {
   return is_same(a.avoider, b.avoider) && a.tracking == b.tracking && a.limits == b.limits;
 }
 
-bool lead_alike(const std::vector<Leg>& a, const std::vector<Leg>& b) {
-  return std::ranges::equal(a, b, [](const Leg& x, const Leg& y) {
-    return x.position == y.position && x.from == y.from && x.speed_mps == y.speed_mps &&
-           x.arrival_m == y.arrival_m && x.box_m == y.box_m;
-  });
-}
-
 /// `changed` with everything that a run may change on its way as it was `before`.
 Scenario with_what_may_change(Scenario changed, const Scenario& before) {
   changed.duration_s = before.duration_s;
@@ -71,7 +64,7 @@ void Simulation::change(const Scenario& before, const Scenario& changed, const C
       agent.agrees = false;
       drawings_[i].clear();
     }
-    if (!lead_alike(was.mission, is.mission)) {
+    if (was.mission != is.mission) {
       agent.mission.change(is.mission, agent.own, time());
       agent.pilot.ask_at_once();
     }

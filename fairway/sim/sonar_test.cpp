@@ -99,6 +99,24 @@ TEST(SonarInTheLoop, WithDriftingNavigationTheyStillPass) {
   EXPECT_GT(outcome.min_separation, 3.0);
 }
 
+TEST(SonarInTheLoop, WhoSaysAWordOfItsMethodHasNotSaidWhereItIs) {
+  Scenario scenario{.name = "astern", .duration_s = 60};
+  scenario.exchange.name = "acoustic";
+  scenario.exchange.params = {{"range_m", 2000.0}};
+  scenario.vehicles = {sparus(0, {0, 0, 5}, {100, 0, 5}), sparus(1, {-500, 0, 5}, {-400, 0, 5})};
+  for (VehicleSpec& spec : scenario.vehicles) spec.avoider = {.name = "delay_check", .path = "avoider"};
+  for (const char* perception : {"perfect", "sonar"}) {
+    scenario.perception.kind = {.name = perception, .path = "perception"};
+    Simulation simulation{scenario, builtin_catalogs()};
+    for (int i = 0; i < 600; ++i) {
+      simulation.look();
+      ASSERT_TRUE(simulation.sight(0).tracks.empty()) << perception << " after " << simulation.time() << " s";
+      simulation.act({});
+    }
+    EXPECT_FALSE(simulation.heard_by(0).empty()) << perception;
+  }
+}
+
 TEST(SonarInTheLoop, AStepAllocatesNothingInSteadyState) {
   Scenario scenario = head_on("sonar");
   scenario.perception.kind.params = {{"false_echoes_count", 5.0}};

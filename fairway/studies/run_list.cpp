@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/studies/run_list.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
+
+#include "fairway/core/text.hpp"
 
 namespace fairway::page {
 
@@ -46,7 +46,7 @@ json references(std::span<const std::size_t> places) {
 json shown_values(std::span<const double> values) {
   json list = json::array();
   for (const double value : values)
-    list.push_back(std::isfinite(value) ? json(std::stod(fmt::format("{:.6g}", value))) : json());
+    list.push_back(std::isfinite(value) ? json(to_six_digits(value)) : json());
   return list;
 }
 

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/tuning/parameter_space.hpp"
 
-#include <fmt/format.h>
-
-#include <cstdlib>
-
 #include "fairway/core/text.hpp"
 
 namespace fairway {
 
-double rounded(double value) { return std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr); }
+double rounded(double value) { return to_six_digits(value); }
 
 std::string value_text(const TunedParameter& parameter, double value) {
   if (parameter.kind == TunedParameter::Kind::choice)

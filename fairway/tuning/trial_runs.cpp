@@ -61,7 +61,11 @@ void TrialRuns::make(const Campaign& campaign) {
   const bool stopped = run_missing(specs, make_one, store_, options_).stopped;
   if (companions_ != nullptr && !specs.empty()) companions_->publish();
   if (stopped) throw RunAbandoned{};
-  for (std::size_t i = 0; i < specs.size(); ++i) known_.try_emplace(specs[i].key, made[i]);
+  // whether a run failed is for the store to say: a search that is repeated goes by that
+  for (std::size_t i = 0; i < specs.size(); ++i) {
+    const bool failed = store_.status(specs[i].key) == Store::Status::failed;
+    known_.try_emplace(specs[i].key, failed ? failed_outcome() : made[i]);
+  }
 }
 
 void TrialRuns::wait_for_others(const Campaign& campaign) {

@@ -244,6 +244,23 @@ TEST_F(Tuning, TellsLuckInSafetyFromGain) {
   EXPECT_EQ(result.safety_luck.difference, result.train.safer.difference - result.test.safer.difference);
 }
 
+TEST_F(Tuning, WhoseMeasuresCannotBeStoredHasFailedAtOnceAsWhenItIsReadAgain) {
+  // the settings that are quickest measure something twice
+  const Simulate twice = [](const Scenario& scenario) {
+    std::vector<Measure> measures = pretended(scenario);
+    if (param(scenario, "time_horizon_s", 5.0) > 15.0) measures.push_back(measures[2]);
+    return measures;
+  };
+  Store store = Store::in_memory();
+  const TuningResult first = tuned(store, 2, 800, twice);
+  const std::size_t made = store.size();
+  EXPECT_GT(store.failed_count(), 0U);
+  const TuningResult again = tuned(store, 2, 800, twice);
+  EXPECT_EQ(again.best, first.best);
+  EXPECT_EQ(again.runs, first.runs);
+  EXPECT_EQ(store.size(), made) << "a search that is repeated asks for no other runs";
+}
+
 TEST_F(Tuning, TheAvoiderItWritesIsTheOneItFound) {
   Store store = Store::in_memory();
   const TuningResult result = tuned(store, 2);

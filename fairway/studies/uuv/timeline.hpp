@@ -36,11 +36,6 @@ class Timeline final : public FrameSink {
   /// The events of vehicle `index`, complete when the run has ended.
   Events events(std::size_t index) const;
 
-  /// Least distance between the spheres of any two vehicles, and of a vehicle and a ship [m]; negative
-  /// once they touched.
-  double vehicle_gap() const { return vehicle_gap_; }
-  double ship_gap() const { return ship_gap_; }
-
   /// The events of all vehicles as measures: "slow_down_time_s" and so on, of what happened; for the fleet
   /// `vehicle_gap_m`, `ship_gap_m` (where there are ships), `contact_count`, `keeps_right_ratio`.
   void report(std::vector<Measure>& measures) const;
@@ -64,6 +59,8 @@ class Timeline final : public FrameSink {
   std::vector<double> radii_;
   std::vector<ObstacleSpec> ships_;
   std::vector<Way> ways_;
+  // least distance between the spheres of any two vehicles, and of a vehicle and a ship; negative once they
+  // touched [m]
   double vehicle_gap_;
   double ship_gap_;
 };

@@ -42,7 +42,6 @@ class Encountering {
     return at(100.0, 0.0, 0.0, 0.0, 0.0);
   }
 
-  const Timeline& timeline() const { return timeline_; }
   Events events() const { return timeline_.events(0); }
 
   double fleet(std::string_view quantity) const {
@@ -99,15 +98,15 @@ TEST(Timeline, WhoHasTheOtherToPortKeepsRight) {
 TEST(Timeline, GapsAreBetweenSpheres) {
   const Encountering run = dodging();
   // nearest at 5 s: 2 m and 9 m apart; the ship, at (50, 0) at 6 s, is 6 m from the vehicle
-  EXPECT_NEAR(run.timeline().vehicle_gap(), std::hypot(2.0, 9.0) - 2.0, 1e-12);
-  EXPECT_NEAR(run.timeline().ship_gap(), 6.0 - 3.0, 1e-12);
+  EXPECT_NEAR(run.fleet("vehicle_gap_m"), std::hypot(2.0, 9.0) - 2.0, 1e-12);
+  EXPECT_NEAR(run.fleet("ship_gap_m"), 6.0 - 3.0, 1e-12);
   EXPECT_EQ(run.fleet("contact_count"), 0.0);
 }
 
 TEST(Timeline, SpheresThatMeetAreAContact) {
   Encountering run;
   run.at(0, 0, 10, 0, 100).at(10, -1.5, 10, 0, 11);
-  EXPECT_LT(run.timeline().vehicle_gap(), 0.0);
+  EXPECT_LT(run.fleet("vehicle_gap_m"), 0.0);
   EXPECT_EQ(run.fleet("contact_count"), 1.0);
 }
 

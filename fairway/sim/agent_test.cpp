@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fairway/sim/agent.hpp"
+
+#include <gtest/gtest.h>
+
+#include "fairway/dynamics/kinematic/kinematic.hpp"
+#include "fairway/sim/simulation.hpp"
+
+namespace fairway {
+namespace {
+
+/// A boat of some program, which goes so fast [mps] whatever it is told.
+template <int speed>
+struct OwnBoat : Kinematic {
+  static constexpr VehicleInfo info{.name = "own_boat", .title = "A boat", .source = "none"};
+  explicit OwnBoat(const Params& params) : Kinematic{with_speed(params)} {}
+  static Params with_speed(Params params) {
+    params.max_speed_mps = speed;
+    return params;
+  }
+};
+
+/// How fast its envelope says that it goes ahead.
+template <int speed>
+double known_speed() {
+  Catalogs catalogs = builtin_catalogs();
+  catalogs.vehicles.add<OwnBoat<speed>>();
+  Scenario scenario{.name = "own"};
+  VehicleSpec vehicle{.model = {.name = "own_boat"},
+                      .avoider = {.name = "orca3d"},
+                      .tracking = Tracking::trackable,
+                      .position = {0, 0, 5}};
+  vehicle.mission = {{.kind = LegKind::transit, .position = {20, 0, 5}}};
+  scenario.vehicles.push_back(vehicle);
+  return Simulation{scenario, catalogs}.agents()[0].ship().envelope->ahead;
+}
+
+TEST(Agent, AnEnvelopeIsOfTheModelAndNotOfItsName) {
+  EXPECT_NEAR(known_speed<1>(), 1.0, 0.01);
+  EXPECT_NEAR(known_speed<3>(), 3.0, 0.01) << "of another catalog in the same program";
+}
+
+}  // namespace
+}  // namespace fairway
