@@ -47,6 +47,7 @@ const refused = {
   'an alias without an anchor': `${head_on}\nsummary2: *nowhere`,
   'two documents': `${head_on}\n---\nname: x\n`,
   'nothing': '',
+  'a key behind letters of several bytes': head_on.replace('vehicles:', "x: {'数据🐟': 1, '数据🐟': 2}\nvehicles:"),
 };
 
 for (const [what, yaml] of Object.entries(refused)) {
