@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a page calls. Texts go in through room() and come out where text() points; both are UTF-8. Nothing
-// that is thrown leaves the module: what failed returns 0 or less, and its reason is the text.
+// that is thrown leaves the module: what failed returns 0 or less, and its reason is the text. What is asked
+// of a run before one has begun fails so.
 #include <charconv>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 
+#include "bindings/web/absent.hpp"
 #include "bindings/web/session.hpp"
 #include "fairway/core/error.hpp"
 
@@ -31,6 +34,33 @@ int tried(const Work& work) {
     output = error.what();
     return -1;
   }
+}
+
+/// The run that has begun.
+Session& running() {
+  if (session == nullptr) throw InputError("no run has begun");
+  return *session;
+}
+
+/// What `work` comes to of the run; `otherwise`, and the reason as the text, where none has begun.
+template <class T, class Work>
+T of_run(T otherwise, const Work& work) {
+  tried([&] {
+    otherwise = work(running());
+    return 1;
+  });
+  return otherwise;
+}
+
+/// Begins the run of the order that `make` makes. Where it is refused, the one before goes on.
+template <class Make>
+int begin(const Make& make) {
+  const int begun = tried([&] {
+    session = std::make_unique<Session>(make());
+    return 1;
+  });
+  absent_library_was_wanted();  // what a refused one wanted is not what the one that goes on wants
+  return begun;
 }
 
 int told(const json& document) {
@@ -84,73 +114,75 @@ FAIRWAY_EXPORT(text) const char* fairway_text() { return output.data(); }
 FAIRWAY_EXPORT(text_size) std::size_t fairway_text_size() { return output.size(); }
 
 /// Begins the run that the input asks for: {"yaml", "file", "set": [[path, value]], "seed": text or null,
-/// "filmed", "thinkers": [index], "changes": [{"at_s", "set"}]}.
+/// "filmed", "thinkers": [index], "changes": [{"at_s", "set"}]}. Where it is refused, the one before goes on.
 FAIRWAY_EXPORT(load) int fairway_load() {
-  session.reset();
-  return tried([] {
-    session = std::make_unique<Session>(order_of(json::parse(input)));
-    return 1;
-  });
+  return begin([] { return order_of(json::parse(input)); });
 }
 
 /// Begins the run of the recording whose bytes are the input, to be compared with it; `name_size` of these,
-/// at the end, are its name.
+/// at the end, are its name. Where it is refused, the one before goes on.
 FAIRWAY_EXPORT(load_recording) int fairway_load_recording(std::size_t name_size) {
-  session.reset();
-  return tried([name_size] {
+  return begin([name_size] {
     const std::string name = input.substr(input.size() - name_size);
     input.resize(input.size() - name_size);
-    session = std::make_unique<Session>(order_of_recording(std::exchange(input, {}), name));
-    return 1;
+    return order_of_recording(std::exchange(input, {}), name);
   });
 }
 
 /// The bytes of this run's recording, as the text.
 FAIRWAY_EXPORT(recording) int fairway_recording() {
   return tried([] {
-    output = session->recording();
+    output = running().recording();
     return 1;
   });
 }
 
 /// Why the vehicle that the input names decided as it did at `time` [s].
 FAIRWAY_EXPORT(explain) int fairway_explain(double time) {
-  return tried([time] { return told(session->explanation(input, time)); });
+  return tried([time] { return told(running().explanation(input, time)); });
 }
 
 /// So many steps more, or up to the end: how many were made. Afterwards done() says whether it is over.
 FAIRWAY_EXPORT(run) int fairway_run(int steps) {
-  return tried([steps] { return static_cast<int>(session->run(static_cast<std::size_t>(steps))); });
+  return tried([steps] { return static_cast<int>(running().run(static_cast<std::size_t>(steps))); });
 }
-FAIRWAY_EXPORT(done) int fairway_done() { return session->is_done() ? 1 : 0; }
-FAIRWAY_EXPORT(time) double fairway_time() { return session->time(); }
+FAIRWAY_EXPORT(done) int fairway_done() {
+  return tried([] { return running().is_done() ? 1 : 0; });
+}
+FAIRWAY_EXPORT(time) double fairway_time() {
+  return of_run(std::numeric_limits<double>::quiet_NaN(), [](const Session& run) { return run.time(); });
+}
 
 /// The playback's document, a part of its film, what was measured, the names of methods and vehicles: as
 /// JSON.
 FAIRWAY_EXPORT(document) int fairway_document() {
-  return tried([] { return told(session->document()); });
+  return tried([] { return told(running().document()); });
 }
 FAIRWAY_EXPORT(layout) int fairway_layout() {
-  return tried([] { return told(session->layout()); });
+  return tried([] { return told(running().layout()); });
 }
 
 /// The columns of the last part.
-FAIRWAY_EXPORT(bytes) const char* fairway_bytes() { return session->bytes().data(); }
-FAIRWAY_EXPORT(bytes_size) std::size_t fairway_bytes_size() { return session->bytes().size(); }
+FAIRWAY_EXPORT(bytes) const char* fairway_bytes() {
+  return of_run<const char*>(nullptr, [](const Session& run) { return run.bytes().data(); });
+}
+FAIRWAY_EXPORT(bytes_size) std::size_t fairway_bytes_size() {
+  return of_run(std::size_t{0}, [](const Session& run) { return run.bytes().size(); });
+}
 
 /// From now on the film has what the vehicles think whose indices are the input, a list.
 FAIRWAY_EXPORT(think) int fairway_think() {
   return tried([] {
-    session->think(json::parse(input));
+    running().think(json::parse(input));
     return 1;
   });
 }
 
 FAIRWAY_EXPORT(part) int fairway_part(std::size_t first, std::size_t generation) {
-  return tried([=] { return told(session->part(first, generation)); });
+  return tried([=] { return told(running().part(first, generation)); });
 }
 FAIRWAY_EXPORT(outcome) int fairway_outcome() {
-  return tried([] { return told(session->outcome()); });
+  return tried([] { return told(running().outcome()); });
 }
 FAIRWAY_EXPORT(names) int fairway_names() {
   return tried([] { return told(names()); });
@@ -162,8 +194,14 @@ FAIRWAY_EXPORT(describe) int fairway_describe() {
 }
 
 /// Of all frames so far.
-FAIRWAY_EXPORT(run_hash) std::uint64_t fairway_run_hash() { return session->run_hash(); }
+FAIRWAY_EXPORT(run_hash) std::uint64_t fairway_run_hash() {
+  return of_run(std::uint64_t{0}, [](const Session& run) { return run.run_hash(); });
+}
 
 /// Of each frame so far, and how many frames there are.
-FAIRWAY_EXPORT(hashes) const std::uint64_t* fairway_hashes() { return session->frame_hashes().data(); }
-FAIRWAY_EXPORT(hash_count) std::size_t fairway_hash_count() { return session->frame_hashes().size(); }
+FAIRWAY_EXPORT(hashes) const std::uint64_t* fairway_hashes() {
+  return of_run<const std::uint64_t*>(nullptr, [](const Session& run) { return run.frame_hashes().data(); });
+}
+FAIRWAY_EXPORT(hash_count) std::size_t fairway_hash_count() {
+  return of_run(std::size_t{0}, [](const Session& run) { return run.frame_hashes().size(); });
+}

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-/** The simulator in fairway.wasm. What fails throws an Error whose message is the module's line. */
+/** The simulator in fairway.wasm. What fails throws an Error whose message is the module's line; so does what is asked of a run before one has begun. */
 export class Simulator {
   /** `compiled` is fairway.wasm; `unzstd` unpacks a frame of zstd, as fzstd's decompress, for whoever reads recordings. */
   constructor(compiled: WebAssembly.Module, unzstd?: (frame: Uint8Array) => Uint8Array);
-  /** Begins a run; the one before it is gone. */
+  /** Begins a run; the one before it is gone, and goes on where this one is refused. */
   load(order: object): void;
-  /** Begins the run of a recording, which is compared with it; the outcome has `same` and `verdict` then. */
+  /** Likewise the run of a recording, which is compared with it; the outcome has `same` and `verdict` then. */
   load_recording(bytes: Uint8Array, file: string): void;
   /** The recording of this run, MCAP. */
   recording(): Uint8Array;

@@ -96,10 +96,15 @@ export class Simulator {
     return this.#bytes().slice();
   }
 
+  /** Throws where no run has begun. */
+  #begun() {
+    return this.#checked(this.#exports.done());
+  }
+
   run(steps) { return this.#checked(this.#exports.run(steps)); }
-  get done() { return this.#exports.done() === 1; }
-  get time_s() { return this.#exports.time(); }
-  get hash() { return hash_text(this.#exports.run_hash()); }
+  get done() { return this.#begun() === 1; }
+  get time_s() { this.#begun(); return this.#exports.time(); }
+  get hash() { this.#begun(); return hash_text(this.#exports.run_hash()); }
   get memory_bytes() { return this.#exports.memory.buffer.byteLength; }
   get last_words() { return this.#last_words; }
 
@@ -130,6 +135,7 @@ export class Simulator {
   }
 
   hashes() {
+    this.#begun();
     const { memory, hashes, hash_count } = this.#exports;
     return Array.from(new BigUint64Array(memory.buffer, hashes(), hash_count()), hash_text);
   }

@@ -198,7 +198,7 @@ void AcousticChannel::add_under_way(std::vector<MessageFlight>& flights) const {
                        .sent = flight.sent * period_,
                        .begins = flight.begins * period_,
                        .arrives = flight.ends * period_,
-                       .drowned = flight.drowned || flight.collided});
+                       .unheard = flight.drowned || flight.collided});
   }
 }
 

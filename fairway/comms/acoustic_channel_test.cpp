@@ -44,7 +44,7 @@ TEST(AcousticChannel, TellsWhatIsUnderWayUntilItHasArrived) {
   EXPECT_EQ(flight.sent, 0.0);
   EXPECT_NEAR(flight.begins, 0.05, 1e-12);
   EXPECT_NEAR(flight.arrives, 0.37, 1e-12);
-  EXPECT_FALSE(flight.drowned);
+  EXPECT_FALSE(flight.unheard);
   for (int i = 1; i < 8; ++i) sea.tick();
   EXPECT_EQ(under_way(), std::vector{flight});
   sea.tick();

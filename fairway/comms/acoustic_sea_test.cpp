@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "fairway/comms/sound.hpp"
@@ -99,6 +100,11 @@ TEST(AcousticSea, PacketsThatMeetSpoilEachOther) {
   EXPECT_FALSE(sea.heard(1, 0).told);
   EXPECT_FALSE(sea.heard(1, 2).told);
   EXPECT_GT(sea.counts().collided, 70);
+
+  std::vector<MessageFlight> flights;
+  sea.channel.add_under_way(flights);
+  for (sea.run(0.4); flights.empty(); sea.run(0.05)) sea.channel.add_under_way(flights);
+  EXPECT_TRUE(std::ranges::any_of(flights, &MessageFlight::unheard)) << "so it is shown";
 }
 
 TEST(AcousticSea, TheNearerIsHeardThroughTheFarther) {

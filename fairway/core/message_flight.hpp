@@ -15,7 +15,7 @@ struct MessageFlight {
   double sent{};
   double begins{};
   double arrives{};
-  bool drowned{};
+  bool unheard{};
 
   static consteval auto members() {
     using R = MessageFlight;
@@ -25,7 +25,7 @@ struct MessageFlight {
         member<&R::sent>("s", "when its transmission began [s]"),
         member<&R::begins>("s", "when it begins to be heard [s]"),
         member<&R::arrives>("s", "when all of it has been heard [s]"),
-        member<&R::drowned>("", "the receiver transmits meanwhile and will not hear it"),
+        member<&R::unheard>("", "the receiver transmits meanwhile, or another message is in its way there"),
     };
   }
 

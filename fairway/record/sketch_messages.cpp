@@ -66,11 +66,11 @@ void encode_flights(Bytes& out, Stamp stamp, std::span<const MessageFlight> flig
   CdrWriter cdr{out};
   put_header(cdr, stamp);
   cdr.number(static_cast<std::uint32_t>(flights.size()));
-  for (const auto& [from, to, sent, begins, arrives, drowned] : flights) {
+  for (const auto& [from, to, sent, begins, arrives, unheard] : flights) {
     cdr.number(from);
     cdr.number(to);
     for (const double time : {sent, begins, arrives}) cdr.number(time);
-    cdr.boolean(drowned);
+    cdr.boolean(unheard);  // what the schema calls drowned
   }
 }
 
@@ -91,7 +91,7 @@ void decode_flights(ByteView message, std::vector<MessageFlight>& flights) {
     flight.sent = cdr.number<double>();
     flight.begins = cdr.number<double>();
     flight.arrives = cdr.number<double>();
-    flight.drowned = cdr.boolean();
+    flight.unheard = cdr.boolean();
     flights.push_back(flight);
   }
   cdr.finish();

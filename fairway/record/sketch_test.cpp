@@ -163,8 +163,8 @@ TEST(Diff, NamesTheFirstDifferenceInWhatWasDrawn) {
   EXPECT_EQ(d.first->quantity, "sketch[2].yaw_rad");
   EXPECT_FALSE(d.farthest);
 
-  c.flights[3][0].drowned = !c.flights[3][0].drowned;
-  EXPECT_THAT(diff(recorded(a), recorded(c)).describe(), HasSubstr(" s): flights[0].drowned: "));
+  c.flights[3][0].unheard = !c.flights[3][0].unheard;
+  EXPECT_THAT(diff(recorded(a), recorded(c)).describe(), HasSubstr(" s): flights[0].unheard: "));
   EXPECT_TRUE(diff(recorded(a), recorded(SketchingRun{})).same());
 }
 

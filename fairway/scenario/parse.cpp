@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <fstream>
 #include <numeric>
 #include <sstream>
+#include <string_view>
 #include <unordered_map>
 
 #include "fairway/core/text.hpp"
@@ -16,12 +18,48 @@
 namespace fairway::yaml {
 namespace {
 
+/// Whether a byte is a further one of a character in UTF-8.
+bool goes_on(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; }
+
+/// The columns of a text in characters, which the parser counts in bytes.
+class Columns {
+ public:
+  /// Of a text that outlives this. O(n).
+  explicit Columns(std::string_view yaml) : yaml_{yaml} {
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";  // the parser does not count it
+    if (yaml_.starts_with(byte_order_mark)) yaml_.remove_prefix(byte_order_mark.size());
+    for (std::size_t begin = block; begin <= yaml_.size(); begin += block)
+      further_before_.push_back(further_before(begin));
+  }
+
+  /// Of a mark, from 1. O(1).
+  int of(const YAML::Mark& mark) const {
+    const auto end = static_cast<std::size_t>(std::max(0, mark.pos));
+    const auto begin = static_cast<std::size_t>(std::max(0, mark.pos - mark.column));
+    return mark.column + 1 - static_cast<int>(further_before(end) - further_before(begin));
+  }
+
+ private:
+  static constexpr std::size_t block = 64;
+
+  /// How many bytes before this one are further ones of their characters.
+  std::uint32_t further_before(std::size_t byte) const {
+    const std::size_t end = std::min(byte, yaml_.size());
+    const std::size_t known = std::min(end / block, further_before_.size() - 1);
+    const std::string_view rest = yaml_.substr(known * block, end - known * block);
+    return further_before_[known] + static_cast<std::uint32_t>(std::ranges::count_if(rest, goes_on));
+  }
+
+  std::string_view yaml_;
+  std::vector<std::uint32_t> further_before_{0};  // each block
+};
+
 /// Builds a tree from the parser's events. It keeps the way down to the open node on a stack of its
 /// own and refuses, while reading, whatever would grow beyond the bounds.
 class Builder : public YAML::EventHandler {
  public:
-  Builder(Shared<std::string> source, bool located, std::size_t most_nodes)
-      : source_{std::move(source)}, located_{located}, most_nodes_{most_nodes} {}
+  Builder(Shared<std::string> source, const Columns& columns, bool located, std::size_t most_nodes)
+      : source_{std::move(source)}, columns_{columns}, located_{located}, most_nodes_{most_nodes} {}
 
   Tree& root() { return root_; }
 
@@ -62,7 +100,7 @@ class Builder : public YAML::EventHandler {
 
   Where at(const YAML::Mark& mark) const {
     if (!located_ || mark.is_null()) return {.source = source_};
-    return {.source = source_, .line = mark.line + 1, .column = mark.column + 1};
+    return {.source = source_, .line = mark.line + 1, .column = columns_.of(mark)};
   }
 
  private:
@@ -150,6 +188,7 @@ class Builder : public YAML::EventHandler {
   }
 
   Shared<std::string> source_;
+  const Columns& columns_;
   bool located_;
   std::size_t most_nodes_;
   Tree root_;
@@ -158,12 +197,14 @@ class Builder : public YAML::EventHandler {
   std::size_t nodes_{};
 };
 
-/// The line and column of a byte of the text, from 1.
+/// The line and column of a byte of the text, from 1; columns are characters.
 Location place_in(std::string_view yaml, std::size_t byte, const std::string& source) {
   const std::string_view before = yaml.substr(0, byte);
   const auto lines = std::ranges::count(before, '\n');
   const std::size_t begin = before.rfind('\n') + 1;  // npos + 1 is 0
-  return {source, static_cast<int>(lines) + 1, static_cast<int>(byte - begin) + 1};
+  const auto further = std::ranges::count_if(before.substr(begin), goes_on);
+  return {source, static_cast<int>(lines) + 1,
+          static_cast<int>(byte - begin) + 1 - static_cast<int>(further)};
 }
 
 /// The scanner holds every token of an unclosed bracket in memory and the parser recurses, so brackets
@@ -210,14 +251,15 @@ Tree parse_tree(std::string_view yaml, const std::string& source, bool located) 
                      "holds a byte that is not UTF-8; save the text in that encoding");
   refuse_brackets(yaml, source, located);
 
-  Builder builder{source, located, std::max(max_tree_nodes, yaml.size())};
+  const Columns columns{yaml};
+  Builder builder{source, columns, located, std::max(max_tree_nodes, yaml.size())};
   try {
     std::istringstream stream{std::string(yaml)};
     YAML::Parser parser{stream};
     if (!parser.HandleNextDocument(builder)) return {.where = builder.at({})};
 
     Tree root = std::move(builder.root());
-    Builder second{source, located, max_tree_nodes};
+    Builder second{source, columns, located, max_tree_nodes};
     if (parser.HandleNextDocument(second))
       throw InputError({source}, "", "more than one document; keep one per file");
     return root;

@@ -13,6 +13,7 @@ namespace fairway {
 namespace {
 
 using testing::HasSubstr;
+using testing::StartsWith;
 
 std::string refusal(const std::string& yaml, const Overrides& overrides = {}) {
   return refusal_by([&] { parse_scenario(yaml, "f.yaml", overrides); });
@@ -266,6 +267,22 @@ TEST(RefusalTest, TextThatIsNotUtf8IsToldWithItsPlace) {
             "--set summary: holds a byte that is not UTF-8; save the text in that encoding");
   EXPECT_EQ(refusal_by([] { parse_scenario(with(""), "caf\xE9.yaml"); }),
             "caf\xE9.yaml: has a name that is not UTF-8; expected another name");
+}
+
+TEST(RefusalTest, AColumnCountsCharactersAndNotBytes) {
+  const std::string byte_order_mark = "\xEF\xBB\xBF";
+  // two characters of one, two, three and four bytes each
+  for (const std::string word :
+       {"ab", "\xC3\xA9\xC3\xA9", "\xE6\x95\xB0\xE6\x8D\xAE", "\xF0\x9F\x90\x9F\xF0\x9F\x90\xA0"}) {
+    const std::string twice = with("x: {'" + word + "': 1, '" + word + "': 2}");
+    EXPECT_THAT(refusal(twice), StartsWith("f.yaml:9:14: ")) << word;
+    EXPECT_THAT(refusal(byte_order_mark + twice), StartsWith("f.yaml:9:14: ")) << word;
+    EXPECT_THAT(refusal(with("x: ['" + word + "', *nobody]")), StartsWith("f.yaml:9:11: ")) << word;
+    EXPECT_THAT(refusal(byte_order_mark + "? ['" + word + "', [b]]\n"), StartsWith("f.yaml:1:3: ")) << word;
+    EXPECT_THAT(refusal(with("summary: " + word + "\xE9")), StartsWith("f.yaml:9:12: ")) << word;
+    EXPECT_THAT(refusal("# " + word + "\n" + word + std::string(2000, '[')), StartsWith("f.yaml:2:1027: "))
+        << word;
+  }
 }
 
 /// The processor time that a document takes to be refused [s]: it does not depend on who else is busy.

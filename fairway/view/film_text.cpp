@@ -95,8 +95,8 @@ std::string text_of(std::span<const Track> tracks) { return json_list(tracks, tr
 std::string text_of(std::span<const Echo> echoes) { return json_list(echoes, echo_text); }
 
 std::string text_of(const MessageFlight& flight) {
-  return fmt::format(R"({{"from":{},"to":{},"sent_s":{},"begins_s":{},"arrives_s":{},"drowned":{}}})",
-                     flight.from, flight.to, flight.sent, flight.begins, flight.arrives, flight.drowned);
+  return fmt::format(R"({{"from":{},"to":{},"sent_s":{},"begins_s":{},"arrives_s":{},"unheard":{}}})",
+                     flight.from, flight.to, flight.sent, flight.begins, flight.arrives, flight.unheard);
 }
 
 std::string text_of(const SpokenWord& word, const ReadWord& read) {

@@ -99,11 +99,11 @@ void FilmThoughts::see_flight(double time, const MessageFlight& flight) {
   if (messages_.size() * message_text_bytes > most_bytes_ / message_share) thin_messages();
 }
 
-/// A message may drown while it is under way.
+/// Whether a message will be heard may change while it is under way.
 void FilmThoughts::correct(const MessageFlight& flight) {
   const auto sent = [](const Told& told) { return told.flight.sent; };
   for (Told& told : std::ranges::equal_range(messages_, flight.sent, {}, sent)) {
-    if (told.flight.from == flight.from && told.flight.to == flight.to) told.flight.drowned = flight.drowned;
+    if (told.flight.from == flight.from && told.flight.to == flight.to) told.flight.unheard = flight.unheard;
   }
 }
 

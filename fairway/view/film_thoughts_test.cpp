@@ -120,14 +120,14 @@ TEST(FilmThoughts, HoldAMessageOnceHoweverLongItIsUnderWay) {
   const MessageFlight aside{.from = 0, .to = 2, .sent = 0.1, .begins = 0.3, .arrives = 0.5};
   const MessageFlight later{.from = 1, .to = 0, .sent = 0.3, .begins = 0.4, .arrives = 0.6};
   play.frame({}).frame({}, {first, aside}).frame({}, {first, aside});
-  first.drowned = true;
+  first.unheard = true;
   play.frame({}, {first, aside, later}).frame({}, {aside, later}).frame({}, {later});
   const json flights = play.all("flights");
   ASSERT_EQ(flights.size(), 3u);
   EXPECT_EQ(flights[0],
-            json::parse(R"({"from":0,"to":1,"sent_s":0.1,"begins_s":0.2,"arrives_s":0.45,"drowned":true})"));
+            json::parse(R"({"from":0,"to":1,"sent_s":0.1,"begins_s":0.2,"arrives_s":0.45,"unheard":true})"));
   EXPECT_EQ(flights[1]["to"], 2);
-  EXPECT_FALSE(flights[1]["drowned"]);
+  EXPECT_FALSE(flights[1]["unheard"]);
   EXPECT_EQ(flights[2]["from"], 1);
 }
 

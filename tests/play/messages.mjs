@@ -4,6 +4,7 @@
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, test } from 'node:test';
@@ -11,7 +12,9 @@ import { fileURLToPath } from 'node:url';
 import { Simulator } from '../../bindings/web/module.mjs';
 
 const root = fileURLToPath(new URL('../../', import.meta.url));
-const simulator = new Simulator(new WebAssembly.Module(readFileSync(`${root}build/web/fairway.wasm`)));
+const module = new WebAssembly.Module(readFileSync(`${root}build/web/fairway.wasm`));
+const { decompress } = createRequire(`${root}viewer/package.json`)('fzstd');
+const simulator = new Simulator(module, decompress);
 const head_on = readFileSync(`${root}scenarios/head_on.yaml`, 'utf8');
 const folder = mkdtempSync(join(tmpdir(), 'fairway-play-'));
 after(() => rmSync(folder, { recursive: true }));
@@ -44,6 +47,7 @@ const refused = {
   'an alias without an anchor': `${head_on}\nsummary2: *nowhere`,
   'two documents': `${head_on}\n---\nname: x\n`,
   'nothing': '',
+  'a key behind letters of several bytes': head_on.replace('vehicles:', "x: {'数据🐟': 1, '数据🐟': 2}\nvehicles:"),
 };
 
 for (const [what, yaml] of Object.entries(refused)) {
@@ -75,4 +79,32 @@ test('a simulator that has refused goes on with the next scenario', () => {
   assert.notEqual(in_page({ yaml: 'vehicles: 3' }), '');
   assert.equal(in_page({ yaml: head_on }), '');
   assert.equal(simulator.run(10), 10);
+});
+
+test('a run goes on where the next one is refused', () => {
+  assert.equal(in_page({ yaml: head_on }), '');
+  simulator.run(10);
+  const { time_s, hash } = simulator;
+  assert.notEqual(in_page({ yaml: head_on, seed: '-3' }), '');
+  assert.notEqual(in_page({ yaml: '' }), '');
+  assert.throws(() => simulator.load_recording(new Uint8Array(9), 'run.mcap'), /run\.mcap: /);
+  assert.equal(simulator.time_s, time_s);
+  assert.equal(simulator.hash, hash);
+  assert.equal(simulator.hashes().length, 10);
+  while (!simulator.done) simulator.run(10_000);
+  assert.equal(simulator.outcome().outcome, 'finished');
+  assert.ok(simulator.explanation('0', time_s).headline !== undefined);
+});
+
+test('before a run has begun everything that is asked of it says so', () => {
+  const fresh = new Simulator(module);
+  const asked = {
+    run: () => fresh.run(1), done: () => fresh.done, time: () => fresh.time_s, hash: () => fresh.hash, hashes: () => fresh.hashes(),
+    document: () => fresh.document(), layout: () => fresh.layout(), part: () => fresh.part(0, 0), think: () => fresh.think([0]),
+    outcome: () => fresh.outcome(), explanation: () => fresh.explanation('0', 0), recording: () => fresh.recording(),
+  };
+  for (const [what, ask] of Object.entries(asked)) assert.throws(ask, { message: 'no run has begun' }, what);
+  assert.throws(() => fresh.load({ yaml: '', file: 'scenario.yaml' }), /scenario\.yaml/);
+  for (const [what, ask] of Object.entries(asked)) assert.throws(ask, { message: 'no run has begun' }, `${what}, after one that was refused`);
+  assert.ok(fresh.names().algorithms.length > 0);
 });

@@ -123,10 +123,19 @@ async function without_webassembly(page, expect) {
 }
 
 async function small(page, expect) {
-  await playback(page);
+  const frame = await playback(page);
+  const key = frame.locator('.stage-key .lines');
+  await key.waitFor({ state: 'attached' });
+  await frame.waitForFunction(() => document.querySelector('.stage-key .lines').childElementCount > 0);
+  expect(!await key.isVisible(), 'the key of the picture is folded');
   const { scroll, inner } = await page.evaluate(() => ({ scroll: document.documentElement.scrollWidth, inner: innerWidth }));
   expect(scroll <= inner, `nothing is wider than the screen: ${scroll} of ${inner} px`);
   await keep(page, 'phone');
+  await frame.getByRole('button', { name: 'Key', exact: true }).click();
+  expect(await key.isVisible(), 'a button opens it');
+  await keep(page, 'phone-key');
+  await frame.getByRole('button', { name: 'Key', exact: true }).click();
+  expect(!await key.isVisible(), 'and folds it');
 }
 
 await look_at([[first_minute, desk], [another_method, desk], [beside, desk], [broken_yaml, desk], [recordings, desk], [why, desk], [without_ompl, desk], [for_all, desk],

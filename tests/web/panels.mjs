@@ -97,7 +97,7 @@ test('a vehicle has heard the last word of each of the others that has come in',
   const { words_heard } = await load('thoughts/perceived.ts');
   const film = new Film([{ name: 'time_s', type: 'f64', per: 'frame', width: 1 }], 3);
   const word = (time_s, vehicle) => ({ time_s, vehicle, word: { sent_s: time_s, text: `says ${time_s}`, awaited: [] } });
-  const flight = (from, sent_s, drowned = false) => ({ from, to: 0, sent_s, begins_s: sent_s + 0.1, arrives_s: sent_s + 0.5, drowned });
+  const flight = (from, sent_s, unheard = false) => ({ from, to: 0, sent_s, begins_s: sent_s + 0.1, arrives_s: sent_s + 0.5, unheard });
   const thoughts = {
     sketches: [], tracks: [], echoes: [], words: [word(1, 1), word(2, 2), word(3, 1), word(4, 1)],
     // The second of vehicle 1 drowns; a message of vehicle 2 has no word.

@@ -124,7 +124,7 @@ for (let i = 0; i < frames; i += 5) {
   }
   thoughts.echoes.push({ time_s: t, vehicle: 0, echoes: Array.from({ length: 9 }, (_, k) => [12 + Math.sin(k + t), (k - 4) / 10]) });
   if (i % 50 === 0) thoughts.words.push({ time_s: t, vehicle: 0, word: { sent_s: t, text: `has counted to ${i}`, awaited: [1, 3] } });
-  if (i % 50 === 0) thoughts.flights.push(...[1, 2, 3, 4, 5].map((to) => ({ from: 0, to, sent_s: t, begins_s: t + 0.3, arrives_s: t + 0.8, drowned: to === 3 })));
+  if (i % 50 === 0) thoughts.flights.push(...[1, 2, 3, 4, 5].map((to) => ({ from: 0, to, sent_s: t, begins_s: t + 0.3, arrives_s: t + 0.8, unheard: to === 3 })));
 }
 
 const sphere = (position, r, velocity = [0, 0, 0], charted = true) => ({ kind: 'sphere', charted, position, radius: r, velocity, from: [0, 0, 0], to: [0, 0, 0], vertices: [] });

@@ -188,6 +188,22 @@ async function who_waits_for_whose_word_is_drawn_and_said(view, expect) {
   expect(await key.count() === 0, `frame ${goes.i}: who goes on is drawn as waiting`);
 }
 
+async function what_is_not_heard_is_named(view, expect) {
+  const { page } = view;
+  const flight = await page.evaluate(() => window.fairway.film.flights.find(({ unheard }) => unheard) ?? null);
+  if (flight === null) return;
+  await page.keyboard.press('Escape');
+  await view.layers('messages');
+  await page.evaluate((time) => window.fairway.seek(time), flight.begins_s);
+  await view.settled();
+  const key = await page.locator('.stage-key').textContent();
+  expect(key.includes('a message under way') && key.includes('one that is not heard: its receiver transmits, or another is in its way'), `the key names both: ${key}`);
+  await page.locator('.vehicle').nth(flight.to).click();
+  await page.waitForTimeout(400);
+  expect((await page.locator('.perceived').textContent()).includes('not heard: the receiver transmits, or another message is in its way'), 'and it is said');
+  await page.keyboard.press('Escape');
+}
+
 async function it_plays(view, expect) {
   await view.seek_frame(0);
   await view.page.keyboard.press('ArrowUp');
@@ -374,7 +390,7 @@ async function downloads_are_complete(view, expect) {
 
 export const checks = [
   controls_have_names, vehicles_are_where_they_should_be, spheres_surround_vehicles, alerts_change_at_their_frame, numbers_are_those_of_the_film,
-  what_a_vehicle_cannot_do_is_said, no_progress_is_said, who_waits_for_whose_word_is_drawn_and_said, it_plays, it_ends_and_begins_again, keys_and_scrubber_move_time, choosing_changes_the_picture, cameras_and_layers_change_the_picture,
+  what_a_vehicle_cannot_do_is_said, no_progress_is_said, who_waits_for_whose_word_is_drawn_and_said, what_is_not_heard_is_named, it_plays, it_ends_and_begins_again, keys_and_scrubber_move_time, choosing_changes_the_picture, cameras_and_layers_change_the_picture,
   the_theme_changes_the_picture, it_fits_a_phone, downloads_are_complete,
 ];
 /** In the other theme: what depends on it. */

@@ -10,17 +10,22 @@ import { make_changed } from './changed';
 import { chosen_paths, method_of, method_path, parameters_in, value_of, with_method, with_parameter, with_value, type Changes, type Chosen } from './changes';
 import { as_given, chooser, chooser_or, method_choices, type Choice } from './chooser';
 import type { Held } from './data';
+import { take_drops } from './drop';
 import type { Layout, Names, Parameter } from './module';
 import { make_parameters } from './parameters';
 import { make_sea } from './sea';
-import type { State } from './state';
+import { as_shipped, file_of, type State } from './state';
 
 /** More vehicles than these are not listed one by one. */
 const most_listed = 32;
+/** How a recording begins: https://mcap.dev/spec */
+const mcap_begins = [0x89, 0x4d, 0x43, 0x41, 0x50];
 
 /** What the page around them does with them. */
 export interface Hands {
   state(): State;
+  /** The name of the recording that is shown; null: a run as the state says is. */
+  recorded(): string | null;
   /** Begins anew with this. */
   set(state: State): void;
   /** The instant that is shown [s]. */
@@ -33,6 +38,14 @@ export interface Hands {
   explain(): Promise<HTMLElement>;
   /** MCAP, of the run that is shown. */
   recording(): Promise<Blob>;
+}
+
+function text_in(bytes: Uint8Array, name: string): string {
+  try {
+    return new TextDecoder('utf-8', { fatal: true }).decode(bytes);
+  } catch {
+    throw new Error(`${name} is neither a recording (MCAP) nor text in UTF-8; save a scenario in that encoding`);
+  }
 }
 
 export class Controls {
@@ -48,18 +61,15 @@ export class Controls {
   private readonly on_the_way = h('p', { hidden: true });
   private readonly why = h('div', { 'aria-live': 'polite' });
   private readonly results = h('div', { class: 'results' });
+  private readonly copy_link = action_button('Copy link', 'Copy a link to this page as it is set', 'Copied', async () => copy_text(await this.hands.link()));
   /** Whether changes of methods, goals and the exchange are from the instant that is shown on. */
   private later = false;
 
   constructor(private readonly held: Held, private readonly names: Names, private readonly hands: Hands) {
     const use = h('button', { type: 'button', click: () => this.use_yaml(this.yaml.value) }, 'Run this YAML');
     const shipped = h('button', { type: 'button', click: () => this.use_yaml(null) }, 'As shipped');
-    this.element.addEventListener('dragover', (event) => event.preventDefault());
-    this.element.addEventListener('drop', (event) => {
-      event.preventDefault();
-      void this.take(event.dataTransfer?.files[0]);
-    });
-    const opened = h('input', { type: 'file', accept: '.mcap,.yaml', 'aria-label': 'A recording or a scenario' });
+    take_drops(window, (file) => void this.take(file));
+    const opened = h('input', { type: 'file', accept: '.mcap,.yaml,.yml', 'aria-label': 'A recording or a scenario' });
     opened.addEventListener('change', () => void this.take(opened.files?.[0]));
     this.element.append(
       h('header', {}, h('span', { class: 'brand' }, buoy(), 'Fairway'), theme_toggle()),
@@ -77,24 +87,28 @@ export class Controls {
         action_button('Copy', 'Copy the YAML', 'Copied', () => copy_text(this.yaml.value)))),
       h('details', { open: true }, h('summary', {}, 'The same run elsewhere'), this.command, this.on_the_way, h('div', { class: 'buttons' },
         action_button('Copy command', 'Copy the command that makes the same run', 'Copied', () => copy_text(this.command.textContent ?? '')),
-        action_button('Copy link', 'Copy a link to this page as it is set', 'Copied', async () => copy_text(await hands.link())),
+        this.copy_link,
         action_button('Save recording', 'Save the run as MCAP', 'Saved', () => this.save()))),
       h('details', {}, h('summary', {}, 'A recording or scenario of yours'),
-        h('p', {}, 'A recording (MCAP) is simulated again here, compared frame by frame, and played. A scenario (YAML) is run. Either can be dropped here as well.'), opened));
+        h('p', {}, 'A recording (MCAP) is simulated again here, compared frame by frame, and played. A scenario (YAML) is run. Either can be dropped anywhere on the page as well.'), opened));
   }
 
   /** Shows how the run is set. */
   show(): void {
     const state = this.hands.state();
     this.why.replaceChildren();
+    const recorded = this.hands.recorded();
+    this.copy_link.hidden = recorded !== null;
+    if (recorded !== null) {
+      this.show_recorded(recorded);
+      return;
+    }
     this.yaml.value = state.yaml ?? this.held.scenarios[state.scenario] ?? '';
     const methods = method_choices(this.names);
     const seed = h('input', { type: 'number', min: '0', step: '1', value: state.seed ?? '', placeholder: as_given, 'aria-label': 'Seed' });
     seed.addEventListener('change', () => this.hands.set({ ...state, seed: seed.value === '' ? null : seed.value }));
     this.choices.replaceChildren(
-      chooser('Scenario', Object.keys(this.held.scenarios).map((path): Choice => [path, path.replace(/^.*\/|\.yaml$/g, ''),
-        path.includes('/failures/') ? 'Where methods fail' : 'Scenarios']), state.scenario,
-      (scenario) => this.hands.set({ ...state, scenario, yaml: null, set: [], beside: null, changes: [] })),
+      this.scenario_chooser(state.file),
       chooser('A change counts', [['', 'from the beginning'], ['later', 'from the instant that is shown']], this.later ? 'later' : '',
         (when) => { this.later = when !== ''; }),
       chooser_or('Method', methods, method_of(this.all()), (name) => this.change((set) => with_method(set, name))),
@@ -110,6 +124,26 @@ export class Controls {
       set.filter(([path]) => path.startsWith('water.')).reduce((all, [path, value]) => with_value(all, path, value),
         changes.filter(([path]) => !path.startsWith('water.'))))));
     void this.show_parameters();
+  }
+
+  /** `opened` is shown in place of a shipped one's name. */
+  private scenario_chooser(opened: string | null): HTMLElement {
+    const state = this.hands.state();
+    const shipped = Object.keys(this.held.scenarios).map((path): Choice => [path, path.replace(/^.*\/|\.yaml$/g, ''),
+      path.includes('/failures/') ? 'Where methods fail' : 'Scenarios']);
+    return chooser('Scenario', opened === null ? shipped : [['', opened], ...shipped], opened === null ? state.scenario : '', (scenario) => {
+      if (scenario !== '') this.hands.set({ ...as_shipped(scenario), seed: state.seed });
+    });
+  }
+
+  /** Of a recording nothing is set. */
+  private show_recorded(name: string): void {
+    const note = (): HTMLElement => h('p', {}, 'A recording is shown as it was made. Choose a scenario to change something.');
+    this.yaml.value = '';
+    this.on_the_way.hidden = true;
+    this.choices.replaceChildren(this.scenario_chooser(name), note());
+    this.changed.replaceChildren();
+    for (const part of [this.sea, this.parameters, this.vehicles]) part.replaceChildren(note());
   }
 
   /** Of the run that has begun: a method for each vehicle, and how many a fleet has. */
@@ -146,11 +180,14 @@ export class Controls {
   complain(line: string): void {
     this.trouble.hidden = line === '';
     this.trouble.replaceChildren(h('b', {}, 'Not run'), h('p', {}, line));
-    const place = /^[^:]*:(\d+):(\d+): /.exec(line);
+    const name = `${file_of(this.hands.state())}:`;
+    const place = line.startsWith(name) ? /^(\d+):(\d+): /.exec(line.slice(name.length)) : null;
     this.yaml.classList.toggle('wrong', place !== null);
     if (place === null) return;
-    const before = this.yaml.value.split('\n').slice(0, Number(place[1]) - 1).join('\n').length;
-    const from = before + (place[1] === '1' ? 0 : 1) + Number(place[2]) - 1;
+    const lines = this.yaml.value.split('\n');
+    const above = lines.slice(0, Number(place[1]) - 1).reduce((sum, each) => sum + each.length + 1, 0);
+    // Columns count characters, of which some are two units of a text here.
+    const from = above + Array.from(lines[Number(place[1]) - 1] ?? '').slice(0, Number(place[2]) - 1).join('').length;
     this.yaml.closest('details')?.setAttribute('open', '');
     this.yaml.focus();
     const end = this.yaml.value.indexOf('\n', from);
@@ -216,18 +253,29 @@ export class Controls {
       this.parameters.replaceChildren(h('p', {}, 'Choose a method to change its parameters; the scenario may give each vehicle another.'));
       return;
     }
-    const { parameters } = await this.hands.describe(method);
-    this.parameters.replaceChildren(make_parameters(parameters, parameters_in(set), (name, value) =>
-      this.change((changes) => with_parameter(changes, name, value))));
+    try {
+      const { parameters } = await this.hands.describe(method);
+      this.parameters.replaceChildren(make_parameters(parameters, parameters_in(set), (name, value) =>
+        this.change((changes) => with_parameter(changes, name, value))));
+    } catch (error) {
+      this.parameters.replaceChildren(h('p', {}, `${reason_of(error)}.`));
+    }
   }
 
   private use_yaml(yaml: string | null): void {
-    this.hands.set({ ...this.hands.state(), yaml });
+    const state = this.hands.state();
+    this.hands.set({ ...state, yaml, file: yaml === null ? null : state.file });
   }
 
-  private async take(file: File | undefined): Promise<void> {
+  /** A recording, or a scenario to be run as it is. */
+  async take(file: File | undefined): Promise<void> {
     if (file === undefined) return;
-    if (file.name.endsWith('.mcap')) await this.hands.verify(new Uint8Array(await file.arrayBuffer()), file.name);
-    else this.use_yaml(await file.text());
+    try {
+      const bytes = new Uint8Array(await file.arrayBuffer());
+      if (mcap_begins.every((byte, i) => bytes[i] === byte) || /\.mcap$/i.test(file.name)) await this.hands.verify(bytes, file.name);
+      else this.hands.set({ ...as_shipped(this.hands.state().scenario), yaml: text_in(bytes, file.name), file: file.name });
+    } catch (error) {
+      this.complain(reason_of(error));
+    }
   }
 }

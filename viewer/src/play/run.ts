@@ -15,6 +15,7 @@ export interface RunHands {
   /** Null: nothing can be moved in it. */
   edit: ((on: boolean) => void) | null;
   moved(path: string, position_m: readonly number[]): void;
+  dropped(file: File): void;
 }
 
 export class Run {
@@ -87,6 +88,7 @@ export class Run {
       edit: this.hands.edit,
       moved: (path, position_m) => this.hands.moved(path, position_m),
       chosen: (vehicles) => void this.think(vehicles),
+      dropped: (file) => this.hands.dropped(file),
     }, from_s);
     this.element.replaceChildren(this.show.element);
     return String(document['command']);

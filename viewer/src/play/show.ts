@@ -2,6 +2,7 @@
 // A run as the playback shows it: its page in a frame, which asks for the film as it asks a live run's server.
 import { h } from '../common/dom';
 import type { Handle } from '../playback/source';
+import { take_drops } from './drop';
 import { bytes_of } from './module';
 import type { RemoteSimulator } from './simulator';
 
@@ -18,15 +19,18 @@ export interface ShowHands {
   moved(path: string, position_m: readonly number[]): void;
   /** Somebody else is chosen. */
   chosen(vehicles: readonly number[]): void;
+  /** A file is dropped on the picture. */
+  dropped(file: File): void;
 }
 
 /** An empty frame gets its page. It is empty again whenever it has been moved to another place. */
-function fill(frame: HTMLIFrameElement, text: string): void {
+function fill(frame: HTMLIFrameElement, text: string, dropped: (file: File) => void): void {
   const inside = frame.contentDocument;
   if (inside === null || inside.body.childElementCount > 0) return;
   inside.open();
   inside.write(text);
   inside.close();
+  take_drops(frame.contentWindow!, dropped);
 }
 
 export class Show {
@@ -56,7 +60,7 @@ export class Show {
     // Written so that the marker of the data, which is searched for in this page as well, is not in it.
     const text = page.replace(/__FAIRWAY_[A-Z]+__/, () => json);
     // What a `srcdoc` had a browser keeps for as long as this page is open.
-    this.element.addEventListener('load', () => fill(this.element, text));
+    this.element.addEventListener('load', () => fill(this.element, text, (file) => hands.dropped(file)));
     window.addEventListener('message', this.listen);
   }
 

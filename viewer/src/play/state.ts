@@ -12,8 +12,10 @@ const state = record({
   version: number,
   /** The path of a shipped scenario. */
   scenario: text,
-  /** What was typed instead of it; null as shipped. */
+  /** What was typed or opened instead of it; null as shipped. */
   yaml: or_null(text),
+  /** Of the file that was opened; null: none was. */
+  file: optional(or_null(text), null),
   seed: or_null(text),
   /** As --set makes them: path and value. */
   set: list(change),
@@ -24,7 +26,9 @@ const state = record({
 });
 export type State = Of<typeof state>;
 
-const as_shipped = (scenario: string): State => ({ version, scenario, yaml: null, seed: null, set: [], beside: null, changes: [] });
+export const as_shipped = (scenario: string): State => ({ version, scenario, yaml: null, file: null, seed: null, set: [], beside: null, changes: [] });
+/** Its name in messages and in the command. */
+export const file_of = ({ scenario, yaml, file }: State): string => file ?? (yaml === null ? scenario : 'scenario.yaml');
 export const first_state = as_shipped('scenarios/swap_8.yaml');
 
 async function through(bytes: BufferSource, stream: GenericTransformStream): Promise<Uint8Array> {
@@ -37,11 +41,17 @@ export async function address_of(of: State): Promise<string> {
   return `#play=${letters.replaceAll('+', '-').replaceAll('/', '_').replace(/=+$/, '')}`;
 }
 
-/** An address that is written by hand: #scenario=scenarios/swap_8.yaml&set=vehicles[*].avoider=apf&seed=7. */
-function plain_state(address: string): State | null {
+const plain_keys = ['scenario', 'set', 'seed'];
+
+/** An address that is written by hand: #scenario=scenarios/swap_8.yaml&set=vehicles[*].avoider=apf&seed=7, in any order. */
+function plain_state(address: string): State {
   const words = new URLSearchParams(address.slice(1));
+  for (const key of words.keys()) {
+    if (!plain_keys.includes(key)) throw new Error(`“${key}” says nothing here; what does is ${plain_keys.join(', ')}, and play of a copied link`);
+    if (key !== 'set' && words.getAll(key).length > 1) throw new Error(`“${key}” is given twice`);
+  }
   const scenario = words.get('scenario');
-  if (scenario === null) return null;
+  if (scenario === null) throw new Error('it names no scenario');
   const set = words.getAll('set').map((word): [string, string] => {
     const at = word.indexOf('=');
     if (at < 0) throw new Error(`set=${word} has no value`);
@@ -50,14 +60,33 @@ function plain_state(address: string): State | null {
   return { ...as_shipped(scenario), seed: words.get('seed'), set };
 }
 
+/** As a person reads it, where it can be read so. */
+function decoded(text: string): string {
+  try {
+    return decodeURIComponent(text);
+  } catch {
+    return text;
+  }
+}
+
+/** What packed letters hold. */
+async function unpacked(letters: string): Promise<unknown> {
+  try {
+    const bytes = Uint8Array.from(atob(letters.replaceAll('-', '+').replaceAll('_', '/')), (letter) => letter.charCodeAt(0));
+    return JSON.parse(new TextDecoder('utf-8', { fatal: true }).decode(await through(bytes, new DecompressionStream('deflate-raw'))));
+  } catch {
+    throw new Error('it is cut short, or letters of it are changed');
+  }
+}
+
 /** Null where the address says nothing. Throws where it says what this page cannot read. */
 export async function state_in(address: string): Promise<State | null> {
-  if (address.startsWith('#scenario=')) return plain_state(address);
-  const packed = /^#play=([\w-]+)$/.exec(address)?.[1];
-  if (packed === undefined) return null;
-  const letters = atob(packed.replaceAll('-', '+').replaceAll('_', '/'));
-  const bytes = await through(Uint8Array.from(letters, (letter) => letter.charCodeAt(0)), new DecompressionStream('deflate-raw'));
-  const value: unknown = JSON.parse(new TextDecoder().decode(bytes));
+  if (address === '' || address === '#') return null;
+  if (!address.startsWith('#play=')) return plain_state(address);
+  const letters = address.slice('#play='.length);
+  const stray = /[^\w-]/.exec(decoded(letters))?.[0];
+  if (stray !== undefined) throw new Error(`it has “${stray}”, which no copied link has`);
+  const value = await unpacked(letters);
   const told = record({ version: number })(value, 'link').version;
   if (!readable.includes(told)) throw new Error(`it is of version ${told} of this page's links, and this page reads versions ${readable.join(' and ')}`);
   return { ...state(value, 'link'), version };

@@ -41,19 +41,18 @@ function run(steps: number): void {
 const between_slices = new MessageChannel();
 const soon = (): void => between_slices.port2.postMessage(turn);
 between_slices.port1.onmessage = ({ data: mine }: MessageEvent<number>) => {
-  if (mine !== turn || paused) return;
+  if (mine !== turn || paused || !begun) return;
   const end = performance.now() + slice_ms;
   while (trouble === '' && !simulator.done && performance.now() < end) run(1);
   if (trouble === '' && !simulator.done) soon();
 };
 
-/** A run that `load` begins, and that goes on by itself. */
+/** A run that `load` begins, and that goes on by itself. Where it is refused, the one before goes on. */
 function begin(load: () => void): Begun {
+  tried(load);
   ++turn;
   trouble = '';
   paused = false;
-  begun = false;
-  tried(load);
   begun = true;
   soon();
   return { document: simulator.document(), layout: simulator.layout() as Layout };
@@ -77,7 +76,7 @@ const calls: { [K in keyof Calls]: (...args: Parameters<Calls[K]>) => unknown } 
   explanation: (vehicle, time_s) => simulator.explanation(vehicle, time_s),
   hashes: () => simulator.hashes(),
   order(what) {
-    if (what === 'step' && paused && !simulator.done) run(1);
+    if (what === 'step' && begun && paused && !simulator.done) run(1);
     if (what === 'pause') paused = true;
     if (what === 'resume' && paused) {
       paused = false;

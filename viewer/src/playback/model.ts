@@ -205,14 +205,15 @@ export interface WordRecord {
   /** `text` is a line whose subject is who said it; `awaited` are those whose words that one waits for. */
   word: { sent_s: number; text: string; awaited: number[] };
 }
-/** A message on its way: indices of vehicles; sound leaves at sent_s and has all arrived at arrives_s. */
+/** A message on its way: indices of vehicles; sound leaves at sent_s and has all arrived at arrives_s. It is `unheard` where the receiver transmits
+ *  meanwhile, or another message is in its way there. */
 export interface Flight {
   from: number;
   to: number;
   sent_s: number;
   begins_s: number;
   arrives_s: number;
-  drowned: boolean;
+  unheard: boolean;
 }
 
 export const modes = ['cruise', 'avoid', 'hold', 'infeasible'] as const;

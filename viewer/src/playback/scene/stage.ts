@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The picture in three dimensions: its parts, cameras and labels, drawn only when something has changed.
 import { AmbientLight, DirectionalLight, HemisphereLight, Scene as World, SRGBColorSpace, WebGLRenderer, type Vector3 } from 'three';
-import { h, swatch } from '../../common/dom';
 import type { Film, Moment } from '../film';
 import type { Scene, Vec3 } from '../model';
 import { place_of } from './axes';
@@ -9,6 +8,7 @@ import { Cameras } from './cameras';
 import { read_colours, type Colours } from './colours';
 import { extent_of, type Extent } from './extent';
 import { viewport } from './ink/instances';
+import { StageKey } from './key';
 import { Labels, project, type Label } from './labels';
 import type { Part } from './part';
 import { fit_parts, make_parts, type Parts } from './parts/all';
@@ -50,7 +50,7 @@ class Stage implements StageView {
   private readonly world = new World();
   private readonly lights = [new HemisphereLight(), new DirectionalLight(), new AmbientLight()] as const;
   private readonly labels = new Labels();
-  private readonly key = h('div', { class: 'stage-key' });
+  private readonly key = new StageKey();
   private readonly cameras: Cameras;
   private readonly poses: Poses;
   private readonly vehicles: Vehicles;
@@ -72,7 +72,6 @@ class Stage implements StageView {
   /** When the last picture was done, and whether the next one came long after it. */
   private drawn_ms = 0;
   private paused = true;
-  private key_text = '';
   private size = '';
   /** Of the film, when the extent was last measured. */
   private measured = { count: -1, generation: -1 };
@@ -88,7 +87,7 @@ class Stage implements StageView {
     this.world.add(...this.lights, this.vehicles.object, ...layers.map((layer) => this.parts[layer].object));
     this.canvas.setAttribute('role', 'img');
     this.canvas.setAttribute('aria-label', 'The run in three dimensions');
-    host.append(this.canvas, this.labels.element, this.key);
+    host.append(this.canvas, this.labels.element, this.key.element);
     this.cameras = new Cameras(this.canvas, () => this.request());
     this.colours = read_colours(host);
     this.extent = extent_of(scene, film);
@@ -280,7 +279,7 @@ class Stage implements StageView {
     };
     this.vehicles.show(now);
     for (const part of this.shown_parts()) part.show(now);
-    this.show_key();
+    this.key.show(this.shown_parts().flatMap((part) => part.key?.() ?? []));
     const spec = this.scene.vehicles[this.followed];
     if (this.cameras.kind === 'follow' && spec && this.film.count > 0) {
       this.cameras.keep_to(this.poses.positions[this.followed]!, steady_heading(this.film, this.moment, this.followed, heading_window_s), spec.length_m);
@@ -289,15 +288,6 @@ class Stage implements StageView {
 
   private shown_parts(): Part[] {
     return layers.map((layer) => this.by_layer[layer]).filter((part) => part.object.visible);
-  }
-
-  private show_key(): void {
-    const lines = this.shown_parts().flatMap((part) => part.key?.() ?? []);
-    const text = JSON.stringify(lines);
-    if (text === this.key_text) return;
-    this.key_text = text;
-    this.key.replaceChildren(...lines.map(({ colour, text: said }) =>
-      colour === '' ? h('p', {}, said) : h('div', {}, swatch(`var(${colour})`), said)));
   }
 
   private written(): Label[] {

@@ -38,7 +38,7 @@ export function bearing_words(bearing_rad: number): string {
 export function words_heard(film: Film, vehicle: number, time: number): WordRecord[] {
   const last = new Map<number, Flight>();
   for (const flight of film.words.any ? film.flights : []) {
-    if (flight.to !== vehicle || flight.drowned || flight.arrives_s > time) continue;
+    if (flight.to !== vehicle || flight.unheard || flight.arrives_s > time) continue;
     if (flight.sent_s > (last.get(flight.from)?.sent_s ?? -Infinity)) last.set(flight.from, flight);
   }
   return [...last.values()].sort((x, y) => x.from - y.from).flatMap(({ from, sent_s }) => {
@@ -114,9 +114,9 @@ export class Perceived {
   }
 
   private flight_list(vehicle: number, flights: Flight[]): HTMLElement {
-    const items = flights.slice(0, most_flights).map(({ from, to, sent_s, arrives_s, drowned }) => h('li', {},
+    const items = flights.slice(0, most_flights).map(({ from, to, sent_s, arrives_s, unheard }) => h('li', {},
       from === vehicle ? `to ${this.name(to)}` : `from ${this.name(from)}`,
-      `, sent at ${fixed(sent_s, 2)} s, ${drowned ? 'not heard: the receiver transmits' : `there at ${fixed(arrives_s, 2)} s`}`));
+      `, sent at ${fixed(sent_s, 2)} s, ${unheard ? 'not heard: the receiver transmits, or another message is in its way' : `there at ${fixed(arrives_s, 2)} s`}`));
     if (flights.length > most_flights) items.push(h('li', {}, `and ${flights.length - most_flights} more`));
     return h('section', {}, h('h3', {}, 'Messages under way ', h('small', {}, String(flights.length))), h('ul', {}, ...items));
   }

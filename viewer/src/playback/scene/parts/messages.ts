@@ -27,6 +27,9 @@ export class Messages extends Drawn {
   private readonly waits = this.ink(new Lines(1, order.lines));
   private readonly waiters = this.ink(new Lines(2.6, order.lines));
   private any_waits = false;
+  /** In the whole run, so that the key keeps still. */
+  private any_heard = false;
+  private any_unheard = false;
   /** By when they were sent; the longest tells how far back to look. */
   private ordered: Flight[] = [];
   private known = '';
@@ -49,7 +52,11 @@ export class Messages extends Drawn {
   }
 
   key(): KeyLine[] {
-    return this.any_waits ? [{ colour: '--ink-3', text: 'thin lines: from who waits to whose word it waits for, as it last said' }] : [];
+    return [
+      ...(this.any_heard ? [{ colour: '--accent', text: 'a message under way' }] : []),
+      ...(this.any_unheard ? [{ colour: '--bad', text: 'one that is not heard: its receiver transmits, or another is in its way' }] : []),
+      ...(this.any_waits ? [{ colour: '--ink-3', text: 'thin lines: from who waits to whose word it waits for, as it last said' }] : []),
+    ];
   }
 
   private draw_waits(now: Now, all: boolean): void {
@@ -73,12 +80,14 @@ export class Messages extends Drawn {
     if (known === this.known) return;
     this.known = known;
     this.ordered = [...this.film.flights].sort((x, y) => x.sent_s - y.sent_s);
+    this.any_heard = this.ordered.some((flight) => !flight.unheard);
+    this.any_unheard = this.ordered.some((flight) => flight.unheard);
     this.longest_s = this.ordered.reduce((longest, f) => Math.max(longest, f.arrives_s - f.sent_s), 0);
   }
 
   private draw_flight(flight: Flight, now: Now): void {
     const { time } = now.moment;
-    const colour = flight.drowned ? now.colours.bad : now.colours.accent;
+    const colour = flight.unheard ? now.colours.bad : now.colours.accent;
     position_at(this.film, moment_at(this.film, flight.sent_s), flight.from, from);
     position_at(this.film, moment_at(this.film, flight.begins_s), flight.to, to);
     // The front travels for begins - sent; the end follows when all of it has been spoken.
@@ -88,6 +97,6 @@ export class Messages extends Drawn {
     const end = Math.min(1, Math.max(0, (time - flight.sent_s - spoken) / travel));
     this.ways.add(from, to, colour, 0.28);
     this.pulses.add(a.lerpVectors(from, to, end), b.lerpVectors(from, to, front), colour, 0.85);
-    this.fronts.add(b, flight.drowned ? 'ring' : 'disc', 8, colour);
+    this.fronts.add(b, flight.unheard ? 'ring' : 'disc', 8, colour);
   }
 }
