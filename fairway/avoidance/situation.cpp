@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "fairway/core/envelope_numbers.hpp"
+
 namespace fairway {
 namespace {
 
@@ -81,6 +83,7 @@ std::string_view why_unusable(const Situation& s) noexcept {
   if (!are_usable(s.tracks)) return "a track has a number that is not finite, or no radius";
   if (!std::ranges::all_of(s.obstacles, [](const Obstacle& o) { return is_usable(o); }))
     return "an obstacle has a number that is not finite, or no extent";
+  if (s.envelope != nullptr) return why_unusable(*s.envelope);
   return {};
 }
 

@@ -147,8 +147,9 @@ struct Situation {
 };
 
 /// What of the situation cannot be decided on, in a few words: a number that is NaN or infinite where it
-/// must not be, a period that is not positive, a negative radius. Empty if it is usable. `Avoider` answers
-/// anything else with `Mode::infeasible` and these words as its note. O(tracks + vertices of obstacles).
+/// must not be, a period that is not positive, a negative radius, an envelope that says of no motion how it
+/// is made. Empty if it is usable. `Avoider` answers anything else with `Mode::infeasible` and these words as
+/// its note. O(tracks + vertices of obstacles).
 std::string_view why_unusable(const Situation& situation) noexcept;
 
 inline bool is_usable(const Situation& situation) noexcept { return why_unusable(situation).empty(); }

@@ -9,6 +9,7 @@
 #include "fairway/avoidance/testing/encounters.hpp"
 #include "fairway/avoidance/trackable/foresight.hpp"
 #include "fairway/control/vehicle_limits.hpp"
+#include "fairway/core/envelope_numbers.hpp"
 #include "fairway/dynamics/catalog.hpp"
 
 namespace fairway {
@@ -65,6 +66,7 @@ TEST_P(EveryEnvelope, BoundsTheErrorOfFollowingACourseThatNoTrialHad) {
   const Vehicle fresh = builtin_vehicles().make(GetParam());
   const Limits limits = narrowed({}, fresh);
   const Envelope envelope = envelope_of(GetParam());
+  EXPECT_EQ(why_unusable(envelope), "");
   const trackable::TurnLaw law{envelope, limits.max_turn_rate};
   for (const double change : {0.3, -0.8, 1.3, -1.9, 2.4}) {
     for (const double share : {0.6, 0.9}) {

@@ -262,10 +262,7 @@ struct Avoider::Self {
     take_tracks(s);
     take_obstacles(s);
     if (s.model != nullptr) model = converted(*s.model);
-    if (s.envelope != nullptr) {
-      envelope = same_numbers<fairway::Envelope>(*s.envelope);
-      if (const std::string_view why = why_unusable(envelope); !why.empty()) return standstill(why);
-    }
+    if (s.envelope != nullptr) envelope = same_numbers<fairway::Envelope>(*s.envelope);
     const fairway::Command command = avoider.decide({.time = s.time,
                                                      .period = s.period,
                                                      .own = converted(s.own),

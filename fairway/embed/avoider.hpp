@@ -170,7 +170,8 @@ struct Command {
                        ///< heading [rad/s]
   std::string_view
       note;  ///< why, in a few words for people, where `mode` does not say it; lives as long as the program
-  std::size_t left_out{};  ///< tracks and obstacles that did not fit into the Capacity
+  std::size_t left_out{};  ///< tracks and obstacles that did not fit into the Capacity; where the method
+                           ///< itself has no room for all that is near, the nearest count and `note` says so
   Mode mode{Mode::cruise};
   bool astern{false};  ///< the vehicle may go stern first rather than turn round
   bool has_heading{false};

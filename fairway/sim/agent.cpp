@@ -7,6 +7,7 @@
 #include "fairway/control/envelope.hpp"
 #include "fairway/control/onboard_model.hpp"
 #include "fairway/control/vehicle_limits.hpp"
+#include "fairway/core/envelope_numbers.hpp"
 
 namespace fairway {
 namespace {
@@ -125,6 +126,17 @@ std::optional<Envelope> known_envelope(const VehicleSpec& spec, const Vehicle& v
   return known.emplace_back(key, measured_envelope(vehicle, autopilot, limits, step)).second;
 }
 
+/// Nothing of an envelope that no method can reckon with. Throws InputError for a vehicle that would have to.
+std::optional<Envelope> usable(const std::optional<Envelope>& measured, const VehicleSpec& spec,
+                               const Limits& limits, const std::string& avoider) {
+  if (!measured) return {};
+  const std::string_view why = why_unusable(*measured);
+  if (why.empty()) return measured;
+  if (limits.sway) return {};
+  throw InputError(spec.model.where, spec.model.path,
+                   avoider + " cannot reckon with what it does within its limits: " + std::string(why));
+}
+
 Autopilot make_autopilot(const VehicleSpec& spec, const Vehicle& vehicle) {
   const AutopilotParams controller = autopilot_of(spec, vehicle);
   const AllocationMethod allocation = chosen(spec.allocation, "method", AllocationParams{}).method;
@@ -178,7 +190,8 @@ Particulars particulars_of(const VehicleSpec& spec, const Vehicle& vehicle, doub
                    .model = onboard_model(vehicle)};
   const std::string avoider = avoider_in_force(spec, ship.limits, avoiders);
   if (made(spec.avoider, [&] { return avoiders.needs(avoider, &AlgorithmInfo::needs_envelope); }))
-    ship.envelope = known_envelope(spec, vehicle, make_autopilot(spec, vehicle), ship.limits, step);
+    ship.envelope = usable(known_envelope(spec, vehicle, make_autopilot(spec, vehicle), ship.limits, step),
+                           spec, ship.limits, avoider);
   return ship;
 }
 

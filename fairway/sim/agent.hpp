@@ -70,7 +70,7 @@ bool is_same(const Choice& a, const Choice& b);
 /// An agent as its spec describes it, everything random on board drawn from streams of the scenario's seed.
 /// It shares the model, which is constant, with the vehicle `alike` if there is one, of the same choice.
 /// Throws InputError, with the place in the file, where a catalog does not know a name or refuses a
-/// parameter.
+/// parameter, and where a method would have to reckon with a vehicle that can neither go sideways nor turn.
 Agent make_agent(const VehicleSpec& spec, const Scenario& scenario, const Catalogs& catalogs,
                  const Vehicle* alike = nullptr);
 

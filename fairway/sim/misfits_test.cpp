@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "fairway/core/testing/refusal.hpp"
 #include "fairway/scenario/load.hpp"
 #include "fairway/sim/agent.hpp"
 
@@ -141,6 +142,19 @@ TEST(Misfits, NameTheFirstOfManyAndCountTheOthers) {
       misfits(scenario, builtin_catalogs()),
       ElementsAre("robot0 and 7 others: orca3d moves a point that goes any way at once, and sparus2 has "
                   "to turn first"));
+}
+
+TEST(Tracking, OfAVehicleThatCannotTurnIsRefused) {
+  const auto refused = [](const std::string& model, const std::string& avoider) {
+    const Scenario scenario = alone(model, avoider, "auto");
+    return refusal_by([&] { (void)make_agent(scenario.vehicles[0], scenario, builtin_catalogs()); });
+  };
+  EXPECT_THAT(refused("{name: kinematic, max_turn_rate_radps: 0}", "orca2d"),
+              testing::AllOf(testing::HasSubstr("vehicles[0].model"), testing::HasSubstr("orca2d+trackable"),
+                             testing::HasSubstr("turn rates above zero")));
+  EXPECT_EQ(refused("{name: kinematic, max_turn_rate_radps: 0, max_sway_mps: 0.5}", "orca2d+safety_filter"),
+            "accepted");
+  EXPECT_EQ(refused("kinematic", "orca2d"), "accepted");
 }
 
 }  // namespace

@@ -191,7 +191,12 @@ TEST(AvoaImproved, AVehicleThatGoesSidewaysAsWellNeedNotTurn) {
     s.own.yaw = 1.5;
     const std::vector<Obstacle> beside{buoy(3.0, 1.0)};
     s.obstacles = beside;
-    const Envelope envelope{.ahead = 1.2, .sideways = sideways};
+    const Envelope envelope{.ahead = 1.2,
+                            .sideways = sideways,
+                            .acceleration = 0.5,
+                            .deceleration = 0.5,
+                            .turn_acceleration = 0.5,
+                            .turn_rates = {0.4, 0.4, 0.4, 0.4}};
     s.envelope = &envelope;
     return improved().decide(s);
   };

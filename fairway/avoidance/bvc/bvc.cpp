@@ -4,6 +4,7 @@
 #include <array>
 
 #include "fairway/avoidance/label.hpp"
+#include "fairway/avoidance/nearest_few.hpp"
 #include "fairway/avoidance/parting.hpp"
 #include "fairway/avoidance/velocity_program/velocity_program.hpp"
 #include "fairway/core/angles.hpp"
@@ -17,13 +18,12 @@ constexpr double fastest_known = 1e6;  // of what counts as a speed [m/s]
 /// The faces of a cell, as half-spaces of velocities, on the stack.
 struct VoronoiCell {
   std::array<HalfSpace, max_half_spaces> faces;
-  std::size_t count{0};
+  NearestFew<max_half_spaces> places;
 
-  bool is_full() const { return count == faces.size(); }
-
-  /// Towards `direction`, a unit vector, own ship may go so far within a time.
+  /// Towards `direction`, a unit vector, own ship may go so far within a time. Of too many the nearest count.
   void add(const Vec3& direction, double distance, double time) {
-    faces[count++] = {-direction, -distance / time};
+    const std::size_t place = places.place_for(distance);
+    if (place < max_half_spaces) faces[place] = {-direction, -distance / time};
   }
 };
 
@@ -37,7 +37,7 @@ void add_faces_of_tracks(const Situation& s, const Bvc::Params& params, Sketch* 
   for (const Track& track : s.tracks) {
     const Vec3 apart = track.position - s.own.position;
     const double distance = apart.norm();
-    if (distance > params.crit_dist_m || cell.is_full()) continue;
+    if (distance > params.crit_dist_m) continue;
     const Vec3 towards = direction_of(apart, -parting_direction(s.own.id, track.id));
     const double gap = distance - s.own.radius - track.radius;
     const double share = track.reacts ? 0.5 * gap : gap;
@@ -51,7 +51,7 @@ void add_faces_of_tracks(const Situation& s, const Bvc::Params& params, Sketch* 
 void add_faces_of_obstacles(const Situation& s, const Bvc::Params& params, VoronoiCell& cell) {
   for (const Obstacle& obstacle : s.obstacles) {
     const SurfacePoint surface = nearest_point(obstacle, s.own.position);
-    if (surface.distance > params.crit_dist_m || cell.is_full()) continue;
+    if (surface.distance > params.crit_dist_m) continue;
     const Vec3 towards = (surface.distance < 0.0 ? -1.0 : 1.0) * (surface.point - s.own.position);
     cell.add(direction_of(towards, Vec3::UnitX()), surface.distance - s.own.radius, params.time_horizon_s);
   }
@@ -72,10 +72,10 @@ Command Bvc::decide(const Situation& s, Memory&, Context& context) const noexcep
   add_faces_of_tracks(s, params, context.sketch, cell);
   add_faces_of_obstacles(s, params, cell);
   const Vec3 preferred = s.preferred_velocity();
-  if (cell.count == 0) return {.velocity = preferred, .mode = Mode::cruise};
+  if (cell.places.count() == 0) return {.velocity = preferred, .mode = Mode::cruise};
 
   const double max_speed = math::fmin(s.limits.max_speed, fastest_known);
-  const std::span<const HalfSpace> faces = std::span{cell.faces}.first(cell.count);
+  const std::span<const HalfSpace> faces = std::span{cell.faces}.first(cell.places.count());
   VelocityChoice choice = nearest_velocity(faces, preferred, max_speed);
   const bool is_stuck =
       choice.is_feasible() && choice.velocity.norm() < params.deadlock_ratio * preferred.norm();
@@ -91,7 +91,9 @@ Command Bvc::decide(const Situation& s, Memory&, Context& context) const noexcep
   return {.velocity = choice.velocity,
           .mode = Mode::avoid,
           .astern = true,
-          .note = is_stuck ? "goes along the edge of its cell" : ""};
+          .note = is_stuck                 ? "goes along the edge of its cell"
+                  : cell.places.left_out() ? words_of_left_out
+                                           : ""};
 }
 
 }  // namespace fairway

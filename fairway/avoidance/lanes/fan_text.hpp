@@ -93,16 +93,27 @@ void roll_in_lanes(trackable::Fan &fan) {
   Real clear_steps{static_cast<double>(fan.steps)};
   for (std::size_t k = fan.begin; k < fan.steps; ++k) {
     if (k == fan.hold_steps) write_motion<N>(m, fan.held);
+    const Real before_north = m.north, before_east = m.east;
     if (circles)
       trackable::advance<Real>(can, m.speed, plan.turn_rate, m);
     else
       trackable::follow<Real>(can, plan.heading, plan.speed, m);
 
+    const double before = static_cast<double>(k) * can.step;
     const double time = static_cast<double>(k + 1) * can.step;
     PackMask<N> is_near = zero < zero;
     for (std::size_t i = 0; i < fan.hazard_count; ++i) {
       if (k < fan.first_steps[i]) continue;
-      const Real d2 = trackable::distance2<Real>(fan.hazards[i], time, m.north, m.east);
+      Real d2 = trackable::distance2<Real>(fan.hazards[i], time, m.north, m.east);
+      if (fan.within2 != nullptr && fan.within2[i] > 0.0) {
+        const Real within2 = trackable::distance2_within<Real>(fan.hazards[i], before, before_north,
+                                                               before_east, time, m.north, m.east);
+        const PackMask<N> is_met = within2 < fan.within2[i];
+        if (fan.asks_room)
+          d2 = select(is_met, smaller(d2, within2), d2);
+        else
+          is_near = is_near | is_met;
+      }
       is_near = is_near | (d2 < fan.near2[i]);
       if (fan.asks_room) least2[i] = smaller(least2[i], d2);
     }

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "fairway/avoidance/label.hpp"
+#include "fairway/avoidance/nearest_few.hpp"
 #include "fairway/avoidance/orca3d/columns.hpp"
 #include "fairway/avoidance/orca3d/half_space.hpp"
 #include "fairway/core/math.hpp"
@@ -16,6 +17,7 @@ namespace {
 struct HalfSpaces {
   std::array<HalfSpace, max_half_spaces> all;
   std::array<const Track*, max_half_spaces> tracks;
+  NearestFew<max_half_spaces> places;
 };
 
 void add_neighbours(const Situation& s, const OrcaParams& params, std::size_t count,
@@ -56,18 +58,22 @@ orca::Change change_for(const Obstacle& obstacle, const SurfacePoint& surface, c
   return {outward, (s.own.radius - surface.distance) / interval - outward.dot(v)};
 }
 
-/// And so does what does not move.
+/// And so does what does not move, of too much of it the nearest.
 std::size_t add_obstacles(const Situation& s, const OrcaParams& params, HalfSpaces& half_spaces,
-                          std::size_t count) {
+                          std::size_t tracks) {
+  if (s.obstacles.empty()) return tracks;
+  for (std::size_t i = 0; i < tracks; ++i) (void)half_spaces.places.place_for(0.0);
+  half_spaces.places.keep();
   for (const Obstacle& obstacle : s.obstacles) {
     const SurfacePoint surface = nearest_point(obstacle, s.own.position);
     if (surface.distance > params.crit_dist_m) continue;
-    if (count == half_spaces.all.size()) break;
+    const std::size_t at = half_spaces.places.place_for(surface.distance);
+    if (at == max_half_spaces) continue;
     const orca::Change change =
         change_for(obstacle, surface, s, params.obstacle_time_horizon_s, params.interval(s));
-    half_spaces.all[count++] = orca::half_space(change, s.own.velocity, 1.0);
+    half_spaces.all[at] = orca::half_space(change, s.own.velocity, 1.0);
   }
-  return count;
+  return half_spaces.places.count();
 }
 
 void draw(const HalfSpaces& half_spaces, std::size_t tracks, std::size_t count, Sketch& sketch) {
@@ -101,7 +107,9 @@ Command Orca3d::decide(const Situation& s, Memory&, Context& context) const noex
     context.sketch->velocity(preferred, "preferred");
     context.sketch->velocity(choice.velocity, "chosen");
   }
-  return orca::command_of(choice);
+  Command command = orca::command_of(choice);
+  if (half_spaces.places.left_out()) command.note = words_of_left_out;
+  return command;
 }
 
 }  // namespace fairway

@@ -133,5 +133,15 @@ TEST(Orca3d, TwoWhoBothUseItNeverTouch) {
   EXPECT_GT(started, 250);
 }
 
+TEST(Orca3d, OfTooManyObstaclesTheNearestCount) {
+  // more pebbles astern than there is room for half-spaces, listed before a wall 3 m ahead
+  OwnedSituation e = encounters::open_water();
+  for (int i = 0; i < 1100; ++i) e.obstacles.push_back(encounters::sphere(-8.0, 0.001 * i, 0.1, 50.0));
+  e.obstacles.push_back(encounters::wall({3.0, -50.0, 50.0}, {3.0, 50.0, 50.0}));
+  const Command command = decide<Orca3d>(e);
+  EXPECT_LT(command.velocity.x(), 0.9);
+  EXPECT_NE(command.note, "");
+}
+
 }  // namespace
 }  // namespace fairway

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 
 #include "fairway/avoidance/testing/encounters.hpp"
@@ -22,9 +23,9 @@ Hazard ball(const Vec3& velocity = Vec3::Zero()) {
 Ownship northbound(double speed = 1.0) { return encounters::open_water(speed).situation.own; }
 
 std::vector<Hazard> seen(const Situation& s, double range = 100.0) {
-  std::array<Hazard, 16> found;
-  const std::size_t count = hazards_near(s, range, found);
-  return {found.begin(), found.begin() + count};
+  Hazards found;
+  find_hazards_near(s, range, found);
+  return {found.view().begin(), found.view().end()};
 }
 
 TEST(Barrier, OfSecondOrderBoundsTheAcceleration) {
@@ -121,10 +122,29 @@ TEST(Hazards, APolygonIsItsEdgesAndFromInsideTheWayOut) {
   EXPECT_LT(barrier(inside[0], northbound(0.0), of_forces).acceleration.normal.x(), -0.999);
 }
 
-TEST(Hazards, WhatDoesNotFitIsLeftOut) {
+TEST(Hazards, NoNumberOfPebblesHidesAVessel) {
+  OwnedSituation e = encounters::head_on(6.0);
+  for (int i = 0; i < 300; ++i) e.obstacles.push_back(encounters::sphere(-3.0 - 0.01 * i, 0.0, 0.1, 50.0));
+  Hazards found;
+  find_hazards_near(e, 30.0, found);
+  EXPECT_TRUE(found.left_out);
+  ASSERT_EQ(found.count, max_hazards);
+  EXPECT_EQ(found.all[0].centre, Vec3(6.0, 0.0, 50.0));
+  for (const Hazard& hazard : found.view().subspan(1)) EXPECT_GE(hazard.centre.x(), -3.0 - 0.01 * 254);
+  e.obstacles.resize(255);
+  find_hazards_near(e, 30.0, found);
+  EXPECT_FALSE(found.left_out);
+  EXPECT_EQ(found.all[255].centre, Vec3(6.0, 0.0, 50.0)) << "where all fit, obstacles come first";
+}
+
+TEST(Hazards, NoNumberOfVesselsHidesAWall) {
   OwnedSituation e = encounters::open_water();
-  for (int i = 0; i < 20; ++i) e.tracks.push_back(encounters::track(1, {3.0 + i, 0.0, 50.0}, Vec3::Zero()));
-  EXPECT_EQ(seen(e).size(), 16U);
+  for (std::uint32_t i = 0; i < 300; ++i)
+    e.tracks.push_back(encounters::track(i + 1, {-10.0 - 0.01 * i, 0.0, 50.0}, Vec3::Zero()));
+  e.obstacles = {encounters::wall({3.0, -9.0, 50.0}, {3.0, 9.0, 50.0})};
+  Hazards found;
+  find_hazards_near(e, 30.0, found);
+  EXPECT_TRUE(std::ranges::any_of(found.view(), &Hazard::is_flat));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/avoidance/safety_filter/hazards.hpp"
 
+#include "fairway/avoidance/nearest_few.hpp"
 #include "fairway/avoidance/parting.hpp"
 
 namespace fairway {
@@ -9,14 +10,18 @@ namespace {
 /// A nearest point this near to an end of a wall is that end, whichever way the last bits fell [m].
 constexpr double corner_size = 1e-9;
 
-/// Fills a span with the hazards in range.
+constexpr std::size_t sure_tracks = max_hazards - max_hazards / 4;
+
+/// Finds the hazards in range, and places for them.
 class Lookout {
  public:
-  Lookout(const Ownship& own, double range, std::span<Hazard> found)
-      : own_{own}, range_{range}, found_{found} {}
+  Lookout(const Ownship& own, double range, Hazards& found) : own_{own}, range_{range}, found_{found} {}
 
   void see(const Hazard& hazard) {
-    if (count_ < found_.size() && hazard.gap(own_) <= range_) found_[count_++] = hazard;
+    const double gap = hazard.gap(own_);
+    if (!(gap <= range_)) return;
+    const std::size_t place = places_.place_for(gap);
+    if (place < max_hazards) found_.all[place] = hazard;
   }
 
   void see(const Track& t) {
@@ -37,7 +42,20 @@ class Lookout {
     }
   }
 
-  std::size_t count() const { return count_; }
+  void see(std::span<const Track> tracks) {
+    for (const Track& track : tracks) see(track);
+  }
+  void see(std::span<const Obstacle> obstacles) {
+    for (const Obstacle& obstacle : obstacles) see(obstacle);
+  }
+
+  /// Of those seen so far some are sure of their place, whatever comes nearer.
+  void keep(std::size_t most) { places_.keep(most); }
+
+  void end() {
+    found_.count = places_.count();
+    found_.left_out = places_.left_out();
+  }
 
  private:
   void see_fixed(const Vec3& centre, double radius, bool is_flat) {
@@ -60,17 +78,26 @@ class Lookout {
 
   const Ownship& own_;
   double range_;
-  std::span<Hazard> found_;
-  std::size_t count_ = 0;
+  Hazards& found_;
+  NearestFew<max_hazards> places_;
 };
 
 }  // namespace
 
-std::size_t hazards_near(const Situation& s, double range, std::span<Hazard> found) noexcept {
+void find_hazards_near(const Situation& s, double range, Hazards& found) noexcept {
   Lookout lookout{s.own, range, found};
-  for (const Obstacle& obstacle : s.obstacles) lookout.see(obstacle);
-  for (const Track& track : s.tracks) lookout.see(track);
-  return lookout.count();
+  lookout.see(s.obstacles);
+  lookout.see(s.tracks);
+  lookout.end();
+  if (!found.left_out) return;
+
+  // once more: no number of stones hides a vessel
+  Lookout careful{s.own, range, found};
+  careful.see(s.tracks);
+  careful.keep(sure_tracks);
+  careful.see(s.obstacles);
+  careful.end();
+  found.left_out = true;
 }
 
 }  // namespace fairway

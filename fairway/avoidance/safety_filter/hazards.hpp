@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
 
@@ -24,8 +25,22 @@ struct Hazard {
   double gap(const Ownship& own) const { return (own.position - centre).norm() - radius - own.radius; }
 };
 
+/// As many hazards enter one decision at most.
+inline constexpr std::size_t max_hazards = 256;
+
+/// What is near, on the stack.
+struct Hazards {
+  std::array<Hazard, max_hazards> all;
+  std::size_t count = 0;
+  bool left_out = false;  ///< something in range found no room
+
+  std::span<const Hazard> view() const { return {all.data(), count}; }
+};
+
 /// Writes what is within `range` [m] of own sphere to `found`: obstacles as listed, then tracks, nearest
-/// first. Returns how many; what does not fit is left out. O(tracks + obstacle vertices).
-std::size_t hazards_near(const Situation& s, double range, std::span<Hazard> found) noexcept;
+/// first. Where that is too much, the nearest tracks, but no more than three quarters of the room for
+/// certain, and the nearest of all else. O(tracks + obstacle vertices), O(room) more for each that is too
+/// much.
+void find_hazards_near(const Situation& s, double range, Hazards& found) noexcept;
 
 }  // namespace fairway

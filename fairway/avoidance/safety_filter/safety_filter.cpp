@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "fairway/avoidance/ability.hpp"
+#include "fairway/avoidance/nearest_few.hpp"
 #include "fairway/avoidance/safety_filter/barrier.hpp"
 #include "fairway/core/angles.hpp"
 #include "fairway/core/math.hpp"
@@ -14,9 +15,6 @@ namespace fairway {
 namespace {
 
 using Params = SafetyFilter::Params;
-
-/// What is further down the list is not looked at.
-constexpr std::size_t max_hazards = 256;
 
 /// Eight sides of an octagon, both ways of two axes, and way ahead.
 constexpr std::size_t max_bounds = 13;
@@ -106,11 +104,13 @@ class Barriers {
   /// For forces with a `response` of zero.
   Barriers(const Params& params, const Situation& s, double response) : own_{s.own} {
     const BarrierGains gains{params.k1_hz, params.k2_hz, params.margin_m + s.own.position_error(), response};
-    count_ = hazards_near(s, params.activation_m, hazards_);
-    for (std::size_t i = 0; i < count_; ++i) barriers_[i] = barrier(hazards_[i], s.own, gains);
+    find_hazards_near(s, params.activation_m, hazards_);
+    count_ = hazards_.count;
+    for (std::size_t i = 0; i < count_; ++i) barriers_[i] = barrier(hazards_.all[i], s.own, gains);
   }
 
   bool empty() const { return count_ == 0; }
+  bool left_out() const { return hazards_.left_out; }
   bool any_late() const {
     return std::any_of(barriers_.begin(), barriers_.begin() + count_,
                        [](const Barrier& b) { return b.is_late; });
@@ -146,7 +146,7 @@ class Barriers {
     if (violation <= 0.0) return {};
 
     const Vec2 beside =
-        violation * sidestep(params, request, all[worst], hazards_[worst - request.bound_count]);
+        violation * sidestep(params, request, all[worst], hazards_.all[worst - request.bound_count]);
     return nearest_in_plane({{all.data(), n}, request.bound_count, request.max_length},
                             request.nominal + beside);
   }
@@ -167,7 +167,7 @@ class Barriers {
   }
 
   const Ownship& own_;
-  std::array<Hazard, max_hazards> hazards_;
+  Hazards hazards_;
   std::array<Barrier, max_hazards> barriers_;
   std::size_t count_ = 0;
 };
@@ -182,7 +182,11 @@ void draw(Sketch& sketch, const Command& inner, const Command& filtered) {
 Command SafetyFilter::decide(const Situation& s, Avoider& inner, Memory& memory,
                              Context& context) const noexcept {
   const Command asked = inner.decide_usable(s, context.sketch);
-  if (!trackable::must_turn(s)) return filtered(s, asked, context.sketch);
+  if (!trackable::must_turn(s)) {
+    Command answer = filtered(s, asked, context.sketch);
+    if (answer.note.empty()) answer.note = trackable::words_of_ignorance(s);
+    return answer;
+  }
   const trackable::Keeping keeping{
       .margins = {.navigation = s.own.position_error(), .extra = params.margin_m}, .hold = params.hold_s};
   return trackable::Keeper{keeping, s, memory}.keep(asked, deviations, context.sketch);
@@ -200,6 +204,7 @@ Command SafetyFilter::filtered(const Situation& s, const Command& asked, Sketch*
 
   Command answer = asked;
   if (!by_forces) answer.wrench.reset();
+  if (barriers.left_out() && answer.note.empty()) answer.note = words_of_left_out;
   if (!choice) return answer;
 
   const Vec2 acceleration = choice->point - request.origin;

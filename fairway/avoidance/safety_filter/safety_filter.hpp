@@ -19,6 +19,7 @@ struct SafetyFilter {
       .title = "Control barrier function filter around another avoider",
       .source = "Ames et al. 2019; Nguyen and Sreenath 2016 (exponential barrier functions of second order)",
       .planar = true,
+      .handed = true,  // heading straight for the middle it sidesteps to starboard
       .needs_envelope = true,
       .follows = true,
   };

@@ -214,5 +214,24 @@ TEST(SafetyFilter, TooLateItBrakesToStopAtTheMarginAndSaysSo) {
   EXPECT_GT(p.clearance, 0.5 - 1e-6);  // measured 0.50006
 }
 
+TEST(SafetyFilter, NoNumberOfPebblesHidesAVessel) {
+  OwnedSituation e = encounters::head_on(6.0);
+  e.tracks[0].reacts = false;
+  for (int i = 0; i < 260; ++i) e.obstacles.push_back(sphere(-20.0, 0.01 * i, 0.1, 50.0));
+  const Command command = around_direct().decide(e);
+  EXPECT_NE(command.mode, Mode::cruise);
+  EXPECT_LT(command.velocity.x(), 0.5);
+}
+
+TEST(SafetyFilter, StraightAheadItGoesToStarboardInTheMirroredSceneToo) {
+  OwnedSituation e = at_rest();
+  e.obstacles = {sphere(6.0, 0.0, 2.0)};
+  e.situation.own.velocity = {1.0, 0.0, 0.0};
+  const double aside = around_direct().decide(e).velocity.y();
+  EXPECT_GT(aside, 0.0);
+  EXPECT_EQ(around_direct().decide(encounters::mirrored(e)).velocity.y(), aside);
+  EXPECT_TRUE(SafetyFilter::info.handed);
+}
+
 }  // namespace
 }  // namespace fairway

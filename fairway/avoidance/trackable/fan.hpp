@@ -40,6 +40,7 @@ struct Fan {
   const Hazard* hazards{};
   const double* near2{};             ///< of each hazard: this near is too near, squared [m2]
   const std::size_t* first_steps{};  ///< of each hazard: none can be too near to it before so many are over
+  const double* within2{};           ///< of each hazard: nor this near within a step; null: none is so quick
   std::size_t hazard_count{};
   std::size_t begin{};       ///< steps that are over
   std::size_t steps{};       ///< all

@@ -19,8 +19,10 @@ constexpr double most_plateau = 0.99;  // more is all
 constexpr double most_turn = 0.7;      // in a step, for directions to keep that length [rad]
 constexpr double step_of_lag = 0.8;    // a step is no longer than that share of the lag of the turn rate
 constexpr double most_sagitta = 0.02;  // of the arc of a step [m]
+constexpr double most_graze = 0.1;     // of two hulls between the ends of a step, unseen [m]
 constexpr double rounding = 1e-9;      // [m]
 constexpr std::size_t few = 4;         // plans
+constexpr std::size_t kept_tracks = most_hazards - most_hazards / 4;
 
 double squared(double x) { return x * x; }
 
@@ -79,17 +81,19 @@ Foresight::Foresight(const TurnLaw& law, const Situation& s, const Vec2& ahead,
     }
     return beyond > (outlook.climb + std::abs(climb)) * outlook_.window;
   };
+  // tracks first, so that no number of corners hides a vessel
+  for (const Track& track : s.tracks) {
+    if (passes_over(track.position, track.radius, track.velocity.z())) continue;
+    const Vec2 p = track.position.head<2>() - own;
+    add(p, p, track.radius, track.velocity.head<2>());
+  }
+  places_.keep(kept_tracks);
   for (const Obstacle& obstacle : s.obstacles) {
     if (obstacle.kind == Obstacle::Kind::sphere && passes_over(obstacle.position, obstacle.radius, 0.0))
       continue;
     avoa_improved::for_each_solid(obstacle, [&](const avoa_improved::Capsule& solid) {
       add(solid.from - own, solid.to - own, solid.radius, Vec2::Zero());
     });
-  }
-  for (const Track& track : s.tracks) {
-    if (passes_over(track.position, track.radius, track.velocity.z())) continue;
-    const Vec2 p = track.position.head<2>() - own;
-    add(p, p, track.radius, track.velocity.head<2>());
   }
 }
 
@@ -111,7 +115,6 @@ void Foresight::divide_window() noexcept {
 }
 
 void Foresight::add(const Vec2& from, const Vec2& to, double radius, const Vec2& velocity) noexcept {
-  if (count_ == most_hazards) return;
   const Vec2 along = to - from;
   const Vec2 relative = velocity - outlook_.frame;
   const Hazard hazard{from.x(),     from.y(),     along.x(),           along.y(), along.squaredNorm(),
@@ -121,10 +124,12 @@ void Foresight::add(const Vec2& from, const Vec2& to, double radius, const Vec2&
   if (gap > reach_ + speed * outlook_.window + outlook_.margin) return;
   const double left = gap > 0.0 ? kept_of_lost * gap : gap;
   room_now_ = std::min(room_now_, left);
-  hazards_[count_] = hazard;
-  distances_[count_] = distance;
-  left_[count_] = hazard.contact + left;
-  speeds_[count_++] = speed;
+  const std::size_t at = places_.place_for(gap);
+  if (at == most_hazards) return;
+  hazards_[at] = hazard;
+  distances_[at] = distance;
+  left_[at] = hazard.contact + left;
+  speeds_[at] = speed;
 }
 
 struct Foresight::Way {
@@ -166,18 +171,34 @@ double Foresight::fastest_way(double speed, double turn_rate) const noexcept {
 }
 
 /// Of two points that move by `way` against each other, straight and evenly, the nearest approach is nearer
-/// than at the ends by no more than d'^2 = d^2 - (way / 2)^2; the arcs add their sagitta.
+/// than at the ends by no more than d'^2 = d^2 - (way / 2)^2; the arcs add their sagitta. Where that
+/// is more than what is left now, and a step may lead farther into the other than a graze, the way within the
+/// step is looked at: where the margin is there still and the step goes farther than that and both hulls, by
+/// the margin, and else by what it would hit.
 Foresight::Bounds Foresight::bounds(double speed, double turn_rate) const noexcept {
   const double step = response_.step;
   const double turn = std::max({std::abs(now_.turn_rate), response_.law.top_turn_rate, turn_rate});
   const bool is_bounded = step * turn < 2.0 * most_turn;
   const double fastest = is_bounded ? fastest_way(speed, turn) : std::numeric_limits<double>::infinity();
-  const double kept = outlook_.margin + 0.125 * fastest * turn * squared(step);
+  const double sagitta = 0.125 * fastest * turn * squared(step);
+  const double kept = outlook_.margin + sagitta;
   Bounds all;
-  for (std::size_t i = 0; i < count_; ++i) {
+  for (std::size_t i = 0; i < places_.count(); ++i) {
     const double way = step * (fastest + speeds_[i]);
     const double left = std::max(0.0, left_[i] - rounding);
-    all.near2[i] = std::min(squared(hazards_[i].contact + kept) + squared(0.5 * way), squared(left));
+    const double contact = hazards_[i].contact;
+    all.near2[i] = std::min(squared(contact + kept) + squared(0.5 * way), squared(left));
+    all.within2[i] = 0.0;
+    const double gap = distances_[i] - contact;
+    const double deep = squared(contact) - squared(std::max(0.0, contact - most_graze));
+    if (gap > 0.0 && all.near2[i] == squared(left) && squared(0.5 * way) > deep) {
+      const bool goes_past = gap > kept && way > contact + kept;
+      const double least = contact + std::min(goes_past ? kept : sagitta, kept_of_lost * gap);
+      if (squared(left) < squared(least) + squared(0.5 * way)) {
+        all.within2[i] = squared(least);
+        all.any_within = true;
+      }
+    }
     const double whole = (distances_[i] - std::sqrt(all.near2[i])) / (bounding * way);
     all.first_steps[i] =
         whole > 0.0 ? static_cast<std::size_t>(std::min(whole, static_cast<double>(most_steps))) : 0;
@@ -188,28 +209,44 @@ Foresight::Bounds Foresight::bounds(double speed, double turn_rate) const noexce
 bool Foresight::is_clear(const Plan& plan, double quickest) const noexcept {
   const Bounds of = bounds(quickest, std::abs(plan.turn_rate.value_or(0.0)));
   Way way{*this, plan};
+  const std::size_t count = places_.count();
   for (std::size_t k = 0; k < steps_; ++k) {
+    const double before_north = way.m.north, before_east = way.m.east;
     way.advance();
+    const double before = static_cast<double>(k) * response_.step;
     const double time = static_cast<double>(k + 1) * response_.step;
-    for (std::size_t i = 0; i < count_; ++i)
-      if (k >= of.first_steps[i] && distance2(hazards_[i], time, way.m.north, way.m.east) < of.near2[i])
+    for (std::size_t i = 0; i < count; ++i) {
+      if (k < of.first_steps[i]) continue;
+      if (distance2(hazards_[i], time, way.m.north, way.m.east) < of.near2[i]) return false;
+      if (of.within2[i] > 0.0 && distance2_within(hazards_[i], before, before_north, before_east, time,
+                                                  way.m.north, way.m.east) < of.within2[i])
         return false;
+    }
   }
   return true;
 }
 
 double Foresight::room_of(const Plan& plan) const noexcept {
+  const Bounds of = bounds(std::abs(plan.speed), std::abs(plan.turn_rate.value_or(0.0)));
+  const std::size_t count = places_.count();
   Way way{*this, plan};
   std::array<double, most_hazards> least2;
   least2.fill(std::numeric_limits<double>::infinity());
   for (std::size_t k = 0; k < steps_; ++k) {
+    const double before_north = way.m.north, before_east = way.m.east;
     way.advance();
+    const double before = static_cast<double>(k) * response_.step;
     const double time = static_cast<double>(k + 1) * response_.step;
-    for (std::size_t i = 0; i < count_; ++i)
+    for (std::size_t i = 0; i < count; ++i) {
       least2[i] = std::min(least2[i], distance2(hazards_[i], time, way.m.north, way.m.east));
+      if (!(of.within2[i] > 0.0)) continue;
+      const double within2 =
+          distance2_within(hazards_[i], before, before_north, before_east, time, way.m.north, way.m.east);
+      if (within2 < of.within2[i]) least2[i] = std::min(least2[i], within2);
+    }
   }
   double room = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < count_; ++i) room = std::min(room, std::sqrt(least2[i]) - hazards_[i].contact);
+  for (std::size_t i = 0; i < count; ++i) room = std::min(room, std::sqrt(least2[i]) - hazards_[i].contact);
   return room;
 }
 
@@ -249,7 +286,8 @@ struct Foresight::Search {
     fan.hazards = in.hazards_.data();
     fan.near2 = bounds.near2.data();
     fan.first_steps = bounds.first_steps.data();
-    fan.hazard_count = in.count_;
+    fan.within2 = bounds.any_within ? bounds.within2.data() : nullptr;
+    fan.hazard_count = in.places_.count();
     fan.steps = in.steps_;
     fan.hold_steps = in.hold_steps_;
     fan.courses = &courses;
@@ -318,7 +356,7 @@ struct Foresight::Search {
     fan.asks_room = true;
     for (; fan.first < count; fan.first += kernel.lanes) {
       // who comes so near leaves no more, whatever is rounded
-      for (std::size_t i = 0; i < in.count_; ++i) {
+      for (std::size_t i = 0; i < in.places_.count(); ++i) {
         const double contact = in.hazards_[i].contact;
         bounds.near2[i] = squared(std::max(0.0, most + contact - 1e-12 * (1.0 + contact + std::abs(most))));
       }

@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 
+#include "fairway/avoidance/nearest_few.hpp"
 #include "fairway/avoidance/situation.hpp"
 #include "fairway/avoidance/trackable/fan.hpp"
 #include "fairway/avoidance/trackable/turn_law.hpp"
@@ -47,16 +48,19 @@ enum class Prospect : std::uint8_t {
 /// orders by first-order lags, within the accelerations, and the hull slips about its pivot. All that is near
 /// keeps its velocity. Of a vehicle with a least speed all of that is relative to the water (`frame`),
 /// through which that speed is. A plan is clear if nothing comes nearer than the margin, between steps
-/// either; where that is lost already, nothing comes nearer by more than a tenth of what is left of it. The
-/// backup of a vehicle that can stop is to stop, its bow up into the drift; of one that cannot it is to go
-/// round in a circle, to either side.
+/// either; where that is lost already, nothing comes nearer by more than a tenth of what is left of it, and
+/// nothing is met between steps. Where more is near than there is room for, the nearest tracks count, and
+/// what is nearest besides. The backup of a vehicle that can stop is to stop, its bow up into the drift; of
+/// one that cannot it is to go round in a circle, to either side.
 class Foresight {
  public:
   /// `law` must outlive it. The bow points `ahead`. O(solids).
   Foresight(const TurnLaw& law, const Situation& s, const Vec2& ahead, const Outlook& outlook) noexcept;
 
   /// Nothing can come near within the window.
-  bool is_open() const noexcept { return count_ == 0; }
+  bool is_open() const noexcept { return places_.count() == 0; }
+  /// More can come near within the window than is looked at.
+  bool left_out() const noexcept { return places_.left_out(); }
   /// Nine tenths of the way to the nearest surface; infinite where nothing is near [m].
   double room_now() const noexcept { return room_now_; }
   /// Into how many the window is divided, and how long each is [s].
@@ -100,6 +104,8 @@ class Foresight {
   struct Bounds {
     std::array<double, most_hazards> near2;             ///< this near after a step is too near, squared [m2]
     std::array<std::size_t, most_hazards> first_steps;  ///< none comes near before so many are over
+    std::array<double, most_hazards> within2;           ///< nor this near within a step; 0: it cannot [m2]
+    bool any_within = false;                            ///< is not 0
   };
   /// One plan, step by step.
   struct Way;
@@ -126,7 +132,7 @@ class Foresight {
   std::array<double, most_hazards> distances_;  // from the middle line now [m]
   std::array<double, most_hazards> left_;       // what may be left of that at least, where the margin is lost
   std::array<double, most_hazards> speeds_;
-  std::size_t count_ = 0;
+  NearestFew<most_hazards> places_;
 };
 
 }  // namespace fairway::trackable

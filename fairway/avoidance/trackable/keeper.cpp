@@ -5,6 +5,7 @@
 #include <cmath>
 #include <span>
 
+#include "fairway/avoidance/nearest_few.hpp"
 #include "fairway/core/angles.hpp"
 #include "fairway/core/math.hpp"
 
@@ -130,6 +131,11 @@ bool must_turn(const Situation& s) noexcept {
   return s.envelope != nullptr && !(s.limits.sway && s.envelope->sideways > standing);
 }
 
+std::string_view words_of_ignorance(const Situation& s) noexcept {
+  const bool is_unknown = s.envelope == nullptr && !s.limits.sway;
+  return is_unknown ? "it has to turn, and what it can do is not known: no envelope is given" : "";
+}
+
 Keeper::Keeper(const Keeping& keeping, const Situation& s, Course& course) noexcept
     : s_{s},
       course_{course},
@@ -199,6 +205,7 @@ Command Keeper::keep(const Command& asked, const Deviations& deviations, Sketch*
       command.note = "";
     }
   }
+  if (foresight_.left_out() && command.note.empty()) command.note = words_of_left_out;
   if (sketch != nullptr) draw(*sketch, plan, asked);
   command.velocity.z() = foresight_.held_to_depths(command.velocity.z());
   if (command.mode == Mode::hold) return command;

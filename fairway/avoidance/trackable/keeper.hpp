@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <string_view>
 
 #include "fairway/avoidance/command.hpp"
 #include "fairway/avoidance/sketch.hpp"
@@ -51,6 +52,10 @@ struct Choice;
 
 /// Whether its envelope is known, and it turns in order to go elsewhere.
 bool must_turn(const Situation& s) noexcept;
+
+/// Said where the vehicle turns in order to go elsewhere and nobody says how; else empty. Text that outlives
+/// the program's run.
+std::string_view words_of_ignorance(const Situation& s) noexcept;
 
 /// Holds what a method asks of a vehicle that must turn to what is clear, or leaves a backup manoeuvre, as a
 /// Foresight says; otherwise takes the nearest course and speed of which that is true, and says at that

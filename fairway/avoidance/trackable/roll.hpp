@@ -225,4 +225,43 @@ Real distance2(const Hazard& hazard, double time, const Real& north, const Real&
   return off_north * off_north + off_east * off_east;
 }
 
+/// Squared distance of a point from a line that goes from the origin along (along_north, along_east). [m2]
+template <class Real>
+Real from_way2(const Real& north, const Real& east, const Real& along_north, const Real& along_east) {
+  const Real length2 =
+      larger<Real>(along_north * along_north + along_east * along_east, std::numeric_limits<double>::min());
+  const Real share = clamped<Real>((along_north * north + along_east * east) / length2, Real{0.0}, Real{1.0});
+  const Real off_north = north - share * along_north, off_east = east - share * along_east;
+  return off_north * off_north + off_east * off_east;
+}
+
+/// The least squared distance from the middle line of a hazard within a step that is gone straight and
+/// evenly, from (before_north, before_east) after `before` [s] to (north, east) after `time`. [m2]
+template <class Real>
+Real distance2_within(const Hazard& hazard, double before, const Real& before_north, const Real& before_east,
+                      double time, const Real& north, const Real& east) {
+  // as the hazard sees it: the way goes on from `from`, the middle line from the origin
+  const Real from_north = before_north - before * hazard.velocity_north - hazard.north;
+  const Real from_east = before_east - before * hazard.velocity_east - hazard.east;
+  const Real to_north = north - time * hazard.velocity_north - hazard.north;
+  const Real to_east = east - time * hazard.velocity_east - hazard.east;
+  const Real way_north = to_north - from_north, way_east = to_east - from_east;
+  const Real of_one_end = from_way2<Real>(-from_north, -from_east, way_north, way_east);
+  if (!(hazard.length2 > 0.0)) return of_one_end;
+
+  const Real line_north{hazard.along_north}, line_east{hazard.along_east};
+  const Real of_other_end =
+      from_way2<Real>(line_north - from_north, line_east - from_east, way_north, way_east);
+  const Real of_ends = smaller<Real>(of_one_end, of_other_end);
+  const Real of_way = smaller<Real>(from_way2<Real>(from_north, from_east, line_north, line_east),
+                                    from_way2<Real>(to_north, to_east, line_north, line_east));
+  const Real side_before = line_north * from_east - line_east * from_north;
+  const Real side_after = line_north * to_east - line_east * to_north;
+  const Real side_of_one = way_east * from_north - way_north * from_east;
+  const Real side_of_other = side_of_one + (way_north * line_east - way_east * line_north);
+  const MaskOf<Real> crosses =
+      (side_before * side_after < Real{0.0}) & (side_of_one * side_of_other < Real{0.0});
+  return select(crosses, Real{0.0}, smaller<Real>(of_ends, of_way));
+}
+
 }  // namespace fairway::trackable

@@ -12,7 +12,9 @@ Command Trackable::decide(const Situation& s, Avoider& inner, Memory& memory,
   shown.own.position_sigma = 0.0;  // its sphere is larger by that
   if (!trackable::must_turn(s)) {
     shown.own.radius += shown_margin;
-    return inner.decide_usable(shown, context.sketch);
+    Command command = inner.decide_usable(shown, context.sketch);
+    if (command.note.empty()) command.note = trackable::words_of_ignorance(s);
+    return command;
   }
   trackable::Keeper keeper{{.margins = {.tracking = params.tracking_bound_m,
                                         .perception = params.perception_error_m,

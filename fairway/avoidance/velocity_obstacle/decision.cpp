@@ -51,6 +51,7 @@ Command decide(const Situation& s, const Params& params, Responsibility responsi
   Command command{.velocity = chosen,
                   .mode = choice.is_feasible ? Mode::avoid : Mode::infeasible,
                   .astern = turns_freely};
+  if (neighbourhood.left_out()) command.note = words_of_left_out;
   // who has to stand turns meanwhile to where it would go if it headed there, or it would stand for ever
   if (!turns_freely && choice.velocity.norm() < standing) {
     Limits turning_at_once = s.limits;

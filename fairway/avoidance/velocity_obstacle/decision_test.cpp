@@ -201,5 +201,19 @@ TEST(VelocityObstacleDecision, WhoTouchesAndMayOnlyGoAheadTurnsAway) {
   EXPECT_NEAR(command.heading.value_or(0.0), 0.25 * pi, 1e-6);
 }
 
+TEST(VelocityObstacleDecision, OfTooManyObstaclesTheNearestCount) {
+  // 200 pebbles astern, listed before a wall 3 m ahead
+  OwnedSituation e = encounters::open_water();
+  for (int i = 0; i < 200; ++i) e.obstacles.push_back(encounters::sphere(-12.0, 0.01 * i, 0.1, 50.0));
+  e.obstacles.push_back(encounters::wall({3.0, -50.0, 50.0}, {3.0, 50.0, 50.0}));
+  for (const Responsibility responsibility : everyone) {
+    const Command command = decide(e, {}, responsibility);
+    EXPECT_LT(command.velocity.x(), 0.4 + 1e-9);
+    EXPECT_NE(command.note, "");
+  }
+  e.obstacles.erase(e.obstacles.begin(), e.obstacles.begin() + 100);
+  EXPECT_EQ(vo(e).note, "");
+}
+
 }  // namespace
 }  // namespace fairway::velocity_obstacle

@@ -65,10 +65,11 @@ void Neighbourhood::add_tracks(const Situation& s, const Params& params,
     put(track, responsibility != Responsibility::all, s, discs);
   }
   kernel.cones(discs);
-  for (; count_ < discs.count; ++count_) {
-    obstacles_[count_] = VelocityObstacle(discs, count_, parting_direction(s.own.id, ids_[count_]).head<2>());
+  for (; track_count_ < discs.count; ++track_count_) {
+    const std::size_t at = places_.place_for(0.0);
+    obstacles_[at] = VelocityObstacle(discs, at, parting_direction(s.own.id, ids_[at]).head<2>());
   }
-  track_count_ = count_;
+  places_.keep();
 }
 
 void Neighbourhood::add_obstacle(const Obstacle& obstacle, const Situation& s,
@@ -105,13 +106,15 @@ void Neighbourhood::add_polygon(const Obstacle& polygon, const Situation& s, con
 void Neighbourhood::add_solid(const RelativeCapsule& solid, const Params& params) noexcept {
   const double range = params.crit_dist_m + solid.radius;
   const Vec2 nearest = nearest_on_segment(solid.from, solid.to, Vec2::Zero());
-  if (count_ == max_obstacles || nearest.norm() > range) return;
-  obstacles_[count_++] =
-      VelocityObstacle(solid, {params.obstacle_time_horizon_s, params.planning_interval_s});
+  const double distance = nearest.norm();
+  if (distance > range) return;
+  const std::size_t at = places_.place_for(distance - solid.radius);
+  if (at == max_obstacles) return;
+  obstacles_[at] = VelocityObstacle(solid, {params.obstacle_time_horizon_s, params.planning_interval_s});
 }
 
 void Neighbourhood::draw(double reach, Sketch& sketch) const {
-  for (std::size_t i = 0; i < count_; ++i) {
+  for (std::size_t i = 0; i < places_.count(); ++i) {
     const Outline outline = obstacles_[i].outline(reach);
     std::array<Vec3, Outline::max_points> points;
     const auto level = [](const Vec2& v) { return Vec3{v.x(), v.y(), 0.0}; };

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "fairway/avoidance/nearest_few.hpp"
 #include "fairway/avoidance/safety_filter/hazards.hpp"
 #include "fairway/avoidance/wall_following/printed.hpp"
 #include "fairway/core/angles.hpp"
@@ -15,9 +16,6 @@ namespace {
 
 using Round = WallFollowing::Round;
 
-/// What is further down the list is not looked at.
-constexpr std::size_t max_hazards = 256;
-
 /// Directions this near to the edge of what is allowed are allowed [rad].
 constexpr double edge = 1e-9;
 
@@ -25,16 +23,17 @@ constexpr double edge = 1e-9;
 class HalfPlanes {
  public:
   HalfPlanes(const WallFollowing::Params& params, const Situation& s, const Vec3& preferred) {
-    const std::size_t count = hazards_near(s, params.sensor_range_m, hazards_);
-    for (std::size_t i = 0; i < count; ++i) add(params, s, hazards_[i], preferred);
+    find_hazards_near(s, params.sensor_range_m, hazards_);
+    for (const Hazard& hazard : hazards_.view()) add(params, s, hazard, preferred);
   }
   std::span<const HalfPlane> view() const { return {all_.data(), count_}; }
+  bool left_out() const { return hazards_.left_out; }
 
   /// Speed of what moves fastest [m/s].
   double fastest() const {
     double fastest = 0.0;
     for (std::size_t i = 0; i < count_; ++i)
-      fastest = std::max(fastest, horizontal_norm(hazards_[i].velocity));
+      fastest = std::max(fastest, horizontal_norm(hazards_.all[i].velocity));
     return fastest;
   }
 
@@ -47,7 +46,7 @@ class HalfPlanes {
     if (!following || count_ == 0) return;
     const auto room = [&](const HalfPlane& h) { return -h.violation(chosen.head<2>()); };
     const auto wall = static_cast<std::size_t>(std::ranges::min_element(view(), {}, room) - view().begin());
-    const Hazard& hazard = hazards_[wall];
+    const Hazard& hazard = hazards_.all[wall];
     const Vec3 surface = hazard.centre + hazard.radius * unit(Vec3{own - hazard.centre});
     sketch.path(std::array{own, surface}, "followed");
   }
@@ -68,7 +67,7 @@ class HalfPlanes {
     all_[count_++] = {from.head<2>() / level, opening * from.norm() / level + opening_by_others};
   }
 
-  std::array<Hazard, max_hazards> hazards_;
+  Hazards hazards_;
   std::array<HalfPlane, max_hazards> all_;
   std::size_t count_ = 0;
 };
@@ -204,7 +203,9 @@ Command decide_corrected(const WallFollowing::Params& params, const Situation& s
   if (half_planes.view().empty()) round = {};
   carry_along(round, half_planes.fastest(), s.period);
   begin_or_end(round, in_the_way, wanted, horizontal_norm(s.goal.position - s.own.position));
-  if (!round.following && in_the_way == nullptr) return {.velocity = preferred, .mode = Mode::cruise};
+  const std::string_view left_out = half_planes.left_out() ? words_of_left_out : "";
+  if (!round.following && in_the_way == nullptr)
+    return {.velocity = preferred, .mode = Mode::cruise, .note = left_out};
 
   const Vec2 wish = round.following ? way_round(round, half_planes.view(), s, wanted) : wanted;
   const PlaneChoice choice =
@@ -218,7 +219,7 @@ Command decide_corrected(const WallFollowing::Params& params, const Situation& s
   }
   return {.velocity = velocity,
           .mode = choice.is_feasible() ? Mode::avoid : Mode::infeasible,
-          .note = choice.is_feasible() ? "" : "within the standoff, and too slow to leave it"};
+          .note = choice.is_feasible() ? left_out : "within the standoff, and too slow to leave it"};
 }
 
 }  // namespace fairway::wall

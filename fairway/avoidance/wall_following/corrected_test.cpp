@@ -179,5 +179,15 @@ TEST(WallFollowingCorrected, AllocatesNothing) {
   EXPECT_EQ(allocation_count(), before);
 }
 
+TEST(WallFollowingCorrected, NoNumberOfPebblesHidesAVessel) {
+  OwnedSituation e = northbound();
+  e.tracks = {encounters::track(1, {4.0, 0.0, 0.0}, {-1.0, 0.0, 0.0})};
+  const double range = corrected().sensor_range_m;
+  for (int i = 0; i < 300; ++i) e.obstacles.push_back(sphere(-0.9 * range, 0.001 * i, 0.1));
+  const Command command = follower().decide(e);
+  EXPECT_NE(command.mode, Mode::cruise);
+  EXPECT_NE(command.note, "");
+}
+
 }  // namespace
 }  // namespace fairway
