@@ -372,10 +372,8 @@ void add_exam(CLI::App& app, Program& program) {
   verb->add_option("--tuned", flags->tuned, "what tune found: best.yaml, or a folder of such")
       ->check(not_empty())
       ->type_name("PATH");
-  verb->add_option("--grounds", flags->grounds, "the exam: families and conditions")
-      ->check(not_empty())
-      ->type_name("YAML")
-      ->capture_default_str();
+  CLI::Option* grounds = verb->add_option("--grounds", flags->grounds, "the exam: families and conditions");
+  grounds->check(not_empty())->type_name("YAML")->capture_default_str();
   verb->add_option("--out", flags->out, "folder for runs, tables and page; goes on where it is there")
       ->check(not_empty())
       ->required()
@@ -387,6 +385,7 @@ void add_exam(CLI::App& app, Program& program) {
                  "make no run: the table is of the cells that are stored whole");
   verb->add_flag("--json", flags->json, "print the results as JSON");
   program.on(*verb, [=, &program] {
+    if (grounds->count() == 0) expect_shipped(flags->grounds, "--grounds");
     if (flags->against == "stored") flags->against = shipped("campaigns/exam/reference.csv.zst");
     return hold_exam(*flags, *outputs, program);
   });

@@ -97,6 +97,13 @@ int refuse_word(std::string_view word) {
   return bad_input;
 }
 
+/// Where an installed fairway keeps what comes with it.
+std::filesystem::path installed_folder() {
+  std::error_code none;
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", none);
+  return program.parent_path().parent_path() / "share/fairway";
+}
+
 }  // namespace
 
 int run_command(int argc, const char* const* argv, const Catalogs& catalogs) {
@@ -171,12 +178,17 @@ Overrides overrides_of(const std::vector<std::string>& texts) {
 }
 
 std::string shipped(const std::string& path) {
-  namespace fs = std::filesystem;
   std::error_code none;
-  if (fs::exists(path, none)) return path;
-  const fs::path program = fs::read_symlink("/proc/self/exe", none);
-  const fs::path installed = program.parent_path().parent_path() / "share/fairway" / path;
-  return fs::exists(installed, none) ? installed.string() : path;
+  if (std::filesystem::exists(path, none)) return path;
+  const std::filesystem::path installed = installed_folder() / path;
+  return std::filesystem::exists(installed, none) ? installed.string() : path;
+}
+
+void expect_shipped(const std::string& path, const std::string& flag) {
+  std::error_code none;
+  if (std::filesystem::exists(path, none)) return;
+  throw InputError(path + ": is neither here nor in " + installed_folder().string() + "; give it by " + flag +
+                   ", or go to the folder of fairway's sources");
 }
 
 std::string read_text(const std::string& file) {

@@ -70,6 +70,9 @@ Overrides overrides_of(const std::vector<std::string>& texts);
 /// the command is installed. As it is where there is none.
 std::string shipped(const std::string& path);
 
+/// Throws InputError unless what `shipped` gave is there: where it has looked, and which flag names another.
+void expect_shipped(const std::string& path, const std::string& flag);
+
 /// Opens a file for reading, "-" being standard input; throws InputError naming the file.
 std::string read_text(const std::string& file);
 

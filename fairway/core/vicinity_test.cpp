@@ -96,6 +96,59 @@ TEST(Vicinity, ACrowdTooDenseForListsIsFoundAllTheSame) {
   hold_to_comparison(wanderers, 7, wanderers.points[7], 0.05);
 }
 
+/// What each of the fleet of `fairway bench --fleet` has to look at in a step: vehicles on a lattice of 11 m,
+/// up to 2 m off, each under way at 0.5 m/s and 20 Hz, who look round as far as 15 m.
+struct LooksOfALattice {
+  double on_a_list{};  ///< of each, on the average of all steps
+  double most_on_one{};
+  int sorted{};        ///< how often all were sorted anew, of 200 steps
+  bool by_list{true};  ///< nobody had to look beyond the list
+
+  explicit LooksOfALattice(std::size_t count) {
+    constexpr int steps = 200;
+    Rng rng{1};
+    std::size_t side = 1;
+    while (side * side * side < count) ++side;
+    std::vector<Vec3> points, strides;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Eigen::Vector<std::size_t, 3> cell{i % side, i / side % side, i / (side * side)};
+      points.push_back(11.0 * cell.cast<double>() + anywhere(2.0, rng));
+      const double angle = rng.uniform(-3.14, 3.14);
+      strides.push_back(0.5 / 20.0 * Vec3{std::cos(angle), std::sin(angle), 0.0});
+    }
+    Vicinity vicinity{{.most = 15.0, .usual_count = 14.0}};
+    double reach_before = 0.0;
+    for (int step = 0; step < steps; ++step) {
+      for (std::size_t i = 0; i < count; ++i) points[i] += strides[i];
+      vicinity.update(count, [&](std::size_t i) { return points[i]; });
+      // what a list surely holds shrinks as they move, until all are sorted again
+      const double reach = vicinity.sure_reach(0, points[0]);
+      sorted += reach > reach_before ? 1 : 0;
+      reach_before = reach;
+      for (std::size_t i = 0; i < count; ++i) {
+        by_list = by_list && vicinity.sure_reach(i, points[i]) >= 15.0;
+        double found = 0.0;
+        vicinity.visit_others(i, points[i], vicinity.sure_reach(i, points[i]),
+                              [&](std::size_t, double) { found += 1.0; });
+        on_a_list += found / static_cast<double>(steps * count);
+        most_on_one = std::max(most_on_one, found);
+      }
+    }
+  }
+};
+
+TEST(Vicinity, WhatEachLooksAtDoesNotGrowWithTheFleet) {
+  const LooksOfALattice few{256}, many{4000};
+  for (const LooksOfALattice& each : {few, many}) {
+    EXPECT_TRUE(each.by_list);
+    // a list reaches 15 m and a margin of a tenth: a ball of 18 800 m3, of which each has 11^3
+    EXPECT_LT(each.on_a_list, 14.2);
+    EXPECT_LT(each.most_on_one, 2 * 14.2);
+    EXPECT_LE(each.sorted, 200 / 10);  // half of the margin of 1.5 m is gone in thirty steps
+  }
+  EXPECT_LT(many.on_a_list, 1.5 * few.on_a_list);  // more of the few are at the rim, where half is empty
+}
+
 TEST(Vicinity, DoesNotAllocateOnceItHasSeenThemAll) {
   Wanderers wanderers{500, 40.0, {.most = 15.0}};
   wanderers.wander(0.5);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "fairway/experiment/campaign_forms.hpp"
 #include "fairway/scenario/block.hpp"
 #include "fairway/scenario/load.hpp"
 
@@ -38,11 +39,7 @@ std::string algorithm_of(const CampaignAlgorithm& method) {
 }
 
 void expect_known(const CampaignAlgorithm& method, const Catalog& methods) {
-  try {
-    methods.params(algorithm_of(method));
-  } catch (const InputError& error) {
-    throw InputError(method.place.where, method.place.path, error.what());
-  }
+  yaml::ask_of(method.place, [&] { methods.params(algorithm_of(method)); });
 }
 
 std::string why_not(const Catalog& methods, std::string_view algorithm, const ExamFamily& family) {

@@ -26,6 +26,16 @@ Form<std::vector<CampaignScenarioFile>> scenario_files();
 /// tuned.yaml}` in which such a mapping stands.
 CampaignAlgorithm read_algorithm(const Value& value);
 
+/// Calls `ask`, which asks a catalog for what is written at `place`: an InputError of it then says where.
+template <class Ask>
+void ask_of(const WrittenPlace& place, const Ask& ask) {
+  try {
+    ask();
+  } catch (const InputError& error) {
+    throw InputError(place.where, place.path, error.what());
+  }
+}
+
 /// `{exchange: none, step_s: 0.1}`: paths as for --set, each with what it is set to. The seed and who avoids
 /// are refused, being set by `others`.
 Form<Overrides> settings(std::string_view others);

@@ -24,6 +24,7 @@ struct Ground {
   bool is_silent = false;                                     ///< nobody tells anything
   std::vector<std::uint32_t> ids;                             ///< of all vehicles
   double shallowest = Limits::none, deepest = -Limits::none;  ///< [m]
+  double widest = 0.0, second_widest = 0.0;                   ///< radii of two vehicles' spheres [m]
 
   explicit Ground(const Scenario& scenario)
       : has_others{scenario.vehicles.size() > 1}, is_silent{scenario.exchange.name == "none"} {
@@ -38,10 +39,15 @@ struct Ground {
     for (const VehicleSpec& vehicle : scenario.vehicles) {
       see(vehicle.position.z());
       ids.push_back(vehicle.id);
+      second_widest = math::fmax(second_widest, std::min(widest, vehicle.radius_m));
+      widest = math::fmax(widest, vehicle.radius_m);
       for (const Leg& leg : vehicle.mission)
         if (leg.kind == LegKind::transit) see(leg.position.z());
     }
   }
+
+  /// The largest radius of another vehicle than one with the radius `own` [m].
+  double widest_other(double own) const { return own < widest ? widest : second_widest; }
 
  private:
   void see(double depth) {
@@ -79,8 +85,18 @@ std::string amiss_in_team(const VehicleSpec& spec, std::string_view name, const 
   return {};
 }
 
+/// Spheres that touch before the vehicle perceives the other, as a clause about its method; empty where it
+/// perceives it sooner. A sonar sees as far as it has been told to, and not as far as `range_m`.
+std::string amiss_in_range(const VehicleSpec& spec, const PerceptionSpec& perception, const Ground& ground) {
+  const double touching = spec.radius_m + ground.widest_other(spec.radius_m);
+  if (!ground.has_others || perception.kind.name != "perfect" || touching <= perception.range_m) return {};
+  return fmt::format("perceives others within {:g} m (perception.range_m), and spheres touch at {:g} m",
+                     perception.range_m, touching);
+}
+
 /// What is amiss with one vehicle, each thing as a clause about its method.
-std::vector<std::string> amiss(const VehicleSpec& spec, const Limits& limits, const Ground& ground,
+std::vector<std::string> amiss(const VehicleSpec& spec, const Limits& limits,
+                               const PerceptionSpec& perception, const Ground& ground,
                                const Catalog& avoiders) {
   const std::string name = avoider_in_force(spec, limits, avoiders);
   const auto all = [&](bool AlgorithmInfo::*what) { return avoiders.ignores(name, what); };
@@ -106,6 +122,8 @@ std::vector<std::string> amiss(const VehicleSpec& spec, const Limits& limits, co
   }
   if (speaks && ground.is_silent)
     clauses.emplace_back("waits for the words of others, and the exchange is none");
+  if (std::string clause = amiss_in_range(spec, perception, ground); !is_alone && !clause.empty())
+    clauses.push_back(std::move(clause));
   if (std::string clause = amiss_in_team(spec, name, ground, avoiders); !clause.empty())
     clauses.push_back(std::move(clause));
   const auto sees_no_more = [](const Catalog::Entry* layer) {
@@ -134,7 +152,7 @@ std::vector<std::string> misfits(const Scenario& scenario, const Catalogs& catal
   for (std::size_t i = 0; i < scenario.vehicles.size(); ++i) {
     const VehicleSpec& spec = scenario.vehicles[i];
     try {
-      for (std::string& clause : amiss(spec, limits[i], ground, catalogs.avoiders)) {
+      for (std::string& clause : amiss(spec, limits[i], scenario.perception, ground, catalogs.avoiders)) {
         const auto known = std::ranges::find(troubles, clause, &Trouble::clause);
         if (known != troubles.end()) {
           ++known->count;

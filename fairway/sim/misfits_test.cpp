@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/sim/misfits.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -131,6 +132,38 @@ TEST(Misfits, TellWhoIsInNoTeamAndWhoseTeamIsNotThere) {
       told_of(7, ""),
       ElementsAre("robot0 and 6 others: pledge waits for words of the ids 0 to 7 (team_count: 8), and "
                   "not all of these are there"));
+}
+
+/// A vehicle of `radius_m` to each, on one course at 90 m from the next.
+std::vector<std::string> told_of_spheres(const std::vector<double>& radii, const std::string& perception,
+                                         const std::string& avoider = "orca3d") {
+  std::string vehicles;
+  for (std::size_t i = 0; i < radii.size(); ++i)
+    vehicles += fmt::format("{}{{start: {{position_m: [0, {}, 0]}}, radius_m: {}}}", i == 0 ? "" : ", ",
+                            90 * i, radii[i]);
+  return misfits(
+      parse_scenario("{fairway: 1, name: s, defaults: {model: minerva_transport, avoider: " + avoider +
+                         "}, perception: " + perception + ", vehicles: [" + vehicles + "]}",
+                     "s.yaml"),
+      builtin_catalogs());
+}
+
+TEST(Misfits, TellOfSpheresThatTouchBeforeTheyArePerceived) {
+  const std::string within = "perceives others within 15 m (perception.range_m), and spheres touch at ";
+  EXPECT_THAT(told_of_spheres({40, 40}, "{range_m: 15}"),
+              ElementsAre("robot0 and 1 other: orca3d " + within + "80 m"));
+  EXPECT_THAT(told_of_spheres({1, 14.5, 1}, "{range_m: 15}"),
+              ElementsAre("robot0 and 2 others: orca3d " + within + "15.5 m"));
+  EXPECT_THAT(told_of_spheres({1, 12, 13}, "{range_m: 15}"),
+              ElementsAre("robot1 and 1 other: orca3d " + within + "25 m"));
+  EXPECT_THAT(told_of_spheres({7, 8}, "{range_m: 15}"), IsEmpty());  // as they touch, they perceive
+  EXPECT_THAT(told_of_spheres({40}, "{range_m: 15}"), IsEmpty());    // nobody else is there
+  EXPECT_THAT(told_of_spheres({40, 40}, "perfect"), IsEmpty());      // without a bound
+  EXPECT_THAT(told_of_spheres({40, 40}, "{kind: sonar, range_m: 15}"), IsEmpty());  // it sees by itself
+  EXPECT_THAT(told_of_spheres({40, 40}, "{range_m: 15}", "direct"),
+              IsEmpty());  // it is there to avoid nobody
+  EXPECT_THAT(told_of_spheres({40, 40}, "{range_m: 15}", "direct+safety_filter"),
+              ElementsAre("robot0 and 1 other: direct+safety_filter " + within + "80 m"));
 }
 
 TEST(Misfits, NameTheFirstOfManyAndCountTheOthers) {

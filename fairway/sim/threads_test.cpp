@@ -125,16 +125,31 @@ TEST(Threads, OfTwoThatBreakTheFirstOneIsNamed) {
   }
 }
 
-TEST(Threads, NothingAllocatesAfterTheFirstSteps) {
-  Simulation simulation{crowd(150, "orca3d"), builtin_catalogs()};
-  simulation.share_out(3);
+/// In so many steps after the first `first_steps`.
+long allocations_in(int steps, const Scenario& scenario, std::size_t threads, int first_steps = 3) {
+  Simulation simulation{scenario, builtin_catalogs()};
+  simulation.share_out(threads);
   RunMetrics metrics{{6.0, 3.0}};
-  metrics.share_out(3);
+  metrics.share_out(threads);
   const std::array<FrameSink*, 1> sinks{&metrics};
-  for (int i = 0; i < 3; ++i) simulation.step(sinks);
+  for (int i = 0; i < first_steps; ++i) simulation.step(sinks);
   const long before = allocation_count();
-  for (int i = 0; i < 50; ++i) simulation.step(sinks);
-  EXPECT_EQ(allocation_count(), before);
+  for (int i = 0; i < steps; ++i) simulation.step(sinks);
+  return allocation_count() - before;
+}
+
+TEST(Threads, NothingAllocatesAfterTheFirstSteps) {
+  for (const std::size_t count : {8U, 150U, 1000U})
+    for (const std::size_t threads : {1U, 3U})
+      EXPECT_EQ(allocations_in(50, crowd(count, "orca3d"), threads), 0) << count << " on " << threads;
+}
+
+TEST(Threads, NothingAllocatesUnderModemsOnceEveryoneHasSpoken) {
+  Scenario scenario = crowd(64, "orca3d");
+  scenario.exchange.name = "acoustic";
+  scenario.exchange.params = {{"cycle_s", 0.0}};
+  scenario.duration_s = 600.0;
+  EXPECT_EQ(allocations_in(50, scenario, 1, 300), 0);
 }
 
 TEST(Threads, ACopyHasItsOwn) {

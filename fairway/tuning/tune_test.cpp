@@ -297,6 +297,11 @@ TEST_F(Tuning, RefusesWhatCannotBeTunedWithItsPlace) {
             "there");
   EXPECT_EQ(refusal("{algorithm: orca3d, crit_dist_m: 20}", "direct").substr(file().size()),
             ":5:3: parameters: direct has no parameters, so there is nothing to tune");
+  std::string without = specification;
+  without.erase(without.find("parameters:"), without.find("train:") - without.find("parameters:"));
+  without.replace(without.find("{algorithm: orca3d, crit_dist_m: 20}"), 36, "direct");
+  EXPECT_EQ(refusal_by([&] { parsed(without); }).substr(file().size()),
+            ":3:9: method: direct has no parameters, so there is nothing to tune");
   EXPECT_EQ(refusal("{from: 2, to: 12}", "5").substr(file().size()),
             ":6:25: parameters.max_neighbours_count: expected {from: 1, to: 10}, or a list of values, got 5");
 }

@@ -118,7 +118,6 @@ std::vector<TunedParameter> read_parameters(const Value& value, const Catalog& m
                                             const Choice& method) {
   value.expect_map("parameters, each with what it may be");
   const std::vector<ParamInfo> known = methods.params(method.name);
-  if (known.empty()) value.refuse(method.name + " has no parameters, so there is nothing to tune");
   if (value.tree().keys.empty()) value.refuse("none is named, so there is nothing to tune");
   std::vector<TunedParameter> parameters;
   for (std::size_t i = 0; i < value.tree().keys.size(); ++i) {
@@ -277,11 +276,11 @@ TuningFile tuning_of(const Value& value, const Catalog& methods, TuningFile tuni
   const Value method = value.at("method");
   tuning.method = yaml::read_algorithm(method);
   const Choice choice = yaml::read_choice(method, "algorithm", Needed::yes, {"label"});
-  try {
-    methods.params(choice.name);
-  } catch (const InputError& error) {
-    throw InputError(choice.where, choice.path, error.what());
-  }
+  yaml::ask_of(tuning.method.place, [&] { methods.params(choice.name); });
+  if (methods.params(choice.name).empty())
+    value.find("parameters")
+        .value_or(method)
+        .refuse(choice.name + " has no parameters, so there is nothing to tune");
   tuning.parameters = read_parameters(value.at("parameters"), methods, choice);
   return tuning;
 }

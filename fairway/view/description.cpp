@@ -52,23 +52,57 @@ json actuators_json(std::span<const ActuatorInfo> actuators) {
   return list;
 }
 
-/// The envelope under the autopilot that the vehicle has by default, in steps of a scenario's default. Empty
-/// where no autopilot drives it.
-json envelope_json(const Vehicle& vehicle) {
+/// The autopilot that a vehicle has by default; nothing where none drives it.
+std::optional<Autopilot> autopilot_of(const Vehicle& vehicle) {
+  try {
+    return Autopilot{vehicle};
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
+/// The envelope under that autopilot, in steps of a scenario's default. Empty where none can be measured.
+json envelope_json(const Vehicle& vehicle, const Autopilot& autopilot) {
   json list = json::array();
-  const auto envelope = [&]() -> std::optional<Envelope> {
-    try {
-      return measured_envelope(vehicle, Autopilot{vehicle}, narrowed({}, vehicle), Scenario{}.step_s);
-    } catch (const InputError&) {
-      return {};
-    }
-  }();
+  const std::optional<Envelope> envelope =
+      measured_envelope(vehicle, autopilot, narrowed({}, vehicle), Scenario{}.step_s);
   if (!envelope) return list;
   for_each_member<Envelope>([&](const auto& m) {
     list.push_back(
         {{"name", m.name_with_unit()}, {"value", json((*envelope).*m.at)}, {"meaning", m.meaning}});
   });
   return list;
+}
+
+/// Why a vehicle has no envelope, and who of the same source has one.
+std::string without_autopilot(const Vehicle& vehicle, const VehicleCatalog& vehicles) {
+  std::vector<std::string_view> names;
+  for (const ActuatorInfo& actuator : vehicle.actuators()) names.push_back(actuator.name);
+  std::string text =
+      fmt::format("none, and so no envelope: it takes {}, which are neither thrusts nor velocities",
+                  fmt::join(names, ", "));
+  for (const VehicleCatalog::Entry& other : vehicles.entries())
+    if (other.info.name != vehicle.info().name && other.info.source == vehicle.info().source &&
+        autopilot_of(other.make({})))
+      return fmt::format("{}; {} is the same vehicle with one", text, other.info.name);
+  return text;
+}
+
+json vehicle_json(const VehicleCatalog::Entry& entry, const VehicleCatalog& vehicles) {
+  const Vehicle vehicle = entry.make({});
+  json document{{"kind", "vehicle"},
+                {"name", entry.info.name},
+                {"title", entry.info.title},
+                {"source", entry.info.source},
+                {"actuators", actuators_json(vehicle.actuators())},
+                {"envelope", json::array()},
+                {"parameters", params_json(entry.params)}};
+  if (const std::optional<Autopilot> autopilot = autopilot_of(vehicle)) {
+    document["envelope"] = envelope_json(vehicle, *autopilot);
+  } else {
+    document["autopilot"] = without_autopilot(vehicle, vehicles);
+  }
+  return document;
 }
 
 /// A kind of exchange, perception or navigation; `role` is its key in a scenario. Empty if none of `kinds` is
@@ -121,15 +155,7 @@ std::optional<json> description(const std::string& name, const Catalogs& catalog
   }
   for (const VehicleCatalog::Entry& entry : catalogs.vehicles.entries()) {
     known.push_back(entry.info.name);
-    if (entry.info.name != name) continue;
-    const Vehicle vehicle = entry.make({});
-    return json{{"kind", "vehicle"},
-                {"name", name},
-                {"title", entry.info.title},
-                {"source", entry.info.source},
-                {"actuators", actuators_json(vehicle.actuators())},
-                {"envelope", envelope_json(vehicle)},
-                {"parameters", params_json(entry.params)}};
+    if (entry.info.name == name) return vehicle_json(entry, catalogs.vehicles);
   }
   const std::vector<QuantityInfo> quantities = all_quantities();
   for (const QuantityInfo& quantity : quantities) {
