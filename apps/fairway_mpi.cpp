@@ -155,6 +155,7 @@ int lead(const Campaign& campaign, const Flags& flags, int ranks) {
     throw InputError(flags.out + ": is of another campaign or version of it; write to another file");
   local.store().note(this_maker(!flags.no_host));
   local.store().note(origin_of(campaign));
+  local.store().claim(campaign.specs);
   Workers workers{ranks};
   Progress progress{campaign.name};
   std::chrono::steady_clock::time_point published;  // long ago, so that the first batch is there at once
@@ -178,8 +179,10 @@ int lead(const Campaign& campaign, const Flags& flags, int ranks) {
   local.publish();
   std::cout << campaign.name << ": " << report.made << " runs made by " << workers.count() << " workers, "
             << report.failed << " of them failed, " << report.present << " were there"
+            << (report.failed_before > 0 ? ", " + std::to_string(report.failed_before) + " of them failed"
+                                         : "")
             << (report.stopped ? "; stopped, the same command goes on from here" : "") << "\n";
-  return report.failed == 0 ? 0 : 1;
+  return report.failed + report.failed_before == 0 ? 0 : 1;
 }
 
 /// Rank 0 leads and the others work, once all have read the same campaign.
@@ -224,6 +227,8 @@ int main(int argc, char** argv) {
   const auto stop = [](int) { fairway::stop_requested = true; };
   std::signal(SIGTERM, stop);
   std::signal(SIGINT, stop);
+  if (std::signal(SIGHUP, stop) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);  // the write fails instead, and says so
   int code = 2;
   try {
     if (ranks < 2 || threads < MPI_THREAD_SERIALIZED)

@@ -15,6 +15,7 @@
 #include "fairway/experiment/campaign.hpp"
 #include "fairway/experiment/compare.hpp"
 #include "fairway/experiment/measure_run.hpp"
+#include "fairway/experiment/version.hpp"
 #include "fairway/sim/simulation.hpp"
 
 namespace fairway::python {
@@ -102,6 +103,14 @@ struct SweepChoice {
   bool retry_failures{};
 };
 
+/// None keeps nothing; a text that is empty is a slip.
+std::string out_of(const py::object& out) {
+  if (out.is_none()) return "";
+  std::string path = path_of(out);
+  if (path.empty()) throw InputError("out: expected the path of a results store, or None; got ''");
+  return path;
+}
+
 Results sweep(const SweepChoice& choice, const py::object& algorithms) {
   const OwnAlgorithms own{algorithms, !choice.out.empty()};
   std::atomic<bool> stop{false};
@@ -123,30 +132,30 @@ Results sweep(const SweepChoice& choice, const py::object& algorithms) {
         {.jobs = choice.jobs, .progress = &progress, .stop = &stop, .retry_failures = choice.retry_failures});
     made = report.made;
     results = {origin_of(campaign), records_of(campaign, store)};
+    results.origin.epoch = std::to_string(results_epoch);
   });
   return results_of(std::move(results), made);
 }
 
-void add_results(const py::handle& given, StoredResults& results) {
-  StoredResults more;
+/// `place` of a list, for errors about what has no name of its own.
+void add_results(const py::handle& given, std::size_t place, GatheredResults& results) {
   if (py::isinstance<Results>(given)) {
-    more = given.cast<const Results&>().stored;
+    const StoredResults& more = given.cast<const Results&>().stored;
+    results.add("results[" + std::to_string(place) + "]", more.origin, more.records);
   } else {
-    const std::array<std::string, 1> file{path_of(py::reinterpret_borrow<py::object>(given))};
-    more = read_stores(file);
+    results.add_store(path_of(py::reinterpret_borrow<py::object>(given)));
   }
-  add_questions(results, more.origin);
-  std::ranges::move(more.records, std::back_inserter(results.records));
 }
 
-StoredResults results_of_all(const py::object& given) {
-  StoredResults results;
+StoredResults results_of_all(const py::object& given, bool mixed) {
+  GatheredResults results{mixed ? Together::compared_mixed : Together::compared};
   if (py::isinstance<py::list>(given) || py::isinstance<py::tuple>(given)) {
-    for (const py::handle item : given) add_results(item, results);
+    std::size_t place = 0;
+    for (const py::handle item : given) add_results(item, place++, results);
   } else {
-    add_results(given, results);
+    add_results(given, 0, results);
   }
-  return results;
+  return results.take();
 }
 
 constexpr const char* sweep_doc =
@@ -164,7 +173,9 @@ InputError.)";
 constexpr const char* compare_doc =
     R"(Compares stored runs, paired by seed, with confidence intervals: the document of `fairway compare --json`. results:
 Results, the path of a results store, or a list of these. by: the label whose values are compared. baseline: the
-value that the others are compared with; the campaign's first without it. quantities: without it those of the campaign; ["all"] for all. Raises InputError.)";
+value that the others are compared with; the campaign's first without it. quantities: without it those of the campaign; ["all"] for all. A run that
+several hold is taken once. mixed: results of several results epochs, or versions of a campaign, are taken together;
+without it they are refused. Raises InputError.)";
 
 }  // namespace
 
@@ -174,7 +185,7 @@ void bind_sweeps(py::module_& m) {
       [](const py::object& campaign, const py::object& out, int jobs, const py::object& algorithms,
          bool retry_failures) {
         return sweep({.campaign = path_of(campaign),
-                      .out = out.is_none() ? "" : path_of(out),
+                      .out = out_of(out),
                       .jobs = jobs_of(jobs),
                       .retry_failures = retry_failures},
                      algorithms);
@@ -184,21 +195,23 @@ void bind_sweeps(py::module_& m) {
   m.def(
       "compare",
       [](const py::object& results, const std::string& by, const py::object& baseline,
-         const py::object& quantities, double confidence) {
+         const py::object& quantities, double confidence, bool mixed) {
         if (!(confidence >= 0.5 && confidence <= 0.9999))
           throw InputError("confidence: expected a number in [0.5, 0.9999], got " +
                            std::to_string(confidence));
         CompareOptions options;
         options.by = by;
         options.confidence = confidence;
+        options.mixed = mixed;
         if (!baseline.is_none()) options.baseline = Read<std::string>::from(baseline, "baseline");
         if (!quantities.is_none())
           options.quantities = Read<std::vector<std::string>>::from(quantities, "quantities");
-        const StoredResults all = results_of_all(results);
+        const StoredResults all = results_of_all(results, mixed);
         return shown(to_json(compare(all.records, options_for(all.origin, options))));
       },
       py::arg("results"), py::arg("by") = "method", py::arg("baseline") = py::none(),
-      py::arg("quantities") = py::none(), py::arg("confidence") = 0.95, compare_doc);
+      py::arg("quantities") = py::none(), py::arg("confidence") = 0.95, py::arg("mixed") = false,
+      compare_doc);
 }
 
 }  // namespace fairway::python

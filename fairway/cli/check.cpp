@@ -73,7 +73,7 @@ void add_check(CLI::App& app, Program& program) {
     if (files->empty()) throw InputError("check: name at least one scenario file");
     nlohmann::json document = nlohmann::json::array();
     for (const std::string& file : *files) {
-      const Scenario scenario = load_scenario(file, overrides_of(*settings), *seed);
+      const Scenario scenario = load_scenario(file, overrides_of(*settings, *seed), *seed);
       check_expectations(scenario);
       const Simulation simulation{scenario, program.catalogs};  // the catalogs check what they are asked for
       const std::vector<std::string> avoiders = avoiders_of(scenario, simulation, program.catalogs.avoiders);

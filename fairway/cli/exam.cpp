@@ -262,6 +262,7 @@ Store open_store(const ExamFlags& flags, const ExamFile& exam, const ExamPlan& p
   Origin origin{.campaign = exam.name, .summary = exam.summary};
   for (const CampaignCell& cell : plan.campaign.cells) add_values(origin.order, cell.labels);
   store.note(origin);
+  store.claim(plan.campaign.specs);
   if (!plan.campaign.specs.empty()) store.note(this_maker(false));
   return store;
 }

@@ -26,6 +26,7 @@ void print_merged(const MergeFlags& flags, const MergeReport& report) {
     const nlohmann::json document{{"campaign", report.origin.campaign},
                                   {"stores", flags.stores.size()},
                                   {"runs", report.runs},
+                                  {"others", report.runs - report.of_campaign},
                                   {"failed", report.failed},
                                   {"missing", report.missing()},
                                   {"makers", report.origin.makers},
@@ -35,6 +36,9 @@ void print_merged(const MergeFlags& flags, const MergeReport& report) {
   }
   std::cout << fmt::format("{}: {} runs from {} stores, {} of them failed, {} missing\n", flags.out,
                            report.runs, flags.stores.size(), report.failed, report.missing());
+  if (report.of_campaign < report.runs)
+    std::cout << fmt::format("{} of these are of another campaign, or of another version of {}\n",
+                             report.runs - report.of_campaign, report.origin.campaign);
   for (const std::string& kind : kinds_of(report.origin.makers)) std::cout << "made by " << kind << "\n";
   if (const std::string remark = remark_on(report.origin.makers); !remark.empty())
     std::cout << remark << "\n";

@@ -25,7 +25,7 @@ std::atomic<bool> stop_requested{false};
 std::atomic<bool> terminated{false};
 
 extern "C" void on_interrupt(int signal) {
-  if (signal == SIGTERM) terminated = true;
+  if (signal != SIGINT) terminated = true;
   // a second Ctrl-C ends the process at once
   if (stop_requested.exchange(true)) std::_Exit(interrupted);
 }
@@ -38,7 +38,7 @@ std::string name_of(int argc, const char* const* argv) {
 
 std::string typed_line(int argc, const char* const* argv) {
   std::string line = name_of(argc, argv);
-  for (int i = 1; i < argc; ++i) line += std::string(" ") + argv[i];
+  for (int i = 1; i < argc; ++i) line += " " + shell_word(argv[i]);
   return line;
 }
 
@@ -118,6 +118,9 @@ int run_command(int argc, const char* const* argv, const Catalogs& catalogs) {
   add_verbs(app, program);
   std::signal(SIGINT, on_interrupt);
   std::signal(SIGTERM, on_interrupt);
+  // a terminal that goes away ends a job as a scheduler does, unless nohup has it go on
+  if (std::signal(SIGHUP, on_interrupt) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);  // a file beyond what may be written is then an error like a full disk
 
   try {
     app.parse(argc, argv);
@@ -171,9 +174,15 @@ ParamValues settings_of(const std::vector<std::string>& texts) {
   return values;
 }
 
-Overrides overrides_of(const std::vector<std::string>& texts) {
+Overrides overrides_of(const std::vector<std::string>& texts, const std::optional<std::uint64_t>& seed) {
   Overrides overrides;
-  for (const std::string& text : texts) overrides.push_back(split_setting(text));
+  for (const std::string& text : texts) {
+    overrides.push_back(split_setting(text));
+    const std::string& path = overrides.back().first;
+    if (std::ranges::count(overrides, path, &Overrides::value_type::first) > 1)
+      throw InputError("--set " + path + ": given twice");
+    if (seed && path == "seed") throw InputError("--set seed: --seed gives it, too; expected one of the two");
+  }
   return overrides;
 }
 

@@ -3,7 +3,9 @@
 
 #include <CLI/CLI.hpp>
 #include <atomic>
+#include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,10 +25,10 @@ inline constexpr int interrupted = 130;
 struct Program {
   std::string typed;            ///< the whole command, for reports
   std::function<int()> chosen;  ///< the verb that was asked for
-  std::atomic<bool>* stop;      ///< set by Ctrl-C and by SIGTERM
+  std::atomic<bool>* stop;      ///< set by Ctrl-C, SIGTERM and SIGHUP
   std::string name;          ///< of this program, as it was called: "fairway", or one with methods of its own
   const Catalogs& catalogs;  ///< what it offers
-  std::atomic<bool>* terminated;  ///< whether it was SIGTERM that asked to stop
+  std::atomic<bool>* terminated;  ///< whether it was SIGTERM or SIGHUP that asked to stop
 
   /// Has `run` chosen where the verb is asked for.
   void on(CLI::App& verb, std::function<int()> run) {
@@ -63,8 +65,10 @@ std::pair<std::string, std::string> split_setting(const std::string& text);
 /// `--set a=1 --set b=2` as parameters. Throws InputError for a repeated name.
 ParamValues settings_of(const std::vector<std::string>& texts);
 
-/// `--set path=value` as overrides of a scenario.
-Overrides overrides_of(const std::vector<std::string>& texts);
+/// `--set path=value` as overrides of a scenario. Throws InputError for a repeated path, and for the seed
+/// where
+/// --seed gives it.
+Overrides overrides_of(const std::vector<std::string>& texts, const std::optional<std::uint64_t>& seed = {});
 
 /// Where `path` of what comes with fairway is, such as "scenarios": in the folder that one is in, else where
 /// the command is installed. As it is where there is none.

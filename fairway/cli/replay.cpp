@@ -66,6 +66,22 @@ int verify(const Recording& recording, const std::string& name, bool as_json, co
 
 using Export = void (*)(const Recording&, std::ostream&);
 
+/// One thing goes to standard output.
+void refuse_two_answers(const ReplayFlags& flags) {
+  const std::pair<const char*, const std::string*> exports[] = {
+      {"--csv", &flags.csv}, {"--tracks", &flags.tracks}, {"--echoes", &flags.echoes}};
+  std::string first = flags.json ? "--json" : flags.verify ? "--verify" : "";
+  for (const auto& [flag, file] : exports) {
+    if (flags.json && !flags.verify && !file->empty() && *file != "-")
+      throw InputError(std::string("--json: ") + flag +
+                       " is written instead of a summary; expected one of the two");
+    if (*file != "-") continue;
+    if (!first.empty())
+      throw InputError(std::string(flag) + " -: " + first + " goes to standard output, too; expected a file");
+    first = flag;
+  }
+}
+
 void export_to(const std::string& file, const Recording& recording, Export write) {
   if (file.empty()) return;
   if (file == "-") {
@@ -125,6 +141,7 @@ void add_replay(CLI::App& app, Program& program) {
   outputs->add("--echoes", flags->echoes, recording_table, "write the echoes of sonars as CSV");
   verb->add_flag("--json", flags->json, "print JSON");
   program.on(*verb, [=, &program] {
+    refuse_two_answers(*flags);
     outputs->judge({flags->recording});
     const Recording recording = Recording::read(flags->recording);
     export_to(flags->csv, recording, export_csv);

@@ -36,9 +36,21 @@ void print_interrupted(const RunOptions& options, double time) {
   std::cerr << "\n";
 }
 
+/// --algorithm replaces what --set would have said before it.
+void refuse_two_algorithms(const RunOptions& options, const Overrides& overrides) {
+  for (const auto& [path, value] : overrides) {
+    const bool is_avoider = path.starts_with("vehicles[") &&
+                            (path.ends_with("].avoider") || path.ends_with("].avoider.algorithm"));
+    if (is_avoider && !options.algorithm.empty())
+      throw InputError("--set " + path + ": --algorithm sets it, too; expected one of the two");
+  }
+}
+
 int run(const RunOptions& options, const Outputs& outputs, const Program& program) {
   outputs.judge({options.file});
-  Scenario scenario = load_scenario(options.file, overrides_of(options.settings), options.seed);
+  const Overrides overrides = overrides_of(options.settings, options.seed);
+  refuse_two_algorithms(options, overrides);
+  Scenario scenario = load_scenario(options.file, overrides, options.seed);
   if (!options.algorithm.empty()) set_algorithm(scenario, options.algorithm);
   check_expectations(scenario);
   const RunOutcome outcome =

@@ -130,6 +130,9 @@ Submission planned(const SubmitFlags& flags, const Program& program) {
                .limit_s = seconds_of(flags.time)};
   const double unit_s = seconds_per_cost(sample, program);
   const double total = plan_of(sample, 1).costs.front();
+  if (flags.engine == "mpi" && flags.shards > 0)
+    throw InputError(
+        fmt::format("--shards {}: --engine mpi hands out single runs, and cuts no shards", flags.shards));
   std::uint32_t count = flags.engine == "mpi" ? 1 : flags.shards;
   const std::uint32_t most = flags.engine == "slurm" && !flags.dry_run ? slurm::most_tasks() : 1001;
   if (count == 0) {
@@ -150,7 +153,7 @@ Submission planned(const SubmitFlags& flags, const Program& program) {
 }
 
 /// The submission that the folder holds already, if it does: its shards stay as they were cut.
-void go_on_with_former(Submission& s) {
+void go_on_with_former(Submission& s, const SubmitFlags& flags) {
   const fs::path file = fs::path(s.folder) / submission_file;
   if (!fs::exists(file) || !is_of_kind(file.string(), plan_file)) return;
   Submission former = read_submission(s.folder);
@@ -163,6 +166,11 @@ void go_on_with_former(Submission& s) {
   if (former.engine != s.engine)
     throw InputError(s.folder + ": was submitted by --engine " + former.engine +
                      "; go on with that, or in another folder");
+  if (flags.shards > 0 && flags.shards != former.shards())
+    throw InputError(
+        fmt::format("--shards {}: {} was cut into {}, and stays so; leave it out, or submit to another "
+                    "folder",
+                    flags.shards, s.folder, former.shards()));
   s.runs = std::move(former.runs);
   s.expected_s = std::move(former.expected_s);
   s.jobs = std::move(former.jobs);
@@ -239,7 +247,7 @@ void send(Submission& s, const std::vector<std::uint32_t>& shards, std::ostream&
 int submit(const SubmitFlags& flags, const Outputs& outputs, const Program& program) {
   Submission s = planned(flags, program);
   if (!flags.dry_run && fs::exists(s.folder)) outputs.judge({flags.campaign}, files_of(s));
-  go_on_with_former(s);
+  go_on_with_former(s, flags);
   if (flags.dry_run) {
     std::vector<std::uint32_t> all;
     for (std::uint32_t shard = 0; shard < s.shards(); ++shard) all.push_back(shard);

@@ -2,10 +2,12 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <filesystem>
 #include <functional>
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <system_error>
 
 #include "fairway/cli/listing.hpp"
 #include "fairway/cli/numbers.hpp"
@@ -33,8 +35,14 @@ struct SweepFlags {
   bool no_host{false};
   bool json{false};
 
+  /// Whether what is missing is to be made in the very store that lacks it.
+  bool fills() const {
+    std::error_code none;
+    return !missing.empty() && std::filesystem::equivalent(missing, out, none);
+  }
+
   /// Of a part of the campaign, the rest of which is elsewhere, nothing is compared.
-  bool is_of_part() const { return !shard.empty() || (!missing.empty() && missing != out); }
+  bool is_of_part() const { return !shard.empty() || (!missing.empty() && !fills()); }
 };
 
 /// Where the runs are stored: a file, on local disk first for a shard, or memory.
@@ -73,7 +81,7 @@ class SweepStore {
 void judge_outputs(const SweepFlags& flags, const Outputs& outputs, const Campaign& campaign) {
   std::vector<std::string> inputs{flags.campaign};
   for (const CampaignScenario& scenario : campaign.scenarios) inputs.push_back(scenario.file);
-  if (flags.missing != flags.out) inputs.push_back(flags.missing);
+  if (!flags.fills()) inputs.push_back(flags.missing);
   outputs.judge(inputs);
 }
 
@@ -87,9 +95,18 @@ void refuse_other_campaign(const SweepFlags& flags, const Campaign& campaign, co
                    campaign.name + "; write to another file");
 }
 
+/// Whoever reads the store has to know of runs in it that are none of this campaign as it is now.
+void tell_of_others(const SweepFlags& flags, const Store& store) {
+  const std::size_t others = store.size() - store.campaign_size();
+  if (others == 0 || flags.out.empty()) return;
+  std::cerr << fmt::format(
+      "fairway: warning: {} holds {} runs of another campaign, or of another version of this one\n",
+      flags.out, others);
+}
+
 /// Leaves out the runs that the store of --missing has.
 void leave_out_stored(const SweepFlags& flags, Campaign& campaign) {
-  if (flags.missing.empty() || flags.missing == flags.out) return;
+  if (flags.missing.empty() || flags.fills()) return;
   const Store store = Store::open_existing(flags.missing);
   keep_runs(campaign, [&](const RunSpec& spec) {
     const Store::Status status = store.status(spec.key);
@@ -97,19 +114,25 @@ void leave_out_stored(const SweepFlags& flags, Campaign& campaign) {
   });
 }
 
+/// Of the runs that were there already, for behind their count.
+std::string failed_before(const ExecutorReport& report) {
+  return report.failed_before > 0 ? fmt::format(", {} of them failed", report.failed_before) : "";
+}
+
 void print_part(const SweepFlags& flags, const Campaign& campaign, const ExecutorReport& report) {
+  const std::size_t failed = report.failed + report.failed_before;
   if (flags.json) {
     const nlohmann::json document{{"campaign", campaign.name},          {"shard", text_of(campaign.shard)},
                                   {"runs", campaign.specs.size()},      {"made", report.made},
-                                  {"present", report.present},          {"failed", report.failed},
+                                  {"present", report.present},          {"failed", failed},
                                   {"of_campaign", campaign.run_count()}};
     std::cout << document.dump(2) << "\n";
     return;
   }
   const std::string part = flags.shard.empty() ? "missing from " + flags.missing : "shard " + flags.shard;
-  std::cout << fmt::format("{}, {}: {} of {} runs; {} made, {} of them failed, {} were there\n",
+  std::cout << fmt::format("{}, {}: {} of {} runs; {} made, {} of them failed, {} were there{}\n",
                            campaign.name, part, campaign.specs.size(), campaign.run_count(), report.made,
-                           report.failed, report.present);
+                           report.failed, report.present, failed_before(report));
 }
 
 /// What is stored is kept, so SIGTERM, by which a scheduler ends a job, is no failure.
@@ -129,6 +152,11 @@ Campaign listed_campaign(const SweepFlags& flags, const CheckScenario& check, co
 
 int sweep(const SweepFlags& flags, const Outputs& outputs, const Program& program) {
   if (!flags.shard.empty() && flags.out.empty()) throw InputError("--shard needs --out, where its runs go");
+  if (!flags.missing.empty()) {
+    if (flags.out.empty()) throw InputError("--missing needs --out, where its runs go");
+    if (!std::filesystem::exists(flags.missing))
+      throw InputError("--missing " + flags.missing + ": no such results store");
+  }
   const Catalogs& catalogs = program.catalogs;
   const std::atomic<bool>* stop = program.stop;
   const auto check = [&](const Scenario& scenario) { Simulation{scenario, catalogs}; };
@@ -142,6 +170,7 @@ int sweep(const SweepFlags& flags, const Outputs& outputs, const Program& progra
   leave_out_stored(flags, campaign);
   SweepStore store{flags, outputs.force() ? Store::Foreign::replace : Store::Foreign::refuse};
   refuse_other_campaign(flags, campaign, store.get());
+  store.get().refuse_other_epoch();
   store.get().note(this_maker(!flags.shard.empty() && !flags.no_host));
   Progress progress{campaign.name};
   const ExecutorReport report = run_campaign(
@@ -150,6 +179,7 @@ int sweep(const SweepFlags& flags, const Outputs& outputs, const Program& progra
          store.publish_now_and_then();
        }});
   store.publish();
+  tell_of_others(flags, store.get());
   if (report.stopped) return stopped(flags, report, program);
   if (flags.is_of_part()) {
     print_part(flags, campaign, report);
@@ -159,12 +189,12 @@ int sweep(const SweepFlags& flags, const Outputs& outputs, const Program& progra
     if (flags.json) {
       std::cout << to_json(comparison).dump(2) << "\n";
     } else {
-      std::cout << fmt::format("{}: {} runs made, {} were there\n", campaign.name, report.made,
-                               report.present)
+      std::cout << fmt::format("{}: {} runs made, {} were there{}\n", campaign.name, report.made,
+                               report.present, failed_before(report))
                 << table_text(comparison);
     }
   }
-  return report.failed == 0 ? ok : expectation_failed;
+  return report.failed + report.failed_before == 0 ? ok : expectation_failed;
 }
 
 }  // namespace

@@ -21,6 +21,8 @@ struct TrialFlags {
 };
 
 int trial(const TrialFlags& flags, const Outputs& outputs, const VehicleCatalog& vehicles) {
+  if (flags.json && flags.out == "-")
+    throw InputError("--json: --out - goes to standard output, too; expected a file, or no --json");
   outputs.judge({flags.inputs});
   std::istringstream inputs{read_text(flags.inputs)};
   std::ostringstream states;

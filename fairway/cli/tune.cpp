@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -85,6 +86,28 @@ std::vector<std::string> inputs_of(const TuneFlags& flags, const TuningFile& tun
   return inputs;
 }
 
+/// What the search rests on: the specification and its scenarios, as they are written.
+std::string specification_digest(const TuneFlags& flags, const TuningFile& tuning) {
+  Digest digest;
+  for (const std::string& file : inputs_of(flags, tuning)) digest.add(read_text(file));
+  return digest.hex();
+}
+
+/// A result that is there stays, unless it is of the same search with whatever budget, or of one by a fairway
+/// that did not note whose it was.
+void refuse_result_of_another(const TuneFlags& flags, const Task& task) {
+  std::ifstream file{task.files.document};
+  const nlohmann::json document = nlohmann::json::parse(file, nullptr, false);
+  if (!document.is_object() || !document.contains("search")) return;
+  const nlohmann::json search{{"specification", specification_digest(flags, task.tuning)},
+                              {"seed", flags.seed}};
+  if (document["search"] == search) return;
+  throw InputError(
+      task.files.document +
+      ": is the result of another search: of another specification, scenario or --seed; expected "
+      "another --out, or --force to replace it");
+}
+
 /// Tells this search from every other that may leave its runs in the same folder.
 std::string digest_of(const TuneFlags& flags, const TuningFile& tuning, const Shard& shard) {
   Digest digest;
@@ -117,6 +140,7 @@ void refuse_mistakes(const TuneFlags& flags, const Task& task, const Outputs& ou
     outputs.judge(inputs_of(flags, tuning), {{"--out", task.files.store, store_file},
                                              {"--out", task.files.avoider, tuned_file},
                                              {"--out", task.files.document, tuning_document}});
+  if (!outputs.force()) refuse_result_of_another(flags, task);
 }
 
 TuningResult search(const TuneFlags& flags, const Task& task, const Shard& shard, Store::Foreign foreign,
@@ -147,6 +171,7 @@ nlohmann::json write_result(const TuneFlags& flags, const Task& task, const Tuni
   const auto& [tuning, files] = task;
   write_file(files.avoider, tuned_avoider(tuning, result, program.typed));
   nlohmann::json document = to_json(tuning, result);
+  document["search"] = {{"specification", specification_digest(flags, tuning)}, {"seed", flags.seed}};
   write_file(files.document, document.dump(2) + "\n");
   if (!flags.json)
     std::cout << tuning_text(tuning, result) << "wrote " << files.avoider << "\n" << std::flush;

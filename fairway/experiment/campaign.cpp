@@ -6,6 +6,7 @@
 #include <exception>
 #include <filesystem>
 #include <functional>
+#include <iterator>
 #include <mutex>
 #include <optional>
 #include <thread>
@@ -98,6 +99,35 @@ std::vector<CampaignCell> expanded_cells(const CampaignFile& written, const Camp
   return cells;
 }
 
+/// A scenario without what is there for people or for tests, as text. One that stands only under the
+/// overrides of its cells counts as it is written.
+std::string canonical_text(const CampaignScenario& scenario, std::uint64_t seed) {
+  try {
+    return canonical_text(scenario.document.scenario({}, seed));
+  } catch (const InputError&) {
+    return scenario.text;
+  }
+}
+
+/// Of every cell a digest of all that it is made of but the seed, and the program's own methods: what the
+/// scenario says, drawn under one seed, and what is laid over it.
+std::vector<std::string> versions_of(const Campaign& campaign) {
+  constexpr std::uint64_t one_seed = 1;
+  std::vector<std::string> texts;
+  for (const CampaignScenario& scenario : campaign.scenarios)
+    texts.push_back(canonical_text(scenario, one_seed));
+  std::vector<std::string> versions;
+  for (const CampaignCell& cell : campaign.cells) {
+    Digest digest;
+    digest.add(std::to_string(results_epoch)).add(cell.algorithm).add(texts[cell.scenario]);
+    for (const auto* part : {&cell.labels, &cell.overrides}) {
+      for (const auto& [name, value] : *part) digest.add(name).add(value);
+    }
+    versions.push_back(digest.hex());
+  }
+  return versions;
+}
+
 /// A digest of all that decides the outcome.
 std::string key_of(const CampaignCell& cell, Scenario scenario, const std::string& own_version) {
   Digest digest;
@@ -107,11 +137,17 @@ std::string key_of(const CampaignCell& cell, Scenario scenario, const std::strin
   return digest.hex();
 }
 
-/// `fairway run` with all that the cell sets, up to the seed.
+/// `fairway run` with all that the cell sets, up to the seed. What is set anew later is not set before.
 std::string command_for(const Campaign& campaign, const CampaignCell& cell, const std::string& program) {
   if (program.empty()) return "";
   std::string command = program + " run " + shell_word(campaign.scenarios[cell.scenario].file);
-  for (const auto& [path, value] : cell.overrides) command += " --set " + shell_word(path + "=" + value);
+  for (auto at = cell.overrides.begin(); at != cell.overrides.end(); ++at) {
+    const auto& [path, value] = *at;
+    if (std::any_of(std::next(at), cell.overrides.end(),
+                    [&](const auto& later) { return later.first == path; }))
+      continue;
+    command += " --set " + shell_word(path + "=" + value);
+  }
   return command + " --seed ";
 }
 
@@ -199,7 +235,8 @@ void list_runs(Campaign& campaign, unsigned jobs) {
 
 /// Resolves the scenario of a run and writes down its key and command; checks that of the first run of a
 /// cell.
-void resolve(Campaign& campaign, std::size_t run, const CheckScenario& check, const OwnMethods& own) {
+void resolve(Campaign& campaign, std::size_t run, const CheckScenario& check, const OwnMethods& own,
+             const std::vector<std::string>& versions) {
   RunSpec& spec = campaign.specs[run];
   const CampaignCell& cell = campaign.cell_of(run);
   of_run(campaign, cell, spec.seed, [&] {
@@ -208,17 +245,8 @@ void resolve(Campaign& campaign, std::size_t run, const CheckScenario& check, co
     const std::string own_version = own.version ? own.version(scenario) : "";
     spec.command = command_for(campaign, cell, own_version.empty() ? "fairway" : own.program);
     spec.key = key_of(cell, std::move(scenario), own_version);
+    spec.version = Digest{}.add(versions[campaign.cells_of[run]]).add(own_version).hex();
   });
-}
-
-/// A scenario without what is there for people or for tests, as text. One that stands only under the
-/// overrides of its cells counts as it is written.
-std::string canonical_text(const CampaignScenario& scenario, std::uint64_t seed) {
-  try {
-    return canonical_text(scenario.document.scenario({}, seed));
-  } catch (const InputError&) {
-    return scenario.text;
-  }
 }
 
 std::string digest_of(const Campaign& campaign, const CampaignFile& written) {
@@ -283,9 +311,10 @@ Campaign expanded(const CampaignFile& written, const std::string& file, const Ch
 void resolve_runs(Campaign& campaign, const CheckScenario& check, unsigned jobs, const OwnMethods& own,
                   const WatchListing& watch) {
   const std::thread::id asking = std::this_thread::get_id();
+  const std::vector<std::string> versions = versions_of(campaign);
   std::atomic<std::size_t> listed{0};
   for_each_index(campaign.specs.size(), jobs, [&](std::size_t run) {
-    resolve(campaign, run, check, own);
+    resolve(campaign, run, check, own, versions);
     ++listed;
     if (watch && std::this_thread::get_id() == asking) watch(listed, campaign.specs.size());
   });
@@ -340,7 +369,9 @@ Origin origin_of(const Campaign& campaign) {
 
 ExecutorReport run_campaign(const Campaign& campaign, const Simulate& simulate, Store& store,
                             const ExecutorOptions& options) {
+  store.refuse_other_epoch();
   store.note(origin_of(campaign));
+  store.claim(campaign.specs);
   return run_missing(
       campaign.specs, [&](std::size_t i) { return simulate(campaign.scenario_of(i)); }, store, options);
 }

@@ -129,7 +129,8 @@ Campaign expanded(const CampaignFile& written, const std::string& file, const Ch
 /// takes as CompareOptions::order.
 Origin origin_of(const Campaign& campaign);
 
-/// Makes the runs that `store` does not have, and notes there whose they are.
+/// Makes the runs that `store` does not have, and notes there whose they are. Throws InputError for a store
+/// that was begun under another results epoch.
 ExecutorReport run_campaign(const Campaign& campaign, const Simulate& simulate, Store& store,
                             const ExecutorOptions& options = {});
 

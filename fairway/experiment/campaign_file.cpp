@@ -100,6 +100,9 @@ std::vector<std::string> read_quantities(const Value& value) {
   std::vector<std::string> names = yaml::list_of(yaml::name(), "names of quantities").read(value);
   if (names == std::vector<std::string>{"all"}) return names;
   for (std::size_t i = 0; i < names.size(); ++i) {
+    if (std::find(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(i), names[i]) !=
+        names.begin() + static_cast<std::ptrdiff_t>(i))
+      value.entry(i).refuse(yaml::shown(names[i]) + " is given twice");
     if (std::ranges::find(known, names[i], &QuantityInfo::name) != known.end()) continue;
     std::vector<std::string_view> all;
     for (const QuantityInfo& quantity : known) all.push_back(quantity.name);

@@ -38,6 +38,8 @@ std::string campaign_refusal(const std::string& more, const std::string& name = 
 TEST(CampaignFileTest, AQuantityThatNoRunMeasuresIsToldWhereItIsWritten) {
   EXPECT_EQ(campaign_refusal("quantities: [makespan_s, navigation_tim_s]\n"),
             "c.yaml:4:26: quantities[1]: no run measures navigation_tim_s; did you mean navigation_time_s?");
+  EXPECT_EQ(campaign_refusal("quantities: [makespan_s, energy_j, makespan_s]\n"),
+            "c.yaml:4:36: quantities[2]: makespan_s is given twice");
   for (const char* names : {"[makespan_s]", "[all]", "[]"})
     EXPECT_EQ(campaign_refusal("quantities: " + std::string(names) + "\n"), "accepted");
 }

@@ -31,8 +31,33 @@ std::string suggest(const std::string& typed, const Names& known) {
   return suggestion(typed, std::vector<std::string_view>(known.begin(), known.end()));
 }
 
+/// Runs of one cell have to be of one case, as far as their versions are known.
+void refuse_other_version(CellOfRuns& cell, const RunRecord& record) {
+  if (record.spec.version.empty()) return;
+  if (cell.versioned == nullptr) cell.versioned = &record;
+  if (cell.versioned->spec.version == record.spec.version) return;
+  throw InputError("the runs of " + labels_text(record.spec.labels) + " with the seeds " +
+                   std::to_string(cell.versioned->spec.seed) + " and " + std::to_string(record.spec.seed) +
+                   " are of two versions of a scenario or of fairway; keep them apart, or say that they are "
+                   "to be mixed");
+}
+
+/// The cells in which runs are the same. Where one of a group is, its scenario draws nothing for the others.
+void count_runs(Candidates& candidates) {
+  bool nothing_is_drawn = false;
+  for (int round = 0; round < 2; ++round) {
+    for (auto& [candidate, cell] : candidates) {
+      std::vector<const RunRecord*> runs;
+      for (const auto& [seed, run] : cell.all) runs.push_back(run);
+      cell.counted = counted_runs(runs, nothing_is_drawn);
+    }
+    nothing_is_drawn = std::ranges::any_of(candidates, [](const auto& named) { return named.second.same(); });
+    if (!nothing_is_drawn) return;
+  }
+}
+
 /// Every run by group, candidate and seed.
-Groups grouped(std::span<const RunRecord> records, const std::string& by) {
+Groups grouped(std::span<const RunRecord> records, const std::string& by, bool mixed) {
   Groups groups;
   std::set<std::string> names;
   for (const RunRecord& record : records) {
@@ -47,17 +72,12 @@ Groups grouped(std::span<const RunRecord> records, const std::string& by) {
           std::to_string(record.spec.seed) +
           ": these are results of more than one version of a scenario or of fairway; keep them apart");
     }
+    if (!mixed) refuse_other_version(cell, record);
     place = &record;
   }
   if (records.empty()) throw InputError("there are no runs to compare");
   if (groups.empty()) throw InputError("no run has the label " + by + suggest(by, names));
-  for (auto& [group, candidates] : groups) {
-    for (auto& [candidate, cell] : candidates) {
-      std::vector<const RunRecord*> runs;
-      for (const auto& [seed, run] : cell.all) runs.push_back(run);
-      cell.counted = counted_runs(runs);
-    }
-  }
+  for (auto& [group, candidates] : groups) count_runs(candidates);
   return groups;
 }
 
@@ -95,7 +115,9 @@ std::vector<std::string> chosen_quantities(std::span<const RunRecord> records,
     }
   }
   if (options.quantities.empty()) return order;
+  std::set<std::string> asked;
   for (const std::string& quantity : options.quantities) {
+    if (!asked.insert(quantity).second) throw InputError(quantity + ": is asked about twice");
     // where every run failed, nothing can be said about names
     if (!measured.empty() && !measured.contains(quantity)) {
       throw InputError("no run measured " + quantity + suggest(quantity, measured));
@@ -221,7 +243,7 @@ std::vector<RateQuestion> usual_rates() {
 }
 
 Comparison compare(std::span<const RunRecord> records, const CompareOptions& options) {
-  const Groups groups = grouped(records, options.by);
+  const Groups groups = grouped(records, options.by, options.mixed);
   const std::vector<std::string> candidates = candidates_of(groups, options.order);
   const std::vector<std::string> quantities = chosen_quantities(records, options);
   const std::vector<RateQuestion> rates = asked_rates(records, options);

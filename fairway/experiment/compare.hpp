@@ -36,6 +36,7 @@ struct CompareOptions {
   std::vector<RateQuestion> rates = usual_rates();
   double confidence = 0.95;          ///< of each interval by itself
   std::vector<std::string> order{};  ///< of the values of `by`; those not named follow, numbers before words
+  bool mixed{};                      ///< a cell may have runs of several versions of its scenario
 };
 
 /// What a paired test came to.
@@ -109,12 +110,16 @@ bool cut_off(std::span<const Measure> measures, std::string_view quantity);
 
 /// The runs of one cell that count: all of them or, where none failed and all came to the same measures to
 /// the bit, of which one is no whole number, the first alone. Counts alone may agree by chance; where
-/// measures of lengths and times agree in all runs, nothing was drawn.
-std::vector<const RunRecord*> counted_runs(std::span<const RunRecord* const> cell);
+/// measures of lengths and times agree in all runs, nothing was drawn. Where that is known of the scenario
+/// already, as by another method's cell, runs that agree in whole numbers count as one, too, and runs that
+/// all failed with the same words.
+std::vector<const RunRecord*> counted_runs(std::span<const RunRecord* const> cell,
+                                           bool nothing_is_drawn = false);
 
 /// Compares cells that differ in one label and agree in all others, run by run under the same seed, each run
-/// by its run_value(). Throws InputError for a label, baseline or quantity that no run has, and for two runs
-/// of one cell and seed: then the records are of more than one version of a scenario. O(n log n) in measures;
+/// by its run_value(). Throws InputError for a label, baseline or quantity that no run has, a quantity asked
+/// about twice, and two runs of one cell and seed, or of one cell and two versions: then the records are of
+/// more than one version of a scenario. O(n log n) in measures;
 /// O(n²) in the runs of a cell where times were cut off.
 Comparison compare(std::span<const RunRecord> records, const CompareOptions& options = {});
 

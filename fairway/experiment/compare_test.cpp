@@ -233,6 +233,28 @@ TEST(CompareTest, RunsOfWhichOneDiffersOrFailedOrThatOnlyCountAllCount) {
   EXPECT_EQ(compare(same_runs("apf", 10.0, 5)).cells[0].runs, 5U);  // whole numbers agree by chance
 }
 
+TEST(CompareTest, WhereNothingIsDrawnRunsThatFailAlikeOrOnlyCountAlikeAreOneRun) {
+  std::vector<RunRecord> records = same_runs("apf", 10.5, 10);
+  std::ranges::copy(same_runs("vo", 10.0, 10), std::back_inserter(records));  // whole numbers
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    records.push_back(run("orca3d", seed, {}));
+    records.back().failure = "diverged: a at 12.3 s: its state is not finite";
+  }
+  const Comparison c = compare(records);
+  for (const ComparedCell& cell : c.cells) {
+    EXPECT_EQ(cell.runs, 1U) << cell.candidate;
+    EXPECT_EQ(cell.identical, 10U) << cell.candidate;
+  }
+  for (const ComparedRate& rate : c.rates) EXPECT_LE(rate.difference.pairs, 1U) << rate.candidate;
+
+  // in another way once: something was drawn
+  records.back().failure = "diverged: a at 12.4 s: its state is not finite";
+  EXPECT_EQ(compare(records).cells[1].runs, 10U);
+  // nothing tells that no run of the scenario would be another
+  const std::vector<RunRecord> alone{records.begin() + 20, records.begin() + 29};
+  EXPECT_EQ(compare(alone).cells[0].runs, 9U);
+}
+
 TEST(CompareTest, AgainstACellInWhichNothingIsDrawnEverySeedMakesAPair) {
   std::vector<RunRecord> records = same_runs("apf", 10.5, 3);
   for (std::uint64_t seed = 1; seed <= 3; ++seed)
@@ -334,6 +356,25 @@ TEST(CompareTest, RefusesTwoVersionsOfOneScenario) {
   std::vector<RunRecord> records{run("apf", 1, {makespan(1)}), run("apf", 1, {makespan(2)})};
   records[1].spec.key = "other";
   EXPECT_THAT(refusal(records, {}), HasSubstr("two runs of case=bay method=apf have the seed 1"));
+}
+
+TEST(CompareTest, RefusesTwoVersionsOfOneCellWhateverTheSeeds) {
+  std::vector<RunRecord> records{run("apf", 1, {makespan(1)}), run("apf", 2, {makespan(2)}),
+                                 run("apf", 3, {makespan(3)})};
+  records[1].spec.version = "old";
+  EXPECT_EQ(refusal(records, {}), "accepted");  // of the others it is not known
+  records[2].spec.version = "new";
+  EXPECT_THAT(refusal(records, {}),
+              HasSubstr("the runs of case=bay method=apf with the seeds 2 and 3 are of two versions"));
+  EXPECT_EQ(refusal(records, {.mixed = true}), "accepted");
+  records[2].spec.labels[1].second = "vo";
+  EXPECT_EQ(refusal(records, {}), "accepted");
+}
+
+TEST(CompareTest, RefusesAQuantityThatIsAskedAboutTwice) {
+  const std::vector<RunRecord> records{run("apf", 1, {makespan(1)}), run("orca3d", 1, {makespan(2)})};
+  EXPECT_EQ(refusal(records, {.quantities = {"makespan_s", "makespan_s"}}),
+            "makespan_s: is asked about twice");
 }
 
 TEST(CompareTest, JsonHasFullPrecisionAndNullForTheUnknown) {

@@ -128,15 +128,16 @@ bool same(const Measure& a, const Measure& b) {
 
 }  // namespace
 
-std::vector<const RunRecord*> counted_runs(std::span<const RunRecord* const> cell) {
+std::vector<const RunRecord*> counted_runs(std::span<const RunRecord* const> cell, bool nothing_is_drawn) {
   std::vector<const RunRecord*> all(cell.begin(), cell.end());
   if (all.size() < 2) return all;
   const std::vector<Measure>& first = all.front()->measures;
   const bool fine = std::ranges::any_of(
       first, [](const Measure& m) { return std::isfinite(m.value) && m.value != std::trunc(m.value); });
-  const bool alike = fine && std::ranges::all_of(all, [&](const RunRecord* run) {
-                       return run->failure.empty() && std::ranges::equal(run->measures, first, same);
-                     });
+  const bool alike =
+      (fine || nothing_is_drawn) && std::ranges::all_of(all, [&](const RunRecord* run) {
+        return run->failure == all.front()->failure && std::ranges::equal(run->measures, first, same);
+      });
   if (alike) all.resize(1);
   return all;
 }

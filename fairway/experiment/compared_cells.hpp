@@ -18,6 +18,7 @@ using Seeds = std::map<std::uint64_t, const RunRecord*>;
 struct CellOfRuns {
   Seeds all;
   std::vector<const RunRecord*> counted{};  ///< counted_runs() of them
+  const RunRecord* versioned{};             ///< the first whose version is known
   bool same() const { return counted.size() < all.size(); }
 };
 

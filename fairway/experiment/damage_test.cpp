@@ -94,6 +94,37 @@ TEST_F(DamagedStoreTest, OverwrittenBytesAreRefusedOrReadButNeverAnAccident) {
   EXPECT_GT(refused, 30);
 }
 
+TEST_F(DamagedStoreTest, WhatARunCannotHaveIsRefusedByTheFilesName) {
+  const std::string whole = sample::bytes_of(file_);
+  const auto read_after = [&](const char* sql) {
+    sample::write_bytes(file_, whole);
+    execute(file_, sql);
+    const std::string message = refusal_by([&] { Store::open_existing(file_).all(); });
+    EXPECT_THAT(message, AllOf(HasSubstr(file_ + ": is a damaged store ("), Not(HasSubstr("\n")))) << sql;
+    return message;
+  };
+  EXPECT_THAT(read_after("UPDATE measures SET value = value + 1 WHERE run = 3 AND place = 0"),
+              HasSubstr("other values than were stored of the run case=cube20_8 method="));
+  EXPECT_THAT(read_after("UPDATE runs SET seed = 1000 WHERE id = 3"), HasSubstr(" seed=1000"));
+  EXPECT_THAT(read_after("DELETE FROM measures WHERE run = 3 AND place = 2"), HasSubstr("other values"));
+  EXPECT_THAT(read_after("UPDATE measures SET quantity = 999 WHERE run = 3 AND place = 0"),
+              HasSubstr("a measure of a quantity that is not there"));
+  EXPECT_THAT(read_after("UPDATE runs SET labels = 999 WHERE id = 3"),
+              HasSubstr("a run whose labels are not there"));
+  EXPECT_THAT(read_after("UPDATE measures SET vehicle = 1 WHERE run = 3 AND place = 1"),
+              HasSubstr("measured twice in one run"));
+  EXPECT_THAT(read_after("UPDATE label_sets SET labels = '{\"seed\":\"1\"}' WHERE id = 1"),
+              HasSubstr("cannot be a label's name"));
+  EXPECT_THAT(read_after("UPDATE runs SET key = '' WHERE id = 3"), HasSubstr("a run without a key"));
+}
+
+TEST_F(DamagedStoreTest, OfAStoreWithoutMarksTheValuesAreTakenAsTheyAre) {
+  execute(file_, "DROP TABLE marks; UPDATE measures SET value = 1");
+  EXPECT_EQ(Store::open_existing(file_).all().size(), 400U);
+  { Store::open(file_).put(sample::records(401)); }
+  EXPECT_EQ(Store::open_existing(file_).all().size(), 401U);
+}
+
 TEST_F(DamagedStoreTest, AnEmptyFileIsNoStoreYet) {
   sample::write_bytes(file_, "");
   EXPECT_THAT(refusal_by([&] { Store::open_existing(file_); }), HasSubstr("the file is empty"));

@@ -117,10 +117,12 @@ ExecutorReport run_missing(std::span<const RunSpec> specs, const Run& run, Store
                            const ExecutorOptions& options) {
   refuse_duplicates(specs);
   std::vector<std::size_t> missing;
+  std::size_t failed_before = 0;
   for (std::size_t i = 0; i < specs.size(); ++i) {
     const Store::Status status = store.status(specs[i].key);
     const bool again = status == Store::Status::failed && options.retry_failures;
     if (status == Store::Status::missing || again) missing.push_back(i);
+    failed_before += status == Store::Status::failed && !again ? 1 : 0;
   }
   ProgressCount count{.total = specs.size(), .present = specs.size() - missing.size()};
   if (options.progress != nullptr) options.progress->begin(count);
@@ -171,6 +173,7 @@ ExecutorReport run_missing(std::span<const RunSpec> specs, const Run& run, Store
   return {.present = count.present,
           .made = count.made,
           .failed = count.failed,
+          .failed_before = failed_before,
           .stopped = count.present + count.made < count.total};
 }
 

@@ -31,10 +31,11 @@ struct ExecutorOptions {
 };
 
 struct ExecutorReport {
-  std::size_t present{};  ///< were stored before
-  std::size_t made{};     ///< were stored now
-  std::size_t failed{};   ///< of these, with a failure
-  bool stopped{};         ///< some are still missing, because `stop` was set
+  std::size_t present{};        ///< were stored before
+  std::size_t made{};           ///< were stored now
+  std::size_t failed{};         ///< of these, with a failure
+  std::size_t failed_before{};  ///< of those that were stored before and were not made again
+  bool stopped{};               ///< some are still missing, because `stop` was set
 };
 
 /// Makes the runs that the store does not have, on several threads, and stores them in batches from the

@@ -44,6 +44,10 @@ LocalStore::Folder::~Folder() {
 }
 
 LocalStore::LocalStore(std::string path, Store::Foreign foreign) : path_{std::move(path)} {
+  std::error_code none;
+  const std::filesystem::file_status there = std::filesystem::status(path_, none);
+  if (!std::filesystem::exists(there) || std::filesystem::is_regular_file(there))
+    lock_.emplace(path_, LockFile::Lockless::go_on);
   const bool continued = is_to_be_continued(path_, foreign);
   if (continued) Store::open_existing(path_);  // refuses what is none, before anything is made
   folder_.emplace();

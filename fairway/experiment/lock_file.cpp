@@ -14,7 +14,13 @@
 
 namespace fairway {
 
-LockFile::LockFile(const std::string& guarded) {
+namespace {
+
+bool is_lockless(int error) { return error == ENOLCK || error == ENOSYS || error == EOPNOTSUPP; }
+
+}  // namespace
+
+LockFile::LockFile(const std::string& guarded, Lockless lockless) {
   // one lock for one file, however it is spelled
   std::error_code ignored;
   path_ = std::filesystem::weakly_canonical(guarded, ignored).string();
@@ -26,6 +32,7 @@ LockFile::LockFile(const std::string& guarded) {
     }
     if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
       const int error = errno;
+      if (lockless == Lockless::go_on && is_lockless(error)) return;
       ::close(descriptor_);
       if (error == EINTR) continue;
       if (error != EWOULDBLOCK) {

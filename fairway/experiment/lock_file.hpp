@@ -9,8 +9,11 @@ namespace fairway {
 /// dies. The empty file it leaves behind then is no obstacle.
 class LockFile {
  public:
+  /// Where the disk knows no locks, as some do that machines share.
+  enum class Lockless { refuse, go_on };
+
   /// Throws InputError, about the file `guarded`, if another holds it or it cannot be made.
-  explicit LockFile(const std::string& guarded);
+  explicit LockFile(const std::string& guarded, Lockless lockless = Lockless::refuse);
   ~LockFile();
   LockFile(const LockFile&) = delete;
   LockFile& operator=(const LockFile&) = delete;

@@ -11,12 +11,13 @@ namespace fairway {
 
 /// What a merge came to.
 struct MergeReport {
-  Origin origin;         ///< of all of them: their campaign, and whoever made them
-  std::size_t runs{};    ///< in the store now
-  std::size_t failed{};  ///< of these
+  Origin origin;              ///< of all of them: their campaign, and whoever made them
+  std::size_t runs{};         ///< in the store now
+  std::size_t failed{};       ///< of these
+  std::size_t of_campaign{};  ///< of these, others being of another campaign or version that was there before
 
   /// How many of the campaign are not there, as far as it is known how many it has.
-  std::size_t missing() const { return origin.run_count > runs ? origin.run_count - runs : 0; }
+  std::size_t missing() const { return origin.run_count > of_campaign ? origin.run_count - of_campaign : 0; }
 };
 
 /// Puts the runs of `files`, in whatever order, into `store`, which is empty or held to them under `name`. A

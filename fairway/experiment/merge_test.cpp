@@ -134,7 +134,7 @@ TEST_F(MergeTest, RefusesAnotherResultsEpoch) {
 TEST_F(MergeTest, RefusesOtherResultsOfTheSameRun) {
   const std::string file = third(1);
   Database{file, Database::Access::existing, 0}.execute(
-      "UPDATE measures SET value = value * (1 + 2.3e-16) WHERE vehicle = -1");
+      "UPDATE measures SET value = value * (1 + 2.3e-16) WHERE vehicle = -1; UPDATE marks SET digest = ''");
   const std::string all = part("all_of_one.db", [](std::size_t) { return true; });
   EXPECT_THAT(refusal({all, file}), AllOf(HasSubstr("part1.db: came to other results of the run case="),
                                           HasSubstr("than all_of_one.db"), HasSubstr("same bits")));
@@ -180,9 +180,53 @@ TEST_F(MergeTest, ALocalStoreStandsInItsPlaceOnlyWhenItIsPublished) {
   EXPECT_EQ(goes_on.store().size(), 3U);
 }
 
+TEST_F(MergeTest, ALocalStoreIsTheOnlyWriterOfItsFile) {
+  const std::string file = folder_.file("all.db");
+  {
+    LocalStore local{file};
+    EXPECT_THAT(refusal_by([&] { LocalStore{file}; }), HasSubstr("all.db: another process is writing to it"));
+    EXPECT_THAT(refusal_by([&] { Store::open(file); }),
+                HasSubstr("all.db: another process is writing to it"));
+    local.publish();
+  }
+  EXPECT_FALSE(std::filesystem::exists(file + ".lock"));
+  const Store swept = Store::open(file);
+  EXPECT_THAT(refusal_by([&] { LocalStore{file}; }), HasSubstr("all.db: another process is writing to it"));
+}
+
+TEST_F(MergeTest, CountsAsMissingWhatIsNotOfThisCampaignAsItIs) {
+  const std::string file = folder_.file("grown.db");
+  const std::vector<RunRecord> records = sample::records(all_runs);
+  {
+    Store store = Store::open(file);
+    store.note(Origin{.campaign = "before", .digest = "b", .run_count = 50});
+    store.put(std::span{records}.first(50));
+    store.note(Origin{.campaign = "test", .digest = "d", .run_count = all_runs});
+    store.put(std::span{records}.last(10));
+  }
+  Store store = Store::in_memory();
+  const MergeReport report = merge_into(store, "all.db", std::vector{file});
+  EXPECT_EQ(report.runs, all_runs);
+  EXPECT_EQ(report.of_campaign, 10U);
+  EXPECT_EQ(report.missing(), 50U);
+  // some of them are asked for by this one, too
+  store.note(Origin{.campaign = "test", .digest = "d", .run_count = all_runs});
+  store.claim(sample::specs(20));
+  EXPECT_EQ(store.campaign_size(), 30U);
+}
+
+TEST_F(MergeTest, OfStoresWithoutMarksTakesEveryRunForTheCampaigns) {
+  const std::string file = third(0);
+  Database{file, Database::Access::existing, 0}.execute("DROP TABLE marks");
+  Store store = Store::in_memory();
+  EXPECT_EQ(merge_into(store, "all.db", std::vector{file, third(1)}).missing(), all_runs / 3);
+}
+
 TEST_F(MergeTest, ALocalStoreThatCannotBePublishedIsKept) {
+  std::filesystem::create_directory(folder_.file("nowhere"));
   LocalStore local{folder_.file("nowhere/all.db")};
   local.store().put(sample::records(3));
+  std::filesystem::remove_all(folder_.file("nowhere"));
   const std::string message = refusal_by([&] { local.publish(); });
   EXPECT_THAT(message, HasSubstr("nowhere/all.db: cannot be written"));
   const std::string kept = message.substr(message.find("kept in ") + 8);

@@ -19,6 +19,8 @@ struct RunSpec {
   Labels labels;
   std::uint64_t seed{};
   std::string command;  ///< that makes this run alone, up to the seed, which ends it; empty if not known
+  std::string
+      version{};  ///< of its cell, whatever the seed: runs of two are not of one case; empty if not known
 };
 
 /// The whole command line that makes a run alone, or empty if it is not known.
@@ -32,6 +34,7 @@ struct RunRecord {
   std::vector<Measure> measures;  ///< results proper: the same on every machine and any number of threads
   double wall_s{};                ///< how long it took; kept apart from the results
   std::string failure;            ///< why there are no measures, or empty
+  std::string campaign{};         ///< digest of the campaign that asked for it last; empty if not known
 };
 
 }  // namespace fairway

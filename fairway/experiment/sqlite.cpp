@@ -28,6 +28,8 @@ std::string advice(int code, const std::string& detail) {
       return "cannot be written: " + detail;
     case SQLITE_FULL:
       return "cannot be written: the disk is full; make room and run again, what was stored is kept";
+    case SQLITE_IOERR:
+      return "cannot be read or written (" + detail + "): is the disk sound, and may a file be so large?";
     default:
       return detail;
   }

@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <ostream>
-#include <set>
 #include <stdexcept>
 #include <system_error>
 #include <tuple>
@@ -16,8 +15,11 @@
 #include "fairway/core/error.hpp"
 #include "fairway/experiment/labels.hpp"
 #include "fairway/experiment/lock_file.hpp"
+#include "fairway/experiment/run_marks.hpp"
 #include "fairway/experiment/sqlite.hpp"
 #include "fairway/experiment/store_tables.hpp"
+#include "fairway/experiment/version.hpp"
+#include "fairway/scenario/tree.hpp"
 
 namespace fairway {
 namespace {
@@ -29,31 +31,19 @@ std::string labels_as_json(const Labels& labels) {
   return object.dump();
 }
 
+[[noreturn]] void refuse_damage(const Database& database, const std::string& what) {
+  database.refuse("is a damaged store (" + what + "); restore a copy, or delete it and run again");
+}
+
 Labels labels_of(const std::string& json, const Database& database) {
   Labels labels;
   try {
     const auto object = nlohmann::ordered_json::parse(json);
     for (const auto& [name, value] : object.items()) labels.emplace_back(name, value.get<std::string>());
   } catch (const nlohmann::json::exception&) {
-    database.refuse("is a damaged store (labels that are none); restore a copy, or delete it and run again");
+    refuse_damage(database, "labels that are none");
   }
   return labels;
-}
-
-void check(const RunRecord& record) {
-  if (record.spec.key.empty()) throw std::invalid_argument("a run without a key");
-  std::set<std::string_view> names;
-  for (const auto& [name, value] : record.spec.labels) {
-    if (!can_be_label(name)) throw std::invalid_argument("'" + name + "' cannot be a label's name");
-    if (!names.insert(name).second) throw std::invalid_argument("label " + name + " twice in one run");
-  }
-  std::set<std::pair<int, std::string_view>> measured;
-  for (const Measure& m : record.measures) {
-    if (!measured.emplace(m.vehicle, m.quantity).second) {
-      throw std::invalid_argument(m.quantity + " measured twice in one run, vehicle " +
-                                  std::to_string(m.vehicle));
-    }
-  }
 }
 
 void refuse_what_is_no_file(const std::string& path) {
@@ -116,6 +106,14 @@ class KeptCommands {
   std::map<std::int64_t, std::string> known_;
 };
 
+/// What of a run cannot be as it was stored, or empty; `digest` is that of what was, if it is known.
+std::string damage_of(const RunRecord& record, const std::string& digest) {
+  if (const std::string fault = fault_of(record); !fault.empty()) return yaml::shown(fault);
+  if (digest.empty() || !record.failure.empty() || digest == digest_of(record)) return "";
+  return "other values than were stored of the run " + yaml::shown(labels_text(record.spec.labels)) +
+         " seed=" + std::to_string(record.spec.seed);
+}
+
 /// The commands of cells by the ids of their labels; none in a store that has no such table.
 std::map<std::int64_t, std::string> commands_of(Database& database) {
   if (database.integer("SELECT count(*) FROM sqlite_master WHERE type = 'table' AND name = 'commands'") == 0)
@@ -149,6 +147,8 @@ struct Store::Contents {
   };
   std::optional<Prepared> sql;
   std::optional<KeptCommands> commands;  ///< of a store that may be written
+  std::optional<RunMarks> marks;         ///< likewise
+  std::string campaign;                  ///< digest of that noted last
 
   Contents(const std::string& path, Database::Access access, std::unique_ptr<LockFile> taken,
            bool for_writing)
@@ -173,8 +173,7 @@ void Store::Contents::check_origin() {
     Statement sound{database, "PRAGMA quick_check(1)"};
     const std::string finding = sound.step() ? sound.text(0) : "";
     if (finding != "ok") {
-      database.refuse("is a damaged store (" + finding.substr(0, finding.find('\n')) +
-                      "); restore a copy, or delete it and run again");
+      refuse_damage(database, finding.substr(0, finding.find('\n')));
     }
   }
 }
@@ -183,7 +182,9 @@ void Store::Contents::prepare() {
   sql.emplace(database);
   if (!writable) return;
   database.execute(commands_table);
+  database.execute(marks_table);
   commands.emplace(database);
+  marks.emplace(database);
 }
 
 void Store::Contents::put(const RunRecord& record) {
@@ -208,6 +209,7 @@ void Store::Contents::put(const RunRecord& record) {
   const std::int64_t run = sql->put_run.integer(0);
   sql->put_run.run();
   std::int64_t place = 0;
+  marks->put(record, campaign);
   for (const Measure& m : record.measures) {
     sql->put_measure.bind(1, run).bind(2, place++).bind(3, std::int64_t{m.vehicle});
     sql->put_measure.bind(4, sql->quantities.id(m.quantity)).bind(5, m.value).run();
@@ -256,7 +258,9 @@ Store::Status Store::status(std::string_view key) const {
 
 void Store::put(std::span<const RunRecord> records) {
   if (!contents_->writable) throw std::logic_error("put() into a store opened for reading");
-  for (const RunRecord& record : records) check(record);
+  for (const RunRecord& record : records) {
+    if (const std::string fault = fault_of(record); !fault.empty()) throw std::invalid_argument(fault);
+  }
   Transaction transaction{contents_->database, Transaction::Kind::write};
   try {
     for (const RunRecord& record : records) contents_->put(record);
@@ -272,11 +276,27 @@ void Store::put(std::span<const RunRecord> records) {
 void Store::note(const Origin& campaign) {
   if (!contents_->writable) throw std::logic_error("note() into a store opened for reading");
   note_campaign(contents_->database, campaign);
+  contents_->campaign = campaign.digest;
 }
 
 void Store::note(const Maker& maker) {
   if (!contents_->writable) throw std::logic_error("note() into a store opened for reading");
   note_maker(contents_->database, maker);
+}
+
+void Store::claim(std::span<const RunSpec> specs) {
+  if (!contents_->writable) throw std::logic_error("claim() in a store opened for reading");
+  if (size() == 0) return;
+  Transaction transaction{contents_->database, Transaction::Kind::write};
+  for (const RunSpec& spec : specs) contents_->marks->claim(spec, contents_->campaign);
+  transaction.commit();
+}
+
+void Store::refuse_other_epoch() const {
+  const std::string epoch = origin().epoch, own = std::to_string(results_epoch);
+  if (epoch.empty() || epoch == own) return;
+  contents_->database.refuse("was begun under results epoch " + epoch + ", and this fairway is of " + own +
+                             ": runs of both do not belong together; write to another file");
 }
 
 Origin Store::origin() const { return read_origin(contents_->database); }
@@ -288,6 +308,14 @@ std::size_t Store::size() const {
 std::size_t Store::failed_count() const {
   return static_cast<std::size_t>(
       contents_->database.integer("SELECT count(*) FROM runs WHERE failure <> ''"));
+}
+
+std::size_t Store::campaign_size() const {
+  return count_of_campaign(contents_->database, origin().digest, false);
+}
+
+std::size_t Store::campaign_failed_count() const {
+  return count_of_campaign(contents_->database, origin().digest, true);
 }
 
 std::vector<RunRecord> Store::all() const {
@@ -308,30 +336,41 @@ std::vector<RunRecord> Store::all() const {
   // both tables by run, side by side
   std::vector<RunRecord> records;
   records.reserve(size());
-  Statement runs{database, "SELECT id, key, labels, seed, failure, wall_s FROM runs ORDER BY id"};
+  Statement runs{database,
+                 has_marks(database)
+                     ? "SELECT id, runs.key, labels, seed, failure, wall_s, campaign, version, digest"
+                       " FROM runs LEFT JOIN marks ON marks.key = runs.key ORDER BY id"
+                     : "SELECT id, key, labels, seed, failure, wall_s, '', '', '' FROM runs ORDER BY id"};
   Statement measures{database, "SELECT run, quantity, vehicle, value FROM measures ORDER BY run, place"};
   bool more = measures.step();
   while (runs.step()) {
     const std::int64_t id = runs.integer(0);
     const auto seed = static_cast<std::uint64_t>(runs.integer(3));
     const auto command = commands.find(runs.integer(2));
+    const auto labels = label_sets.find(runs.integer(2));
+    if (labels == label_sets.end()) refuse_damage(database, "a run whose labels are not there");
     RunRecord& record =
         records.emplace_back(RunRecord{.spec = {.key = runs.text(1),
-                                                .labels = label_sets[runs.integer(2)],
+                                                .labels = labels->second,
                                                 .seed = seed,
-                                                .command = command == commands.end() ? "" : command->second},
+                                                .command = command == commands.end() ? "" : command->second,
+                                                .version = runs.text(7)},
                                        .measures = {},
                                        .wall_s = runs.real(5),
-                                       .failure = runs.text(4)});
+                                       .failure = runs.text(4),
+                                       .campaign = runs.text(6)});
     while (more && measures.integer(0) == id) {
-      record.measures.push_back({.quantity = quantities[measures.integer(1)],
+      const auto quantity = quantities.find(measures.integer(1));
+      if (quantity == quantities.end()) refuse_damage(database, "a measure of a quantity that is not there");
+      record.measures.push_back({.quantity = quantity->second,
                                  .vehicle = static_cast<int>(measures.integer(2)),
                                  .value = measures.real(3)});
       more = measures.step();
     }
+    if (const std::string fault = damage_of(record, runs.text(8)); !fault.empty())
+      refuse_damage(database, fault);
   }
-  if (more)
-    database.refuse("is a damaged store (measures of no run); restore a copy, or delete it and run again");
+  if (more) refuse_damage(database, "measures of no run");
   snapshot.commit();
 
   std::sort(records.begin(), records.end(), [](const RunRecord& a, const RunRecord& b) {

@@ -62,11 +62,22 @@ class Store {
   void note(const Maker& maker);
   Origin origin() const;
 
+  /// Those of the runs that are stored are of the campaign noted last, too, whoever had them made. Throws as
+  /// put() does.
+  void claim(std::span<const RunSpec> specs);
+
+  /// Throws InputError if it was begun under another results epoch than this program's.
+  void refuse_other_epoch() const;
+
   std::size_t size() const;
   std::size_t failed_count() const;  ///< of these, with a failure
+  /// Of the campaign noted last alone. Runs of which it is not known whose they are count as its own.
+  std::size_t campaign_size() const;
+  std::size_t campaign_failed_count() const;
 
   /// Every run, by labels, seed and key, whatever order they were made in; measures in the order they
-  /// were given. Numbers come back to the bit, but for NaNs, which all come back as the same one.
+  /// were given. Numbers come back to the bit, but for NaNs, which all come back as the same one. Throws
+  /// InputError where the file is damaged, by what is known of each run that was stored.
   std::vector<RunRecord> all() const;
 
   /// write_csv() of all().

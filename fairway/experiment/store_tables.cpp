@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "fairway/experiment/run_marks.hpp"
 #include "fairway/experiment/version.hpp"
 #include "fairway/record/output_file.hpp"
 
@@ -37,6 +38,7 @@ void begin_store(Database& database) {
   Transaction transaction{database, Transaction::Kind::write};
   database.execute(schema);
   database.execute(commands_table);
+  database.execute(marks_table);
   Statement note{database, "INSERT INTO meta(name, value) VALUES (?, ?)"};
   note.bind(1, "fairway_version").bind(2, fairway_version).run();
   note.bind(1, "results_epoch").bind(2, std::to_string(results_epoch)).run();

@@ -247,9 +247,70 @@ TEST(StoreTest, SeveralAreReadAsOne) {
   EXPECT_EQ(values_of(all.origin.order, "method"), std::vector<std::string>{"orca3d"});
 }
 
+TEST(StoreTest, SeveralAreReadAlikeInAnyOrder) {
+  const TemporaryFolder folder;
+  std::vector<RunRecord> records = sample::records(4);
+  const auto keep = [&](const std::string& name, const Origin& origin) {
+    Store store = Store::open(folder.file(name));
+    store.note(origin);
+    store.put(records);
+    return folder.file(name);
+  };
+  const auto read = [&](std::vector<std::string> files, Together purpose = Together::compared) {
+    std::string said;
+    for (int order = 0; order < 2; ++order) {
+      const std::string message = refusal_by([&] {
+        for (const RunRecord& record : read_stores(files, purpose).records) EXPECT_EQ(record.failure, "");
+      });
+      said += (order == 0 ? "" : " | ") + message;
+      std::ranges::reverse(files);
+    }
+    return said;
+  };
+  const std::string one = keep("one.db", {.campaign = "tides", .digest = "d"});
+  const std::string grown = keep("grown.db", {.campaign = "tides", .digest = "e"});
+  EXPECT_THAT(read({one, grown}), HasSubstr("one.db: is of another version of campaign tides than "));
+  EXPECT_THAT(read({one, grown}), HasSubstr("grown.db: is of another version of campaign tides than "));
+  EXPECT_EQ(read({one, grown}, Together::compared_mixed), "accepted | accepted");
+
+  const std::string old = keep("old.db", {.campaign = "ebbs"});
+  Database{old, Database::Access::existing, 0}.execute(
+      "UPDATE meta SET value = '1' WHERE name = 'results_epoch'");
+  EXPECT_THAT(read({one, old}), HasSubstr("old.db: is of results epoch 1, and "));
+  EXPECT_EQ(read({old}), "accepted | accepted");
+  EXPECT_EQ(read({one, old}, Together::compared_mixed), "accepted | accepted");
+
+  const std::string continued = keep("continued.db", {.campaign = "neaps"});
+  Store::open(continued).note(Maker{.epoch = "1"});
+  EXPECT_THAT(read({continued}), HasSubstr("continued.db: is of results epoch "));
+  EXPECT_EQ(read({continued}, Together::compared_mixed), "accepted | accepted");
+
+  records[0].measures[0].value += 1e-9;
+  const std::string other = keep("other.db", {});
+  EXPECT_THAT(read({one, other}), HasSubstr("other.db: came to other results of the run case="));
+  EXPECT_THAT(read({other, one}), HasSubstr("one.db: came to other results of the run case="));
+
+  records[0].measures.clear();
+  records[0].failure = "out of battery";
+  EXPECT_EQ(read({one, keep("failed.db", {})}), "accepted | accepted");
+}
+
+TEST(StoreTest, OfAnotherResultsEpochIsReadButNotContinuedByACampaign) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("results.db");
+  Store::open(file).put(sample::records(2));
+  Database{file, Database::Access::existing, 0}.execute(
+      "UPDATE meta SET value = '1' WHERE name = 'results_epoch'");
+  EXPECT_EQ(Store::open_existing(file).all().size(), 2U);
+  EXPECT_THAT(refusal_by([&] { Store::open(file).refuse_other_epoch(); }),
+              HasSubstr("results.db: was begun under results epoch 1, and this fairway is of "));
+}
+
 TEST(StoreTest, TheCampaignSaysWhatIsAskedUnlessOneAsksOtherwise) {
   const Origin origin{.quantities = {"makespan_s"}, .order = {{"method", {"vo", "apf"}}}};
   EXPECT_EQ(options_for(origin, {}).quantities, std::vector<std::string>{"makespan_s"});
+  EXPECT_EQ(options_for({.quantities = {"energy_j", "makespan_s", "energy_j"}}, {}).quantities,
+            (std::vector<std::string>{"energy_j", "makespan_s"}));
   EXPECT_EQ(options_for(origin, {}).order, (std::vector<std::string>{"vo", "apf"}));
   EXPECT_EQ(options_for(origin, {.quantities = {"energy_j"}}).quantities,
             std::vector<std::string>{"energy_j"});

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <set>
+#include <iterator>
 
 #include "fairway/experiment/store.hpp"
 
@@ -18,22 +18,39 @@ void join(std::string& all, std::set<std::string>& known, const std::string& mor
 
 }  // namespace
 
-StoredResults read_stores(std::span<const std::string> files) {
-  StoredResults results;
-  std::set<std::string> keys, names, summaries, versions, epochs;
-  for (const std::string& file : files) {
-    const Store store = Store::open_existing(file);
-    const Origin origin = store.origin();
-    join(results.origin.campaign, names,
-         origin.campaign.empty() ? std::filesystem::path(file).stem().string() : origin.campaign);
-    join(results.origin.summary, summaries, origin.summary);
-    join(results.origin.version, versions, origin.version);
-    join(results.origin.epoch, epochs, origin.epoch);
-    add_questions(results, origin);
-    std::ranges::copy_if(store.all(), std::back_inserter(results.records),
-                         [&](const RunRecord& record) { return keys.insert(record.spec.key).second; });
+void GatheredResults::add(const std::string& name, const Origin& origin, std::vector<RunRecord> records) {
+  agreement_.check(name, origin);
+  join(results_.origin.campaign, names_, origin.campaign);
+  join(results_.origin.summary, summaries_, origin.summary);
+  join(results_.origin.version, versions_, origin.version);
+  join(results_.origin.epoch, epochs_, origin.epoch);
+  for (const Maker& maker : origin.makers) add_maker(results_.origin.makers, maker);
+  if (is_begun_ && results_.origin.digest != origin.digest) results_.origin.digest.clear();
+  if (!is_begun_) results_.origin.digest = origin.digest;
+  is_begun_ = true;
+  add_questions(results_, origin);
+  for (RunRecord& record : records) {
+    agreement_.check(name, record);
+    const auto [place, is_new] = places_.try_emplace(record.spec.key, results_.records.size());
+    if (is_new) {
+      results_.records.push_back(std::move(record));
+    } else if (RunRecord& known = results_.records[place->second]; !known.failure.empty()) {
+      known = std::move(record);
+    }
   }
-  return results;
+}
+
+void GatheredResults::add_store(const std::string& file) {
+  const Store store = Store::open_existing(file);
+  Origin origin = store.origin();
+  if (origin.campaign.empty()) origin.campaign = std::filesystem::path(file).stem().string();
+  add(file, origin, store.all());
+}
+
+StoredResults read_stores(std::span<const std::string> files, Together purpose) {
+  GatheredResults results{purpose};
+  for (const std::string& file : files) results.add_store(file);
+  return results.take();
 }
 
 void add_questions(StoredResults& results, const Origin& more) {
@@ -52,7 +69,12 @@ void add_questions(StoredResults& results, const Origin& more) {
 
 CompareOptions options_for(const Origin& origin, CompareOptions options) {
   if (options.order.empty()) options.order = values_of(origin.order, options.by);
-  if (options.quantities.empty()) options.quantities = origin.quantities;
+  if (options.quantities.empty()) {
+    for (const std::string& quantity : origin.quantities) {
+      if (std::ranges::find(options.quantities, quantity) == options.quantities.end())
+        options.quantities.push_back(quantity);
+    }
+  }
   if (options.quantities == std::vector<std::string>{"all"}) options.quantities.clear();
   return options;
 }

@@ -33,6 +33,13 @@ std::string in_pattern(const std::string& path) {
   return text;
 }
 
+/// A word of an #SBATCH line, which Slurm takes apart as a shell does.
+std::string in_quotes(const std::string& word) {
+  std::string text = "\"";
+  for (const char c : word) text += c == '"' || c == '\\' ? std::string{'\\', c} : std::string(1, c);
+  return text + "\"";
+}
+
 std::string sweep_command(const Submission& s, const std::string& shard, const std::string& jobs) {
   return fmt::format("{} sweep {} --shard \"{}/{}\" --jobs {}{} --out {}/parts/\"{}\".db",
                      shell_word(s.program), shell_word(s.file), shard, s.shards(), jobs, s.options,
@@ -65,7 +72,7 @@ std::string slurm_shards(const Submission& s, std::span<const std::uint32_t> sha
                        "#SBATCH --requeue --open-mode=append --signal=B:TERM@{5}\n"
                        "#SBATCH --output=\"{6}/logs/%a.log\"\n"
                        "exec {7}\n",
-                       s.campaign, ranges_text(shards), s.nodes, s.cores, clock_text(s.limit_s),
+                       in_quotes(s.campaign), ranges_text(shards), s.nodes, s.cores, clock_text(s.limit_s),
                        std::min(warning_s, s.limit_s / 4), in_pattern(s.folder),
                        sweep_command(s, "$SLURM_ARRAY_TASK_ID", "\"$SLURM_CPUS_PER_TASK\""));
 }
@@ -99,7 +106,7 @@ std::string mpi_job(const Submission& s) {
                        "#SBATCH --requeue --open-mode=append\n"
                        "#SBATCH --output=\"{4}/logs/mpi.log\"\n"
                        "exec mpirun -n {5} {6}_mpi {7} --out {8}{9}\n",
-                       s.campaign, s.nodes, s.cores, clock_text(s.limit_s), in_pattern(s.folder),
+                       in_quotes(s.campaign), s.nodes, s.cores, clock_text(s.limit_s), in_pattern(s.folder),
                        std::max(2U, s.nodes * s.cores), shell_word(s.program), shell_word(s.file),
                        shell_word(s.merged()), s.options);
 }
@@ -162,9 +169,9 @@ std::string merge_script(const Submission& s) {
       "#!/bin/bash\n# Puts the shards together that are there. Written by `fairway submit`.\n";
   if (s.engine == "slurm") {
     script += fmt::format(
-        "#SBATCH --job-name={}-merge\n#SBATCH --ntasks=1 --requeue --open-mode=append\n"
+        "#SBATCH --job-name={}\n#SBATCH --ntasks=1 --requeue --open-mode=append\n"
         "#SBATCH --output=\"{}/logs/merge.log\"\n",
-        s.campaign, in_pattern(s.folder));
+        in_quotes(s.campaign + "-merge"), in_pattern(s.folder));
   }
   return script + "exec " + merge_command(s) + "\n";
 }
@@ -178,8 +185,8 @@ std::vector<ShardProgress> progress_of(const Submission& submission) {
     try {
       const Store store = Store::open_existing(part);
       const bool is_of_it = store.origin().digest == submission.digest;
-      progress.runs = is_of_it ? store.size() : 0;
-      progress.failed = is_of_it ? store.failed_count() : 0;
+      progress.runs = is_of_it ? store.campaign_size() : 0;
+      progress.failed = is_of_it ? store.campaign_failed_count() : 0;
       progress.state = !is_of_it                                 ? ShardState::damaged
                        : progress.runs >= submission.runs[shard] ? ShardState::whole
                                                                  : ShardState::begun;
@@ -203,7 +210,8 @@ std::string error_of(const Submission& submission, std::uint32_t shard) {
 bool is_merged(const Submission& s) {
   try {
     const std::size_t runs = std::accumulate(s.runs.begin(), s.runs.end(), std::size_t{0});
-    return Store::open_existing(s.merged()).size() >= runs;
+    const Store store = Store::open_existing(s.merged());
+    return store.origin().digest == s.digest && store.campaign_size() >= runs;
   } catch (const InputError&) {
     return false;
   }

@@ -58,6 +58,42 @@ TEST(Submission, ReadsWhatItsFolderHoldsOfEveryShard) {
   EXPECT_EQ(progress[4].state, ShardState::missing);
 }
 
+TEST(Submission, CountsTheRunsOfItsOwnVersionOfTheCampaignAlone) {
+  const TemporaryFolder folder;
+  const Submission s{.campaign = "c", .digest = "new", .folder = folder.file(""), .runs = {4}};
+  std::filesystem::create_directories(s.folder + "/parts");
+  const std::vector<RunRecord> records = sample::records(4);
+  for (const std::string& file : {s.part(0), s.merged()}) {
+    Store store = Store::open(file);
+    store.note(Origin{.campaign = "c", .digest = "old"});
+    store.put(std::span{records}.first(3));
+    store.note(Origin{.campaign = "c", .digest = "new"});
+    store.put(std::span{records}.last(1));
+  }
+  EXPECT_EQ(progress_of(s)[0].state, ShardState::begun);
+  EXPECT_EQ(progress_of(s)[0].runs, 1U);
+  EXPECT_FALSE(is_merged(s));
+  {
+    Store store = Store::open(s.merged());
+    store.note(Origin{.campaign = "c", .digest = "new"});
+    store.claim(sample::specs(4));
+  }
+  EXPECT_TRUE(is_merged(s));
+}
+
+TEST(Submission, NamesItsJobsInQuotesForTheScheduler) {
+  Submission s{
+      .campaign = "two \"words\" \\", .folder = "/f", .engine = "slurm", .runs = {1}, .expected_s = {1}};
+  const std::vector<std::uint32_t> shards{0};
+  EXPECT_THAT(shards_script(s, shards), HasSubstr(R"(#SBATCH --job-name="two \"words\" \\")"
+                                                  "\n"));
+  EXPECT_THAT(merge_script(s), HasSubstr(R"(#SBATCH --job-name="two \"words\" \\-merge")"
+                                         "\n"));
+  s.engine = "mpi";
+  EXPECT_THAT(shards_script(s, shards), HasSubstr(R"(#SBATCH --job-name="two \"words\" \\")"
+                                                  "\n"));
+}
+
 TEST(Submission, KnowsTheErrorOfAShardByTheLastLineOfItsLog) {
   const TemporaryFolder folder;
   const Submission s{.folder = folder.file(""), .runs = {1}};

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "fairway/experiment/labels.hpp"
 
@@ -46,8 +47,13 @@ CellRuns::CellRuns(std::span<const RunRecord> records, const std::string& by) : 
     const std::string* candidate = find_label(labels, by);
     if (candidate != nullptr) cells[{without_label(labels, by), *candidate}].push_back(&record);
   }
+  // as compare() counts them: where one cell shows that nothing is drawn, the others of its group know it
+  std::set<Labels> same;
   for (const auto& [cell, runs] : cells) {
-    for (const RunRecord* run : counted_runs(runs))
+    if (counted_runs(runs).size() < runs.size()) same.insert(cell.first);
+  }
+  for (const auto& [cell, runs] : cells) {
+    for (const RunRecord* run : counted_runs(runs, same.contains(cell.first)))
       places_[cell].push_back(static_cast<std::size_t>(run - records.data()));
   }
 }

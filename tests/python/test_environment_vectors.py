@@ -70,3 +70,10 @@ def test_copies_may_be_kept_and_views_are_overwritten():
         last, last_view = kept.step(actions)[0], view.step(actions)[0]
     assert not np.array_equal(first_kept, last)
     assert np.shares_memory(first_view, last_view) and np.array_equal(first_view, last)
+
+
+@pytest.mark.parametrize("seed", [1.5, -1, 2**64, True, "1", 2**64 - 1, [1, -1, 2], [1, 2.0, 3]])
+def test_a_seed_that_is_none_is_refused(seed):
+    env = FleetVectorEnv(CROSSING, 3)
+    with pytest.raises(fairway.InputError, match=r"seed: expected a whole number in \[0, 18446744073709551615\]"):
+        env.reset(seed=seed)

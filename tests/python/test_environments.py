@@ -294,3 +294,14 @@ def test_gymnasiums_own_checker_finds_nothing():
     from gymnasium.utils.env_checker import check_env
     check_env(FleetEnv(CROSSING, learner="north_bound"), skip_render_check=True)
     check_env(FleetEnv(CROSSING), skip_render_check=True)
+
+
+@pytest.mark.parametrize("seed", [1.5, -1, 2**64, True, "1"])
+def test_a_seed_that_is_none_is_refused(seed):
+    env = FleetEnv(CROSSING)
+    with pytest.raises(fairway.InputError, match=r"seed: expected a whole number in \[0, 18446744073709551615\]"):
+        env.reset(seed=seed)
+
+
+def test_the_largest_seed_is_one():
+    assert FleetEnv(CROSSING).reset(seed=np.uint64(2**64 - 1))[1]["seed"] == 2**64 - 1

@@ -375,3 +375,27 @@ def test_a_recording_of_the_command_is_explained_as_by_the_command(fairway_comma
     ran = subprocess.run([fairway_command, "explain", file, "--vehicle", "0", "--time", "12", "--json"],
                          check=True, capture_output=True, text=True)  # fmt: skip
     assert fairway.explain(file, "0", 12) == json.loads(ran.stdout)
+
+
+def test_a_list_of_stores_that_share_runs_takes_each_once(campaign, tmp_path):
+    one, two = tmp_path / "one.sqlite", tmp_path / "two.sqlite"
+    results = fairway.sweep(campaign, out=one, algorithms={"mine": Mine})
+    fairway.sweep(campaign, out=two, algorithms={"mine": Mine})
+    compared = fairway.compare(results)
+    for given in ([one, two], [two, one], [results, two], [one, results]):
+        assert fairway.compare(given) == compared
+
+
+def test_two_versions_of_a_campaign_are_mixed_only_where_it_is_asked_for(tmp_path):
+    methods = "[orca3d, {algorithm: apf, crit_dist_m: 8}]"
+    fairway.sweep(campaign_of(tmp_path, methods), out=tmp_path / "two.sqlite")
+    more = fairway.sweep(campaign_of(tmp_path, methods, seeds=3))
+    with pytest.raises(fairway.InputError, match=r"results\[1\]: is of another version of campaign mine than .*two"):
+        fairway.compare([tmp_path / "two.sqlite", more])
+    mixed = fairway.compare([tmp_path / "two.sqlite", more], mixed=True)
+    assert [cell["runs"] for cell in mixed["cells"]] == [3, 3]
+
+
+def test_a_store_without_a_name_is_refused(campaign):
+    with pytest.raises(fairway.InputError, match="out: expected the path of a results store, or None"):
+        fairway.sweep(campaign, out="", algorithms={"mine": Mine})

@@ -60,6 +60,20 @@ OPTIONS = """
 """
 
 
+#: The largest seed, as of a scenario.
+MOST_SEED = 2**64 - 1
+
+
+def seed_of(seed: Any, count: int = 1) -> int:
+    """The first of `count` seeds in a row. Raises InputError for what is no whole number, or out of range."""
+    if isinstance(seed, (bool, np.bool_)) or not isinstance(seed, (int, np.integer)):
+        raise _core.InputError(f"seed: expected a whole number in [0, {MOST_SEED}], got {seed!r}")
+    if not 0 <= int(seed) <= MOST_SEED - (count - 1):
+        row = "" if count == 1 else f" with {count - 1} more behind it"
+        raise _core.InputError(f"seed: expected a whole number in [0, {MOST_SEED}]{row}, got {seed}")
+    return int(seed)
+
+
 def environments(scenario: Any, learner: str | Sequence[str] | None, reward: Mapping[str, float] | None,
                  algorithms: Mapping[str, Any] | None, **options: Any) -> _core.FleetEnvironments:
     """One or more, of what both kinds of environments are told."""

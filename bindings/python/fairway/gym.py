@@ -23,7 +23,7 @@ from typing import Any
 import numpy as np
 
 from fairway import _core
-from fairway._environments import BY_LEARNER, OPTIONS, Array, environments, spaces_of
+from fairway._environments import BY_LEARNER, OPTIONS, Array, environments, seed_of, spaces_of
 from fairway._render import picture
 from fairway._spaces import HAS_GYMNASIUM, Env
 from fairway.gym_vector import FleetVectorEnv
@@ -81,8 +81,9 @@ class FleetEnv(Env):  # type: ignore[misc]
     def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[Array, dict[str, Any]]:
         """Begins an episode: with a seed, the run that `fairway run --seed` makes; without, the next one after the
         last seed that was given, or after the scenario's own. There are no options."""
-        super().reset(seed=seed)
-        self.core.reset(None, [] if seed is None else [seed])
+        seeds = [] if seed is None else [seed_of(seed)]
+        super().reset(seed=seeds[0] if seeds else None)
+        self.core.reset(None, seeds)
         return self._observations.copy(), self._info()
 
     def step(self, action: Any) -> tuple[Array, float, bool, bool, dict[str, Any]]:

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from fairway import _core
-from fairway._environments import BY_LEARNER, OPTIONS, Array, environments, spaces_of
+from fairway._environments import BY_LEARNER, OPTIONS, Array, environments, seed_of, spaces_of
 from fairway._spaces import VectorEnv, autoreset_next_step, batch_box
 
 
@@ -82,12 +82,13 @@ class FleetVectorEnv(VectorEnv):  # type: ignore[misc]
               options: dict[str, Any] | None = None) -> tuple[Array, dict[str, Any]]:
         """Begins episodes in all environments, or where options["reset_mask"] is true. A seed is that of the first
         environment, and the next have the next ones; or a list of one each."""
-        super().reset(seed=seed if isinstance(seed, int) else None)
         seeds: list[int | None] = []
-        if isinstance(seed, (int, np.integer)):
-            seeds = [int(seed) + i for i in range(self.num_envs)]
+        if isinstance(seed, (Sequence, np.ndarray)) and not isinstance(seed, (str, bytes)):
+            seeds = [None if each is None else seed_of(each) for each in seed]
         elif seed is not None:
-            seeds = list(seed)
+            first = seed_of(seed, self.num_envs)
+            seeds = [first + i for i in range(self.num_envs)]
+        super().reset(seed=seeds[0] if isinstance(seed, (int, np.integer)) else None)
         self.core.reset((options or {}).get("reset_mask"), seeds)
         return self._shown(self._observations), self._infos()
 
