@@ -84,7 +84,7 @@ function order_buttons(list: HTMLElement, entries: Entry[]): HTMLElement {
 function figure_link(title: string, close: () => void): HTMLElement | null {
   const figure = [...document.querySelectorAll<HTMLElement>('figure')].find((each) => each.querySelector('figcaption .title')?.textContent === title);
   if (figure === undefined) return null;
-  const link = h('a', { href: `#${figure.id}` }, title);
+  const link = h('a', { href: `#${figure.id}` }, `See ${title}`);
   link.addEventListener('click', close);
   return link;
 }
