@@ -212,6 +212,7 @@ void write_exam(const ExamFlags& flags, const ExamFile& exam, const ExamQuestion
                                .conditions = question.conditions,
                                .absences = plan.absences,
                                .decision_times = times,
+                               .margins = margins_in(exam, question, program.catalogs.avoiders),
                                .command = program.typed,
                                .origin = "Made by " + maker + "."})
                  .dump(),

@@ -32,11 +32,13 @@ std::string why_no_group(const Catalog& methods, std::string_view algorithm, con
 
 }  // namespace
 
-std::string algorithm_of(const CampaignAlgorithm& method) {
+Choice choice_of(const CampaignAlgorithm& method) {
   const yaml::Tree tree = yaml::parse_tree(method.avoider, method.label);
   yaml::Reading reading;
-  return yaml::read_choice({tree, "", reading}, "algorithm", yaml::Needed::yes).name;
+  return yaml::read_choice({tree, "", reading}, "algorithm", yaml::Needed::yes);
 }
+
+std::string algorithm_of(const CampaignAlgorithm& method) { return choice_of(method).name; }
 
 void expect_known(const CampaignAlgorithm& method, const Catalog& methods) {
   yaml::ask_of(method.place, [&] { methods.params(algorithm_of(method)); });

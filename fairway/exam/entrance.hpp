@@ -12,6 +12,9 @@
 
 namespace fairway {
 
+/// What a campaign writes of a method, with its parameters.
+Choice choice_of(const CampaignAlgorithm& method);
+
 /// The name in the catalog of a method as a campaign writes it: "orca3d+inflate" of `{algorithm:
 /// orca3d+inflate, crit_dist_m: 20}`.
 std::string algorithm_of(const CampaignAlgorithm& method);

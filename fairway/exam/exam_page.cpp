@@ -20,6 +20,14 @@ namespace {
 
 using nlohmann::json;
 
+constexpr auto clearance_label = "clearance left [m]";
+constexpr auto time_label = "time over the time alone";
+
+/// What the figure is called that shows how a quantity of a family is distributed.
+std::string distribution_title(const std::string& family, std::string_view quantity) {
+  return fmt::format("{}: {}", family, quantity);
+}
+
 /// The runs of every cell, one ground after the other, and where they stand in the document.
 class PageRuns {
  public:
@@ -40,7 +48,9 @@ class PageRuns {
   json mark(json mark, const ExamCell& cell) const {
     std::vector<double> values;
     for (const ExamRun* run : runs_.at(&cell)) values.push_back(run->outcome.clearance_m);
-    return page::linked(std::move(mark), page::references(places_.at(&cell)), page::shown_values(values));
+    mark = page::linked(std::move(mark), page::references(places_.at(&cell)), page::shown_values(values));
+    if (!mark.is_null()) mark["values_label"] = clearance_label;
+    return mark;
   }
 
   const page::RunList& list() const { return list_; }
@@ -104,12 +114,13 @@ json heat_cell(const Placing& placing, const PageRuns& runs) {
 }
 
 json heat_of(const ExamTable& table, const ExamCondition& condition, const PageRuns& runs) {
-  json series = json::array(), families = json::array();
+  json series = json::array(), families = json::array(), distributions = json::array();
   std::vector<const Contest*> contests;
   for (const std::string& family : table.families) {
     if (const Contest* contest = contest_of(table, family, condition.name)) {
       contests.push_back(contest);
       families.push_back(family);
+      distributions.push_back(distribution_title(family, clearance_label));
     }
   }
   for (const std::string& name : names_of(table)) {
@@ -125,8 +136,10 @@ json heat_of(const ExamTable& table, const ExamCondition& condition, const PageR
           {"categories", std::move(families)},
           {"category_label", "family"},
           {"value_label", "runs without a collision"},
-          {"text_label", "time over the time alone"},
+          {"text_label", time_label},
+          {"unit", "%"},
           {"range", {0.0, 1.0}},
+          {"see", std::move(distributions)},
           {"series", std::move(series)}};
 }
 
@@ -167,23 +180,25 @@ json awareness_heat(const ExamTable& table) {
           {"category_label", "condition"},
           {"value_label", "difference"},
           {"text_label", "change"},
+          {"unit", "%"},
           {"range", {-0.5, 0.5}},
           {"series", std::move(series)}};
 }
 
 /// Where each stands between safety and time.
 json front_of(const Contest& contest) {
-  json points = json::array();
+  json points = json::array(), front = json::array();
   for (const Placing& placing : contest.placings) {
     const double time = placing.cell->time_ratio();
     if (!std::isfinite(time)) continue;
     const double unsafe = 1.0 - static_cast<double>(placing.cell->safe_count()) /
                                     static_cast<double>(placing.cell->runs.size());
-    points.push_back(page::series(placing.cell->name() + (placing.on_front ? ", on the front" : ""),
-                                  {100.0 * unsafe}, {time}));
+    points.push_back(page::series(placing.cell->name(), {100.0 * unsafe}, {time}));
+    if (placing.on_front) front.push_back(placing.cell->name());
   }
-  return page::lines(contest.family, "runs with a collision [%]", "time over the time alone",
-                     std::move(points));
+  json chart = page::lines(contest.family, "runs with a collision [%]", time_label, std::move(points));
+  chart["front"] = std::move(front);
+  return chart;
 }
 
 json boxes_of(const ExamTable& table, const std::string& family, const PageRuns& runs, const char* title,
@@ -204,14 +219,14 @@ json boxes_of(const ExamTable& table, const std::string& family, const PageRuns&
     if (any) series.push_back({{"label", name}, {"boxes", std::move(boxes)}});
   }
   return {{"kind", "boxes"},
-          {"title", family + ": " + title},
+          {"title", distribution_title(family, title)},
           {"y_label", title},
           {"category_label", "condition"},
           {"categories", table.conditions},
           {"series", std::move(series)}};
 }
 
-json placings_table(const ExamTable& table, const PageRuns& runs) {
+json placings_table(const ExamTable& table, const ExamMargins& margins, const PageRuns& runs) {
   json rows = json::array();
   for (const Contest& contest : table.contests) {
     for (const Placing& placing : contest.placings) {
@@ -231,9 +246,12 @@ json placings_table(const ExamTable& table, const PageRuns& runs) {
                {"behind", placing.behind_in},
                {"p", placing.p_adjusted},
                {"runs", cell.runs.size()}};
+      if (const auto adds = margins.find({contest.family, cell.name()}); adds != margins.end())
+        row["adds"] = adds->second;
       const json link = runs.mark(json::object(), cell);
       row["$runs"] = link["runs"];
       row["$values"] = link["values"];
+      row["$values_label"] = link["values_label"];
       rows.push_back(std::move(row));
     }
   }
@@ -246,12 +264,13 @@ json placings_table(const ExamTable& table, const PageRuns& runs) {
             column("arrived", "Arrived", "number", 3), column("time", "Time over alone", "number", 2),
             column("rank", "Mean rank", "number", 2), column("cd", "Critical difference", "number", 2),
             column("place", "Place", "text"), column("behind", "Behind in", "text"), column("p", "p", "p"),
-            column("runs", "Runs", "number", 0)}},
+            column("runs", "Runs", "number", 0), column("adds", "Adds", "text")}},
           {"rows", std::move(rows)},
           {"filter", {"family", "condition", "method", "place"}},
           {"note",
            "A row leads to its runs; beside each is the clearance that it left in metres, negative "
-           "where something was touched."}};
+           "where something was touched. Adds: what a method keeps clear by itself beyond the radii that "
+           "all are given."}};
 }
 
 /// Of every method and family the run that left least, where something was touched.
@@ -305,7 +324,8 @@ json exam_page(const ExamTable& table, const ExamPageParts& parts) {
       "grounds", "Methods and grounds",
       {"The colour is the share of runs without a collision, the number the time over the time alone. ① is "
        "first on the evidence of these runs, = is not told apart from whoever leads. Grey: may not enter, or "
-       "has not been run. A click lists the runs, the least clearance first if asked."},
+       "has not been run. No number: in no run did all arrive, in it and in the one alone. A click lists the "
+       "runs, the least clearance first if asked, and leads to their distribution."},
       std::move(heats)));
   if (!table.awareness.empty())
     sections.push_back(page::section("awareness", "What knowing less costs",
@@ -320,22 +340,24 @@ json exam_page(const ExamTable& table, const ExamPageParts& parts) {
   sections.push_back(page::section(
       "fronts", "Safety and time",
       {"Under " + table.conditions.front() +
-       ". On the front nobody else is at least as safe and as fast, and better in one of them."},
+       ". Of whoever stands ringed on the line, the front, nobody else is at least as safe and as fast, and "
+       "better in one of them."},
       {page::grid(3, std::move(fronts))}));
   sections.push_back(page::section("worst", "Worst runs", {}, {worst_table(table)}));
 
   std::vector<json> boxes;
   for (const std::string& family : table.families) {
-    boxes.push_back(boxes_of(table, family, runs, "time over the time alone",
+    boxes.push_back(boxes_of(table, family, runs, time_label,
                              [](const ExamCell& cell) { return cell.ratios(&ExamOutcome::time_s); }));
-    boxes.push_back(boxes_of(table, family, runs, "clearance left [m]", [](const ExamCell& cell) {
+    boxes.push_back(boxes_of(table, family, runs, clearance_label, [](const ExamCell& cell) {
       std::vector<double> values;
       for (const ExamRun* run : cell.runs) values.push_back(run->outcome.clearance_m);
       return values;
     }));
   }
   sections.push_back(page::section("distributions", "Distributions", {}, std::move(boxes)));
-  sections.push_back(page::section("placings", "All placings", {}, {placings_table(table, runs)}));
+  sections.push_back(
+      page::section("placings", "All placings", {}, {placings_table(table, parts.margins, runs)}));
   if (!parts.decision_times.empty())
     sections.push_back(page::section(
         "decisions", "Time to decide",

@@ -9,6 +9,7 @@
 #include "fairway/exam/exam_file.hpp"
 #include "fairway/exam/exam_plan.hpp"
 #include "fairway/exam/exam_table.hpp"
+#include "fairway/exam/margins.hpp"
 
 namespace fairway {
 
@@ -28,6 +29,7 @@ struct ExamPageParts {
   std::span<const ExamCondition> conditions;
   std::span<const Absence> absences;
   std::span<const DecisionTime> decision_times;
+  ExamMargins margins;
   std::string command;  ///< as typed
   std::string origin;   ///< what made the runs, and the results that they are held against
 };

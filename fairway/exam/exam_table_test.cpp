@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "fairway/avoidance/catalog.hpp"
 #include "fairway/core/testing/refusal.hpp"
 #include "fairway/exam/exam_page.hpp"
 #include "fairway/exam/exam_text.hpp"
@@ -225,7 +226,44 @@ TEST(ExamPage, HasACellForEveryoneWhoEnteredAndLeadsToItsRuns) {
   EXPECT_EQ(heat["series"].size(), 3U);  // the baseline is none of them
   EXPECT_EQ(heat["series"][1]["cells"][0]["value"], 0.5);
   EXPECT_EQ(heat["series"][1]["cells"][0]["values"].size(), seeds);
+  EXPECT_EQ(heat["series"][1]["cells"][0]["values_label"], "clearance left [m]");
   EXPECT_NE(page.dump().find("fairway explain worst.mcap --vehicle 0 --time 5"), std::string::npos);
+
+  const nlohmann::json shown = heat["see"][0];
+  const auto& distributions = page["sections"][4]["blocks"];
+  EXPECT_EQ(std::ranges::count(distributions, shown, [](const auto& block) { return block["title"]; }), 1);
+}
+
+TEST(ExamPage, WhatAMethodKeepsClearByItselfStandsBesideItsPlace) {
+  const Catalog methods = builtin_avoiders();
+  EXPECT_EQ(margins_of({.label = "orca3d", .avoider = "orca3d"}, methods), "");
+  EXPECT_EQ(
+      margins_of({.label = "f", .avoider = "{algorithm: direct+safety_filter, margin_m: 0.8}"}, methods),
+      "margin_m 0.8");
+
+  const std::vector<ExamRun> runs = sample();
+  const nlohmann::json page =
+      exam_page(exam_table(runs, order), {.families = {},
+                                          .conditions = {},
+                                          .absences = {},
+                                          .decision_times = {},
+                                          .margins = {{{"cubes", "careful"}, "margin_m 0.8"}}});
+  const auto& sections = page["sections"];
+  const auto placings = std::ranges::find(sections, "placings", [](const auto& s) { return s["id"]; });
+  const nlohmann::json row = (*placings)["blocks"][0]["rows"][0];
+  EXPECT_EQ(row["method"], "careful");
+  EXPECT_EQ(row["adds"], "margin_m 0.8");
+}
+
+TEST(ExamPage, WhoIsOnTheFrontIsCalledAsEverywhere) {
+  const std::vector<ExamRun> runs = sample();
+  const std::vector<ExamCondition> conditions{{.name = "known", .meaning = "m"}};
+  const nlohmann::json page =
+      exam_page(exam_table(runs, order),
+                {.families = {}, .conditions = conditions, .absences = {}, .decision_times = {}});
+  const nlohmann::json front = page["sections"][2]["blocks"][0]["blocks"][0];
+  EXPECT_EQ(front["front"].dump(), R"(["careful","bold"])");
+  EXPECT_EQ(front["series"][0]["label"], "careful");
 }
 
 ExamReference stored() {

@@ -12,6 +12,23 @@ namespace fairway {
 
 using nlohmann::json;
 
+namespace {
+
+/// "case, range_m" of "case" and "perception.range_m"; whole names where their last parts are alike.
+std::string last_parts(const std::vector<std::string>& names) {
+  std::set<std::string> parts;
+  std::string whole, short_text;
+  for (const std::string& name : names) {
+    const std::string part = name.substr(name.rfind('.') + 1);
+    parts.insert(part);
+    whole += (whole.empty() ? "" : ", ") + name;
+    short_text += (short_text.empty() ? "" : ", ") + part;
+  }
+  return parts.size() == names.size() ? short_text : whole;
+}
+
+}  // namespace
+
 GroupNames::GroupNames(const Comparison& comparison) {
   LabelValues values;
   for (const ComparedCell& cell : comparison.cells) {
@@ -24,7 +41,7 @@ GroupNames::GroupNames(const Comparison& comparison) {
     if (known.size() > 1 || !everywhere) varying_.push_back(name);
   }
   if (varying_.empty() && !values.empty()) varying_.push_back(values.front().first);
-  if (varying_.size() == 1) label_ = varying_.front();
+  label_ = varying_.size() == 1 ? varying_.front() : last_parts(varying_);
 }
 
 std::string GroupNames::of(const Labels& group) const {
@@ -73,8 +90,10 @@ json CellRuns::line(json line, const Labels& group, const std::string& candidate
                     const std::string& quantity) const {
   const std::vector<double> shown = values(group, candidate, quantity);
   line["$runs"] = page::references(of(group, candidate));
-  if (std::ranges::any_of(shown, [](double value) { return std::isfinite(value); }))
+  if (std::ranges::any_of(shown, [](double value) { return std::isfinite(value); })) {
     line["$values"] = page::shown_values(shown);
+    line["$values_label"] = quantity;
+  }
   return line;
 }
 

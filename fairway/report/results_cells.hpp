@@ -20,7 +20,7 @@ class GroupNames {
   explicit GroupNames(const Comparison& comparison);
 
   std::string of(const Labels& group) const;
-  const std::string& label() const { return label_; }  ///< of the axis: "case"
+  const std::string& label() const { return label_; }  ///< of the axis: "case", "case, range_m"
   bool several() const { return several_; }
 
  private:

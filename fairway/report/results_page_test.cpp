@@ -99,6 +99,23 @@ TEST(ResultsPage, NamesAreThoseOfTheCampaign) {
   EXPECT_EQ(block_of(page_of(records), 1)["blocks"][0]["categories"].dump(), R"(["0.05","0.1"])");
 }
 
+TEST(ResultsPage, AnAxisOverAGridNamesAllThatItVaries) {
+  std::vector<RunRecord> records;
+  for (const std::string range : {"20", "40"}) {
+    for (const std::string speed : {"1", "2"}) {
+      for (RunRecord record : four_runs()) {
+        record.spec.labels.emplace_back("perception.sonar.range_m", range);
+        record.spec.labels.emplace_back("speed_mps", speed);
+        record.spec.key += range + speed;
+        records.push_back(record);
+      }
+    }
+  }
+  const json chart = block_of(page_of(records), 1)["blocks"][0];
+  EXPECT_EQ(chart["category_label"], "range_m, speed_mps");
+  EXPECT_EQ(chart["categories"][0], "perception.sonar.range_m 20, speed_mps 1");
+}
+
 TEST(ResultsPage, TheBaselineIsTheOneAskedForOrTheFirstOfTheCampaign) {
   EXPECT_EQ(page_of(four_runs())["facts"][2]["value"], "apf");
   EXPECT_EQ(page_of(four_runs(), {.baseline = "orca3d"})["facts"][2]["value"], "orca3d");

@@ -44,19 +44,16 @@ Cell planned_cell(std::string_view study, std::string_view place, std::string_vi
   return cell;
 }
 
-Labels Cell::labels() const {
-  Labels labels = cell_labels(place, method, mode, part);
+Labels Cell::labels() const { return cell_labels(place, method, mode, part, params); }
+
+Labels cell_labels(std::string_view place, std::string_view method, std::string_view mode,
+                   std::string_view part, const ParamValues& params) {
+  Labels labels{{"case", std::string(place)}, {"method", std::string(method)}, {"mode", std::string(mode)}};
+  if (!part.empty()) labels.emplace_back("part", std::string(part));
   for (const auto& [name, value] : params) {
     const double* number = std::get_if<double>(&value);
     labels.emplace_back(name, number != nullptr ? number_text(*number) : "true");
   }
-  return labels;
-}
-
-Labels cell_labels(std::string_view place, std::string_view method, std::string_view mode,
-                   std::string_view part) {
-  Labels labels{{"case", std::string(place)}, {"method", std::string(method)}, {"mode", std::string(mode)}};
-  if (!part.empty()) labels.emplace_back("part", std::string(part));
   return labels;
 }
 

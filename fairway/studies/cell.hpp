@@ -44,9 +44,9 @@ struct Cell {
 Cell planned_cell(std::string_view study, std::string_view place, std::string_view method,
                   std::string_view mode, int seeds, const std::function<Scenario(std::uint64_t)>& scenario);
 
-/// The labels of a cell; `part` where it has one.
+/// The labels of a cell; `part` and `params` where it has them.
 Labels cell_labels(std::string_view place, std::string_view method, std::string_view mode,
-                   std::string_view part = "");
+                   std::string_view part = "", const ParamValues& params = {});
 
 /// Cells that are measured alike.
 struct MeasuredCells {

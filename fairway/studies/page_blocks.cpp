@@ -1,14 +1,40 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/studies/page_blocks.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "fairway/core/text.hpp"
 #include "fairway/experiment/version.hpp"
 
 namespace fairway::page {
 
 using nlohmann::json;
+
+namespace {
+
+/// "told_m 3, wait".
+std::string params_text(const ParamValues& params) {
+  std::string text;
+  for (const auto& [name, value] : params) {
+    const double* number = std::get_if<double>(&value);
+    text += text.empty() ? name : ", " + name;
+    if (number != nullptr) text += " " + number_text(*number);
+  }
+  return text;
+}
+
+/// A value of one run stands for both ends where nothing is drawn.
+bool has_interval(const StudyRow& row) { return row.runs > 1; }
+
+template <class T>
+bool differ(std::span<const StudyRow> rows, T StudyRow::*member) {
+  return std::ranges::any_of(rows, [&](const StudyRow& row) { return row.*member != rows.front().*member; });
+}
+
+}  // namespace
 
 json number(double value) { return std::isfinite(value) ? json(value) : json(); }
 
@@ -56,28 +82,47 @@ json grid(int columns, std::vector<json> blocks) {
   return {{"kind", "grid"}, {"columns", columns}, {"blocks", std::move(blocks)}};
 }
 
-json comparison_table(std::string title, std::span<const StudyRow> rows, const RunIndex& runs) {
+json comparison_table(std::string title, std::span<const StudyRow> rows, const RunIndex& runs,
+                      std::string_view words) {
   json lines = json::array();
-  for (const StudyRow& row : rows) lines.push_back(runs.line(row_json(row), cell_of(row), row.quantity));
+  for (const StudyRow& row : rows) {
+    json line = row_json(row);
+    line["params"] = params_text(row.params);
+    if (!has_interval(row)) line["low"] = line["high"] = nullptr;
+    lines.push_back(runs.line(std::move(line), cell_of(row), row.quantity));
+  }
   const auto column = [](const char* key, const char* label, const char* type) {
     return json{{"key", key}, {"label", label}, {"type", type}};
   };
+  const auto number_column = [&](const char* key, const char* label) {
+    json column{{"key", key}, {"label", label}, {"type", "number"}};
+    column["digits"] = 1;
+    return column;
+  };
+  json columns{column("case", "Case", "text"), column("method", "Method", "text")};
+  if (differ(rows, &StudyRow::mode)) columns.push_back(column("mode", "Setting", "text"));
+  if (differ(rows, &StudyRow::params)) columns.push_back(column("params", "Parameters", "text"));
+  columns.push_back(column("quantity", "Quantity", "text"));
+  json filter = json::array();
+  for (const json& shown : columns) filter.push_back(shown["key"]);
+  for (const json& shown :
+       {number_column("published", "Published"), number_column("measured", "Measured"),
+        column("deviation_ratio", "Deviation", "deviation"), column("verdict", "Verdict", "verdict")})
+    columns.push_back(shown);
+  if (std::ranges::any_of(rows, has_interval)) {
+    columns.push_back(number_column("low", "95 % from"));
+    columns.push_back(number_column("high", "to"));
+  }
+  columns.push_back(column("runs", "Runs", "number"));
+  columns.push_back(column("note", "Note", "remark"));
   return {{"kind", "table"},
           {"title", std::move(title)},
-          {"columns",
-           {column("case", "Case", "text"), column("method", "Method", "text"),
-            column("quantity", "Quantity", "text"),
-            json{{"key", "published"}, {"label", "Published"}, {"type", "number"}, {"digits", 1}},
-            json{{"key", "measured"}, {"label", "Measured"}, {"type", "number"}, {"digits", 1}},
-            column("deviation_ratio", "Deviation", "deviation"), column("verdict", "Verdict", "verdict"),
-            json{{"key", "low"}, {"label", "95 % from"}, {"type", "number"}, {"digits", 1}},
-            json{{"key", "high"}, {"label", "to"}, {"type", "number"}, {"digits", 1}},
-            column("runs", "Runs", "number"), column("note", "Note", "text")}},
+          {"columns", std::move(columns)},
           {"rows", std::move(lines)},
-          {"filter", {"case", "method", "quantity"}},
-          {"note",
-           "A row leads to its runs; beside each is its own value, a mean over the vehicles where each has "
-           "one."}};
+          {"filter", std::move(filter)},
+          {"note", fmt::format("A row leads to its runs; beside each is its own value, a mean over the "
+                               "vehicles where each has one.{}{}",
+                               words.empty() ? "" : " ", words)}};
 }
 
 json method_intervals(std::span<const StudyRow> rows, std::span<const Method> methods,

@@ -51,8 +51,10 @@ nlohmann::json note(std::string_view tone, std::string text);
 
 nlohmann::json grid(int columns, std::vector<nlohmann::json> blocks);
 
-/// Published against measured, one line a row, which leads to the runs of its cell.
-nlohmann::json comparison_table(std::string title, std::span<const StudyRow> rows, const RunIndex& runs);
+/// Published against measured, one line a row, which leads to the runs of its cell. Settings and parameters
+/// have columns where they tell rows apart; `words` are added to what is said below it.
+nlohmann::json comparison_table(std::string title, std::span<const StudyRow> rows, const RunIndex& runs,
+                                std::string_view words = "");
 
 /// One quantity of every method by place, with its interval and what is published, where it is among the
 /// rows.

@@ -70,17 +70,24 @@ json RunIndex::values_of(const Labels& cell, std::string_view quantity) const {
 }
 
 json RunIndex::mark(json point, const Labels& cell, std::string_view quantity) const {
-  return page::linked(std::move(point), runs_of(cell), values_of(cell, quantity));
+  json values = values_of(cell, quantity);
+  if (!values.is_null()) point["values_label"] = quantity;
+  return page::linked(std::move(point), runs_of(cell), std::move(values));
 }
 
 json RunIndex::line(json row, const Labels& cell, std::string_view quantity) const {
   json runs = runs_of(cell);
   if (runs.is_null()) return row;
   row["$runs"] = std::move(runs);
-  if (json values = values_of(cell, quantity); !values.is_null()) row["$values"] = std::move(values);
+  if (json values = values_of(cell, quantity); !values.is_null()) {
+    row["$values"] = std::move(values);
+    row["$values_label"] = quantity;
+  }
   return row;
 }
 
-Labels cell_of(const StudyRow& row) { return cell_labels(row.cell, row.method, row.mode, row.part); }
+Labels cell_of(const StudyRow& row) {
+  return cell_labels(row.cell, row.method, row.mode, row.part, row.params);
+}
 
 }  // namespace fairway

@@ -194,7 +194,9 @@ TEST(RunIndex, LeadsFromACellToItsRunsAndTheirValues) {
   EXPECT_TRUE(index.values_of(second, "success_ratio").is_null());
   EXPECT_TRUE(index.runs_of({{"case", "cube"}}).is_null());
   EXPECT_EQ(index.mark({{"value", 1}}, second, "sum").dump(),
-            R"({"runs":[[2,3]],"value":1,"values":[5.0,0.333333]})");
+            R"({"runs":[[2,3]],"value":1,"values":[5.0,0.333333],"values_label":"sum"})");
+  EXPECT_EQ(index.line({}, cell_of(cell_row(cells[1], "sum")), "sum").dump(),
+            R"({"$runs":[[2,3]],"$values":[5.0,0.333333],"$values_label":"sum"})");
   EXPECT_EQ(index.list().document().at(1).dump(),
             R"({"command":"fairway study some --only cube/apf+saw/as_coded/w=0.5/",)"
             R"("label":"cube apf+saw as_coded w=0.5","playbacks":{"1":"runs/a.html"},"seeds":[1,12]})");

@@ -211,6 +211,12 @@ test('who a stroke is about is told by name', async () => {
   assert.equal(who_is(0x8000_0001, vehicles).name, 'drifter 1');
 });
 
+test('what an obstacle allows is told apart from what vehicles allow', async () => {
+  const { meaning_colour } = await load('meaning_colour.ts');
+  const shown = ['chosen', 'preferred', 'own velocity', 'allowed by contact 1', 'allowed by an obstacle'].map(meaning_colour);
+  assert.equal(new Set(shown).size, shown.length, shown.join());
+});
+
 test('names of quantities become words and units', async () => {
   const { heading_of } = await load('explanation/explanation.ts');
   assert.equal(heading_of('closing_speed_mps'), 'closing speed [m/s]');

@@ -6,7 +6,8 @@
 // Without a file, the committed template is filled with rasters of known pixels, known runs and a few broken documents. Ends with 0 when every check held, else with 1 and a list of those that did not.
 import { join } from 'node:path';
 import { Browser, command_line } from './browser.mjs';
-import { heat_report, look_at_heats } from './heat_checks.mjs';
+import { heat_report, look_at_heats, look_at_wide_heat, wide_heat_report } from './heat_checks.mjs';
+import { front_report, look_at_fronts, look_at_linked } from './lines_checks.mjs';
 import { look_at_rasters, raster_report } from './raster_checks.mjs';
 import { checks } from './report_checks.mjs';
 import { look_at_known_runs, run_checks, runs_report } from './runs_checks.mjs';
@@ -96,6 +97,11 @@ if (given !== null) {
 } else {
   await look_at_known_rasters();
   await open(browser.write('heat.html', heat_report), 'tables of colours', { width: 1280, scheme: 'light' }, look_at_heats);
+  await open(browser.write('wide.html', wide_heat_report), 'a wide table of colours', { width: 390, scheme: 'light' }, look_at_wide_heat);
+  const fronts = browser.write('fronts.html', front_report);
+  await open(fronts, 'fronts', { width: 1280, scheme: 'light' }, look_at_fronts);
+  await open(fronts, 'a link to a section', { width: 1280, scheme: 'light', fragment: '#last' }, look_at_linked);
+  await open(fronts, 'a link that is no text', { width: 1280, scheme: 'light', fragment: '#50%' }, look_at_fronts);
   const known = browser.write('runs.html', runs_report);
   await open(known, 'known runs', { width: 1280, scheme: 'light' }, look_at_known_runs);
   await look_at_report(known, 'known runs, ');

@@ -83,6 +83,25 @@ async function verdicts_are_in_sight(page, expect, { width }) {
   expect(beyond.length === 0, `${beyond.length} verdicts end up to ${Math.max(0, ...beyond)} px beyond their table`);
 }
 
+/** What can be done with a chart stands beside its legend and its caption, not on them. */
+async function buttons_cover_nothing(page, expect) {
+  const covered = await page.evaluate(() => [...document.querySelectorAll('figure:has(.plot)')].filter((figure) => {
+    const buttons = [...figure.querySelectorAll('.actions button')].map((button) => button.getBoundingClientRect());
+    const texts = [...figure.querySelectorAll('.legend .entry, figcaption')].map((text) => text.getBoundingClientRect());
+    return buttons.some((a) => texts.some((b) => a.left < b.right - 1 && b.left < a.right - 1 && a.top < b.bottom - 1 && b.top < a.bottom - 1));
+  }).map(({ id }) => id));
+  expect(covered.length === 0, `buttons lie on text in ${covered.join(', ')}`);
+}
+
+/** Remarks are read without scrolling sideways. */
+async function remarks_are_in_sight(page, expect) {
+  const beyond = await page.evaluate(() => [...document.querySelectorAll('.table-scroll')].flatMap((frame) => {
+    const edge = frame.getBoundingClientRect().left + frame.clientWidth;
+    return [...frame.querySelectorAll('.remark div')].map((text) => text.getBoundingClientRect().right - edge);
+  }).filter((over) => over > 0.5));
+  expect(beyond.length === 0, `${beyond.length} remarks end up to ${Math.max(0, ...beyond)} px beyond their table`);
+}
+
 /** Labels under a chart tell its categories apart, however short they are cut. */
 async function categories_read_differently(page, expect) {
   const alike = await page.evaluate(() => [...document.querySelectorAll('.chart-boxes svg, .chart-intervals svg')].filter((svg) => {
@@ -98,11 +117,11 @@ async function tables_sort_by_keyboard(page, expect) {
   for (let i = 0; i < await tables.count(); ++i) {
     const table = tables.nth(i);
     const heads = table.locator('thead th.number');
-    if (await heads.count() === 0 || await table.locator('tbody tr').count() < 2) continue;
+    if (await heads.count() === 0 || await table.locator('tbody tr:not(.remark)').count() < 2) continue;
     looked += 1;
     const head = heads.first();
     const column = await head.evaluate((element) => [...element.parentElement.children].indexOf(element));
-    const values = async () => (await table.locator(`tbody tr > :nth-child(${column + 1})`).allInnerTexts())
+    const values = async () => (await table.locator(`tbody tr:not(.remark) > :nth-child(${column + 1})`).allInnerTexts())
       .map((text) => Number(text.replace('\u2212', '-').replaceAll('\u2009', ''))).filter((value) => !Number.isNaN(value));
     const sorted = (list, sign) => list.every((value, k) => k === 0 || sign * (value - list[k - 1]) >= 0);
     const before = await values();
@@ -120,7 +139,7 @@ async function tables_sort_by_keyboard(page, expect) {
 async function tables_filter_and_tally(page, expect) {
   const select = page.locator('.filter select').first();
   if (await select.count() > 0) {
-    const rows = page.locator('figure.table:has(.filter)').first().locator('tbody tr');
+    const rows = page.locator('figure.table:has(.filter)').first().locator('tbody tr:not(.remark)');
     const all = await rows.count();
     await select.selectOption({ index: 1 });
     expect(await rows.count() < all, 'the filter keeps every row');
@@ -130,7 +149,7 @@ async function tables_filter_and_tally(page, expect) {
   const tally = page.locator('.tally-buttons').first();
   if (await tally.count() > 0) {
     const button = tally.locator('button').first();
-    const rows = page.locator('figure.table:has(.tally)').first().locator('tbody tr');
+    const rows = page.locator('figure.table:has(.tally)').first().locator('tbody tr:not(.remark)');
     await button.click();
     const said = Number(await button.locator('b').innerText());
     // Long tables draw their first 1000 rows and one that says so.
@@ -214,7 +233,7 @@ async function files_can_be_saved(page, expect) {
   const csv = page.locator('figure.table .action', { hasText: 'CSV' }).first();
   if (await csv.count() > 0) {
     const { name, text } = await save(csv);
-    const rows = await page.locator('figure.table').first().locator('tbody tr').count();
+    const rows = await page.locator('figure.table').first().locator('tbody tr:not(.remark)').count();
     expect(name.endsWith('.csv') && (rows > 1000 || text.trim().split('\r\n').length === rows + 1), `${name} has other rows than the table`);
   }
   const data = page.locator('.action', { hasText: 'Data' }).first();
@@ -224,7 +243,8 @@ async function files_can_be_saved(page, expect) {
 }
 
 export const checks = [
-  nothing_overflows, headings_and_links_are_sound, charts_are_drawn, verdicts_are_in_sight, categories_read_differently,
+  nothing_overflows, headings_and_links_are_sound, charts_are_drawn, verdicts_are_in_sight, remarks_are_in_sight, buttons_cover_nothing,
+  categories_read_differently,
   theme_follows_and_toggles, tables_sort_by_keyboard,
   tables_filter_and_tally, legends_toggle, pointing_shows_values, trajectories_tell_time_and_place, files_can_be_saved,
 ];

@@ -83,7 +83,7 @@ export const runs_report = JSON.stringify({
       {
         kind: 'table', title: 'Time & 100 %_of {all}', columns: [
           { key: 'case', label: 'Case_#' }, { key: 'v', label: 'Value', unit: 'm²', type: 'number', digits: 1 },
-          { key: 'd', label: 'Deviation', type: 'deviation' }, { key: 'verdict', label: 'Verdict', type: 'verdict' }, { key: 'note', label: 'Note' },
+          { key: 'd', label: 'Deviation', type: 'deviation' }, { key: 'verdict', label: 'Verdict', type: 'verdict' }, { key: 'note', label: 'Note', type: 'remark' },
         ],
         rows: [
           { case: 'b~c^d\\', v: -12345.67, d: -0.032, verdict: 'within_spread', note: 'x < 3 ≈ 2–4 “quoted”, and longer than thirty', $runs: [0] },
@@ -121,6 +121,7 @@ export async function look_at_known_runs(page, expect, context) {
   await page.keyboard.press('ArrowRight');
   await page.keyboard.press('Enter');
   expect(await page.locator('dialog h2').innerText() === 'Known boxes, a, one', 'the list is not titled by what was chosen');
+  expect(await page.locator('dialog .run-count').innerText() === '3 runs, each with its time [s]', 'what the numbers are is not said');
   const given = ['5 | vehicle 0 | cube a | seed 1', '1 | vehicle 1 | cube a | seed 1', '– | vehicle 0 | cube a | seed 2 | Playback',
     '3 | vehicle 1 | cube a | seed 2 | Playback', '2 | vehicle 0 | cube a | seed 3', '4 | vehicle 1 | cube a | seed 3'];
   const sorted = async (order, expected) => {
@@ -151,7 +152,7 @@ export async function look_at_known_runs(page, expect, context) {
   await page.locator('dialog').waitFor({ state: 'detached', timeout: 20000 }).catch(() => {});
   expect(await page.locator('dialog').count() === 0, 'a click beside the list does not close it');
 
-  const rows = page.locator('figure.table tbody tr');
+  const rows = page.locator('figure.table tbody tr:not(.remark)');
   await rows.nth(1).locator('td').first().click();
   expect(await page.locator('dialog').count() === 0, 'a row without runs opens a list');
   await rows.nth(0).locator('td').first().click();

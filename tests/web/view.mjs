@@ -115,6 +115,20 @@ async function look_at_markup(sample) {
   });
 }
 
+/** Names longer than the picture end in an ellipsis, in it and in the charts' legend. */
+async function look_at_long_names(sample) {
+  const named = structuredClone(brief(sample));
+  named.scene.vehicles.forEach((vehicle, k) => { vehicle.name = `vehicle_${k}_${'of_a_long_name_'.repeat(16)}`; });
+  await browser.open(browser.write('long.html', JSON.stringify(named)), 'long names', { ...desk, scheme: 'light' }, async (page, expect) => {
+    await page.waitForFunction(() => document.querySelector('.stage-label.name') !== null);
+    const labels = await page.locator('.stage-label.name:visible').evaluateAll((all) => all.map((label) => ({ text: label.textContent, width: label.offsetWidth })));
+    expect(labels.length > 0 && labels.every(({ text, width }) => text.endsWith('…') && width <= 230), `in the picture: ${JSON.stringify(labels)}`);
+    await page.locator('summary', { hasText: 'Charts' }).first().click();
+    const entries = await page.locator('.vehicle-key li span').evaluateAll((all) => all.map((name) => name.scrollWidth > name.clientWidth && name.clientWidth < 320));
+    expect(entries.length === named.scene.vehicles.length && entries.every(Boolean), `in the legend: ${entries}`);
+  });
+}
+
 if (given !== null) {
   await look_at_every_side(given);
 } else {
@@ -123,6 +137,7 @@ if (given !== null) {
   await look_at_links(path);
   await look_at_broken(playback);
   await look_at_markup(playback);
+  await look_at_long_names(playback);
   await look_at_live(browser, playback);
   await look_at_divergence(browser, playback);
 }

@@ -22,6 +22,11 @@ constexpr auto repeated_words =
     "interval is the middle 95 % of the repetitions, and the note says how many lie below the published "
     "value. colliding_run_ratio is compared by Fisher's exact test instead.";
 
+constexpr auto repeated_verdicts =
+    "There are two verdicts: within spread, where the published value lies in the middle 95 % of the fives, "
+    "for "
+    "colliding_run_ratio where Fisher's p is at least 0.05; and not reproduced.";
+
 struct Plotted {
   std::string_view quantity, label;
 };
@@ -109,8 +114,8 @@ json facts(std::span<const StudyRow> rows) {
     if (row.mode == "as_coded_replicas" && row.quantity == "navigation_time_s_covered_count")
       covered = fmt::format("{:.0f} of 24", row.measured);
   }
-  return {page::fact("Published navigation times within repetitions", covered),
-          page::fact("Published cases", "6 cubes × 4 methods"),
+  return {page::fact("Published navigation times in the middle 95 % of repeated fives", covered),
+          page::fact("Published cases", "6 cases × 4 methods"),
           page::fact("Parameter cells", "36 APF, 108 ORCA")};
 }
 
@@ -147,8 +152,10 @@ json page_of(const Cells& cells, std::span<const StudyRow> rows, const StudyOpti
   if (options.seeds > 0) {
     sections.push_back(page::section(
         "repeated", "The five runs again and again", {repeated_words},
-        {page::comparison_table("As coded, other seeds", chosen_rows(rows, "as_coded_replicas"), runs),
-         page::comparison_table("From the recorded starts", chosen_rows(rows, "as_coded_starts"), runs)}));
+        {page::comparison_table("As coded, other seeds", chosen_rows(rows, "as_coded_replicas"), runs,
+                                repeated_verdicts),
+         page::comparison_table("From the recorded starts", chosen_rows(rows, "as_coded_starts"), runs,
+                                repeated_verdicts)}));
     sections.push_back(page::section("causes", "What was tried", causes(rows),
                                      {page::comparison_table("Everyone heading north at the origin",
                                                              chosen_rows(rows, "as_coded_north"), runs)}));

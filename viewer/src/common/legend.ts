@@ -5,7 +5,7 @@ import { h, s, text_width } from './dom';
 
 export interface LegendEntry {
   label: string;
-  glyph: 'box' | 'line' | 'point' | 'rule' | 'mean' | 'published' | 'goal' | 'sphere';
+  glyph: 'box' | 'line' | 'point' | 'rule' | 'mean' | 'published' | 'goal' | 'sphere' | 'front';
   colour?: string;
   shape?: Shape;
   dash?: string;
@@ -30,6 +30,7 @@ export function glyph({ glyph: kind, colour, shape, dash }: LegendEntry): SVGEle
     case 'mean': return [s('circle', { class: 'mean', colour: k, cx: 8, cy: 8, r: 3.2 })];
     case 'published': return [s('path', { class: 'published', d: shape_path('diamond', 4.5), transform: centred })];
     case 'goal': return [s('path', { class: 'goal', colour: k, d: 'M4 4l8 8m0 -8l-8 8' })];
+    case 'front': return [s('path', { class: 'front', d: 'M0 8H16' }), s('circle', { class: 'front-ring', cx: 8, cy: 8, r: 5 })];
     case 'sphere': return [s('g', { class: 'sphere' }, s('circle', { cx: 8, cy: 8, r: 6 }))];
   }
 }

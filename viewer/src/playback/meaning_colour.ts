@@ -7,6 +7,7 @@ const known: (readonly [RegExp, string])[] = [
   [/^(preferred|desired|before the safety filter|attraction)$/, '--c2'],
   [/^(repulsion)$/, '--bad'],
   [/velocity obstacle|protective|range/, '--bad'],
+  [/^allowed by an obstacle$/, '--c7'],
   [/^allowed/, '--c0'],
   [/^particle$/, '--c3'],
   [/tree/, '--ink-3'],

@@ -105,7 +105,7 @@ class Plot {
     const runs = this.target?.runs;
     if (runs == null) return;
     this.leave();
-    show_runs(runs.title, runs.made);
+    show_runs(runs.title, runs.made, runs.see);
   }
 
   private point_at(event: PointerEvent): void {
@@ -191,8 +191,9 @@ export function figure(chart: Chart, options: FigureOptions): HTMLElement {
 
   const caption = h('figcaption', {},
     number === '' ? null : h('a', { class: 'ref', href: `#${id}` }, number), h('span', { class: 'title' }, title));
-  return h('figure', { class: `figure chart-${options.kind}${compact ? ' compact' : ''}`, id },
+  const own_legend = shared === null && chart.legend.length > 0;
+  return h('figure', { class: `figure chart-${options.kind}${compact ? ' compact' : ''}${own_legend ? ' own-legend' : ''}`, id },
     h('div', { class: 'head' }, caption, h('div', { class: 'actions' }, runs, data_button(chart, panel), csv, save)),
-    shared === null && chart.legend.length > 0 ? legend(chart.legend, hidden, redraw) : null,
+    own_legend ? legend(chart.legend, hidden, redraw) : null,
     plot.element, panel);
 }

@@ -21,7 +21,7 @@ function escaped(text: string): string {
 /** A text column in which some text is longer than a line can spare wraps. */
 function alignment(column: Column, rows: readonly Row[]): string {
   if (column.type === 'number' || column.type === 'p' || column.type === 'deviation') return 'r';
-  const long = column.type === 'text' && rows.some((row) => String(row[column.key] ?? '').length > 30);
+  const long = (column.type === 'text' || column.type === 'remark') && rows.some((row) => String(row[column.key] ?? '').length > 30);
   return long ? 'p{14em}' : 'l';
 }
 

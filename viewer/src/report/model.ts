@@ -51,10 +51,11 @@ const alike: Read<Run[]> = (value, path) => {
     ({ label, seed: each, command: command === '' ? '' : command + each, playback: pages.get(i) ?? null }));
 };
 
-/** The runs behind a mark or a row, in order; `values` is empty or has as many for each of them. */
+/** The runs behind a mark or a row, in order; `values` is empty or has as many for each of them, of what `values_label` says. */
 export interface Made {
   runs: readonly Run[];
   values: readonly (number | null)[];
+  values_label: string;
 }
 
 /** `runs` is a list of places in `all` and of [first, last] places, `values` has one or more numbers for each run. */
@@ -74,7 +75,7 @@ function made_of(found: Record<string, unknown>, path: string, all: readonly Run
   if (numbers.length % made.length !== 0) {
     throw new DataError(`${path}.${values}: ${numbers.length} entries for ${made.length} runs`);
   }
-  return { runs: made, values: numbers };
+  return { runs: made, values: numbers, values_label: label_or_none(found[`${sign}values_label`], `${path}.${sign}values_label`) };
 }
 
 /** What `read` gives, with the runs behind it. */
@@ -84,7 +85,7 @@ const behind = <T>(runs: readonly Run[], read: Read<T>): Read<T & { made: Made |
 const column = (value: unknown, path: string) => {
   const found = record({
     key: text, label: or_null(text), unit: label_or_none,
-    type: optional(one_of(['text', 'number', 'p', 'verdict', 'deviation']), 'text' as const), digits: or_null(number),
+    type: optional(one_of(['text', 'remark', 'number', 'p', 'verdict', 'deviation']), 'text' as const), digits: or_null(number),
   })(value, path);
   const digits = found.digits === null ? null : Math.max(0, Math.min(12, Math.round(found.digits)));
   return { ...found, label: found.label ?? found.key, digits };
@@ -167,6 +168,10 @@ const heat = (runs: readonly Run[]) => (value: unknown, path: string) => {
       title: label_or_none, categories: names, category_label: label_or_none, value_label: label_or_none, text_label: label_or_none,
       /** The values that have the colours at both ends. */
       range: pair('ends'),
+      /** With '%' the values are ratios that are shown in percent. */
+      unit: optional(one_of(['', '%']), '' as const),
+      /** Of each column the title of the figure that shows more of it. */
+      see: optional(list_for(categories.length, 'categories', text), []),
       series: list(record({ label: text, cells: list_for(categories.length, 'categories', unless_absent('value', heat_cell(runs))) })),
     })(value, path),
   };
@@ -179,7 +184,11 @@ const curve = (value: unknown, path: string) => {
 };
 const lines = (runs: readonly Run[]) => behind(runs, (value, path) => ({
   kind: 'lines' as const,
-  ...record({ title: label_or_none, x_label: label_or_none, y_label: label_or_none, series: list(curve), lines: some(rule) })(value, path),
+  ...record({
+    title: label_or_none, x_label: label_or_none, y_label: label_or_none, series: list(curve), lines: some(rule),
+    /** Series of one point each that nobody is better than in x and y. */
+    front: some(text),
+  })(value, path),
 }));
 export type LinesBlock = Of<ReturnType<typeof lines>>;
 

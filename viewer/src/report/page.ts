@@ -79,6 +79,28 @@ function follow_reading(sections: HTMLElement[], nav: HTMLElement): void {
   mark();
 }
 
+/** What the address names; nothing of an address that no page writes. */
+function linked_element(): HTMLElement | null {
+  try {
+    return window.document.getElementById(decodeURIComponent(location.hash.slice(1)));
+  } catch {
+    return null;
+  }
+}
+
+/** To what the address names, and there again while figures above get their heights, until the reader moves. */
+function go_to_link(page: HTMLElement): void {
+  const target = linked_element();
+  if (target === null) return;
+  const go = (): void => target.scrollIntoView({ behavior: 'instant' });
+  go();
+  const heights = new ResizeObserver(go);
+  heights.observe(page);
+  const stop = (): void => heights.disconnect();
+  for (const moved of ['wheel', 'touchstart', 'pointerdown', 'keydown']) addEventListener(moved, stop, { once: true, passive: true });
+  setTimeout(stop, 3000);
+}
+
 export function show_document(document: Document, into: HTMLElement): void {
   window.document.title = document.title;
   const context: Context = { palettes: palettes_of(document), numbering: new Numbering() };
@@ -98,8 +120,5 @@ export function show_document(document: Document, into: HTMLElement): void {
     h('footer', {}, h('p', {}, document.version === '' ? 'Made by fairway.' : `Made by ${document.version}.`,
       ' This page is one file: it needs no network, and keeps working wherever it is copied.')));
   follow_reading(sections, nav);
-
-  // The elements that a link names exist only now.
-  const target = decodeURIComponent(location.hash.slice(1));
-  if (target !== '') window.document.getElementById(target)?.scrollIntoView();
+  go_to_link(into);
 }

@@ -80,17 +80,29 @@ function order_buttons(list: HTMLElement, entries: Entry[]): HTMLElement {
   return h('div', { class: 'segments', role: 'group', 'aria-label': 'Order' }, ...buttons);
 }
 
-/** Opens the list over the page; Escape, the button and a click beside it close it again. */
-export function show_runs(title: string, made: Made): void {
+/** A link to the figure of that title, which closes the list. */
+function figure_link(title: string, close: () => void): HTMLElement | null {
+  const figure = [...document.querySelectorAll<HTMLElement>('figure')].find((each) => each.querySelector('figcaption .title')?.textContent === title);
+  if (figure === undefined) return null;
+  const link = h('a', { href: `#${figure.id}` }, `See ${title}`);
+  link.addEventListener('click', close);
+  return link;
+}
+
+/** Opens the list over the page; Escape, the button and a click beside it close it again. `see` is the title of a figure to lead on to. */
+export function show_runs(title: string, made: Made, see = ''): void {
   hide_tip();
   const entries = entries_of(made);
   const valued = made.values.length > 0;
   const list = h('ol', { class: 'run-list', tabindex: 0, 'aria-label': 'Runs' });
   const close = h('button', { type: 'button', class: 'action', 'aria-label': 'Close' }, 'Close');
-  const dialog = h('dialog', { class: 'runs', 'aria-labelledby': 'runs-title' },
+  const counted = made.runs.length === 1 ? '1 run' : `${made.runs.length} runs`;
+  const measured = valued && made.values_label !== '' ? ', each with its ' : '';
+  const dialog: HTMLDialogElement = h('dialog', { class: 'runs', 'aria-labelledby': 'runs-title' },
     h('div', { class: 'runs-bar' }, h('h2', { id: 'runs-title' }, title), close),
     h('div', { class: 'runs-bar' },
-      h('span', { class: 'run-count' }, made.runs.length === 1 ? '1 run' : `${made.runs.length} runs`),
+      h('span', { class: 'run-count' }, counted + measured, measured === '' ? null : h('b', {}, made.values_label)),
+      see === '' ? null : figure_link(see, () => dialog.close()),
       valued && entries.length > 1 ? order_buttons(list, entries) : null),
     list);
   fill(list, entries, valued);

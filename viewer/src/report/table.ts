@@ -46,9 +46,11 @@ function leading_row(block: TableBlock, row: Row, cells: HTMLElement[]): HTMLEle
 
 /** The scrolling table itself. */
 export function table_body(block: TableBlock, label: string, palette: Palette | null = null): TableView {
-  const writers = block.columns.map((column) => cell_writer(column, block.rows.map((row) => row[column.key] ?? null), palette));
+  const columns = block.columns.filter(({ type }) => type !== 'remark');
+  const remarks = block.columns.filter(({ type }) => type === 'remark');
+  const writers = columns.map((column) => cell_writer(column, block.rows.map((row) => row[column.key] ?? null), palette));
   // Long texts wrap; short ones stay on their line.
-  const kinds = block.columns.map((column) => column.type === 'text' &&
+  const kinds = columns.map((column) => column.type === 'text' &&
     block.rows.some((row) => String(row[column.key] ?? '').length > 30) ? 'text long' : layout_of(column));
   const kept = new Map<string, string>();
   const listeners: ((shown: number) => void)[] = [];
@@ -63,23 +65,28 @@ export function table_body(block: TableBlock, label: string, palette: Palette | 
   };
   const refresh = (): void => {
     const shown = rows();
-    body.replaceChildren(...shown.slice(0, most_rows).map((row) => {
-      const cells = block.columns.map((column, i) => h(i === 0 ? 'th' : 'td', {
+    body.replaceChildren(...shown.slice(0, most_rows).flatMap((row) => {
+      const cells = columns.map((column, i) => h(i === 0 ? 'th' : 'td', {
         class: kinds[i], scope: i === 0 ? 'row' : undefined,
       }, writers[i]!(row[column.key] ?? null)));
-      return leading_row(block, row, cells);
+      const said = remarks.map(({ key }) => String(row[key] ?? '')).filter((text) => text !== '');
+      const line = leading_row(block, row, cells);
+      if (said.length > 0) line.classList.add('remarked');
+      const leads = line.classList.contains('leads');
+      return [line, ...said.map((text) => h('tr', { class: `remark${leads ? ' leads' : ''}`, click: leads && (() => line.click()) },
+        h('td', { colspan: columns.length }, h('div', {}, text))))];
     }));
     if (shown.length > most_rows) {
-      body.append(h('tr', {}, h('td', { class: 'text', colspan: block.columns.length },
+      body.append(h('tr', {}, h('td', { class: 'text', colspan: columns.length },
         `… ${fixed(shown.length - most_rows, 0)} more rows; CSV has them all`)));
     }
     if (shown.length === 0) {
-      body.append(h('tr', {}, h('td', { class: 'text absent', colspan: block.columns.length }, 'No rows')));
+      body.append(h('tr', {}, h('td', { class: 'text absent', colspan: columns.length }, 'No rows')));
     }
     for (const listener of listeners) listener(shown.length);
   };
 
-  const heads = block.columns.map((column) => {
+  const heads = columns.map((column) => {
     const button = h('button', { type: 'button', title: `Sort by ${column.label}` }, h('span', {}, column.label),
       column.unit === '' ? null : h('span', { class: 'unit' }, ` [${column.unit}]`), h('i', { class: 'arrow', 'aria-hidden': 'true' }));
     const head = h('th', { scope: 'col', class: layout_of(column), 'aria-sort': 'none' }, button);
@@ -93,7 +100,7 @@ export function table_body(block: TableBlock, label: string, palette: Palette | 
     });
     return head;
   });
-  const table = h('table', { class: block.columns.filter(numeric).length > block.columns.length / 2 ? 'mostly-numbers' : '' },
+  const table = h('table', { class: columns.filter(numeric).length > columns.length / 2 ? 'mostly-numbers' : '' },
     h('caption', { class: 'offscreen' }, label), h('thead', {}, h('tr', {}, ...heads)), body);
   refresh();
   return {

@@ -158,7 +158,7 @@ class Charts implements Panel {
       s('svg', { viewBox: '0 0 18 8', width: 18, height: 8, 'aria-hidden': 'true' }, s('line', {
         class: 'key-line', colour: this.palette.colour(String(vehicle)), x1: 0, x2: 18, y1: 4, y2: 4,
         'stroke-dasharray': this.palette.dash(String(vehicle)) || undefined,
-      })), this.scene.vehicles[vehicle]!.name)));
+      })), h('span', { title: this.scene.vehicles[vehicle]!.name }, this.scene.vehicles[vehicle]!.name))));
   }
 
   private fit(): void {

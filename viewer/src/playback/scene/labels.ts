@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is written over the picture: placed with every camera, the less important left out where it would overlap.
 import { Vector3, type Camera } from 'three';
-import { h, text_width } from '../../common/dom';
+import { fit_text, h, text_width } from '../../common/dom';
 
 export interface Label {
   text: string;
@@ -31,6 +31,8 @@ interface Box {
 }
 
 const line_px = 14;
+/** Longer texts end in an ellipsis. */
+const most_px = 220;
 const seen = new Vector3();
 
 /** Pixels of the picture, or null behind the camera. */
@@ -43,7 +45,7 @@ export function project(at: Vector3, camera: Camera, width: number, height: numb
 export class Labels {
   readonly element = h('div', { class: 'stage-labels', 'aria-hidden': 'true' });
   private readonly pool: HTMLElement[] = [];
-  private readonly widths = new Map<string, number>();
+  private readonly fitted = new Map<string, { text: string; width: number }>();
   placed: PlacedLabel[] = [];
 
   place(labels: Label[], camera: Camera, width: number, height: number): void {
@@ -52,43 +54,45 @@ export class Labels {
     for (const label of [...labels].sort((a, b) => b.rank - a.rank)) {
       const point = project(label.at, camera, width, height);
       if (point === null) continue;
-      const box = this.box(label, point.x, point.y);
+      const { text, width: text_px } = this.fit(label);
+      const box = this.box(label, text_px, point.x, point.y);
       if (box.right < 0 || box.left > width || box.bottom < 0 || box.top > height) continue;
       if (label.rank < 100 && taken.some((b) => b.left < box.right && b.right > box.left && b.top < box.bottom && b.bottom > box.top)) continue;
       taken.push(box);
-      this.write(label, box);
+      this.write(label, text, box);
     }
     for (let i = this.placed.length; i < this.pool.length; ++i) this.pool[i]!.style.display = 'none';
   }
 
-  private box(label: Label, x: number, y: number): Box {
-    const width = this.width(label);
+  private box(label: Label, width: number, x: number, y: number): Box {
     const left = Math.round(label.beside_px === undefined ? x - width / 2 : label.beside_px < 0 ? x + label.beside_px - width : x + label.beside_px);
     const top = Math.round(label.beside_px === undefined ? y + 11 : y - line_px / 2);
     return { left, top, right: left + width + 3, bottom: top + line_px };
   }
 
-  private width(label: Label): number {
+  private fit(label: Label): { text: string; width: number } {
     const key = label.kind + label.text;
-    let width = this.widths.get(key);
-    if (width === undefined) {
-      if (this.widths.size > 2000) this.widths.clear();
-      width = text_width(label.text, 11.5, label.kind === 'name' ? 600 : 500);
-      this.widths.set(key, width);
+    let fitted = this.fitted.get(key);
+    if (fitted === undefined) {
+      if (this.fitted.size > 2000) this.fitted.clear();
+      const weight = label.kind === 'name' ? 600 : 500;
+      const text = fit_text(label.text, most_px, 11.5, weight);
+      fitted = { text, width: text_width(text, 11.5, weight) };
+      this.fitted.set(key, fitted);
     }
-    return width;
+    return fitted;
   }
 
-  private write(label: Label, box: Box): void {
+  private write(label: Label, text: string, box: Box): void {
     const i = this.placed.length;
     const element = this.pool[i] ?? this.grow();
-    if (element.textContent !== label.text) element.textContent = label.text;
+    if (element.textContent !== text) element.textContent = text;
     const name = `stage-label ${label.kind}`;
     if (element.className !== name) element.className = name;
     element.style.color = label.colour === undefined ? '' : `var(${label.colour})`;
     element.style.transform = `translate(${box.left}px, ${box.top}px)`;
     element.style.display = '';
-    this.placed.push({ text: label.text, x: box.left, y: box.top, element });
+    this.placed.push({ text, x: box.left, y: box.top, element });
   }
 
   private grow(): HTMLElement {

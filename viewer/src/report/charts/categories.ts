@@ -90,7 +90,7 @@ function draw<M extends { made: Made | null }>(of: Marks<M>, palettes: Palettes,
     targets.push({
       x: slot.x, y: slot.y(of.middle(mark)),
       tip: () => ({ title: `${label}, ${category}`, rows: of.tip(mark, slot) }),
-      runs: leads_to(mark.made, title, label, category),
+      runs: leads_to(mark.made && { ...mark.made, values_label: mark.made.values_label || y_label }, title, label, category),
       cursor: () => [s('rect', { class: 'slot', x: slot.x - slot.width / 2, y: top, width: slot.width, height: bottom - top, rx: 3 })],
     });
   }));

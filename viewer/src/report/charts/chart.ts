@@ -20,7 +20,15 @@ export interface Target {
   /** Drawn while it is pointed at. */
   cursor(): SVGElement[];
   /** The runs behind it, under their own title. */
-  runs?: { title: string; made: Made } | null;
+  runs?: Leading | null;
+}
+
+/** Where a target leads. */
+export interface Leading {
+  title: string;
+  made: Made;
+  /** The title of the figure that shows more of it. */
+  see?: string;
 }
 
 export interface Drawing {
@@ -62,7 +70,7 @@ export function numbers_table(title: string, columns: (readonly [key: string, la
 }
 
 /** What a target leads to; nothing where the runs are not known. */
-export function leads_to(made: Made | null, ...title: string[]): { title: string; made: Made } | null {
+export function leads_to(made: Made | null, ...title: string[]): Leading | null {
   return made === null ? null : { title: title.filter((part) => part !== '').join(', '), made };
 }
 

@@ -88,7 +88,7 @@ function tip({ label, n, e, d, t }: Track, i: number, colour: string) {
 /** The runs behind the figure, each once. */
 function all_made({ made, vehicles }: TrajectoriesBlock): Made | null {
   const runs = [...new Set([made, ...vehicles.map((track) => track.made)].flatMap((each) => each?.runs ?? []))];
-  return runs.length === 0 ? null : { runs, values: [] };
+  return runs.length === 0 ? null : { runs, values: [], values_label: '' };
 }
 
 export function trajectories_chart(block: TrajectoriesBlock, palettes: Palettes): Chart {
