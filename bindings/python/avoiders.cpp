@@ -15,7 +15,7 @@ namespace {
 struct NamedAvoider {
   std::string name;
   Avoider avoider;
-  std::vector<Obstacle> solids;  ///< room for decide()
+  SituationRoom room;  ///< of decide()
 };
 
 /// `fairway.AlgorithmInfo`.
@@ -92,7 +92,7 @@ void bind_avoiders(py::module_& m) {
       .def(
           "decide",
           [](N& self, const OwnedSituation& situation) {
-            return self.avoider.decide(situation.view(self.solids));
+            return self.avoider.decide(situation.view(self.room));
           },
           py::arg("situation"),
           "The Command, held to the situation's limits. A situation with NaN or without a period is answered "

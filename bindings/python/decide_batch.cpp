@@ -15,11 +15,15 @@
 namespace fairway::python {
 namespace {
 
-/// Numbers with as many rows as there are situations, or one that is every row's.
+/// Of what an array is made: only a number may stand for all of its rows.
+enum class Of : std::uint8_t { numbers, vectors };
+
+/// Numbers or vectors with as many rows as there are situations, or one number that is every row's.
 class Rows {
  public:
-  Rows(const py::object& given, std::vector<py::ssize_t> shape, const std::string& path) {
-    const bool shared = py::isinstance<py::float_>(given) || py::isinstance<py::int_>(given);
+  Rows(const py::object& given, std::vector<py::ssize_t> shape, const std::string& path, Of of) {
+    const bool is_number = py::isinstance<py::float_>(given) || py::isinstance<py::int_>(given);
+    const bool shared = is_number && of == Of::numbers;
     if (!shared) {
       stride_ = 1;
       for (std::size_t i = 1; i < shape.size(); ++i) stride_ *= static_cast<std::size_t>(shape[i]);
@@ -154,7 +158,7 @@ SituationRows rows_of(Arguments& given) {
   const py::ssize_t count = extent(position, 2, 0, "position");
   const py::ssize_t neighbours = extent(tracks, 3, 1, "track_position");
   const auto rows = [&](const char* name, const py::object& usual) {
-    return Rows{given.take(name, usual), {count}, name};
+    return Rows{given.take(name, usual), {count}, name, Of::numbers};
   };
   const py::object zeros = py::module_::import("numpy").attr("zeros");
   const Limits limits = Read<Limits>::from(given.take("limits", py::cast(Limits{})), "limits");
@@ -166,19 +170,23 @@ SituationRows rows_of(Arguments& given) {
       .neighbours = static_cast<std::size_t>(neighbours),
       .period = Read<double>::from(given.take("period", py::float_(0.1)), "period"),
       .limits = limits,
-      .position = {position, {count, 3}, "position"},
-      .velocity = {given.require("velocity"), {count, 3}, "velocity"},
-      .goal = {given.require("goal"), {count, 3}, "goal"},
+      .position = {position, {count, 3}, "position", Of::vectors},
+      .velocity = {given.require("velocity"), {count, 3}, "velocity", Of::vectors},
+      .goal = {given.require("goal"), {count, 3}, "goal", Of::vectors},
       .cruise_speed = rows("cruise_speed", top_speed),
       .yaw = rows("yaw", py::float_(0.0)),
       .yaw_rate = rows("yaw_rate", py::float_(0.0)),
       .radius = rows("radius", py::float_(1.0)),
       .time = rows("time", py::float_(0.0)),
-      .track_position = {tracks, {count, neighbours, 3}, "track_position"},
+      .track_position = {tracks, {count, neighbours, 3}, "track_position", Of::vectors},
       .track_velocity = {given.take("track_velocity", zeros(py::make_tuple(count, neighbours, 3))),
                          {count, neighbours, 3},
-                         "track_velocity"},
-      .track_radius = {given.take("track_radius", py::float_(1.0)), {count, neighbours}, "track_radius"},
+                         "track_velocity",
+                         Of::vectors},
+      .track_radius = {given.take("track_radius", py::float_(1.0)),
+                       {count, neighbours},
+                       "track_radius",
+                       Of::numbers},
       .specs = Read<std::vector<ObstacleSpec>>::from(given.take("obstacles", py::tuple()), "obstacles"),
       .obstacles = {}};
   for (const ObstacleSpec& spec : all.specs) all.obstacles.push_back(spec.view());
@@ -188,7 +196,7 @@ SituationRows rows_of(Arguments& given) {
 constexpr const char* decide_batch_doc =
     R"(Many situations at once, as arrays of one row each, on `jobs` threads (0: all cores), without the interpreter's
 lock. Each is asked of a copy of this avoider as it is now, which itself does not change: the answers depend neither
-on jobs nor on each other. All arguments by keyword; one number stands for every row:
+on jobs nor on each other. All arguments by keyword; where numbers are asked for, one stands for all rows:
 
 position, velocity, goal: n x 3 [m, m/s, m, NED] (required)
 cruise_speed [m/s], yaw [rad], yaw_rate [rad/s], radius [m], time [s]: n; without, the limit of

@@ -3,6 +3,7 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <span>
@@ -15,6 +16,7 @@
 #include "bindings/python/fleet_environments.hpp"
 #include "bindings/python/scenarios.hpp"
 #include "bindings/python/situations.hpp"
+#include "bindings/python/values.hpp"
 
 namespace fairway::python {
 namespace {
@@ -32,9 +34,10 @@ RewardWeights reward_of(const py::dict& given) {
                                                 [](const auto& member) { return member.first; });
     if (found == RewardWeights::members.end())
       throw InputError({}, "reward", "unknown weight \"" + name + "\"" + suggestion(name, known));
-    if (!py::isinstance<py::float_>(value) && !py::isinstance<py::int_>(value))
-      throw InputError({}, "reward." + name, "expected a number, got " + std::string(py::repr(value)));
-    weights.*(found->second) = py::cast<double>(value);
+    const double weight =
+        PyNumber_Check(value.ptr()) != 0 ? Read<double>::from(value, "reward." + name) : std::nan("");
+    if (!std::isfinite(weight)) refuse("reward." + name, "a number that is finite", value);
+    weights.*(found->second) = weight;
   }
   return weights;
 }
@@ -172,6 +175,10 @@ void step_commands(Environments& all, const std::vector<Command>& commands) {
   if (commands.size() != all.count() * all.learner_count()) {
     throw InputError("step_commands: expected " + std::to_string(all.count() * all.learner_count()) +
                      " commands, got " + std::to_string(commands.size()));
+  }
+  for (std::size_t i = 0; i < commands.size(); ++i) {
+    if (!is_finite(commands[i]))
+      throw InputError("step_commands: command " + std::to_string(i) + " holds NaN or an infinity");
   }
   released(all, [&] { all.step(commands); });
 }

@@ -9,7 +9,8 @@ namespace fairway::python {
 namespace {
 
 std::ptrdiff_t crew_size(unsigned threads) {
-  return threads > 0 ? threads : std::max(1U, std::thread::hardware_concurrency());
+  const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
+  return threads > 0 ? std::min(threads, cores) : cores;
 }
 
 }  // namespace

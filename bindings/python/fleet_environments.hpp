@@ -27,7 +27,7 @@ using environment::RewardWeights;
 /// of work share nothing.
 class Crew {
  public:
-  /// `threads` of them, the caller among them; 0: as many as the machine has.
+  /// `threads` of them, the caller among them; 0: as many as the machine has, and never more.
   explicit Crew(unsigned threads);
   ~Crew();
   Crew(const Crew&) = delete;

@@ -8,6 +8,7 @@
 #include <condition_variable>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -22,9 +23,19 @@ class Workers {
   Workers(std::size_t count, std::atomic<bool>& stop, const std::function<void(std::size_t)>& work)
       : count_{count}, stop_{stop}, work_{work} {}
 
+  /// As many as the machine gives; throws std::system_error where it gives none.
   void start(unsigned jobs) {
-    running_ = jobs;
-    for (unsigned i = 0; i < jobs; ++i) threads_.emplace_back([this] { toil(); });
+    threads_.reserve(jobs);
+    while (threads_.size() < jobs) {
+      begin();
+      try {
+        threads_.emplace_back([this] { toil(); });
+      } catch (const std::system_error&) {
+        end();
+        if (threads_.empty()) throw;
+        break;
+      }
+    }
   }
 
   /// True once no thread is at work any more; false after `period` at the latest.
@@ -41,6 +52,15 @@ class Workers {
   const std::exception_ptr& failure() const { return failure_; }
 
  private:
+  void begin() {
+    const std::lock_guard lock{mutex_};
+    ++running_;
+  }
+  void end() {
+    const std::lock_guard lock{mutex_};
+    if (--running_ == 0) finished_.notify_all();
+  }
+
   void toil() {
     try {
       while (!stop_.load(std::memory_order_relaxed)) {
@@ -54,8 +74,7 @@ class Workers {
       const std::lock_guard lock{mutex_};
       if (!failure_) failure_ = std::current_exception();
     }
-    const std::lock_guard lock{mutex_};
-    if (--running_ == 0) finished_.notify_all();
+    end();
   }
 
   std::size_t count_;
@@ -75,8 +94,8 @@ class Workers {
 void in_parallel(std::size_t count, unsigned jobs, std::atomic<bool>& stop,
                  const std::function<void(std::size_t)>& work,
                  const std::function<void(std::size_t done)>& tell) {
-  if (jobs == 0) jobs = std::max(1U, std::thread::hardware_concurrency());
-  jobs = static_cast<unsigned>(std::min<std::size_t>(jobs, count));
+  const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
+  jobs = static_cast<unsigned>(std::min<std::size_t>(jobs == 0 ? cores : std::min(jobs, cores), count));
   Workers workers{count, stop, work};
   std::exception_ptr raised;
   {

@@ -134,6 +134,8 @@ void bind_runs(py::module_& m) {
                                .perception = perception,
                                .sketches = sketches,
                                .is_own = !algorithms.is_none()};
+        if (!record.is_none() && choice.record.empty())
+          throw InputError("record: is empty; expected an MCAP file to write");
         if ((perception || sketches) && choice.record.empty())
           throw InputError("run: perception and sketches say what is recorded; record is missing");
         const ScenarioText text = scenario_of(scenario);

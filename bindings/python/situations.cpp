@@ -2,6 +2,8 @@
 #include "bindings/python/situations.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <tuple>
 
 #include "bindings/python/bindings.hpp"
@@ -14,7 +16,13 @@ namespace {
 /// The id decides who has the right of way, where nothing is said.
 template <class T>
 void give_priority(T& vehicle, const py::dict& given) {
-  if (!given.contains("priority")) vehicle.priority = static_cast<std::int32_t>(number(vehicle.id));
+  if (given.contains("priority")) return;
+  constexpr std::int32_t last = std::numeric_limits<std::int32_t>::max();
+  if (number(vehicle.id) > static_cast<std::uint32_t>(last))
+    throw InputError({}, "id",
+                     "is " + std::to_string(number(vehicle.id)) + ", and no priority can be that; expected " +
+                         std::to_string(last) + " at most, or a priority");
+  vehicle.priority = static_cast<std::int32_t>(number(vehicle.id));
 }
 
 void check_limits(Limits& limits, const py::dict&) {
@@ -52,7 +60,7 @@ std::vector<Vec3> vertices_of(const py::iterable& given) {
 /// One number or vector of every track, as rows.
 template <class V>
 py::array track_rows(const py::object& self, V Track::*member) {
-  const std::vector<Track>& tracks = self.cast<const OwnedSituation&>().tracks;
+  const std::vector<Track>& tracks = made<OwnedSituation>(self).tracks;
   static const Track none;
   const Track& first = tracks.empty() ? none : tracks.front();
   const auto rows = static_cast<py::ssize_t>(tracks.size());
@@ -149,8 +157,15 @@ void bind_goal_and_limits(py::module_& m) {
 }
 
 void bind_command(py::module_& m) {
-  py::enum_<Mode>(m, "Mode", "Why a command is what it is.")
-      .value("cruise", Mode::cruise, "nothing in the way")
+  constexpr std::size_t mode_count = EnumNames<Mode>::names.size();
+  py::enum_<Mode> modes{m, "Mode", "Why a command is what it is."};
+  modes.def(py::init([](std::int64_t value) {
+              if (value < 0 || value >= static_cast<std::int64_t>(mode_count))
+                refuse("Mode", "0 to " + std::to_string(mode_count - 1), py::int_(value));
+              return static_cast<Mode>(value);
+            }),
+            py::arg("value"), py::prepend());
+  modes.value("cruise", Mode::cruise, "nothing in the way")
       .value("avoid", Mode::avoid,
              "deviating from the preferred velocity, or someone close enough that it might")
       .value("hold", Mode::hold, "waiting on purpose: keep the present position")
@@ -159,6 +174,11 @@ void bind_command(py::module_& m) {
   ValueClass<Command>(m, "Command", "What the vehicle should do until the next decision.\n")
       .members()
       .finish();
+}
+
+void check_link(OwnedLink& link, const py::dict&) {
+  if (!(link.turn_period >= 0.0 && std::isfinite(link.turn_period) && std::isfinite(link.next_turn)))
+    throw InputError("Link: expected a finite next_turn, and a finite turn_period that is not negative");
 }
 
 void bind_link(py::module_& m) {
@@ -183,7 +203,7 @@ void bind_link(py::module_& m) {
       .field("next_turn", &OwnedLink::next_turn, "when the next one begins [s], by the mission's time")
       .field("ranges", &OwnedLink::ranges,
              "of AcousticRange: the last of each of the others, where modems measure")
-      .finish();
+      .finish(check_link);
 }
 
 void bind_situation(py::module_& m) {
@@ -204,8 +224,7 @@ void bind_situation(py::module_& m) {
       .field("tracks", &OwnedSituation::tracks, "of Track, nearest first, whatever order they are given in")
       .field("obstacles", &OwnedSituation::obstacles, "of Obstacle: what does not move")
       .field("model", &OwnedSituation::model, "OnboardModel, or None where nothing is known of forces")
-      .field("link", &OwnedSituation::link,
-             "Link, or None unless the method speaks, has somebody to hear and is written in Python")
+      .field("link", &OwnedSituation::link, "Link, or None unless the method speaks and has somebody to hear")
       .field("current", &OwnedSituation::current,
              "of the water, as estimated on board, 0 if unknown [m/s, NED]")
       .field(
@@ -215,8 +234,8 @@ void bind_situation(py::module_& m) {
       .def_property_readonly(
           "preferred_velocity",
           [](const OwnedSituation& self) {
-            std::vector<Obstacle> solids;
-            return self.view(solids).preferred_velocity();
+            SituationRoom room;
+            return self.view(room).preferred_velocity();
           },
           "The velocity that ignores everyone: as the mission wants it, or straight to the goal, slowing "
           "down to stop on it; never above the speed limit [m/s, NED].")
@@ -264,18 +283,27 @@ OwnedSituation::OwnedSituation(const Situation& s)
   }
 }
 
-Situation OwnedSituation::view(std::vector<Obstacle>& solids) const {
-  solids.clear();
-  for (const ObstacleSpec& spec : obstacles) solids.push_back(spec.view());
+Situation OwnedSituation::view(SituationRoom& room) const {
+  room.solids.clear();
+  for (const ObstacleSpec& spec : obstacles) room.solids.push_back(spec.view());
+  room.heard.clear();
+  if (link) {
+    for (const HeardSpeech& each : link->heard) room.heard.push_back({each.from, each.sent, each.speech});
+    room.link = {.heard = room.heard,
+                 .turn_period = link->turn_period,
+                 .next_turn = link->next_turn,
+                 .ranges = link->ranges};
+  }
   return {.time = time,
           .period = period,
           .own = own,
           .goal = goal,
           .limits = limits,
           .model = model ? &*model : nullptr,
+          .link = link ? &room.link : nullptr,
           .current = current,
           .tracks = tracks,
-          .obstacles = solids,
+          .obstacles = room.solids,
           .attendance = attendance};
 }
 

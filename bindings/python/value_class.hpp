@@ -35,7 +35,7 @@ class ValueClass {
                             },
                             [member](const T& value, py::handle self) { return show(value.*member, self); }});
     class_.def_property_readonly(
-        name.c_str(), [member](const py::object& self) { return show(self.cast<const T&>().*member, self); },
+        name.c_str(), [member](const py::object& self) { return show(made<T>(self).*member, self); },
         doc.c_str());
     const Hint hint = hint_of<V>();
     constructor_ += ", " + name + ": " + hint.given + " = ...";

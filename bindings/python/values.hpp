@@ -59,13 +59,32 @@ py::array owned_array(std::vector<V> values, std::vector<py::ssize_t> shape) {
 /// different ones; any other is "(one note too many)".
 std::string_view lasting_text(const std::string& text);
 
+/// Whether the __init__ of a value of the module has run: __new__ alone leaves its memory as it was.
+inline bool is_made(py::handle self) {
+  auto* const instance = reinterpret_cast<py::detail::instance*>(self.ptr());
+  return !instance->owned || instance->get_value_and_holder().holder_constructed();
+}
+
+/// The value in an object of its class. Throws InputError unless it is made.
+template <class T>
+const T& made(py::handle self) {
+  if (py::isinstance<T>(self) && !is_made(self))
+    throw InputError(py::type::of<T>().attr("__name__").template cast<std::string>() +
+                     ": is empty, since __init__ has not run");
+  return self.cast<const T&>();
+}
+
 // ---- from Python: each throws InputError that says where and what was expected
 
 template <class V>
 struct Read {  // what pybind11 knows, the module's own classes among it
   static V from(py::handle given, const std::string& path) {
     try {
-      return py::cast<V>(given);
+      if constexpr (std::is_class_v<V> && !std::is_same_v<V, std::string>) {
+        return made<V>(given);
+      } else {
+        return py::cast<V>(given);
+      }
     } catch (const py::cast_error&) {
       refuse(path, expected(), given);
     }
@@ -90,7 +109,12 @@ template <class E>
 struct Read<E> {
   static E from(py::handle given, const std::string& path) {
     if constexpr (std::is_same_v<E, Mode>) {
-      if (py::isinstance<Mode>(given)) return py::cast<Mode>(given);
+      if (py::isinstance<Mode>(given)) {
+        const Mode mode = py::cast<Mode>(given);
+        if (static_cast<std::size_t>(mode) >= EnumNames<E>::names.size())
+          refuse(path, "one of its names", given);
+        return mode;
+      }
     }
     if (!py::isinstance<py::str>(given)) refuse(path, "one of its names", given);
     const std::string word = py::cast<std::string>(given);

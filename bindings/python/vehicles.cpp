@@ -34,11 +34,19 @@ struct StateValue {
   }
 };
 
+void check_finite(const StateValue& s) {
+  for (const auto& [name, part] : {std::pair{"position", s.position}, std::pair{"velocity", s.velocity},
+                                   std::pair{"angular_velocity", s.angular_velocity}}) {
+    if (!is_finite(part)) throw InputError(std::string("State.") + name + ": is not finite");
+  }
+}
+
 void bind_state(py::module_& m) {
   using S = StateValue;
   const auto settle = [](S& s, const py::dict&) {
     if (!(std::abs(s.quaternion.norm() - 1.0) < 1e-6))
       throw InputError("State.quaternion: expected length 1, got " + number_text(s.quaternion.norm()));
+    check_finite(s);
   };
   ValueClass<S>(m, "State", "Where a vehicle is and how it moves: Fossen's eta and nu.\n")
       .field("position", &S::position, "of the body origin [m, NED]")
@@ -57,12 +65,15 @@ void bind_state(py::module_& m) {
       .def_static(
           "level",
           [](const py::object& position, double yaw, double surge) {
-            S made;
-            made.position = Read<Vec3>::from(position, "position");
+            if (!std::isfinite(yaw))
+              throw InputError("yaw: expected a finite number, got " + number_text(yaw));
+            S level;
+            level.position = Read<Vec3>::from(position, "position");
             const Eigen::Quaterniond q = quaternion_of({.yaw = yaw});
-            made.quaternion = {q.w(), q.x(), q.y(), q.z()};
-            made.velocity.x() = surge;
-            return made;
+            level.quaternion = {q.w(), q.x(), q.y(), q.z()};
+            level.velocity.x() = surge;
+            check_finite(level);
+            return level;
           },
           py::arg("position"), py::arg("yaw") = 0.0, py::arg("surge") = 0.0,
           "Level at position [m, NED], heading for yaw [rad], moving ahead by surge [m/s].");
@@ -124,7 +135,11 @@ ActuatorValues actuator_values(const Vehicle& vehicle, const py::object& given) 
 }
 
 Water water_of(const py::object& current, double density) {
-  return {.current_n = Read<Vec3>::from(current, "current"), .density = density};
+  const Vec3 current_n = Read<Vec3>::from(current, "current");
+  if (!is_finite(current_n)) refuse("current", "three finite numbers", current);
+  if (!(density > 0.0 && std::isfinite(density)))
+    throw InputError("density: expected kg/m3 above 0, got " + number_text(density));
+  return {.current_n = current_n, .density = density};
 }
 
 void check_period(double period) {
@@ -179,7 +194,11 @@ void bind_vehicle(py::module_& m) {
           "of Actuator, in order")
       .def_property(
           "state", [](const V& v) { return StateValue::of(v.state()); },
-          [](V& v, const StateValue& s) { v.set_state(s.state()); }, "State")
+          [](V& v, const StateValue& s) {
+            check_finite(s);
+            v.set_state(s.state());
+          },
+          "State")
       .def_property(
           "actuator_state", [](const V& v) { return Eigen::VectorXd{v.actuator_state()}; },
           [](V& v, const py::object& given) { v.set_actuator_state(actuator_values(v, given)); },

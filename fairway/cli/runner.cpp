@@ -17,7 +17,7 @@
 #include "fairway/experiment/measure_run.hpp"
 #include "fairway/experiment/recording_info.hpp"
 #include "fairway/record/recording_writer.hpp"
-#include "fairway/scenario/block.hpp"
+#include "fairway/scenario/algorithm_file.hpp"
 #include "fairway/sim/misfits.hpp"
 
 namespace fairway::cli {
@@ -182,10 +182,8 @@ void warn_of_misfits(const Scenario& scenario, const Program& program) {
 }
 
 void set_algorithm(Scenario& scenario, const std::string& name) {
-  if (name.ends_with(".yaml")) {
-    const yaml::Tree document = yaml::parse_tree(read_text(name), name);
-    yaml::Reading reading;
-    const Choice avoider = yaml::read_choice({document, "", reading}, "algorithm", yaml::Needed::yes);
+  if (is_algorithm_file(name)) {
+    const Choice avoider = load_algorithm(name);
     for (VehicleSpec& vehicle : scenario.vehicles) vehicle.avoider = avoider;
     return;
   }

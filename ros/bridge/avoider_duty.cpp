@@ -74,10 +74,19 @@ void AvoiderDuty::hear_own(const Motion& motion, const std::string& frame_id, do
   is_news_ = true;
 }
 
-/// What it was told to do before it knew its own frame may turn out to be in another.
+/// What it was told to do before it knew its own frame may turn out to be in another, and so may everything
+/// if the frame becomes another.
 void AvoiderDuty::hear_frame(const std::string& frame_id) {
-  own_frame_ = frame_id;
-  if (own_frame_.empty() || goal_frame_.empty()) return;
+  if (frame_id.empty()) return;
+  const std::string before = std::exchange(own_frame_, frame_id);
+  if (!before.empty() && bare(before) != bare(own_frame_)) {
+    goal_frame_.clear();
+    if (is_due(frame_warned_, warn_period))
+      outlet_.warn("what it was told to do is dropped: own odometry was in the frame '" + before +
+                   "' and is in '" + own_frame_ + "' now");
+    return stand_by();
+  }
+  if (goal_frame_.empty()) return;
   const std::string told_in = std::exchange(goal_frame_, "");
   if (bare(told_in) == bare(own_frame_)) return;
   outlet_.warn("what it was told to do is dropped: " + in_other_frame(told_in, own_frame_));
@@ -148,9 +157,16 @@ std::string AvoiderDuty::go_to(const Triple& place, const std::string& frame_id,
   return accept({"goal", {place}, stamp, speed}, frame_id);
 }
 
-std::string AvoiderDuty::follow(const std::vector<Triple>& places, const std::string& frame_id,
+std::string AvoiderDuty::follow(const std::vector<Triple>& places, const std::vector<std::string>& frame_ids,
                                 double stamp) {
-  return accept({"path", places, stamp, 0.0}, frame_id);
+  const Task task{"path", places, stamp, 0.0};
+  std::string frame;
+  for (const std::string& other : frame_ids) {
+    if (frame.empty()) frame = other;
+    if (!other.empty() && bare(other) != bare(frame))
+      return refused(task, "it is in the frames '" + frame + "' and '" + other + "'");
+  }
+  return accept(task, frame);
 }
 
 std::string AvoiderDuty::follow_section(const Triple& start, const Triple& end, double speed) {

@@ -53,7 +53,9 @@ class AvoiderDuty {
   // answered; stamped 0, at once. Each says why it is refused, which warns too; empty if it is accepted.
   // `speed` [m/s]; 0: as set up.
   std::string go_to(const Triple& place, const std::string& frame_id, double stamp, double speed = 0.0);
-  std::string follow(const std::vector<Triple>& places, const std::string& frame_id, double stamp);
+  /// `frame_ids` are those of the path and of its places, which are one but for those that are empty.
+  std::string follow(const std::vector<Triple>& places, const std::vector<std::string>& frame_ids,
+                     double stamp);
   /// At once, along the line from `start` to `end` [m, NED].
   std::string follow_section(const Triple& start, const Triple& end, double speed);
   void keep_position();
@@ -108,7 +110,7 @@ class AvoiderDuty {
   double next_record_{};            // [s]
   std::string reported_;            // state and reason last reported
   Diagnosis diagnosis_;             // last looked at
-  Steady::time_point looked_, diagnosed_, drawn_, warned_;
+  Steady::time_point looked_, diagnosed_, drawn_, warned_, frame_warned_;
   std::atomic<std::int64_t> refused_{0};
   std::atomic<std::int64_t> alarms_{0};
   std::atomic<bool> in_charge_{false};

@@ -61,8 +61,12 @@ class AvoiderNode : public AvoiderOutlet {
     });
     graph_.template subscribe<Path>("path", Keep::few, [this](const Path& m) {
       std::vector<Triple> places;
-      for (const PoseStamped& pose : Middleware::elements(m.poses)) places.push_back(place(pose));
-      duty_.follow(places, m.header.frame_id, seconds(m));
+      std::vector<std::string> frames{m.header.frame_id};
+      for (const PoseStamped& pose : Middleware::elements(m.poses)) {
+        places.push_back(place(pose));
+        frames.emplace_back(pose.header.frame_id);
+      }
+      duty_.follow(places, frames, seconds(m));
     });
   }
 

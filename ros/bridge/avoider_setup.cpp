@@ -16,6 +16,7 @@
 #include "fairway/core/names.hpp"
 #include "fairway/core/record.hpp"
 #include "fairway/core/text.hpp"
+#include "fairway/scenario/algorithm_file.hpp"
 #include "fairway/scenario/load.hpp"
 #include "fairway/sim/agent.hpp"
 
@@ -79,9 +80,14 @@ Setting flag(const std::string& name, Target target) {
   return {name, [=](Draft& draft, const std::string& text) { target(draft) = flag_of(name, text); }};
 }
 
-/// Parameters that the algorithm in the scenario had and the one in its place has too are kept.
+/// Parameters that the algorithm in the scenario had and the one in its place has too are kept, unless that
+/// comes of a file with its own.
 void choose_algorithm(Draft& draft, const std::string& name) {
   Choice& avoider = draft.vehicle().avoider;
+  if (is_algorithm_file(name)) {
+    avoider = load_algorithm(name);
+    return;
+  }
   const std::vector<ParamInfo> known = draft.catalogs.avoiders.params(name);
   std::erase_if(avoider.params, [&](const auto& param) {
     return std::ranges::none_of(
@@ -251,6 +257,8 @@ void check(Draft& draft) {
 }
 
 std::vector<std::string> words_of(std::string text) {
+  if (text.find_first_of("[]'\"") != std::string::npos)
+    throw InputError({}, "team", "is " + text + "; expected names with blanks or commas between them");
   std::ranges::replace(text, ',', ' ');
   std::istringstream words{text};
   return {std::istream_iterator<std::string>{words}, {}};

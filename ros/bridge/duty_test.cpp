@@ -246,11 +246,32 @@ TEST(AvoiderDuty, AnOrderThatCannotBeCarriedOutIsRefusedInWordsAndChangesNothing
   EXPECT_THAT(duty.go_to({50, 0, 5}, "", 0.0, -1.0), HasSubstr("a speed of -1.0"));
   EXPECT_EQ(duty.go_to({1e9, 0, 5}, "", 0.0, 0.4), "refused: out of what the avoider accepts");
   EXPECT_THAT(duty.follow_section({1, 1, 5}, {1, 1, 5}, 0.5), HasSubstr("refused"));
-  EXPECT_EQ(duty.follow({}, "", 0.0), "refused: no position is given");
+  EXPECT_EQ(duty.follow({}, {""}, 0.0), "refused: no position is given");
+  EXPECT_EQ(duty.follow({{9, 0, 5}, {9, 9, 5}}, {"world", "", "map"}, 0.0),
+            "refused: it is in the frames 'world' and 'map'");
+  EXPECT_EQ(duty.follow({{9, 0, 5}}, {"", "map"}, 0.0),
+            "refused: it is in the frame 'map'; own odometry is in 'world'");
   EXPECT_FALSE(duty.host().goal());
   EXPECT_THAT(pilot.warnings, HasSubstr("a goal is refused: it is in the frame 'map'"));
   EXPECT_EQ(duty.go_to({50, 0, 5}, "/world", 10.0), "");
   EXPECT_TRUE(duty.host().goal());
+  EXPECT_EQ(duty.follow({{9, 0, 5}, {9, 9, 5}}, {"world", "/world", ""}, 0.0), "");
+}
+
+TEST(AvoiderDuty, WhatItWasToldToDoIsDroppedWhenItsOdometryChangesItsFrame) {
+  for (const std::string frame : {"map", "world", "/world", ""}) {
+    Pilot pilot{alone()};
+    pilot.duty.hear_own(at(10.0, 0), "world", 10.0);
+    EXPECT_EQ(pilot.duty.go_to({50, 0, 5}, "world", 0.0), "");
+    pilot.duty.hear_own(at(10.1, 0), frame, 10.1);
+    EXPECT_EQ(pilot.duty.host().goal().has_value(), frame != "map") << frame;
+    if (frame == "map")
+      EXPECT_THAT(pilot.warnings, HasSubstr("own odometry was in the frame 'world' and is in 'map' now"));
+    else
+      EXPECT_EQ(pilot.warnings, "");
+    pilot.duty.settle(10.1);
+    EXPECT_EQ(pilot.commands, frame == "map" ? 0 : 1);
+  }
 }
 
 TEST(AvoiderDuty, AGoalThatCameBeforeTheFirstOdometryIsDroppedIfItWasInAnotherFrame) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <stdexcept>
 #include <string_view>
@@ -84,6 +85,13 @@ void assign(Target& target, std::string_view name, Range range, const std::strin
     target = text;
   } else if constexpr (std::same_as<Target, std::uint64_t> ||
                        std::same_as<Target, std::optional<std::uint64_t>>) {
+    std::uint64_t whole{};  // all of which a number with a fraction cannot tell apart
+    const char* const end = text.data() + text.size();
+    if (const auto [stop, error] = std::from_chars(text.data(), end, whole);
+        error == std::errc{} && stop == end && !text.empty()) {
+      target = whole;
+      return;
+    }
     double number{};
     detail::assign(number, name, range, parse_value(text));
     if (number != std::floor(number))

@@ -48,6 +48,17 @@ TEST(NodeSettings, SayInALineWhatIsWrong) {
   EXPECT_EQ(said("seed", "12345678901"), "");
 }
 
+TEST(NodeSettings, ASeedIsAnyNumberOf64Bits) {
+  const auto seed = [](const char* text) {
+    return fleet_node_settings({{"scenario", "a.yaml"}, {"seed", text}}).seed;
+  };
+  EXPECT_EQ(seed("18446744073709551615"), 18446744073709551615U);
+  EXPECT_EQ(seed("9007199254740993"), 9007199254740993U);
+  EXPECT_EQ(seed("1e3"), 1000U);
+  EXPECT_THROW(seed("18446744073709551616"), std::runtime_error);
+  EXPECT_THROW(seed("-1"), std::runtime_error);
+}
+
 TEST(NodeSettings, AreAllOnTheirPages) {
   const auto page = [](const char* name) {
     std::ifstream file{std::string{FAIRWAY_SOURCE_DIR} + "/docs/" + name};

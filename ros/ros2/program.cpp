@@ -39,4 +39,8 @@ int run_program(int argc, char** argv, const std::string& name, const std::strin
   }
 }
 
+std::function<void(const std::string&)> warns_as(const std::string& name) {
+  return [name](const std::string& words) { std::cerr << name << ": warning: " << words << '\n'; };
+}
+
 }  // namespace fairway::ros2

@@ -15,4 +15,7 @@ namespace fairway::ros2 {
 int run_program(int argc, char** argv, const std::string& name, const std::string& help,
                 const std::function<int(RosArguments&, const std::atomic<bool>& stop)>& work);
 
+/// A line on standard error, for settings_of().
+std::function<void(const std::string&)> warns_as(const std::string& name);
+
 }  // namespace fairway::ros2

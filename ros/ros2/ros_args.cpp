@@ -3,10 +3,10 @@
 
 #include <yaml-cpp/yaml.h>
 
-#include <algorithm>
-#include <array>
-#include <optional>
+#include <span>
+#include <sstream>
 #include <stdexcept>
+#include <utility>
 
 namespace fairway::ros2 {
 namespace {
@@ -18,6 +18,18 @@ std::pair<std::string, std::string> split(const std::string& text, const std::st
   if (place == std::string::npos || place == 0)
     throw std::runtime_error("'" + text + "': expected name" + at + "value");
   return {text.substr(0, place), text.substr(place + at.size())};
+}
+
+/// What is said of one node, "NODE:NAME:=VALUE", or, with an empty `node`, of whichever is started.
+struct Rule {
+  std::string node, name, value;
+};
+
+Rule rule_of(const std::string& text) {
+  auto [name, value] = split(text, ":=");
+  const std::size_t colon = name.find(':');
+  if (colon == std::string::npos) return {"", name, value};
+  return {name.substr(0, colon), name.substr(colon + 1), value};
 }
 
 void flatten(const std::string& prefix, const YAML::Node& node, Settings& settings) {
@@ -37,23 +49,75 @@ void flatten(const std::string& prefix, const YAML::Node& node, Settings& settin
   settings.emplace_back(prefix, text);
 }
 
-/// `/**`, `/space/node` or `node` above `ros__parameters`. What is for other nodes is left to them.
-Settings settings_in(const std::string& file, const GraphOptions& options) {
-  const std::string space = options.space == "/" ? "" : options.space;
-  const std::array mine{std::string{"/**"}, options.node, space + "/" + options.node, "/**/" + options.node};
-  Settings settings;
+/// The value of `-p`, which is YAML: a list, a text in quotes.
+void add_parameter(const Rule& rule, Settings& settings) {
   try {
-    for (const auto& entry : YAML::LoadFile(file)) {
-      const auto name = entry.first.as<std::string>();
-      if (std::find(mine.begin(), mine.end(), name) == mine.end()) continue;
-      const YAML::Node parameters = entry.second["ros__parameters"];
-      if (parameters) flatten("", parameters, settings);
+    const YAML::Node value = YAML::Load(rule.value);
+    if (value.IsNull()) {
+      settings.emplace_back(rule.name, rule.value);
+    } else {
+      flatten(rule.name, value, settings);
     }
   } catch (const YAML::Exception& error) {
-    throw std::runtime_error(file + ": " + error.what());
+    throw std::runtime_error(rule.name + ":=" + rule.value + ": " + error.what());
   }
-  return settings;
 }
+
+using Parts = std::vector<std::string>;
+
+/// "/fleet/auv_1/pilot" is fleet, auv_1, pilot.
+Parts parts_of(const std::string& name) {
+  Parts parts;
+  std::istringstream rest{name};
+  for (std::string part; std::getline(rest, part, '/');)
+    if (!part.empty()) parts.push_back(part);
+  return parts;
+}
+
+/// `*` stands for one part, `**` for any number of them.
+bool matches(std::span<const std::string> pattern, std::span<const std::string> name) {
+  if (pattern.empty()) return name.empty();
+  if (pattern.front() == "**")
+    return matches(pattern.subspan(1), name) || (!name.empty() && matches(pattern, name.subspan(1)));
+  return !name.empty() && (pattern.front() == "*" || pattern.front() == name.front()) &&
+         matches(pattern.subspan(1), name.subspan(1));
+}
+
+/// What a file says of one node: below its name, which may stand in parts, one above the other, and have
+/// wildcards. What is for other nodes is left to them.
+class ParametersOf {
+ public:
+  explicit ParametersOf(const GraphOptions& options)
+      : name_{parts_of(options.space + "/" + options.node)}, node_{options.node} {}
+
+  /// Whether it says anything.
+  bool read(const std::string& file, Settings& settings) {
+    bool any = false;
+    try {
+      walk("", YAML::LoadFile(file), settings, any);
+    } catch (const YAML::Exception& error) {
+      throw std::runtime_error(file + ": " + error.what());
+    }
+    return any;
+  }
+
+ private:
+  void walk(const std::string& above, const YAML::Node& map, Settings& settings, bool& any) const {
+    if (!map.IsMap()) return;
+    for (const auto& entry : map) {
+      const auto key = entry.first.as<std::string>();
+      if (key != "ros__parameters") {
+        walk(above.empty() ? key : above + "/" + key, entry.second, settings, any);
+      } else if (above == node_ || matches(parts_of(above), name_)) {  // a bare name: in whatever namespace
+        any = true;
+        if (entry.second.IsMap()) flatten("", entry.second, settings);
+      }
+    }
+  }
+
+  Parts name_;
+  std::string node_;
+};
 
 /// The words one after the other.
 class Words {
@@ -71,21 +135,20 @@ class Words {
   std::size_t next_{};
 };
 
-void read_of_ros(const std::string& word, Words& words, RosArguments& made, std::vector<std::string>& files) {
+/// What is said, of this node and others, in order.
+struct Said {
+  std::vector<Rule> remaps;
+  std::vector<std::pair<std::string, Settings>> settings;  // of which node, as of a Rule
+};
+
+void read_of_ros(const std::string& word, Words& words, RosArguments& made, Said& said) {
   if (word == "-p" || word == "--param") {
-    made.settings.push_back(split(words.take_after(word), ":="));
+    const Rule rule = rule_of(words.take_after(word));
+    add_parameter(rule, said.settings.emplace_back(rule.node, Settings{}).second);
   } else if (word == "-r" || word == "--remap") {
-    const auto [from, to] = split(words.take_after(word), ":=");
-    const std::string rule = from.substr(from.find(':') == std::string::npos ? 0 : from.find(':') + 1);
-    if (rule == "__ns") {
-      made.graph.space = to.starts_with('/') ? to : "/" + to;
-    } else if (rule == "__node" || rule == "__name") {
-      made.graph.node = to;
-    } else {
-      made.graph.remaps.emplace_back(rule, to);
-    }
+    said.remaps.push_back(rule_of(words.take_after(word)));
   } else if (word == "--params-file") {
-    files.push_back(words.take_after(word));
+    made.files.push_back(words.take_after(word));
   } else if (word == "--log-level" || word == "--log-config-file" || word == "-e" || word == "--enclave") {
     words.take_after(word);
   } else if (!word.starts_with("--enable-") && !word.starts_with("--disable-")) {
@@ -93,17 +156,42 @@ void read_of_ros(const std::string& word, Words& words, RosArguments& made, std:
   }
 }
 
-void read_of_people(const std::string& word, Words& words, RosArguments& made) {
+void read_of_people(const std::string& word, Words& words, RosArguments& made, Said& said) {
+  const auto set = [&](const std::string& name, const std::string& text) {
+    said.settings.emplace_back("", Settings{{name, text}});
+  };
   if (word == "--set") {
-    made.settings.push_back(split(words.take_after(word), "="));
+    const auto [name, text] = split(words.take_after(word), "=");
+    set(name, text);
   } else if (word.starts_with("--") && word.size() > 2) {
     const std::size_t equals = word.find('=');
     const std::string name = word.substr(2, equals == std::string::npos ? equals : equals - 2);
-    made.settings.emplace_back(
-        name, equals == std::string::npos ? words.take_after(word) : word.substr(equals + 1));
+    set(name, equals == std::string::npos ? words.take_after(word) : word.substr(equals + 1));
   } else {
     made.words.push_back(word);
   }
+}
+
+bool names_node(const std::string& rule) { return rule == "__node" || rule == "__name"; }
+
+/// Takes what is said of this node: by the name that it has by itself, or by the one that it is given.
+void take_own(const Said& said, RosArguments& made) {
+  const std::string usual = made.graph.node;
+  for (const Rule& rule : said.remaps)
+    if (names_node(rule.name) && (rule.node.empty() || rule.node == usual)) made.graph.node = rule.value;
+  const auto is_own = [&](const std::string& node) {
+    return node.empty() || node == usual || node == made.graph.node;
+  };
+  for (const Rule& rule : said.remaps) {
+    if (!is_own(rule.node) || names_node(rule.name)) continue;
+    if (rule.name == "__ns") {
+      made.graph.space = rule.value.starts_with('/') ? rule.value : "/" + rule.value;
+    } else {
+      made.graph.remaps.emplace_back(rule.name, rule.value);
+    }
+  }
+  for (const auto& [node, settings] : said.settings)
+    if (is_own(node)) made.given.insert(made.given.end(), settings.begin(), settings.end());
 }
 
 }  // namespace
@@ -115,7 +203,7 @@ RosArguments ros_arguments(const std::vector<std::string>& arguments, const std:
   made.graph.loopback_only = loopback_of_environment();
 
   Words words{arguments};
-  std::vector<std::string> files;
+  Said said;
   bool are_of_ros = false;
   while (!words.is_over()) {
     const std::string& word = words.take();
@@ -124,20 +212,26 @@ RosArguments ros_arguments(const std::vector<std::string>& arguments, const std:
     } else if (word == "--") {
       are_of_ros = false;
     } else if (are_of_ros) {
-      read_of_ros(word, words, made, files);
+      read_of_ros(word, words, made, said);
     } else {
-      read_of_people(word, words, made);
+      read_of_people(word, words, made, said);
     }
   }
-
-  Settings settings;
-  for (const std::string& file : files) {
-    const Settings some = settings_in(file, made.graph);
-    settings.insert(settings.end(), some.begin(), some.end());
-  }
-  settings.insert(settings.end(), made.settings.begin(), made.settings.end());
-  made.settings = std::move(settings);
+  take_own(said, made);
   return made;
+}
+
+bridge::Settings settings_of(const RosArguments& arguments,
+                             const std::function<void(const std::string&)>& warn) {
+  ParametersOf parameters{arguments.graph};
+  Settings settings;
+  for (const std::string& file : arguments.files) {
+    if (parameters.read(file, settings) || !warn) continue;
+    const std::string& space = arguments.graph.space;
+    warn(file + ": has no parameters for " + (space == "/" ? "" : space) + "/" + arguments.graph.node);
+  }
+  settings.insert(settings.end(), arguments.given.begin(), arguments.given.end());
+  return settings;
 }
 
 }  // namespace fairway::ros2

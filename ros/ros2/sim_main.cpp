@@ -9,7 +9,8 @@ int main(int argc, char** argv) {
       "A scenario as a live fleet. Settings, and override.PATH for values of the scenario:\n\n" +
           bridge::fleet_node_words(),
       [](ros2::RosArguments& arguments, const std::atomic<bool>& stop) {
-        ros2::SimNode node{bridge::fleet_node_settings(arguments.settings), arguments.graph};
+        const bridge::Settings settings = settings_of(arguments, ros2::warns_as("fairway_sim_ros2"));
+        ros2::SimNode node{bridge::fleet_node_settings(settings), arguments.graph};
         return node.run([&stop] { return !stop; });
       });
 }

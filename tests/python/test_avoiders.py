@@ -131,6 +131,21 @@ def test_a_batch_decides_as_one_by_one_on_any_number_of_threads():
         assert int(one.mode) == alone.mode[i]
 
 
+def test_a_number_stands_for_every_row_of_numbers():
+    batch = random_batch(20, 4)
+    one = fw.Avoider("orca3d").decide_batch(**{**batch, "yaw": 0.5, "radius": 2, "track_radius": 1.5})
+    rows = fw.Avoider("orca3d").decide_batch(
+        **{**batch, "yaw": np.full(20, 0.5), "radius": np.full(20, 2), "track_radius": np.full((20, 4), 1.5)}
+    )
+    assert np.array_equal(one.velocity, rows.velocity)
+
+
+def test_more_jobs_than_the_machine_has_threads_end_well():
+    batch = random_batch(600, 2)
+    many = fw.Avoider("orca3d").decide_batch(jobs=2**31 - 1, **batch)
+    assert np.array_equal(many.velocity, fw.Avoider("orca3d").decide_batch(**batch).velocity)
+
+
 def test_a_batch_leaves_the_avoider_as_it_was():
     avoider, other = fw.Avoider("avoa", seed=3), fw.Avoider("avoa", seed=3)
     avoider.decide_batch(**random_batch(10, 3))
@@ -142,6 +157,9 @@ def test_a_batch_leaves_the_avoider_as_it_was():
     [
         ({"goal": [[1, 2, 3]]}, "goal: expected 4 x 3 numbers"),
         ({"position": [1, 2, 3]}, "position: expected rows of 3 numbers"),
+        ({"goal": 3.0}, "goal: expected 4 x 3 numbers, got 3.0"),
+        ({"velocity": 0}, "velocity: expected 4 x 3 numbers, got 0"),
+        ({"track_velocity": 1.0}, "track_velocity: expected 4 x 3 x 3 numbers, got 1.0"),
         ({"track_radius": np.ones((4, 2))}, "track_radius: expected 4 x 3 numbers"),
         ({"track_positions": 1}, "there is no argument track_positions; did you mean track_position?"),
         ({"jobs": -1}, "jobs: expected 0 (all cores) or more, got -1"),

@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """Environments: what Gymnasium's checker would look at, and that they are the run which the command makes."""
 
+import math
+
 import numpy as np
 import pytest
 
 import fairway
+from fairway import _core
 from fairway.gym import HAS_GYMNASIUM, FleetEnv, FleetVectorEnv
 
 from conftest import ROOT
@@ -180,6 +183,7 @@ def test_an_action_that_makes_no_sense_is_a_value_error(action, words):
 @pytest.mark.parametrize("options, words", [
     ({"learner": "north_bond"}, "did you mean north_bound?"), ({"learner": ["north_bound"] * 2}, "named twice"),
     ({"reward": {"progres": 1}}, "did you mean progress?"), ({"reward": {"time": "dear"}}, "expected a number"),
+    ({"reward": {"progress": math.nan}}, "reward.progress: expected a number that is finite, got nan"),
     ({"axes": "enu"}, "axes"), ({"actions": "knots"}, "actions"), ({"tracks": -2}, "tracks"),
     ({"obstacles": 17}, "at most 16"), ({"action_repeat": 0}, "at least 1"), ({"render_mode": "human"}, "rgb_array"),
     ({"overrides": {"duration": 3}}, "did you mean duration_s?")])
@@ -187,6 +191,16 @@ def test_what_cannot_be_is_refused_in_one_line_with_what_can(options, words):
     with pytest.raises(fairway.InputError) as refused:
         FleetEnv(CROSSING, **options)
     assert words in str(refused.value) and "\n" not in str(refused.value)
+
+
+def test_a_command_that_is_not_finite_is_refused_as_an_action_is():
+    environments = _core.FleetEnvironments(CROSSING, reward={"progress": np.float32(2)})
+    environments.reset()
+    commands = environments.advised_commands()
+    for wrong in ({"velocity": [math.nan, 0, 0]}, {"heading": math.inf}):
+        with pytest.raises(ValueError, match="command 0 holds NaN or an infinity"):
+            environments.step_commands([commands[0].replace(**wrong), *commands[1:]])
+    environments.step_commands(commands)
 
 
 def test_rewards_are_what_their_weights_say():

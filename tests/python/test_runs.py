@@ -217,5 +217,7 @@ def test_a_run_is_recorded_as_by_the_command(scenarios, fairway_command, tmp_pat
         check=True, capture_output=True,
     )  # fmt: skip
     assert (tmp_path / "mine.mcap").read_bytes() == (tmp_path / "its.mcap").read_bytes()
+    with pytest.raises(fw.InputError, match="record: is empty"):
+        fw.run(file, record="")
     with pytest.raises(fw.InputError, match="record is missing"):
         fw.run(file, sketches=True)

@@ -137,3 +137,49 @@ def test_a_mistake_is_one_line_that_says_what_was_expected(make, message):
         make()
     assert str(raised.value) == message
     assert isinstance(raised.value, ValueError)
+
+
+def test_an_id_that_is_too_large_for_a_priority_is_refused_unless_one_is_given():
+    assert fw.Track(id=2**31 - 1, position=[0, 0, 0]).priority == 2**31 - 1
+    for made in (fw.Track, fw.Ownship):
+        with pytest.raises(fw.InputError, match="id: is 2147483648, and no priority can be that"):
+            made(id=2**31, position=[0, 0, 0])
+    assert fw.Track(id=2**32 - 1, position=[0, 0, 0], priority=3).priority == 3
+
+
+def test_a_mode_is_one_that_there_is():
+    assert [fw.Mode(i) for i in range(4)] == list(fw.Mode.__members__.values())
+    for number in (-1, 4, 9, 300):
+        with pytest.raises(fw.InputError, match="Mode: expected 0 to 3, got"):
+            fw.Mode(number)
+    with pytest.raises(TypeError):
+        fw.Mode("cruise")
+    forged = fw.Mode(1)
+    forged.__setstate__(9)
+    with pytest.raises(fw.InputError, match="Command.mode: expected one of its names"):
+        fw.Command(velocity=[0, 0, 0], mode=forged)
+
+
+def test_what_was_never_initialised_is_refused():
+    for empty in (fw.Situation.__new__(fw.Situation), fw.Track.__new__(fw.Track)):
+        name = type(empty).__name__
+        for attribute in ("own", "tracks", "track_positions", "preferred_velocity") if name == "Situation" else ("position", "id"):
+            with pytest.raises((fw.InputError, TypeError)):
+                getattr(empty, attribute)
+        with pytest.raises((fw.InputError, TypeError)):
+            repr(empty)
+    with pytest.raises(TypeError):
+        fw.Avoider("orca3d").decide(fw.Situation.__new__(fw.Situation))
+    with pytest.raises(fw.InputError, match="Track: is empty, since __init__ has not run"):
+        situation(tracks=[fw.Track.__new__(fw.Track)])
+    with pytest.raises(fw.InputError, match="Ownship: is empty"):
+        fw.Situation(own=fw.Ownship.__new__(fw.Ownship), goal=fw.Goal(position=[0, 0, 0], cruise_speed=1), period=1)
+
+
+def test_an_avoider_is_shown_the_link():
+    pledge = fw.Avoider("pledge", team_count=2)
+    shown = situation(limits=fw.Limits(max_speed=0.5))
+    assert pledge.decide(shown).note == "pledge hears nobody: it needs an exchange"
+    heard = [fw.Heard(sender=1, sent=-0.5, speech=bytes(25))]
+    link = fw.Link(heard=heard, turn_period=2.0, next_turn=1.0, ranges=[fw.AcousticRange(to=1, distance=20)])
+    assert "needs an exchange" not in pledge.decide(shown.replace(link=link)).note

@@ -47,6 +47,34 @@ def test_an_actuator_that_is_not_named_stays_where_it_is():
     assert vehicle.actuator_state.tolist() == before.tolist() and before[0] == 3.0
 
 
+@pytest.mark.parametrize(
+    "water, message",
+    [
+        ({"current": [math.nan, 0, 0]}, "current: expected three finite numbers"),
+        ({"current": [0, math.inf, 0]}, "current: expected three finite numbers"),
+        ({"density": 0}, "density: expected kg/m3 above 0, got 0"),
+        ({"density": -5}, "density: expected kg/m3 above 0, got -5"),
+        ({"density": math.nan}, "density: expected kg/m3 above 0, got nan"),
+    ],
+)
+def test_water_that_cannot_be_is_refused_and_moves_nothing(water, message):
+    vehicle = fw.Vehicle("sparus2")
+    for move in (lambda: vehicle.step({}, 0.05, **water), lambda: vehicle.drive(np.zeros((1, len(vehicle.actuators))), 0.05, **water)):
+        with pytest.raises(fw.InputError) as raised:
+            move()
+        assert message in str(raised.value)
+    assert np.isfinite(vehicle.state.position).all()
+
+
+def test_a_state_is_of_finite_numbers():
+    for given in ({"position": [math.nan] * 3}, {"velocity": [0, math.inf, 0]}, {"angular_velocity": [0, 0, math.nan]}):
+        with pytest.raises(fw.InputError, match=f"State.{next(iter(given))}: is not finite"):
+            fw.State(**given)
+    for level in ({"yaw": math.nan}, {"surge": math.inf}):
+        with pytest.raises(fw.InputError, match="finite"):
+            fw.State.level([0, 0, 5], **level)
+
+
 def test_a_copy_is_a_snapshot():
     vehicle = fw.Vehicle("kinematic")
     vehicle.state = fw.State.level([1, 2, 3], yaw=math.pi / 2, surge=0.5)
