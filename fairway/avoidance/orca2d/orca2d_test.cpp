@@ -241,5 +241,20 @@ TEST(Orca2d, NeverCutsThroughAWall) {
   EXPECT_GT(stopped_by_it, 150);
 }
 
+TEST(Orca2d, WhereWallsContradictEachOtherTheNeighboursCountStill) {
+  // own radius 1 between walls 0.9 m to either side; somebody at rest 3 m ahead, who is passed
+  // by velocities beyond a tangent: of those along the walls none leads ahead
+  OwnedSituation e = encounters::open_water();
+  e.obstacles = {{.kind = Obstacle::Kind::segment, .from = {-50, 0.9, 0}, .to = {50, 0.9, 0}},
+                 {.kind = Obstacle::Kind::segment, .from = {-50, -0.9, 0}, .to = {50, -0.9, 0}}};
+  EXPECT_NEAR(decide<Orca2d>(e).velocity.x(), 1.0, 1e-9);
+  e.tracks = {encounters::track(1, {3.0, 0.0, 50.0}, Vec3::Zero())};
+  e.tracks[0].reacts = false;
+  const Command command = decide<Orca2d>(e, {.time_horizon_s = 10.0});
+  EXPECT_EQ(command.mode, Mode::infeasible);
+  EXPECT_NEAR(command.velocity.x(), 0.0, 1e-9);
+  EXPECT_NEAR(command.velocity.y(), 0.0, 1e-9);
+}
+
 }  // namespace
 }  // namespace fairway

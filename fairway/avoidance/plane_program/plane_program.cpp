@@ -20,6 +20,11 @@ constexpr double coincident = 1e-8;
 /// A least violation below this share of the greatest number is none.
 constexpr double kept = 1e-11;
 
+/// What contradicting half-planes leave is thin: roundings that much larger are none there, and points this
+/// near to each other, as a share of the greatest number, are one.
+constexpr double of_thin = 10.0;
+constexpr double one_point = 1e-9;
+
 /// Where no disc bounds the least violation, it is looked for within this many times the greatest number.
 constexpr double horizon = 1e6;
 
@@ -139,26 +144,67 @@ double largest_violation(std::span<const HalfPlane> half_planes, const Vec2& x) 
 
 /// Makes the largest violation of the soft half-planes least, the hard ones kept. `x` keeps those before
 /// `first`. A half-plane that is violated more than the level so far is the worst at the new optimum: those
-/// that are violated less lie beyond bisecting lines. Returns that violation.
-double minimise_violation(const PlaneProgram& program, std::size_t first, const Vec2& wanted, double scale,
-                          Vec2& x) {
+/// that are violated less lie beyond bisecting lines. `given` gives the half-planes. Returns that violation.
+template <class Given>
+double minimise_violation(const PlaneProgram& program, const Given& given, std::size_t first,
+                          const Vec2& wanted, double scale, double rounding, Vec2& x) {
   const double radius = program.max_length < infinite ? program.max_length : horizon * scale;
   std::array<HalfPlane, 32> bounds;  // each is read often: the first are made once
   double level = 0.0;
   for (std::size_t i = first; i < program.half_planes.size(); ++i) {
-    const HalfPlane& worst = program.half_planes[i];
-    if (worst.violation(x) <= level + rounding_share * scale) continue;
+    const HalfPlane worst = given(i);
+    if (worst.violation(x) <= level + rounding * scale) continue;
     const auto made = [&](std::size_t j) {
-      return j < program.hard_count ? program.half_planes[j] : bisector(program.half_planes[j], worst);
+      return j < program.hard_count ? given(j) : bisector(given(j), worst);
     };
     for (std::size_t j = 0; j < std::min(i, bounds.size()); ++j) bounds[j] = made(j);
     const auto at = [&](std::size_t j) { return j < bounds.size() ? bounds[j] : made(j); };
     Vec2 better;
-    if (Incremental{at, radius, rounding_share * scale}.solve(i, {wanted, worst.normal}, better) == i)
-      x = better;
+    if (Incremental{at, radius, rounding * scale}.solve(i, {wanted, worst.normal}, better) == i) x = better;
     level = std::max(0.0, worst.violation(x));
   }
   return level;
+}
+
+/// The least violation of the soft ones; then, all of them moved back by it, the nearest. As above.
+template <class Given>
+void violate_least(const PlaneProgram& program, const Given& given, std::size_t first, const Vec2& wanted,
+                   double scale, double rounding, Vec2& x) {
+  const double level = minimise_violation(program, given, first, wanted, scale, rounding, x);
+  const auto moved_back = [&](std::size_t i) {
+    const HalfPlane h = given(i);
+    return i < program.hard_count ? h : HalfPlane{h.normal, h.offset - level};
+  };
+  Vec2 nearest;
+  const std::size_t kept_count = Incremental{moved_back, program.max_length, 10.0 * rounding * scale}.solve(
+      program.half_planes.size(), {.wanted = wanted}, nearest);
+  if (kept_count == program.half_planes.size()) x = nearest;
+}
+
+PlaneChoice chosen_at(std::span<const HalfPlane> half_planes, const Vec2& x, double scale) {
+  const double violation = largest_violation(half_planes, x);
+  return {x, violation > kept * scale ? violation : 0.0};
+}
+
+/// Where the hard ones contradict each other: these moved back by their least violation, and the others as
+/// ever. The point of the hard ones alone, to the bit, where they leave no other.
+PlaneChoice among_contradictions(const PlaneProgram& program, const Vec2& wanted, double scale) {
+  const std::span<const HalfPlane> all = program.half_planes, hard = all.first(program.hard_count);
+  const PlaneChoice of_hard = nearest_in_plane({hard, 0, program.max_length}, wanted);
+  if (hard.size() == all.size()) return of_hard;
+
+  const double back = largest_violation(hard, of_hard.point);
+  const auto moved_back = [&](std::size_t i) {
+    return i < program.hard_count ? HalfPlane{all[i].normal, all[i].offset - back} : all[i];
+  };
+  constexpr double rounding = of_thin * rounding_share;
+  Vec2 x;
+  const std::size_t failed =
+      Incremental{moved_back, program.max_length, rounding * scale}.solve(all.size(), {.wanted = wanted}, x);
+  const bool is_lost = failed < program.hard_count;
+  if (!is_lost && failed < all.size()) violate_least(program, moved_back, failed, wanted, scale, rounding, x);
+  if (is_lost || (x - of_hard.point).norm() <= one_point * scale) x = of_hard.point;
+  return chosen_at(all, x, scale);
 }
 
 }  // namespace
@@ -172,21 +218,9 @@ PlaneChoice nearest_in_plane(const PlaneProgram& program, const Vec2& wanted) no
   const std::size_t failed = Incremental{as_given, program.max_length, rounding_share * scale}.solve(
       all.size(), {.wanted = wanted}, x);
   if (failed == all.size()) return {x, 0.0};
-  if (failed < program.hard_count)
-    return nearest_in_plane({all.first(program.hard_count), 0, program.max_length}, wanted);
-
-  // the least violation; then, all soft ones moved back by it, the nearest
-  const double level = minimise_violation(program, failed, wanted, scale, x);
-  const auto moved_back = [&](std::size_t i) {
-    return i < program.hard_count ? all[i] : HalfPlane{all[i].normal, all[i].offset - level};
-  };
-  Vec2 nearest;
-  const std::size_t kept_count =
-      Incremental{moved_back, program.max_length, 10.0 * rounding_share * scale}.solve(
-          all.size(), {.wanted = wanted}, nearest);
-  if (kept_count == all.size()) x = nearest;
-  const double violation = largest_violation(all.subspan(program.hard_count), x);
-  return {x, violation > kept * scale ? violation : 0.0};
+  if (failed < program.hard_count) return among_contradictions(program, wanted, scale);
+  violate_least(program, as_given, failed, wanted, scale, rounding_share, x);
+  return chosen_at(all.subspan(program.hard_count), x, scale);
 }
 
 }  // namespace fairway

@@ -36,9 +36,9 @@ struct PlaneChoice {
 
 /// The point nearest to `wanted` that keeps every half-plane and the disc. If there is none: of the points
 /// that keep the disc and the hard half-planes and whose largest violation of the others is least, the
-/// nearest to `wanted`. If the hard ones contradict each other, the others are not looked at and the hard
-/// ones are violated least. Either way there is one answer, so the order of the soft half-planes changes it
-/// by rounding only.
+/// nearest to `wanted`. If the hard ones contradict each other, they are all moved back by their least
+/// violation, and of what that leaves it is the same. Either way there is one answer, so the order of the
+/// soft half-planes changes it by rounding only.
 ///
 /// Incremental, after Seidel, in the order given (de Berg et al., Computational Geometry, chapter 4; the
 /// second program is that of van den Berg, Guy, Lin, Manocha 2011, section 5.3, in the plane). O(count) in

@@ -232,11 +232,20 @@ TEST(PlaneProgram, TwoHardHalfPlanesMayLeaveALine) {
   EXPECT_LT((choice.point - Vec2(-1.0, 0.0)).norm(), 1e-14);
 }
 
-TEST(PlaneProgram, HardHalfPlanesThatContradictEachOtherAreViolatedLeast) {
-  const std::vector<HalfPlane> walls{{{1.0, 0.0}, 2.0}, {{-1.0, 0.0}, 0.0}, {{0.0, 1.0}, 50.0}};
-  const PlaneChoice choice = nearest_in_plane({walls, 2}, {0.0, 0.0});
-  EXPECT_NEAR(choice.violation, 1.0, 1e-12);
-  EXPECT_LT((choice.point - Vec2(1.0, 0.0)).norm(), 1e-12);
+TEST(PlaneProgram, HardHalfPlanesThatContradictEachOtherAreViolatedLeastAndTheOthersCountStill) {
+  // x >= 2 and x <= 0 are hard: 1 short of both on the line x = 1
+  std::vector<HalfPlane> walls{{{1.0, 0.0}, 2.0}, {{-1.0, 0.0}, 0.0}};
+  const PlaneChoice alone = nearest_in_plane({walls, 2}, {0.0, 0.0});
+  EXPECT_NEAR(alone.violation, 1.0, 1e-12);
+  EXPECT_LT((alone.point - Vec2(1.0, 0.0)).norm(), 1e-12);
+  walls.push_back({{0.0, 1.0}, 50.0});
+  const PlaneChoice kept = nearest_in_plane({walls, 2}, {0.0, 0.0});
+  EXPECT_NEAR(kept.violation, 1.0, 1e-9);
+  EXPECT_LT((kept.point - Vec2(1.0, 50.0)).norm(), 1e-9);
+  walls.push_back({{0.0, -1.0}, -40.0});  // y >= 50 and y <= 40 contradict each other too
+  const PlaneChoice between = nearest_in_plane({walls, 2}, {0.0, 0.0});
+  EXPECT_NEAR(between.violation, 5.0, 1e-9);
+  EXPECT_LT((between.point - Vec2(1.0, 45.0)).norm(), 1e-9);
 }
 
 TEST(PlaneProgram, RepeatedHalfPlanesChangeNothing) {
