@@ -8,10 +8,14 @@
 namespace fairway {
 namespace {
 
+/// Stands in for a speed limit that is not set [m/s], as in `orca3d`: nothing that these methods are for goes
+/// so fast, and what a program without that limit comes to does.
+constexpr double fastest_of_all = 1000.0;
+
 /// `v` within speed and climb limits, and not through floor or ceiling before the next decision.
 Vec3 within(const Situation& s, Vec3 v) noexcept {
   const Limits& limits = s.limits;
-  v = clamp_norm(v, limits.max_speed);
+  v = clamp_norm(v, limit_or(limits.max_speed, fastest_of_all));
   v.z() = std::max(-limits.max_climb_rate, std::min(limits.max_climb_rate, v.z()));
 
   // outside the depth band the way back stays open

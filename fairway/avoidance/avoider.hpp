@@ -73,6 +73,9 @@ class Avoider {
     return command;
   }
 
+  /// Whether any of its layers thinks in the horizontal plane.
+  bool thinks_in_plane() const noexcept { return self_->thinks_in_plane(); }
+
   /// What it keeps between own sphere and every surface, as far as its wrappers say [m].
   double kept_margin() const { return self_->kept_margin(); }
 
@@ -115,6 +118,7 @@ class Avoider {
     virtual void restore(const Interface& clone) = 0;  ///< to what the clone of this remembers
     virtual const AlgorithmInfo& info() const = 0;
     virtual std::size_t most_tracks() const { return std::numeric_limits<std::size_t>::max(); }
+    virtual bool thinks_in_plane() const noexcept = 0;
     virtual double kept_margin() const { return 0.0; }
     virtual bool speaks() const { return false; }
     virtual Speech speech() const { return {}; }
@@ -132,6 +136,7 @@ class Avoider {
     std::unique_ptr<Interface> clone() const override { return std::make_unique<Model>(*this); }
     void restore(const Interface& clone) override { memory = static_cast<const Model&>(clone).memory; }
     const AlgorithmInfo& info() const override { return A::info; }
+    bool thinks_in_plane() const noexcept override { return A::info.planar; }
     std::size_t most_tracks() const override {
       if constexpr (requires { algorithm.most_tracks(); }) return algorithm.most_tracks();
       return Interface::most_tracks();
@@ -185,6 +190,7 @@ struct Avoider::Wrapped final : Avoider::Interface {
     inner.rng_ = before.inner.rng_;
   }
   const AlgorithmInfo& info() const override { return W::info; }
+  bool thinks_in_plane() const noexcept override { return W::info.planar || inner.thinks_in_plane(); }
   double kept_margin() const override {
     double own = 0.0;
     if constexpr (requires { wrapper.kept_margin(); }) own = wrapper.kept_margin();

@@ -5,11 +5,13 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <type_traits>
 
 #include "fairway/avoidance/catalog.hpp"
 #include "fairway/avoidance/direct/direct.hpp"
 #include "fairway/avoidance/orca3d/orca3d.hpp"
 #include "fairway/avoidance/stop_and_wait/stop_and_wait.hpp"
+#include "fairway/avoidance/testing/boat.hpp"
 #include "fairway/avoidance/testing/encounters.hpp"
 #include "fairway/core/testing/refusal.hpp"
 
@@ -58,6 +60,14 @@ TEST(ACatalog, RefusesANameThatIsTaken) {
   EXPECT_TRUE(catalog.has("orca3d"));
   EXPECT_TRUE(catalog.has("saw"));
   EXPECT_FALSE(catalog.has("orca3d+saw"));
+}
+
+/// The envelope of a boat with one number of it replaced.
+template <auto member>
+const Envelope* spoilt(std::remove_cvref_t<decltype(Envelope{}.*member)> value) {
+  static Envelope envelope = encounters::of_a_boat();
+  envelope.*member = value;
+  return &envelope;
 }
 
 TEST(AnUnusableSituation, IsAnsweredWithANoteThatSaysWhatIsUnusable) {
@@ -114,6 +124,12 @@ TEST(AnUnusableSituation, IsAnsweredWithANoteThatSaysWhatIsUnusable) {
        "an obstacle has a number that is not finite, or no extent"},
       {[](auto& e) { e.obstacles = {{.kind = Obstacle::Kind::polygon}}; },
        "an obstacle has a number that is not finite, or no extent"},
+      {[](auto& e) { e.situation.envelope = spoilt<&Envelope::deceleration>(0.0); },
+       "an envelope's acceleration and deceleration have to be above zero"},
+      {[](auto& e) { e.situation.envelope = spoilt<&Envelope::turn_rates>({}); },
+       "an envelope has to have a turn acceleration and turn rates above zero"},
+      {[](auto& e) { e.situation.envelope = spoilt<&Envelope::surge_lag>(nan); },
+       "a number of the envelope is not finite, or below zero where it cannot be"},
   };
   Avoider avoider{Orca3d{}};
   const Command usable = avoider.decide(encounters::crowd(5, Rng{1}));
@@ -131,6 +147,15 @@ TEST(AnAnswer, ThatIsNotFiniteIsReplacedWithANote) {
   Avoider avoider{encounters::Always{{}, {.velocity = {nan, 0, 0}}}};
   EXPECT_EQ(avoider.decide(encounters::crowd(5, Rng{1})),
             (Command{.mode = Mode::infeasible, .note = "the method's answer is not finite"}));
+}
+
+TEST(AnAnswer, IsNoFasterThanAnythingGoesWhereNoLimitIsSet) {
+  encounters::OwnedSituation e = encounters::crowd(5, Rng{1});
+  e.situation.limits.max_speed = Limits::none;
+  Avoider avoider{encounters::Always{{}, {.velocity = {0.0, 2e6, 0.0}}}};
+  EXPECT_NEAR(avoider.decide(e).velocity.y(), 1000.0, 1e-9);
+  e.situation.limits.max_speed = 5000.0;
+  EXPECT_NEAR(avoider.decide(e).velocity.y(), 5000.0, 1e-9) << "who sets a limit means it";
 }
 
 }  // namespace

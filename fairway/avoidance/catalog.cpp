@@ -17,11 +17,23 @@ std::vector<std::string_view> layer_names(std::string_view name) {
 }
 
 Catalog& Catalog::add(Entry entry) {
-  if (has(entry.info.name))
-    throw InputError("the algorithm \"" + std::string(entry.info.name) +
-                     "\" is there already: choose another name");
+  refuse_unless_free(entry.info.name);
   entries_.push_back(std::move(entry));
   return *this;
+}
+
+Catalog& Catalog::alias(std::string_view name, std::string_view target) {
+  refuse_unless_free(name);
+  aliases_.emplace_back(name, find(target).info.name);
+  return *this;
+}
+
+void Catalog::refuse_unless_free(std::string_view name) const {
+  if (has(name))
+    throw InputError("the algorithm \"" + std::string(name) + "\" is there already: choose another name");
+  if (name.empty() || name.find('+') != std::string_view::npos)
+    throw InputError("an algorithm cannot be called \"" + std::string(name) +
+                     "\": a '+' stands between layers, and each has a name");
 }
 
 bool Catalog::has(std::string_view name) const {
@@ -30,12 +42,12 @@ bool Catalog::has(std::string_view name) const {
 }
 
 const Catalog::Entry& Catalog::find(std::string_view name) const {
-  for (const auto& [alias, target] : aliases_) {
-    if (alias == name) return find(target);
-  }
+  const auto alias =
+      std::ranges::find(aliases_, name, [](const auto& a) -> std::string_view { return a.first; });
+  const std::string_view own_name = alias != aliases_.end() ? alias->second : name;
   std::vector<std::string_view> known;
   for (const Entry& entry : entries_) {
-    if (entry.info.name == name) return entry;
+    if (entry.info.name == own_name) return entry;
     known.push_back(entry.info.name);
   }
   throw InputError("unknown algorithm \"" + std::string(name) + "\"" + suggestion(name, known));

@@ -60,14 +60,12 @@ class Catalog {
   }
 
   /// An algorithm whose name is known only at run time. What the views in `entry.info` are of outlives the
-  /// catalog. All three throw InputError for a name that is taken.
+  /// catalog. All three throw InputError for a name that is taken, or that has a '+' or nothing in it.
   Catalog& add(Entry entry);
 
-  /// A short name for another: "saw" for "stop_and_wait".
-  Catalog& alias(std::string_view name, std::string_view target) {
-    aliases_.emplace_back(name, target);
-    return *this;
-  }
+  /// A short name for another that is there already: "saw" for "stop_and_wait". Throws InputError for a name
+  /// that is taken or that layers could not be called by, and as find() for the other.
+  Catalog& alias(std::string_view name, std::string_view target);
 
   /// Throws InputError for a name that is not in the catalog or a parameter that none of the layers has.
   Avoider make(std::string_view name, const ParamValues& values = {}, Rng rng = Rng{0}) const;
@@ -116,7 +114,10 @@ class Catalog {
   }
 
   std::vector<Entry> entries_;
-  std::vector<std::pair<std::string, std::string>> aliases_;
+  /// Throws InputError for a name that nothing can be added by.
+  void refuse_unless_free(std::string_view name) const;
+
+  std::vector<std::pair<std::string, std::string>> aliases_;  // of names of entries
 };
 
 /// "inner" and "wrapper" of "inner+wrapper".

@@ -90,5 +90,27 @@ TEST(Catalog, SaysWhatAMethodTakesForGranted) {
   EXPECT_THAT(catalog.needs_of("orca2d+trackable"), ElementsAre("plane"));
 }
 
+TEST(Catalog, AnAliasIsOfWhatIsThereAndItsNameIsFree) {
+  using testing::HasSubstr;
+  Catalog catalog = builtin_avoiders();
+  EXPECT_THAT(refusal_by([&] { catalog.alias("orca3d", "direct"); }), HasSubstr("is there already"));
+  EXPECT_THAT(refusal_by([&] { catalog.alias("cbf", "direct"); }), HasSubstr("is there already"));
+  EXPECT_THAT(refusal_by([&] { catalog.alias("a", "b"); }), HasSubstr("unknown algorithm \"b\""));
+  EXPECT_THAT(refusal_by([&] { catalog.alias("a", "a"); }), HasSubstr("unknown algorithm \"a\""));
+  EXPECT_THAT(refusal_by([&] { catalog.alias("a+b", "direct"); }), HasSubstr("'+'"));
+  catalog.alias("filter", "cbf");
+  EXPECT_EQ(catalog.find("filter").info.name, "safety_filter");
+}
+
+TEST(Catalog, RefusesANameThatLayersCouldNotBeCalledBy) {
+  for (const std::string_view name : {"a+b", "+", ""}) {
+    AlgorithmInfo info = Orca2d::info;
+    info.name = name;
+    EXPECT_THAT(
+        refusal_by([&] { Catalog{}.add({.info = info, .params = {}, .make = {}, .make_around = {}}); }),
+        testing::HasSubstr("'+'"));
+  }
+}
+
 }  // namespace
 }  // namespace fairway

@@ -45,9 +45,10 @@ double Inflate::growth(const Track& track, bool is_planar) const noexcept {
 }
 
 Command Inflate::decide(const Situation& s, Avoider& inner, Memory& memory, Context& context) const noexcept {
+  const bool is_planar = inner.thinks_in_plane();
   memory.shown.assign(s.tracks.begin(), s.tracks.end());
   for (Track& track : memory.shown) {
-    track.radius += growth(track, inner.info().planar);
+    track.radius += growth(track, is_planar);
     if (context.sketch) context.sketch->sphere(track.position, track.radius, "sphere grown by uncertainty");
   }
   Situation shown = s;

@@ -104,5 +104,24 @@ TEST(Inflate, WhoIsUncertainIsGivenAWiderBerth) {
   EXPECT_LT(aside(), certain - 0.05);
 }
 
+TEST(Inflate, AroundAnyWrapperItKnowsWhetherTheMethodWithinThinksInThePlane) {
+  const Catalog catalog = builtin_avoiders();
+  OwnedSituation e = encounters::crowd(6, Rng{4});
+  for (const Catalog::Entry& entry : catalog.entries()) {
+    if (!entry.wraps) continue;
+    for (const std::string inner : {"orca2d", "orca3d"}) {
+      const std::string name = inner + "+" + std::string(entry.info.name);
+      EXPECT_EQ(catalog.make(name).thinks_in_plane(), catalog.needs(name, &AlgorithmInfo::planar)) << name;
+    }
+    // what is uncertain upwards is nothing to it
+    const std::string name = "orca2d+" + std::string(entry.info.name) + "+inflate";
+    const auto answer = [&](double variance) {
+      for (Track& t : e.tracks) t.position_covariance = Vec3{0.04, 0.01, variance}.asDiagonal();
+      return catalog.make(name, {}, Rng{7}).decide(e);
+    };
+    EXPECT_EQ(answer(0.0), answer(9.0)) << name;
+  }
+}
+
 }  // namespace
 }  // namespace fairway

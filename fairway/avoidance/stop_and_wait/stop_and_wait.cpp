@@ -14,7 +14,7 @@ const Track* StopAndWait::waits_for(const Situation& s) const noexcept {
   const double range2 = params.crit_dist_m * params.crit_dist_m;
   const auto found = std::ranges::find_if(s.tracks, [&](const Track& track) {
     const bool is_near = (track.position - s.own.position).squaredNorm() <= range2;
-    return is_near && own_rank >= std::tuple{track.priority, number(track.id)};
+    return is_near && own_rank > std::tuple{track.priority, number(track.id)};
   });
   return found == s.tracks.end() ? nullptr : &*found;
 }

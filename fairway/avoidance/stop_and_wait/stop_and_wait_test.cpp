@@ -83,5 +83,11 @@ TEST(StopAndWait, OneRangeGoesToBothLayers) {
   EXPECT_EQ(avoider.decide(meeting(4, 3.0)).mode, Mode::avoid);
 }
 
+TEST(StopAndWait, TwoOfOneIdDoNotWaitForEachOtherForEver) {
+  OwnedSituation e = meeting(5);
+  e.situation.own.id = VehicleId{3};
+  EXPECT_EQ(around_direct().decide(e).mode, Mode::cruise);
+}
+
 }  // namespace
 }  // namespace fairway

@@ -135,7 +135,7 @@ bool lacks_plan(const Situation& s, const Memory& memory) {
 
 /// Of a vehicle that must turn: takes note of what was not charted, and now and then of the chart.
 void take_note(const Params& params, const Situation& s, Memory& memory) {
-  const bool is_new = memory.finds.add(s.obstacles);
+  const bool is_new = memory.finds.add(s.obstacles, s.own.position);
   if (memory.met && !is_new && s.time < memory.noted_s + between_plans_s) return;
   memory.noted_s = s.time;
   memory.met =
@@ -162,7 +162,7 @@ void renew(const Params& params, const Situation& s, Memory& memory, Context& co
 
 /// Takes note of what was not charted; plans anew if it lies in the way and that is quicker.
 void learn(const Params& params, const Situation& s, Memory& memory, Context& context) {
-  if (!memory.finds.add(s.obstacles)) return;
+  if (!memory.finds.add(s.obstacles, s.own.position)) return;
   const std::vector<Obstacle> met = memory.finds.charted();
   memory.met = std::make_shared<const PlanarMap>(met, s.own.radius + params.margin_m);
   if (!params.replan || memory.plan->status != PlanStatus::ready) return;

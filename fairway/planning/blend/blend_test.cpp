@@ -159,14 +159,35 @@ TEST(Finds, EachIsKeptOnceAndOutlivesWhereItWasSeen) {
         disc(1, 2, 3, false),
         disc(1, 2, 3, true),
         {.kind = Obstacle::Kind::polygon, .vertices = vertices, .charted = false}};
-    EXPECT_TRUE(finds.add(seen));
-    EXPECT_FALSE(finds.add(seen));
+    EXPECT_TRUE(finds.add(seen, Vec3::Zero()));
+    EXPECT_FALSE(finds.add(seen, Vec3::Zero()));
   }
   const Finds copy = finds;
   const std::vector<Obstacle> charted = copy.charted();
   ASSERT_EQ(charted.size(), 2U);
   EXPECT_TRUE(charted[1].charted);
   EXPECT_NEAR(nearest_point(charted[1], {-3, 1, 0}).distance, 3.0, 1e-15);
+}
+
+TEST(Finds, WhatIsSeenWithNoiseIsOneFind) {
+  Finds finds;
+  Rng rng{3};
+  for (int i = 0; i < 1000; ++i) {
+    const std::vector<Obstacle> seen{
+        disc(10.0 + rng.uniform(-0.001, 0.001), rng.uniform(-0.001, 0.001), 1.0, false)};
+    EXPECT_EQ(finds.add(seen, Vec3::Zero()), i == 0);
+  }
+  EXPECT_EQ(finds.charted().size(), 1U);
+}
+
+TEST(Finds, NoMoreAreKeptThanTheNearest) {
+  Finds finds;
+  for (int i = 1; i <= 400; ++i) (void)finds.add(std::vector{disc(i, 0.0, 0.1, false)}, {400.0, 0.0, 0.0});
+  const std::vector<Obstacle> kept = finds.charted();
+  ASSERT_EQ(kept.size(), Finds::capacity);
+  for (const Obstacle& find : kept)
+    EXPECT_GT(find.position.x(), 400.0 - static_cast<double>(Finds::capacity));
+  EXPECT_FALSE(finds.add(std::vector{disc(1.0, 0.0, 0.1, false)}, {400.0, 0.0, 0.0}));
 }
 
 }  // namespace
