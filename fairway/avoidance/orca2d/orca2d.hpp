@@ -35,8 +35,8 @@ struct Orca2d {
   Params params;
 
   /// Mode::cruise if nothing in range asks for anything; Mode::avoid if something does; Mode::infeasible if
-  /// no velocity keeps clear of all, with the velocity of least violation: of the neighbours, and of walls and
-  /// discs first if these contradict each other. In range, stern first is allowed.
+  /// no velocity keeps clear of all, with the velocity of least violation: of the neighbours, and of walls
+  /// and discs first if these contradict each other. In range, stern first is allowed.
   Command decide(const Situation& s, Memory& memory, Context& context) const noexcept;
 };
 
