@@ -8,6 +8,7 @@
 
 #include "bindings/python/bindings.hpp"
 #include "bindings/python/value_class.hpp"
+#include "fairway/core/envelope_numbers.hpp"
 #include "fairway/scenario/polygon.hpp"
 
 namespace fairway::python {
@@ -156,6 +157,20 @@ void bind_goal_and_limits(py::module_& m) {
       .finish();
 }
 
+void check_envelope(Envelope& envelope, const py::dict&) {
+  const std::string_view why = why_unusable(envelope);
+  if (!why.empty()) throw InputError("Envelope: " + std::string(why));
+}
+
+void bind_envelope(py::module_& m) {
+  ValueClass<Envelope>(
+      m, "Envelope",
+      "What a vehicle under its autopilot can do in still water, as `fairway describe VEHICLE` "
+      "shows it.\n")
+      .members({"ahead", "acceleration", "deceleration", "turn_acceleration", "turn_rates"})
+      .finish(check_envelope);
+}
+
 void bind_command(py::module_& m) {
   constexpr std::size_t mode_count = EnumNames<Mode>::names.size();
   py::enum_<Mode> modes{m, "Mode", "Why a command is what it is."};
@@ -224,6 +239,9 @@ void bind_situation(py::module_& m) {
       .field("tracks", &OwnedSituation::tracks, "of Track, nearest first, whatever order they are given in")
       .field("obstacles", &OwnedSituation::obstacles, "of Obstacle: what does not move")
       .field("model", &OwnedSituation::model, "OnboardModel, or None where nothing is known of forces")
+      .field("envelope", &OwnedSituation::envelope,
+             "Envelope: what the vehicle can do, or None. A method that has to turn a vehicle asks for it: "
+             "without, `trackable` and `safety_filter` do not foresee turns, and say so")
       .field("link", &OwnedSituation::link, "Link, or None unless the method speaks and has somebody to hear")
       .field("current", &OwnedSituation::current,
              "of the water, as estimated on board, 0 if unknown [m/s, NED]")
@@ -267,6 +285,7 @@ OwnedSituation::OwnedSituation(const Situation& s)
       goal{s.goal},
       limits{s.limits},
       model{s.model == nullptr ? std::nullopt : std::optional{*s.model}},
+      envelope{s.envelope == nullptr ? std::nullopt : std::optional{*s.envelope}},
       link{s.link == nullptr ? std::nullopt : std::optional{owned(*s.link)}},
       current{s.current},
       attendance{s.attendance},
@@ -300,6 +319,7 @@ Situation OwnedSituation::view(SituationRoom& room) const {
           .goal = goal,
           .limits = limits,
           .model = model ? &*model : nullptr,
+          .envelope = envelope ? &*envelope : nullptr,
           .link = link ? &room.link : nullptr,
           .current = current,
           .tracks = tracks,
@@ -318,6 +338,7 @@ void bind_situations(py::module_& m) {
   bind_own_and_tracks(m);
   bind_obstacle(m);
   bind_goal_and_limits(m);
+  bind_envelope(m);
   bind_command(m);
   bind_link(m);
   bind_situation(m);

@@ -43,6 +43,7 @@ struct OwnedSituation {
   Goal goal;
   Limits limits;
   std::optional<OnboardModel> model;
+  std::optional<Envelope> envelope;
   std::optional<OwnedLink> link;
   Vec3 current = Vec3::Zero();  ///< of the water, as estimated on board [m/s, NED]
   Attendance attendance{};

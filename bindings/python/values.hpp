@@ -8,6 +8,7 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -187,6 +188,17 @@ struct Read<std::vector<V>> {
   }
 };
 
+template <class V, std::size_t N>
+struct Read<std::array<V, N>> {
+  static std::array<V, N> from(py::handle given, const std::string& path) {
+    const std::vector<V> read = Read<std::vector<V>>::from(given, path);
+    if (read.size() != N) refuse(path, std::to_string(N) + " of them", given);
+    std::array<V, N> all;
+    std::ranges::copy(read, all.begin());
+    return all;
+  }
+};
+
 // ---- for type checkers
 
 /// The types of a field in a stub file: what a constructor takes, and what the attribute is.
@@ -267,6 +279,11 @@ py::object show(const std::vector<V>& values, py::handle self) {
   py::tuple all{values.size()};
   for (std::size_t i = 0; i < values.size(); ++i) all[i] = show(values[i], self);
   return all;
+}
+
+template <class V, std::size_t N>
+py::object show(const std::array<V, N>& values, py::handle self) {
+  return show(std::vector<V>{values.begin(), values.end()}, self);
 }
 
 }  // namespace fairway::python

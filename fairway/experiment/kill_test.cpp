@@ -48,15 +48,15 @@ bool kill_child(pid_t pid) {
 }
 
 /// A number that parent and child share.
-class Shared {
+class SharedNumber {
  public:
-  Shared()
+  SharedNumber()
       : number_{::mmap(nullptr, sizeof(Number), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0)} {
     if (number_ == MAP_FAILED) throw std::runtime_error("no shared memory");
   }
-  ~Shared() { ::munmap(number_, sizeof(Number)); }
-  Shared(const Shared&) = delete;
-  Shared& operator=(const Shared&) = delete;
+  ~SharedNumber() { ::munmap(number_, sizeof(Number)); }
+  SharedNumber(const SharedNumber&) = delete;
+  SharedNumber& operator=(const SharedNumber&) = delete;
 
   using Number = std::atomic<std::size_t>;
   Number& operator*() { return *static_cast<Number*>(number_); }
@@ -67,7 +67,7 @@ class Shared {
 
 /// Starts `work` on a store again and again, kills it after a random number of runs and a random moment
 /// more, then finishes it by the executor.
-void kill_and_resume(const std::function<void(Store&, Shared::Number& made)>& work) {
+void kill_and_resume(const std::function<void(Store&, SharedNumber::Number& made)>& work) {
   const auto specs = sample::specs(runs);
   Store whole = Store::in_memory();
   run_missing(specs, sample::measures, whole);
@@ -80,7 +80,7 @@ void kill_and_resume(const std::function<void(Store&, Shared::Number& made)>& wo
     const std::string file = folder.file("results.db");
     std::size_t kept = 0;
     for (int attempt = 0; attempt < 3; ++attempt) {
-      Shared made;
+      SharedNumber made;
       const std::size_t target = 1 + rng.index(80);
       const auto more = std::chrono::duration<double, std::milli>(rng.uniform(0.0, 5.0));
       const pid_t pid = child([&] {
@@ -112,7 +112,7 @@ void kill_and_resume(const std::function<void(Store&, Shared::Number& made)>& wo
 }
 
 TEST(KillTest, AnInterruptedCampaignResumesToTheSameBytes) {
-  kill_and_resume([](Store& store, Shared::Number& made) {
+  kill_and_resume([](Store& store, SharedNumber::Number& made) {
     const auto run = [&](std::size_t i) {
       std::this_thread::sleep_for(std::chrono::milliseconds{1});
       ++made;
@@ -125,7 +125,7 @@ TEST(KillTest, AnInterruptedCampaignResumesToTheSameBytes) {
 
 TEST(KillTest, AnInterruptedWriteResumesToTheSameBytes) {
   // nearly all of the time is spent in transactions
-  kill_and_resume([](Store& store, Shared::Number& made) {
+  kill_and_resume([](Store& store, SharedNumber::Number& made) {
     const auto records = sample::records(runs);
     for (std::size_t i = 0; i < runs; i += 4) {
       made += store.contains(records[i].spec.key) ? 0 : 4;

@@ -49,6 +49,37 @@ def test_the_decision_is_that_of_the_command_to_the_bit(fairway_command):
     assert command.mode.name == expected["mode"]
 
 
+def test_what_the_vehicle_can_do_is_shown_to_a_method_that_has_to_turn_it():
+    situation = fw.Situation(
+        period=0.1,
+        own=fw.Ownship(id=0, position=[0, 0, 0], velocity=[1, 0, 0], radius=1),
+        goal=fw.Goal(position=[50, 0, 0], cruise_speed=1),
+        limits=fw.Limits(max_speed=1, sway=False),
+        tracks=[fw.Track(id=1, position=[12, 0.5, 0], velocity=[-1, 0, 0], radius=1)],
+    )
+    avoider = fw.Avoider("direct+trackable")
+    blind = avoider.decide(situation)
+    assert "no envelope is given" in blind.note
+    can = fw.Envelope(
+        ahead=1.5, acceleration=0.5, deceleration=0.5, surge_lag=1, turn_acceleration=0.5, turn_lag=0.5,
+        turn_rates=[0.3, 0.3, 0.3, 0.3],
+    )
+    assert can.turn_rates == (0.3, 0.3, 0.3, 0.3) and can.replace() == can
+    told = avoider.decide(situation.replace(envelope=can))
+    assert told.mode == fw.Mode.avoid and abs(told.turn_rate) > 0.05
+    with pytest.raises(fw.InputError, match="turn_rates: expected 4 of them"):
+        can.replace(turn_rates=[0.3])
+    with pytest.raises(fw.InputError, match="deceleration"):
+        can.replace(deceleration=0)
+
+
+def test_a_situation_of_a_scenario_has_the_envelope_that_its_own_avoider_is_shown():
+    env = fw.FleetEnv("scenarios/otter_in_waves.yaml")
+    env.reset(seed=1)
+    situation = env.situation(0)
+    assert situation.envelope is None or situation.envelope.ahead > 0
+
+
 def test_a_copy_is_a_snapshot():
     avoider = fw.Avoider("avoa", seed=5)
     snapshot = copy.copy(avoider)
