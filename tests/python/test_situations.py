@@ -154,7 +154,7 @@ def test_a_mode_is_one_that_there_is():
             fw.Mode(number)
     with pytest.raises(TypeError):
         fw.Mode("cruise")
-    forged = fw.Mode(1)
+    forged = fw.Mode.__new__(fw.Mode)
     forged.__setstate__(9)
     with pytest.raises(fw.InputError, match="Command.mode: expected one of its names"):
         fw.Command(velocity=[0, 0, 0], mode=forged)
