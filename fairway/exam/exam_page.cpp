@@ -247,7 +247,7 @@ json placings_table(const ExamTable& table, const ExamMargins& margins, const Pa
                {"p", placing.p_adjusted},
                {"runs", cell.runs.size()}};
       if (const auto adds = margins.find({contest.family, cell.name()}); adds != margins.end())
-        row["adds"] = adds->second;
+        row["adds"] = adds->second.empty() ? "" : "adds " + adds->second;
       const json link = runs.mark(json::object(), cell);
       row["$runs"] = link["runs"];
       row["$values"] = link["values"];
@@ -264,7 +264,7 @@ json placings_table(const ExamTable& table, const ExamMargins& margins, const Pa
             column("arrived", "Arrived", "number", 3), column("time", "Time over alone", "number", 2),
             column("rank", "Mean rank", "number", 2), column("cd", "Critical difference", "number", 2),
             column("place", "Place", "text"), column("behind", "Behind in", "text"), column("p", "p", "p"),
-            column("runs", "Runs", "number", 0), column("adds", "Adds", "text")}},
+            column("runs", "Runs", "number", 0), column("adds", "Adds", "remark")}},
           {"rows", std::move(rows)},
           {"filter", {"family", "condition", "method", "place"}},
           {"note",

@@ -239,7 +239,9 @@ TEST(ExamPage, WhatAMethodKeepsClearByItselfStandsBesideItsPlace) {
   EXPECT_EQ(margins_of({.label = "orca3d", .avoider = "orca3d"}, methods), "");
   EXPECT_EQ(
       margins_of({.label = "f", .avoider = "{algorithm: direct+safety_filter, margin_m: 0.8}"}, methods),
-      "margin_m 0.8");
+      "safety_filter margin_m 0.8");
+  EXPECT_EQ(margins_of({.label = "a", .avoider = "avoa+trackable"}, methods),
+            "avoa margin_m 0.25; trackable margin_m 0.3, shown_margin_m 0.4");
 
   const std::vector<ExamRun> runs = sample();
   const nlohmann::json page =
@@ -252,7 +254,7 @@ TEST(ExamPage, WhatAMethodKeepsClearByItselfStandsBesideItsPlace) {
   const auto placings = std::ranges::find(sections, "placings", [](const auto& s) { return s["id"]; });
   const nlohmann::json row = (*placings)["blocks"][0]["rows"][0];
   EXPECT_EQ(row["method"], "careful");
-  EXPECT_EQ(row["adds"], "margin_m 0.8");
+  EXPECT_EQ(row["adds"], "adds margin_m 0.8");
 }
 
 TEST(ExamPage, WhoIsOnTheFrontIsCalledAsEverywhere) {

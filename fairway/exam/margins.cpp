@@ -17,11 +17,15 @@ bool is_margin(std::string_view name) { return name.ends_with("margin_m") || nam
 std::string margins_of(const CampaignAlgorithm& method, const Catalog& methods) {
   const Choice choice = choice_of(method);
   std::string text;
-  for (const ParamInfo& param : methods.params(choice.name)) {
-    if (!is_margin(param.name)) continue;
-    const auto set = std::ranges::find(choice.params, param.name, &ParamValues::value_type::first);
-    const double* value = std::get_if<double>(set == choice.params.end() ? &param.value : &set->second);
-    if (value != nullptr) text += (text.empty() ? "" : ", ") + param.name + " " + number_text(*value);
+  for (const Catalog::Entry* layer : methods.layers(choice.name)) {
+    std::string own;
+    for (const ParamInfo& param : layer->params) {
+      if (!is_margin(param.name)) continue;
+      const auto set = std::ranges::find(choice.params, param.name, &ParamValues::value_type::first);
+      const double* value = std::get_if<double>(set == choice.params.end() ? &param.value : &set->second);
+      if (value != nullptr) own += (own.empty() ? " " : ", ") + param.name + " " + number_text(*value);
+    }
+    if (!own.empty()) text += (text.empty() ? "" : "; ") + std::string(layer->info.name) + own;
   }
   return text;
 }

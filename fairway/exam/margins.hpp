@@ -9,8 +9,9 @@
 
 namespace fairway {
 
-/// "margin_m 0.3, shown_margin_m 0.4": the parameters by which a method keeps farther away than the radii
-/// that everybody is given. Empty where it has none. Throws InputError for an unknown method.
+/// "trackable margin_m 0.3, shown_margin_m 0.4": the parameters by which the layers of a method keep farther
+/// away than the radii that everybody is given. Empty where it has none. Throws InputError for an unknown
+/// method.
 std::string margins_of(const CampaignAlgorithm& method, const Catalog& methods);
 
 /// The same of everybody in a question and of the exam's own methods, by the family and the name in its
