@@ -149,6 +149,6 @@ struct Scenario {
 };
 
 // a fleet has ten thousand of these
-static_assert(sizeof(Choice) <= 112 && sizeof(VehicleSpec) <= 860);
+static_assert(sizeof(Choice) <= 96 && sizeof(VehicleSpec) <= 750);
 
 }  // namespace fairway
