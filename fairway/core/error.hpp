@@ -4,20 +4,18 @@
 #include <stdexcept>
 #include <string>
 
-#include "fairway/core/shared.hpp"
-
 namespace fairway {
 
 /// Where in a file something was written; line and column count from 1, 0 = unknown.
 struct Location {
-  Shared<std::string> file;
+  std::string file;
   int line{};
   int column{};
 
   /// "scenarios/crossing.yaml:14:5: " or empty.
   std::string prefix() const {
     if (file.empty()) return "";
-    std::string text = *file;
+    std::string text = file;
     if (line > 0) text.append(":").append(std::to_string(line)).append(":").append(std::to_string(column));
     return text + ": ";
   }

@@ -131,10 +131,9 @@ class Vicinity {
   }
 
  private:
-  static constexpr std::size_t handful = 24;   // so few are compared faster than lists are kept
-  static constexpr double margin_share = 0.1;  // of what a list reaches
-  // of a list on average, of what it usually has: a third more by the margin, and some to spare
-  static constexpr double list_room = 1.6;
+  static constexpr std::size_t handful = 24;        // so few are compared faster than lists are kept
+  static constexpr std::size_t list_capacity = 32;  // of a list on average
+  static constexpr double margin_share = 0.1;       // of what a list reaches
 
   /// Whoever was near when all were last sorted.
   struct Listed {
@@ -163,8 +162,7 @@ class Vicinity {
 
   /// Everyone's list, or none at all where there would be too much on them.
   void list() {
-    const auto capacity =
-        static_cast<std::size_t>(list_room * lists_.usual_count * static_cast<double>(now_.size()));
+    const std::size_t capacity = list_capacity * now_.size();
     listed_.reserve(capacity);
     begins_.resize(now_.size() + 1);
     listed_.clear();

@@ -138,11 +138,10 @@ Form<std::int32_t> integer(std::int32_t lo, std::int32_t hi) { return whole(lo, 
 namespace {
 
 /// One value, or a list of mappings as flat values: its length, then `key[0].x_m` and so on.
-void read_param(const Value& value, const std::string& key, const Location& where, ParamValues& params,
-                std::vector<Location>& places) {
+void read_param(const Value& value, const std::string& key, const Location& where, Choice& choice) {
   const auto add = [&](std::string name, ParamValue param, const Location& at) {
-    params.emplace_back(std::move(name), std::move(param));
-    places.push_back(at);
+    choice.params.emplace_back(std::move(name), std::move(param));
+    choice.param_where.push_back(at);
   };
   if (!value.tree().is_list()) {
     add(key, value.param(), where);
@@ -190,17 +189,15 @@ Choice read_choice(const Value& value, std::string_view name_key, Needed needed,
   if (!value.tree().is_map())
     value.expected("a name, or a mapping of " + std::string(name_key) + " and parameters");
 
-  std::vector<Location> places;
   for (std::size_t i = 0; i < value.tree().keys.size(); ++i) {
     const std::string& key = value.tree().keys[i];
     if (key == name_key) {
       choice.name = name().read(value.entry(i));
       choice.where = value.tree().items[i].where.location();
     } else if (std::ranges::find(except, key) == except.end()) {
-      read_param(value.entry(i), key, value.tree().where_of(i).location(), choice.params, places);
+      read_param(value.entry(i), key, value.tree().where_of(i).location(), choice);
     }
   }
-  choice.param_where = std::move(places);
   if (choice.name.empty() && needed == Needed::yes && !value.reading().partial) {
     value.refuse("the key " + std::string(name_key) + " is missing");
   }
@@ -209,11 +206,10 @@ Choice read_choice(const Value& value, std::string_view name_key, Needed needed,
 
 ParamValues read_params(const Value& value) {
   value.expect_map("parameters and their values");
-  ParamValues params;
-  std::vector<Location> places;
+  Choice choice;
   for (std::size_t i = 0; i < value.tree().keys.size(); ++i)
-    read_param(value.entry(i), value.tree().keys[i], {}, params, places);
-  return params;
+    read_param(value.entry(i), value.tree().keys[i], {}, choice);
+  return std::move(choice.params);
 }
 
 Tree write_choice(const Choice& choice, std::string_view name_key) {

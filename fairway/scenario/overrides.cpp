@@ -44,7 +44,8 @@ using Step = std::variant<std::string, std::size_t, Every>;
 class Override {
  public:
   Override(const std::string& path, const std::string& value)
-      : path_{path}, where_{.source = std::string(override_prefix) + path} {
+      : path_{path},
+        where_{.source = std::make_shared<const std::string>(std::string(override_prefix) + path)} {
     parse_path();
     value_ = parse_tree(value, *where_.source, /*located=*/false);
   }

@@ -58,7 +58,8 @@ class Columns {
 /// own and refuses, while reading, whatever would grow beyond the bounds.
 class Builder : public YAML::EventHandler {
  public:
-  Builder(Shared<std::string> source, const Columns& columns, bool located, std::size_t most_nodes)
+  Builder(std::shared_ptr<const std::string> source, const Columns& columns, bool located,
+          std::size_t most_nodes)
       : source_{std::move(source)}, columns_{columns}, located_{located}, most_nodes_{most_nodes} {}
 
   Tree& root() { return root_; }
@@ -187,7 +188,7 @@ class Builder : public YAML::EventHandler {
     }
   }
 
-  Shared<std::string> source_;
+  std::shared_ptr<const std::string> source_;
   const Columns& columns_;
   bool located_;
   std::size_t most_nodes_;
@@ -252,14 +253,15 @@ Tree parse_tree(std::string_view yaml, const std::string& source, bool located) 
   refuse_brackets(yaml, source, located);
 
   const Columns columns{yaml};
-  Builder builder{source, columns, located, std::max(max_tree_nodes, yaml.size())};
+  Builder builder{std::make_shared<const std::string>(source), columns, located,
+                  std::max(max_tree_nodes, yaml.size())};
   try {
     std::istringstream stream{std::string(yaml)};
     YAML::Parser parser{stream};
     if (!parser.HandleNextDocument(builder)) return {.where = builder.at({})};
 
     Tree root = std::move(builder.root());
-    Builder second{source, columns, located, max_tree_nodes};
+    Builder second{std::make_shared<const std::string>(source), columns, located, max_tree_nodes};
     if (parser.HandleNextDocument(second))
       throw InputError({source}, "", "more than one document; keep one per file");
     return root;

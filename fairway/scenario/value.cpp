@@ -51,8 +51,8 @@ std::string Bounds::text() const {
 
 void refuse_at(const Where& where, const std::string& path, const std::string& message) {
   const Location location = where.location();
-  const bool said = location.file->starts_with(override_prefix) &&
-                    std::string_view(*location.file).substr(override_prefix.size()) == path;
+  const bool said = location.file.starts_with(override_prefix) &&
+                    std::string_view(location.file).substr(override_prefix.size()) == path;
   throw InputError(location, said ? "" : path, message);
 }
 

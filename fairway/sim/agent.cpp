@@ -30,7 +30,7 @@ InputError located(const Choice& choice, const InputError& error) {
     const std::string& param = choice.params[i].first;
     if (!message.starts_with(param + ":")) continue;
     const Location& where = i < choice.param_where.size() ? choice.param_where[i] : choice.where;
-    return InputError(where, *choice.path + "." + param, message.substr(param.size() + 2));
+    return InputError(where, choice.path + "." + param, message.substr(param.size() + 2));
   }
   return InputError(choice.where, choice.path, message);
 }

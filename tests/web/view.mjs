@@ -124,6 +124,7 @@ async function look_at_long_names(sample) {
     const labels = await page.locator('.stage-label.name:visible').evaluateAll((all) => all.map((label) => ({ text: label.textContent, width: label.offsetWidth })));
     expect(labels.length > 0 && labels.every(({ text, width }) => text.endsWith('…') && width <= 230), `in the picture: ${JSON.stringify(labels)}`);
     await page.locator('summary', { hasText: 'Charts' }).first().click();
+    await page.waitForFunction((count) => document.querySelectorAll('.vehicle-key li span').length === count, named.scene.vehicles.length);
     const entries = await page.locator('.vehicle-key li span').evaluateAll((all) => all.map((name) => name.scrollWidth > name.clientWidth && name.clientWidth < 320));
     expect(entries.length === named.scene.vehicles.length && entries.every(Boolean), `in the legend: ${entries}`);
   });
