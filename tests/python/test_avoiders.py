@@ -73,13 +73,6 @@ def test_what_the_vehicle_can_do_is_shown_to_a_method_that_has_to_turn_it():
         can.replace(deceleration=0)
 
 
-def test_a_situation_of_a_scenario_has_the_envelope_that_its_own_avoider_is_shown():
-    env = fw.FleetEnv("scenarios/otter_in_waves.yaml")
-    env.reset(seed=1)
-    situation = env.situation(0)
-    assert situation.envelope is None or situation.envelope.ahead > 0
-
-
 def test_a_copy_is_a_snapshot():
     avoider = fw.Avoider("avoa", seed=5)
     snapshot = copy.copy(avoider)

@@ -319,3 +319,12 @@ def test_a_seed_that_is_none_is_refused(seed):
 
 def test_the_largest_seed_is_one():
     assert FleetEnv(CROSSING).reset(seed=np.uint64(2**64 - 1))[1]["seed"] == 2**64 - 1
+
+
+def test_a_situation_has_the_envelope_where_its_own_avoider_is_shown_it():
+    env = FleetEnv(ROOT / "scenarios" / "surface_head_on.yaml")
+    env.reset(seed=1)
+    assert env.situation().envelope.ahead == pytest.approx(1.5)
+    env = FleetEnv(CROSSING)
+    env.reset(seed=1)
+    assert env.situation().envelope is None
