@@ -190,7 +190,7 @@ PlaneChoice chosen_at(std::span<const HalfPlane> half_planes, const Vec2& x, dou
 /// ever. The point of the hard ones alone, to the bit, where they leave no other.
 PlaneChoice among_contradictions(const PlaneProgram& program, const Vec2& wanted, double scale) {
   const std::span<const HalfPlane> all = program.half_planes, hard = all.first(program.hard_count);
-  const PlaneChoice of_hard = nearest_in_plane({hard, 0, program.max_length}, wanted);
+  PlaneChoice of_hard = nearest_in_plane({hard, 0, program.max_length}, wanted);
   if (hard.size() == all.size()) return of_hard;
 
   const double back = largest_violation(hard, of_hard.point);

@@ -25,7 +25,6 @@ constexpr double aside_within = 0.5;  // of a place to which a member goes aside
 constexpr int patient_rounds = 2;     // without a plan, before a member goes aside
 constexpr double at_rest = 0.05;      // slower than this a member is held [m/s]
 constexpr double settling = 4.0;      // for so long, before it departs, a member turns to its course [s]
-constexpr double drifting = 3.0;      // for which it is foretold how far a member will be off [s]
 constexpr double resting = 12.0;      // at rest for so long, who was lost is held again [s]
 constexpr double same_place = 0.2;    // as near to each other two destinations are one [m]
 
@@ -90,15 +89,6 @@ bool is_in_the_way(const Situation& s, const Agreement& agreement, bool is_besid
   const double until = s.time + threatened;
   return agreement.meets_lost(here, s.time, until) ||
          (is_beside && agreement.meets_moving(here, s.time, until));
-}
-
-/// Off its tube by as much again, or on its way there.
-bool is_off(const Situation& s, const Reference& way, double tube) noexcept {
-  const auto off_in = [&](double time) {
-    return (way.at(s.time + time) - s.own.position - time * s.own.velocity).norm();
-  };
-  const double off = off_in(0.0);
-  return off > 2.0 * tube || (off > tube && off_in(drifting) > 2.0 * tube);
 }
 
 }  // namespace
@@ -274,10 +264,10 @@ void Pledge::aim(const Situation& s, const pledge::Chart& chart, Memory& memory)
   if ((told - member.destination).norm() > same_place) agreement.hold(member, aside);
 }
 
-/// Who is off is lost. Who is held and leaves its tube tells another anchor, unless it is about to depart.
-/// Who would come near somebody who is lost, or is held beside its promised way, or near something that it
-/// did not know to stand there, stops where it is and is held there; who is in the way of others goes out of
-/// it, and tells where it is by then.
+/// Who is off its tube by as much again is lost; before that it is best to come back. Who is held and leaves
+/// its tube tells another anchor, unless it is about to depart. Who would come near somebody who is lost, or
+/// is held beside its promised way, or near something that it did not know to stand there, stops where it is
+/// and is held there; who is in the way of others goes out of it, and tells where it is by then.
 void Pledge::watch(const Situation& s, const pledge::Chart& chart, Memory& memory) const noexcept {
   Agreement& agreement = memory.agreement;
   if (agreement.status() == pledge::Status::lost) return recover(s, memory);
@@ -295,7 +285,8 @@ void Pledge::watch(const Situation& s, const pledge::Chart& chart, Memory& memor
     return;
   }
   memory.gives_way = memory.is_beside = false;
-  if (is_off(s, *way, params.tube_m)) {
+  const double off = (way->at(s.time) - s.own.position).norm();
+  if (off > 2.0 * params.tube_m) {
     lose(s, memory);
   } else if (agreement.meets_lost(*way, s.time, s.time + soon) ||
              agreement.meets_held(*way, s.time, s.time + soon) ||
