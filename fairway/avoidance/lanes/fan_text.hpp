@@ -75,8 +75,8 @@ struct Begun {
   }
 };
 
-template <std::size_t N>
-void roll_in_lanes(trackable::Fan &fan) {
+template <std::size_t N, bool looks_within>
+void roll_fan(trackable::Fan &fan) {
   using Real = Pack<N>;
   const trackable::Response &can = *fan.response;
   const Begun<N> plan{fan};
@@ -105,7 +105,7 @@ void roll_in_lanes(trackable::Fan &fan) {
     for (std::size_t i = 0; i < fan.hazard_count; ++i) {
       if (k < fan.first_steps[i]) continue;
       Real d2 = trackable::distance2<Real>(fan.hazards[i], time, m.north, m.east);
-      if (fan.within2 != nullptr && fan.within2[i] > 0.0) {
+      if (looks_within && fan.within2[i] > 0.0) {
         const Real within2 = trackable::distance2_within<Real>(fan.hazards[i], before, before_north,
                                                                before_east, time, m.north, m.east);
         const PackMask<N> is_met = within2 < fan.within2[i];
@@ -128,6 +128,14 @@ void roll_in_lanes(trackable::Fan &fan) {
   for (std::size_t i = 0; i < fan.hazard_count; ++i)
     room = smaller<Real>(room, square_root(least2[i]) - fan.hazards[i].contact);
   room.to(fan.room);
+}
+
+template <std::size_t N>
+void roll_in_lanes(trackable::Fan &fan) {
+  if (fan.within2 != nullptr)
+    roll_fan<N, true>(fan);
+  else
+    roll_fan<N, false>(fan);
 }
 
 }  // namespace fairway::lanes

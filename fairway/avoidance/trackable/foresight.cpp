@@ -190,8 +190,10 @@ Foresight::Bounds Foresight::bounds(double speed, double turn_rate) const noexce
     all.near2[i] = std::min(squared(contact + kept) + squared(0.5 * way), squared(left));
     all.within2[i] = 0.0;
     const double gap = distances_[i] - contact;
-    const double deep = squared(contact) - squared(std::max(0.0, contact - most_graze));
-    if (gap > 0.0 && all.near2[i] == squared(left) && squared(0.5 * way) > deep) {
+    const auto leads_deep = [&] {
+      return squared(0.5 * way) > squared(contact) - squared(std::max(0.0, contact - most_graze));
+    };
+    if (all.near2[i] == squared(left) && gap > 0.0 && leads_deep()) {
       const bool goes_past = gap > kept && way > contact + kept;
       const double least = contact + std::min(goes_past ? kept : sagitta, kept_of_lost * gap);
       if (squared(left) < squared(least) + squared(0.5 * way)) {
