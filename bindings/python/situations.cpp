@@ -245,9 +245,10 @@ void bind_situation(py::module_& m) {
       .field("link", &OwnedSituation::link, "Link, or None unless the method speaks and has somebody to hear")
       .field("current", &OwnedSituation::current,
              "of the water, as estimated on board, 0 if unknown [m/s, NED]")
-      .field(
-          "attendance", &OwnedSituation::attendance,
-          "of a method that speaks: \"waiting\" and \"ready\" at a rendezvous, \"arrived\" after the mission")
+      .field("attendance", &OwnedSituation::attendance,
+             "of a method that speaks: \"waiting\" and \"ready\" at a rendezvous, \"arrived\" after the "
+             "mission, "
+             "\"kept\" while it is stopped")
       .finish(settle)
       .def_property_readonly(
           "preferred_velocity",

@@ -37,7 +37,10 @@ class NearestFew {
     return place;
   }
 
-  /// Those that have a place keep it, but for those beyond the first `most`.
+  /// The first `count` places are taken for good.
+  void take(std::size_t count) noexcept { count_ = kept_ = std::min(count, N); }
+
+  /// Of those that have a place the first `most` keep it.
   void keep(std::size_t most = N) noexcept {
     kept_ = std::min(count_, most);
     farthest_ = N;

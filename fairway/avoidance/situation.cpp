@@ -45,19 +45,6 @@ bool are_usable(std::span<const Track> tracks) {
   return std::ranges::all_of(tracks, [](const Track& track) { return is_usable(track); });
 }
 
-bool is_usable(const Obstacle& obstacle) {
-  switch (obstacle.kind) {
-    case Obstacle::Kind::sphere:
-      return is_finite(obstacle.position) && is_length(obstacle.radius);
-    case Obstacle::Kind::segment:
-      return is_finite(obstacle.from) && is_finite(obstacle.to);
-    case Obstacle::Kind::polygon:
-      return obstacle.vertices.size() >= 3 &&
-             std::ranges::all_of(obstacle.vertices, [](const Vec3& v) { return is_finite(v); });
-  }
-  return false;
-}
-
 }  // namespace
 
 std::string_view why_unusable(const Situation& s) noexcept {
@@ -81,7 +68,7 @@ std::string_view why_unusable(const Situation& s) noexcept {
   if (!(s.limits.min_depth <= s.limits.max_depth)) return "the ceiling is not above the floor";
   if (!is_length(s.limits.min_speed)) return "the least speed is not a speed";
   if (!are_usable(s.tracks)) return "a track has a number that is not finite, or no radius";
-  if (!std::ranges::all_of(s.obstacles, [](const Obstacle& o) { return is_usable(o); }))
+  if (!std::ranges::all_of(s.obstacles, has_shape))
     return "an obstacle has a number that is not finite, or no extent";
   if (s.envelope != nullptr) return why_unusable(*s.envelope);
   return {};

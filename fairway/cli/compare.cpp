@@ -11,6 +11,7 @@
 #include "fairway/cli/paths.hpp"
 #include "fairway/cli/program.hpp"
 #include "fairway/core/error.hpp"
+#include "fairway/core/names.hpp"
 #include "fairway/experiment/store.hpp"
 #include "fairway/experiment/stored_results.hpp"
 
@@ -20,14 +21,17 @@ namespace {
 /// Leaves the measures of these quantities alone; all of them where none is named, or `all`.
 void keep_quantities(std::vector<RunRecord>& records, const std::vector<std::string>& quantities) {
   if (quantities.empty() || quantities == std::vector<std::string>{"all"}) return;
-  std::set<std::string> unknown(quantities.begin(), quantities.end());
+  std::set<std::string> measured;
   for (RunRecord& record : records) {
     std::erase_if(record.measures, [&](const Measure& m) {
-      unknown.erase(m.quantity);
+      measured.insert(m.quantity);
       return std::ranges::find(quantities, m.quantity) == quantities.end();
     });
   }
-  if (!unknown.empty()) throw InputError("no run measured " + *unknown.begin());
+  for (const std::string& quantity : quantities)
+    if (!measured.contains(quantity))
+      throw InputError("no run measured " + quantity +
+                       suggestion(quantity, {measured.begin(), measured.end()}));
 }
 
 }  // namespace

@@ -66,8 +66,7 @@ std::pair<std::string, std::string> split_setting(const std::string& text);
 ParamValues settings_of(const std::vector<std::string>& texts);
 
 /// `--set path=value` as overrides of a scenario. Throws InputError for a repeated path, and for the seed
-/// where
-/// --seed gives it.
+/// where --seed gives it.
 Overrides overrides_of(const std::vector<std::string>& texts, const std::optional<std::uint64_t>& seed = {});
 
 /// Where `path` of what comes with fairway is, such as "scenarios": in the folder that one is in, else where

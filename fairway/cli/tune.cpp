@@ -87,10 +87,15 @@ std::vector<std::string> inputs_of(const TuneFlags& flags, const TuningFile& tun
 }
 
 /// What the search rests on: the specification and its scenarios, as they are written.
-std::string specification_digest(const TuneFlags& flags, const TuningFile& tuning) {
-  Digest digest;
+Digest& add_specification(Digest& digest, const TuneFlags& flags, const TuningFile& tuning) {
   for (const std::string& file : inputs_of(flags, tuning)) digest.add(read_text(file));
-  return digest.hex();
+  return digest;
+}
+
+/// By which a result is known to be of this search, whatever the budget.
+nlohmann::json search_of(const TuneFlags& flags, const TuningFile& tuning) {
+  Digest digest;
+  return {{"specification", add_specification(digest, flags, tuning).hex()}, {"seed", flags.seed}};
 }
 
 /// A result that is there stays, unless it is of the same search with whatever budget, or of one by a fairway
@@ -99,9 +104,7 @@ void refuse_result_of_another(const TuneFlags& flags, const Task& task) {
   std::ifstream file{task.files.document};
   const nlohmann::json document = nlohmann::json::parse(file, nullptr, false);
   if (!document.is_object() || !document.contains("search")) return;
-  const nlohmann::json search{{"specification", specification_digest(flags, task.tuning)},
-                              {"seed", flags.seed}};
-  if (document["search"] == search) return;
+  if (document["search"] == search_of(flags, task.tuning)) return;
   throw InputError(
       task.files.document +
       ": is the result of another search: of another specification, scenario or --seed; expected "
@@ -114,8 +117,7 @@ std::string digest_of(const TuneFlags& flags, const TuningFile& tuning, const Sh
   digest.add(std::to_string(flags.budget));
   digest.add(std::to_string(flags.seed));
   digest.add(std::to_string(shard.count));
-  for (const std::string& file : inputs_of(flags, tuning)) digest.add(read_text(file));
-  return digest.hex();
+  return add_specification(digest, flags, tuning).hex();
 }
 
 RunMaker maker_for(const Program& program) {
@@ -171,7 +173,7 @@ nlohmann::json write_result(const TuneFlags& flags, const Task& task, const Tuni
   const auto& [tuning, files] = task;
   write_file(files.avoider, tuned_avoider(tuning, result, program.typed));
   nlohmann::json document = to_json(tuning, result);
-  document["search"] = {{"specification", specification_digest(flags, tuning)}, {"seed", flags.seed}};
+  document["search"] = search_of(flags, tuning);
   write_file(files.document, document.dump(2) + "\n");
   if (!flags.json)
     std::cout << tuning_text(tuning, result) << "wrote " << files.avoider << "\n" << std::flush;

@@ -2,6 +2,7 @@
 #include "fairway/experiment/campaign_file.hpp"
 
 #include <algorithm>
+#include <span>
 
 #include "fairway/core/names.hpp"
 #include "fairway/experiment/campaign_forms.hpp"
@@ -100,8 +101,7 @@ std::vector<std::string> read_quantities(const Value& value) {
   std::vector<std::string> names = yaml::list_of(yaml::name(), "names of quantities").read(value);
   if (names == std::vector<std::string>{"all"}) return names;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    if (std::find(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(i), names[i]) !=
-        names.begin() + static_cast<std::ptrdiff_t>(i))
+    if (std::ranges::count(std::span{names}.first(i), names[i]) > 0)
       value.entry(i).refuse(yaml::shown(names[i]) + " is given twice");
     if (std::ranges::find(known, names[i], &QuantityInfo::name) != known.end()) continue;
     std::vector<std::string_view> all;

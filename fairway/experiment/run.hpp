@@ -18,9 +18,8 @@ struct RunSpec {
   std::string key;  ///< unique: a digest of everything that decides the run's outcome
   Labels labels;
   std::uint64_t seed{};
-  std::string command;  ///< that makes this run alone, up to the seed, which ends it; empty if not known
-  std::string
-      version{};  ///< of its cell, whatever the seed: runs of two are not of one case; empty if not known
+  std::string command;    ///< that makes this run alone, up to the seed, which ends it; empty if not known
+  std::string version{};  ///< of its cell: runs of two are not of one case; empty if not known
 };
 
 /// The whole command line that makes a run alone, or empty if it is not known.

@@ -57,17 +57,15 @@ void write(const Agent& agent, Tick now, bool is_told, Message& message) {
   const Leg* leg = agent.mission.leg();
   const bool going =
       leg != nullptr && leg->kind != LegKind::rendezvous && leg->kind != LegKind::keep_position;
-  message.from = agent.ship().id;
-  message.sent = now;
-  message.position = agent.own.position;
-  message.velocity = agent.own.velocity;
-  message.yaw = agent.own.yaw;
-  message.radius = agent.ship().radius;
-  message.priority = agent.own.priority;
-  message.destination.reset();
-  if (going) message.destination = leg->position;
-  message.told = is_told;
-  message.speech = {};
+  message = {.from = agent.ship().id,
+             .sent = now,
+             .position = agent.own.position,
+             .velocity = agent.own.velocity,
+             .yaw = agent.own.yaw,
+             .radius = agent.ship().radius,
+             .priority = agent.own.priority,
+             .destination = going ? std::optional{leg->position} : std::nullopt,
+             .told = is_told};
 }
 
 Viewpoint viewpoint_of(const Agent& agent) {

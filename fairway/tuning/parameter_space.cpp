@@ -5,8 +5,6 @@
 
 namespace fairway {
 
-double rounded(double value) { return to_six_digits(value); }
-
 std::string value_text(const TunedParameter& parameter, double value) {
   if (parameter.kind == TunedParameter::Kind::choice)
     return parameter.choices[static_cast<std::size_t>(value)];

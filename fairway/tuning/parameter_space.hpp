@@ -28,9 +28,6 @@ using Setting = std::vector<double>;
 /// The YAML of a value: 12.5, 8, starboard.
 std::string value_text(const TunedParameter& parameter, double value);
 
-/// A number with as many digits as a setting has, six: what is tried is what is written.
-double rounded(double value);
-
 /// `avoider`, a mapping on one line or a name, with the values of `setting` in it.
 std::string avoider_text(const std::string& avoider, const std::vector<TunedParameter>& parameters,
                          const Setting& setting);

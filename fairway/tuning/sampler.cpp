@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fairway/core/math.hpp"
+#include "fairway/core/text.hpp"
 
 namespace fairway {
 namespace {
@@ -29,7 +30,7 @@ double value_at(const TunedParameter& parameter, double place) {
   const auto [lo, hi] = parameter.range;
   const double value =
       parameter.logarithmic ? lo * math::exp(place * math::log(hi / lo)) : lo + place * (hi - lo);
-  return std::clamp(rounded(value), lo, hi);
+  return std::clamp(to_six_digits(value), lo, hi);  // what is tried is what is written
 }
 
 }  // namespace

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fairway/core/text.hpp"
+
 namespace fairway {
 namespace {
 
@@ -48,7 +50,7 @@ TEST(Sampler, EveryDrawIsInItsRangeAndWhole) {
     const Setting s = sampler.ask();
     EXPECT_GE(s[0], 1.0);
     EXPECT_LE(s[0], 100.0);
-    EXPECT_EQ(s[0], rounded(s[0])) << "what is tried is what is written";
+    EXPECT_EQ(s[0], to_six_digits(s[0])) << "what is tried is what is written";
     EXPECT_EQ(s[1], std::round(s[1]));
     EXPECT_GE(s[1], 1.0);
     EXPECT_LE(s[1], 20.0);

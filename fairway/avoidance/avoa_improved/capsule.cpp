@@ -3,25 +3,18 @@
 
 #include <algorithm>
 
+#include "fairway/core/segments.hpp"
+
 namespace fairway::avoa_improved {
 namespace {
 
-double cross_of(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
-/// From `p` to the segment from `a` to `b`.
-double distance_to_segment(const Vec2& a, const Vec2& b, const Vec2& p) {
+/// From `p` to the segment from `a` to `b`; rounded otherwise than in core, and decisions rest on it.
+double distance_to_axis_of(const Vec2& a, const Vec2& b, const Vec2& p) {
   const Vec2 along = b - a;
   const double square = along.squaredNorm();
   if (square <= 0.0) return (p - a).norm();
   const double share = std::clamp(along.dot(p - a) / square, 0.0, 1.0);
   return (p - a - share * along).norm();
-}
-
-bool cross_each_other(const Vec2& a, const Vec2& b, const Vec2& p, const Vec2& q) {
-  const auto apart = [](const Vec2& from, const Vec2& to, const Vec2& one, const Vec2& other) {
-    return cross_of(to - from, one - from) * cross_of(to - from, other - from) < 0.0;
-  };
-  return apart(a, b, p, q) && apart(p, q, a, b);
 }
 
 bool is_at(const Capsule& one, const Capsule& other, double within) {
@@ -31,14 +24,14 @@ bool is_at(const Capsule& one, const Capsule& other, double within) {
 }  // namespace
 
 double distance_to_axis(const Capsule& solid, const Vec2& p) noexcept {
-  return distance_to_segment(solid.from, solid.to, p);
+  return distance_to_axis_of(solid.from, solid.to, p);
 }
 
 double distance_to_axis(const Capsule& solid, const Vec2& p, const Vec2& q) noexcept {
-  if (solid.is_disc()) return distance_to_segment(p, q, solid.from);
+  if (solid.is_disc()) return distance_to_axis_of(p, q, solid.from);
   if (cross_each_other(solid.from, solid.to, p, q)) return 0.0;
   return std::min({distance_to_axis(solid, p), distance_to_axis(solid, q),
-                   distance_to_segment(p, q, solid.from), distance_to_segment(p, q, solid.to)});
+                   distance_to_axis_of(p, q, solid.from), distance_to_axis_of(p, q, solid.to)});
 }
 
 void Capsules::add_near(const Capsule& solid, const Vec2& own) noexcept {

@@ -62,8 +62,7 @@ orca::Change change_for(const Obstacle& obstacle, const SurfacePoint& surface, c
 std::size_t add_obstacles(const Situation& s, const OrcaParams& params, HalfSpaces& half_spaces,
                           std::size_t tracks) {
   if (s.obstacles.empty()) return tracks;
-  for (std::size_t i = 0; i < tracks; ++i) (void)half_spaces.places.place_for(0.0);
-  half_spaces.places.keep();
+  half_spaces.places.take(tracks);
   for (const Obstacle& obstacle : s.obstacles) {
     const SurfacePoint surface = nearest_point(obstacle, s.own.position);
     if (surface.distance > params.crit_dist_m) continue;

@@ -66,13 +66,6 @@ void Stretch::keep_disc(const Boundary& line, const Vec2& centre, double radius)
   to = std::min(to, along + half);
 }
 
-Vec2 nearest_on_segment(const Vec2& a, const Vec2& b, const Vec2& v) noexcept {
-  const Vec2 ab = b - a;
-  const double length2 = ab.squaredNorm();
-  const double t = length2 > 0.0 ? std::clamp((v - a).dot(ab) / length2, 0.0, 1.0) : 0.0;
-  return a + t * ab;
-}
-
 Vec2 nearest(const Boundary& boundary, const Vec2& v) noexcept {
   const Vec2 out = v - boundary.point;
   if (boundary.is_line()) return boundary.point + out.dot(boundary.direction) * boundary.direction;

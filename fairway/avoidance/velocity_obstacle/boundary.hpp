@@ -12,9 +12,6 @@ namespace fairway::velocity_obstacle {
 /// `a` turned to starboard by the angle of that cosine and sine.
 inline Vec2 turned(const Vec2& a, double cosine, double sine) { return cosine * a + sine * starboard_of(a); }
 
-/// The point of the segment from `a` to `b` that is nearest to `v`.
-Vec2 nearest_on_segment(const Vec2& a, const Vec2& b, const Vec2& v) noexcept;
-
 /// What a set of velocities ends at: a whole line or a whole circle. [m/s]
 struct Boundary {
   Vec2 point;      ///< on the line, or the circle's centre

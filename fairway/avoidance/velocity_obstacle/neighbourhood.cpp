@@ -6,6 +6,7 @@
 #include "fairway/avoidance/label.hpp"
 #include "fairway/avoidance/lanes/kernel.hpp"
 #include "fairway/avoidance/parting.hpp"
+#include "fairway/core/segments.hpp"
 
 namespace fairway::velocity_obstacle {
 namespace {
@@ -105,7 +106,7 @@ void Neighbourhood::add_polygon(const Obstacle& polygon, const Situation& s, con
 
 void Neighbourhood::add_solid(const RelativeCapsule& solid, const Params& params) noexcept {
   const double range = params.crit_dist_m + solid.radius;
-  const Vec2 nearest = nearest_on_segment(solid.from, solid.to, Vec2::Zero());
+  const Vec2 nearest = nearest_on_segment<Vec2>(solid.from, solid.to, Vec2::Zero());
   const double distance = nearest.norm();
   if (distance > range) return;
   const std::size_t at = places_.place_for(distance - solid.radius);

@@ -5,6 +5,7 @@
 
 #include "fairway/core/angles.hpp"
 #include "fairway/core/math.hpp"
+#include "fairway/core/segments.hpp"
 
 namespace fairway::velocity_obstacle {
 namespace {
@@ -48,7 +49,7 @@ VelocityObstacle::VelocityObstacle(const RelativeCapsule& solid, const Horizons&
       gain_{1.0} {
   cone_.is_disc = from_ == to_;
   begin_at({solid.velocity.x(), solid.velocity.y(), 1.0 / outlook.horizon});
-  const Vec2 p = nearest_on_segment(from_, to_, Vec2::Zero());
+  const Vec2 p = nearest_on_segment<Vec2>(from_, to_, Vec2::Zero());
   const double d = p.norm();
   cone_.overlaps = solid.within || d <= radius_ * (1.0 + in_line);
   if (cone_.overlaps) {

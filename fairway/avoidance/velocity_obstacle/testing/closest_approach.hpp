@@ -6,6 +6,7 @@
 
 #include "fairway/avoidance/velocity_obstacle/velocity_obstacle.hpp"
 #include "fairway/core/angles.hpp"
+#include "fairway/core/segments.hpp"
 
 /// What a velocity obstacle is by its definitions, without its geometry.
 namespace fairway::velocity_obstacle {
@@ -20,7 +21,7 @@ inline double closest_approach(const RelativeCapsule& solid, const Vec2& w, doub
   };
   if (parts(origin, end, solid.from, solid.to) && parts(solid.from, solid.to, origin, end)) return 0.0;
   const auto apart = [](const Vec2& p, const Vec2& a, const Vec2& b) {
-    return (p - nearest_on_segment(a, b, p)).norm();
+    return distance_to_segment<Vec2>(a, b, p);
   };
   return std::min({apart(origin, solid.from, solid.to), apart(end, solid.from, solid.to),
                    apart(solid.from, origin, end), apart(solid.to, origin, end)});

@@ -6,6 +6,7 @@
 #include "fairway/avoidance/velocity_obstacle/choice.hpp"
 #include "fairway/core/angles.hpp"
 #include "fairway/core/rng.hpp"
+#include "fairway/core/segments.hpp"
 
 namespace fairway::velocity_obstacle {
 
@@ -30,7 +31,7 @@ inline RelativeCapsule any_wall(Rng& rng) {
     solid.radius = rng.uniform(0.0, 2.0);
     solid.from = rng.uniform(0.1, 15.0) * any_direction(rng);
     solid.to = solid.from + rng.uniform(0.0, 15.0) * any_direction(rng);
-  } while (nearest_on_segment(solid.from, solid.to, Vec2::Zero()).norm() <= solid.radius * 1.001);
+  } while (nearest_on_segment<Vec2>(solid.from, solid.to, Vec2::Zero()).norm() <= solid.radius * 1.001);
   return solid;
 }
 
