@@ -12,6 +12,7 @@
 #include <tuple>
 
 #include "fairway/cli/decision_clock.hpp"
+#include "fairway/cli/exam_playbacks.hpp"
 #include "fairway/cli/listing.hpp"
 #include "fairway/cli/numbers.hpp"
 #include "fairway/cli/outputs.hpp"
@@ -45,6 +46,7 @@ struct ExamFlags {
   unsigned jobs{0};
   bool add{false};
   bool as_it_is{false};
+  bool playbacks{false};
   bool json{false};
 };
 
@@ -190,11 +192,20 @@ std::string makers_of(const Store& store) {
   return text;
 }
 
-void write_exam(const ExamFlags& flags, const ExamFile& exam, const ExamQuestion& question,
-                const ExamPlan& plan, const std::vector<ExamRun>& runs, const std::string& maker,
-                const std::vector<DecisionTime>& times, const Program& program) {
+int told_interrupted() {
+  std::cerr << "fairway: interrupted; the same command goes on from here\n";
+  return interrupted;
+}
+
+int write_exam(const ExamFlags& flags, const ExamFile& exam, const ExamQuestion& question,
+               const ExamPlan& plan, const std::vector<ExamRun>& runs, const std::string& maker,
+               const std::vector<DecisionTime>& times, const Program& program) {
   const ExamFiles files = exam_files_in(flags.out);
   const ExamTable table = exam_table(runs, order_of(exam, question, runs));
+  const std::vector<WorstRun> worst = worst_runs(table);
+  const std::optional<ExamPlaybacks> playbacks =
+      exam_playbacks(worst, plan, flags.out, flags.playbacks, flags.jobs, program);
+  if (!playbacks) return told_interrupted();
   ExamReference reference{.epoch = results_epoch, .maker = maker, .grounds = {}, .runs = runs};
   for (const ExamFamily& family : question.families)
     if (std::ranges::find(runs, family.name, &ExamRun::family) != runs.end())
@@ -212,6 +223,8 @@ void write_exam(const ExamFlags& flags, const ExamFile& exam, const ExamQuestion
                                .conditions = question.conditions,
                                .absences = plan.absences,
                                .decision_times = times,
+                               .worst = worst,
+                               .playback = [&](const ExamRun& run) { return page_of(*playbacks, run); },
                                .margins = margins_in(exam, question, program.catalogs.avoiders),
                                .command = program.typed,
                                .origin = "Made by " + maker + "."})
@@ -219,21 +232,7 @@ void write_exam(const ExamFlags& flags, const ExamFile& exam, const ExamQuestion
              files.page);
   std::cout << (flags.json ? document.dump(2) + "\n"
                            : table_text(table, plan.absences) + "wrote " + files.page + "\n");
-}
-
-/// Leaves the runs of the cells whose every run is stored; the others are told.
-void keep_complete_cells(ExamPlan& plan, const Store& store) {
-  const auto cell_of = [](const RunSpec& spec) { return without_label(spec.labels, "case"); };
-  std::set<Labels> incomplete;
-  for (const RunSpec& spec : plan.campaign.specs)
-    if (!store.contains(spec.key)) incomplete.insert(cell_of(spec));
-  keep_runs(plan.campaign, [&](const RunSpec& spec) { return !incomplete.contains(cell_of(spec)); });
-  for (const Labels& cell : incomplete)
-    plan.absences.push_back({.family = *find_label(cell, "family"),
-                             .condition = *find_label(cell, "condition"),
-                             .method = *find_label(cell, "method"),
-                             .tuned = *find_label(cell, "tuned") == "true",
-                             .why = "has not been run"});
+  return ok;
 }
 
 /// A table of runs lies there that this folder's exam cannot have made, since it has no runs.
@@ -327,8 +326,7 @@ int hold_exam(const ExamFlags& flags, const Outputs& outputs, const Program& pro
                          },
                          store, {.jobs = flags.jobs, .progress = &progress, .stop = program.stop})
                  .stopped) {
-    std::cerr << "fairway: interrupted; the same command goes on from here\n";
-    return interrupted;
+    return told_interrupted();
   }
   std::vector<ExamRun> runs;
   for (const RunRecord& record : records_of(plan.campaign, store)) runs.push_back(exam_run_of(record));
@@ -339,8 +337,7 @@ int hold_exam(const ExamFlags& flags, const Outputs& outputs, const Program& pro
   }
   std::string maker = makers_of(store);
   if (reference) maker += (maker.empty() ? "" : "; held against runs by ") + reference->maker;
-  write_exam(flags, exam, question, plan, runs, maker, clock.all(), program);
-  return ok;
+  return write_exam(flags, exam, question, plan, runs, maker, clock.all(), program);
 }
 
 }  // namespace
@@ -385,6 +382,9 @@ void add_exam(CLI::App& app, Program& program) {
       ->capture_default_str();
   verb->add_flag("--as-it-is", flags->as_it_is,
                  "make no run: the table is of the cells that are stored whole");
+  verb->add_flag("--playbacks", flags->playbacks,
+                 "leave a page that plays and explains the worst run of each method in each family, of the "
+                 "runs that are not of --against");
   verb->add_flag("--json", flags->json, "print the results as JSON");
   program.on(*verb, [=, &program] {
     if (grounds->count() == 0) expect_shipped(flags->grounds, "--grounds");

@@ -81,11 +81,11 @@ void write_results(const std::filesystem::path& directory, const Study& study, c
 }
 
 /// Makes the playbacks of the runs that figures show, unless they are there.
-void keep_playback(const std::filesystem::path& directory, const ShownRun& run) {
+void keep_playback(const std::filesystem::path& directory, const ShownRun& run, const Catalog& avoiders) {
   const std::filesystem::path page = directory / playback_path(run.spec);
   if (std::filesystem::exists(page)) return;
   try {
-    make_shown(run, {.recording = {}, .playback = page});
+    make_shown(run, {.recording = {}, .playback = page}, avoiders);
   } catch (const RunAbandoned&) {
     // the study notices by itself that it is to stop
   }
@@ -99,7 +99,7 @@ int show_only(const Study& study, const StudyFlags& flags, const Outputs& output
     const KeptRun kept{.recording = flags.record,
                        .playback = flags.out.empty() ? "" : directory / playback_path(run.spec)};
     outputs.judge({}, {{"--out", kept.playback.string(), playback_file}});
-    print_shown(run, make_shown(run, kept), flags.json);
+    print_shown(run, make_shown(run, kept, program.catalogs.avoiders), flags.json);
     if (!kept.playback.empty() && !flags.json)
       std::cout << "playback: " << std::filesystem::absolute(kept.playback).string() << "\n";
   };
@@ -137,7 +137,7 @@ int run_study(const Study& study, const StudyFlags& flags, const Outputs& output
                        .overrides = overrides};
   if (!flags.shard.empty()) options.shard = parse_shard(flags.shard);
   if (store) {
-    options.show = [&](const ShownRun& run) { keep_playback(directory, run); };
+    options.show = [&](const ShownRun& run) { keep_playback(directory, run, program.catalogs.avoiders); };
     options.playback = [&](const RunSpec& spec) {
       const std::string path = playback_path(spec);
       return std::filesystem::exists(directory / path) ? path : std::string();

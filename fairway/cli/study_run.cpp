@@ -41,7 +41,7 @@ std::string playback_path(const RunSpec& spec) {
   return "runs/" + name + "-" + Digest::of(spec.key).substr(0, 8) + ".html";
 }
 
-std::vector<Measure> make_shown(const ShownRun& run, const KeptRun& kept) {
+std::vector<Measure> make_shown(const ShownRun& run, const KeptRun& kept, const Catalog& avoiders) {
   std::unique_ptr<RecordingWriter> writer;
   std::optional<Film> film;
   std::vector<FrameSink*> sinks;
@@ -49,7 +49,7 @@ std::vector<Measure> make_shown(const ShownRun& run, const KeptRun& kept) {
     writer = std::make_unique<RecordingWriter>(kept.recording.string(), recording_info(run.scenario));
     sinks.push_back(writer.get());
   }
-  if (!kept.playback.empty()) sinks.push_back(&film.emplace(run.scenario));
+  if (!kept.playback.empty()) sinks.push_back(&film.emplace(run.scenario, FilmLimits{}, &avoiders));
 
   std::vector<Measure> measures;
   try {

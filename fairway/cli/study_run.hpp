@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "fairway/avoidance/catalog.hpp"
 #include "fairway/studies/study.hpp"
 
 namespace fairway::cli {
@@ -19,9 +20,9 @@ struct KeptRun {
 /// and a digest of its key, so that a changed scenario has another page.
 std::string playback_path(const RunSpec& spec);
 
-/// Makes a run, and its recording and playback. Throws InputError if a file cannot be written, RunAbandoned
-/// if stopped; then neither is there.
-std::vector<Measure> make_shown(const ShownRun& run, const KeptRun& kept);
+/// Makes a run, and its recording and playback, in which `avoiders` read what was said. Throws InputError if
+/// a file cannot be written, RunAbandoned if stopped; then neither is there.
+std::vector<Measure> make_shown(const ShownRun& run, const KeptRun& kept, const Catalog& avoiders);
 
 /// The measures to the bit, one a line; or as JSON.
 void print_shown(const ShownRun& run, const std::vector<Measure>& measures, bool as_json);

@@ -9,6 +9,8 @@
 #include <tuple>
 #include <utility>
 
+#include "fairway/experiment/labels.hpp"
+
 namespace fairway {
 
 std::size_t seeds_in(const ExamReference& reference, const std::vector<ExamFamily>& families) {
@@ -56,6 +58,20 @@ void keep_lacking(ExamPlan& plan, const ExamReference& reference) {
     return !stored.contains(
         {label("family"), label("condition"), label("method"), label("tuned") == "true", spec.seed});
   });
+}
+
+void keep_complete_cells(ExamPlan& plan, const Store& store) {
+  const auto cell_of = [](const RunSpec& spec) { return without_label(spec.labels, "case"); };
+  std::set<Labels> incomplete;
+  for (const RunSpec& spec : plan.campaign.specs)
+    if (!store.contains(spec.key)) incomplete.insert(cell_of(spec));
+  keep_runs(plan.campaign, [&](const RunSpec& spec) { return !incomplete.contains(cell_of(spec)); });
+  for (const Labels& cell : incomplete)
+    plan.absences.push_back({.family = *find_label(cell, "family"),
+                             .condition = *find_label(cell, "condition"),
+                             .method = *find_label(cell, "method"),
+                             .tuned = *find_label(cell, "tuned") == "true",
+                             .why = "has not been run"});
 }
 
 }  // namespace fairway

@@ -7,6 +7,7 @@
 
 #include "fairway/exam/exam_plan.hpp"
 #include "fairway/exam/reference.hpp"
+#include "fairway/experiment/store.hpp"
 
 // What is asked of whom, held against runs that are stored. All are O(runs log runs).
 
@@ -25,5 +26,8 @@ void keep_news(ExamPlan& plan, const ExamReference& reference, const std::string
 
 /// Leaves the runs that the reference has not.
 void keep_lacking(ExamPlan& plan, const ExamReference& reference);
+
+/// Leaves the runs of the cells whose every run is stored; the others are told.
+void keep_complete_cells(ExamPlan& plan, const Store& store);
 
 }  // namespace fairway

@@ -31,14 +31,16 @@ std::string distribution_title(const std::string& family, std::string_view quant
 /// The runs of every cell, one ground after the other, and where they stand in the document.
 class PageRuns {
  public:
-  explicit PageRuns(const ExamTable& table) {
+  PageRuns(const ExamTable& table, const PlaybackOf& playback) {
     for (const ExamCell& cell : table.cells) {
       std::vector<const ExamRun*> runs = cell.runs;
       std::ranges::stable_sort(runs, {}, [](const ExamRun* run) { return run->ground; });
       auto& places = places_[&cell];
       for (const ExamRun* run : runs) {
         const std::string label = fmt::format("{}, {}, {}", cell.name(), run->ground, cell.condition);
-        places.push_back(list_.add(label, {.seed = run->seed, .command = run->command}, ""));
+        const std::string page = playback ? playback(*run) : std::string{};
+        places.push_back(list_.add(label, {.seed = run->seed, .command = run->command}, page));
+        place_of_.emplace(run, places.back());
       }
       runs_[&cell] = std::move(runs);
     }
@@ -53,11 +55,15 @@ class PageRuns {
     return mark;
   }
 
+  /// What a row has as its runs that is of this one alone.
+  json alone(const ExamRun& run) const { return json::array({place_of_.at(&run)}); }
+
   const page::RunList& list() const { return list_; }
 
  private:
   std::map<const ExamCell*, std::vector<std::size_t>> places_;
   std::map<const ExamCell*, std::vector<const ExamRun*>> runs_;
+  std::map<const ExamRun*, std::size_t> place_of_;
   page::RunList list_;
 };
 
@@ -273,46 +279,10 @@ json placings_table(const ExamTable& table, const ExamMargins& margins, const Pa
            "all are given."}};
 }
 
-/// Of every method and family the run that left least, where something was touched.
-json worst_table(const ExamTable& table) {
-  std::map<std::pair<std::string, std::string>, const ExamRun*> worst;
-  for (const ExamCell& cell : table.cells) {
-    if (cell.is_baseline) continue;
-    for (const ExamRun* run : cell.runs) {
-      if (run->outcome.is_safe() || !std::isfinite(run->outcome.clearance_m) || run->command.empty())
-        continue;
-      const ExamRun*& least = worst[{cell.family, cell.name()}];
-      if (least == nullptr || run->outcome.clearance_m < least->outcome.clearance_m) least = run;
-    }
-  }
-  json rows = json::array();
-  for (const auto& [key, run] : worst) {
-    std::string command =
-        fmt::format("{}{} --out worst.mcap; fairway view worst.mcap", run->command, run->seed);
-    if (run->outcome.worst_vehicle >= 0.0 && std::isfinite(run->outcome.worst_time_s))
-      command += fmt::format("; fairway explain worst.mcap --vehicle {:.0f} --time {:g}",
-                             run->outcome.worst_vehicle, run->outcome.worst_time_s);
-    rows.push_back({{"family", key.first},
-                    {"method", key.second},
-                    {"condition", run->condition},
-                    {"clearance", run->outcome.clearance_m},
-                    {"time", page::number(run->outcome.worst_time_s)},
-                    {"command", std::move(command)}});
-  }
-  return {{"kind", "table"},
-          {"title", "Where each failed worst"},
-          {"columns",
-           {column("family", "Family", "text"), column("method", "Method", "text"),
-            column("condition", "Condition", "text"), column("clearance", "Clearance [m]", "number", 2),
-            column("time", "At [s]", "number", 1), column("command", "To play and explain it", "text")}},
-          {"rows", std::move(rows)},
-          {"filter", {"family", "method", "condition"}}};
-}
-
 }  // namespace
 
 json exam_page(const ExamTable& table, const ExamPageParts& parts) {
-  const PageRuns runs{table};
+  const PageRuns runs{table, parts.playback};
   json sections = json::array();
   std::vector<std::string> said = findings(table);
   if (said.empty()) said.emplace_back("These runs show no difference that holds over the whole table.");
@@ -343,7 +313,9 @@ json exam_page(const ExamTable& table, const ExamPageParts& parts) {
        ". Of whoever stands ringed on the line, the front, nobody else is at least as safe and as fast, and "
        "better in one of them."},
       {page::grid(3, std::move(fronts))}));
-  sections.push_back(page::section("worst", "Worst runs", {}, {worst_table(table)}));
+  sections.push_back(
+      page::section("worst", "Worst runs", {},
+                    {worst_table(parts.worst, [&](const ExamRun& run) { return runs.alone(run); })}));
 
   std::vector<json> boxes;
   for (const std::string& family : table.families) {

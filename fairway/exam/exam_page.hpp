@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
@@ -10,6 +11,7 @@
 #include "fairway/exam/exam_plan.hpp"
 #include "fairway/exam/exam_table.hpp"
 #include "fairway/exam/margins.hpp"
+#include "fairway/exam/worst_runs.hpp"
 
 namespace fairway {
 
@@ -23,12 +25,17 @@ struct DecisionTime {
   double worst_us{};
 };
 
+/// Where the page finds the playback of a run, or "".
+using PlaybackOf = std::function<std::string(const ExamRun&)>;
+
 /// What the page says besides the table.
 struct ExamPageParts {
   std::span<const ExamFamily> families;
   std::span<const ExamCondition> conditions;
   std::span<const Absence> absences;
   std::span<const DecisionTime> decision_times;
+  std::span<const WorstRun> worst;
+  PlaybackOf playback;  ///< may be empty
   ExamMargins margins;
   std::string command;  ///< as typed
   std::string origin;   ///< what made the runs, and the results that they are held against
@@ -36,7 +43,8 @@ struct ExamPageParts {
 
 /// The report document of an exam (viewer/README.md): findings, a heat map of methods and families for every
 /// condition, what each condition costs, fronts of safety and time, distributions, the worst runs with the
-/// commands that play and explain them, every placing, decision times, and who could not enter.
+/// commands that play and explain them, and their playbacks, every placing, decision times, and who could not
+/// enter.
 nlohmann::json exam_page(const ExamTable& table, const ExamPageParts& parts);
 
 }  // namespace fairway
