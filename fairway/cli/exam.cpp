@@ -202,9 +202,8 @@ int write_exam(const ExamFlags& flags, const ExamFile& exam, const ExamQuestion&
                const std::vector<DecisionTime>& times, const Program& program) {
   const ExamFiles files = exam_files_in(flags.out);
   const ExamTable table = exam_table(runs, order_of(exam, question, runs));
-  const std::vector<WorstRun> worst = worst_runs(table);
   const std::optional<ExamPlaybacks> playbacks =
-      exam_playbacks(worst, plan, flags.out, flags.playbacks, flags.jobs, program);
+      exam_playbacks(table, plan, flags.out, flags.playbacks, flags.jobs, program);
   if (!playbacks) return told_interrupted();
   ExamReference reference{.epoch = results_epoch, .maker = maker, .grounds = {}, .runs = runs};
   for (const ExamFamily& family : question.families)
@@ -223,7 +222,6 @@ int write_exam(const ExamFlags& flags, const ExamFile& exam, const ExamQuestion&
                                .conditions = question.conditions,
                                .absences = plan.absences,
                                .decision_times = times,
-                               .worst = worst,
                                .playback = [&](const ExamRun& run) { return page_of(*playbacks, run); },
                                .margins = margins_in(exam, question, program.catalogs.avoiders),
                                .command = program.typed,

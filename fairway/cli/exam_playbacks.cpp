@@ -6,6 +6,7 @@
 
 #include "fairway/cli/paths.hpp"
 #include "fairway/cli/study_run.hpp"
+#include "fairway/exam/worst_runs.hpp"
 #include "fairway/experiment/executor.hpp"
 #include "fairway/record/recording.hpp"
 #include "fairway/sim/simulation.hpp"
@@ -44,7 +45,7 @@ struct Played {
   std::size_t at{};
 };
 
-std::vector<Played> of_the_plan(std::span<const WorstRun> worst, const ExamPlan& plan) {
+std::vector<Played> of_the_plan(const std::vector<WorstRun>& worst, const ExamPlan& plan) {
   std::map<RunIdentity, std::size_t> places;
   for (std::size_t i = 0; i < plan.campaign.specs.size(); ++i)
     places.emplace(identity_of(exam_run_of({.spec = plan.campaign.specs[i], .measures = {}, .failure = {}})),
@@ -125,10 +126,10 @@ std::string page_of(const ExamPlaybacks& playbacks, const ExamRun& run) {
   return found == playbacks.end() ? "" : found->second;
 }
 
-std::optional<ExamPlaybacks> exam_playbacks(std::span<const WorstRun> worst, const ExamPlan& plan,
+std::optional<ExamPlaybacks> exam_playbacks(const ExamTable& table, const ExamPlan& plan,
                                             const std::filesystem::path& folder, bool are_asked,
                                             unsigned jobs, const Program& program) {
-  const std::vector<Played> all = of_the_plan(worst, plan);
+  const std::vector<Played> all = of_the_plan(worst_runs(table), plan);
   if (are_asked && !make_missing(all, plan, folder, jobs, program)) return {};
   ExamPlaybacks pages;
   for (const Played& each : all)

@@ -12,6 +12,7 @@
 
 #include "fairway/exam/exam_page_tables.hpp"
 #include "fairway/exam/exam_text.hpp"
+#include "fairway/exam/worst_runs.hpp"
 #include "fairway/studies/page_blocks.hpp"
 #include "fairway/studies/run_list.hpp"
 
@@ -315,7 +316,7 @@ json exam_page(const ExamTable& table, const ExamPageParts& parts) {
       {page::grid(3, std::move(fronts))}));
   sections.push_back(
       page::section("worst", "Worst runs", {},
-                    {worst_table(parts.worst, [&](const ExamRun& run) { return runs.alone(run); })}));
+                    {worst_table(worst_runs(table), [&](const ExamRun& run) { return runs.alone(run); })}));
 
   std::vector<json> boxes;
   for (const std::string& family : table.families) {

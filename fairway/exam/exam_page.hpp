@@ -11,7 +11,6 @@
 #include "fairway/exam/exam_plan.hpp"
 #include "fairway/exam/exam_table.hpp"
 #include "fairway/exam/margins.hpp"
-#include "fairway/exam/worst_runs.hpp"
 
 namespace fairway {
 
@@ -34,7 +33,6 @@ struct ExamPageParts {
   std::span<const ExamCondition> conditions;
   std::span<const Absence> absences;
   std::span<const DecisionTime> decision_times;
-  std::span<const WorstRun> worst;
   PlaybackOf playback;  ///< may be empty
   ExamMargins margins;
   std::string command;  ///< as typed
