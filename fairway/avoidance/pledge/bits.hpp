@@ -109,10 +109,15 @@ inline std::uint32_t hash(std::span<const std::uint8_t> bytes, std::uint32_t fro
   return from;
 }
 
-/// The last byte of a speech is a check on the others.
+/// The last byte of a speech is a check on the others: CRC-8 by x^8 + x^4 + x^3 + x^2 + 1 from ones on
+/// (SAE J1850), by which no two bits that are wrong pass.
 inline std::uint8_t check_of(const Speech& speech) noexcept {
-  const std::uint32_t sum = hash(std::span{speech.bytes}.first(Speech::most_bytes - 1));
-  return static_cast<std::uint8_t>(sum ^ sum >> 8U ^ sum >> 16U ^ sum >> 24U);
+  std::uint32_t rest = 0xffU;
+  for (const std::uint8_t byte : std::span{speech.bytes}.first(Speech::most_bytes - 1)) {
+    rest ^= byte;
+    for (int bit = 0; bit < 8; ++bit) rest = (rest << 1U) ^ ((rest & 0x80U) != 0U ? 0x11dU : 0U);
+  }
+  return static_cast<std::uint8_t>(~rest);
 }
 
 inline std::span<std::uint8_t> body_of(Speech& speech) noexcept {

@@ -22,6 +22,7 @@ constexpr double most_drift_share = 0.5;  // of what a member is to go, that its
 constexpr double least_astern = 0.1;      // with which a member that is held goes back astern [m/s]
 constexpr double aside_for_good = 1.5;    // who is held and farther off than this turns to its anchor [m]
 constexpr double off_its_way = 0.5;       // that a member mostly is at most [m]
+constexpr double roughly = 1.0;           // of its depths and its radius as they are told, and more [m]
 constexpr double slack = 0.2;             // across, that a member that is held does not turn for [m]
 constexpr int longest_wait = 20;          // of a member for its turn [s]
 constexpr double turn_gain = 0.5;         // [1/s]
@@ -48,6 +49,13 @@ Vec3 within_limits(const Situation& s, const Vec3& v) noexcept {
   const double level = horizontal_norm(v);
   const Vec2 horizontal = (level > beside ? beside / level : 1.0) * v.head<2>();
   return {horizontal.x(), horizontal.y(), vertical};
+}
+
+/// For all levels, if its way may be told to be level.
+bool has_room_below(const Member& member, double floor) noexcept {
+  const double from = member.anchor.z(), to = member.destination.z();
+  const bool may_be_level = std::fabs(to - from) < level_within + roughly;
+  return !may_be_level || math::fmax(from, to) + most_levels * level_step(member) + roughly <= floor;
 }
 
 /// A little way back to its anchor, ahead or astern, whichever is nearer: who turns round for that
@@ -91,6 +99,15 @@ Member member_of(const Situation& s, double speed_ratio) noexcept {
           .climb = up,
           .descent = down,
           .turn = 1.5 + std::numbers::pi / turn_rate};
+}
+
+Member member_of(const Situation& s, double speed_ratio, const Vec3& anchor,
+                 const Vec3& destination) noexcept {
+  Member member = member_of(s, speed_ratio);
+  member.anchor = anchor;
+  member.destination = destination;
+  if (!has_room_below(member, s.limits.max_depth)) member.descent = std::min(member.descent, level_keeping);
+  return member;
 }
 
 double beyond_tube(const Ownship& own, double tube) noexcept {

@@ -14,6 +14,11 @@ namespace fairway::pledge {
 /// reaches no more by itself has what the current leaves of it. `speed_ratio` is of its greatest speed.
 Member member_of(const Situation& s, double speed_ratio) noexcept;
 
+/// The same held at `anchor` and with another destination [m, NED]. Where its floor leaves no room for all
+/// levels below its way it tells that it dives no faster than who keeps to its own (has_levels).
+Member member_of(const Situation& s, double speed_ratio, const Vec3& anchor,
+                 const Vec3& destination) noexcept;
+
 /// What own sphere has to be larger by where its navigation states an error, since the tube has to hold that
 /// beside half a metre by which members are off their ways, and does not [m].
 double beyond_tube(const Ownship& own, double tube) noexcept;

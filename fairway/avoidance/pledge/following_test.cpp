@@ -54,6 +54,21 @@ TEST(Following, OwnSphereIsLargerByWhatTheTubeDoesNotHoldOfAnUnsurePlace) {
   EXPECT_EQ(beyond_tube({.position_sigma = 1.0}, 2.5), 0.0);
 }
 
+TEST(Following, WhoseFloorLeavesNoRoomForAllLevelsTellsThatItKeepsItsOwn) {
+  Situation s{.period = 0.1};
+  s.own.radius = 1.5;
+  s.limits = {.max_speed = 0.5, .max_climb_rate = 0.3};
+  s.goal = {.position = {40.0, 0.0, 5.0}, .cruise_speed = 0.5};
+  const Vec3 here{0.0, 0.0, 5.0}, below{40.0, 0.0, 15.0};
+  EXPECT_TRUE(has_levels(member_of(s, 0.9, here, s.goal.position)));
+  const double deepest = 5.0 + most_levels * level_step(member_of(s, 0.9));
+  s.limits.max_depth = deepest + 1.1;
+  EXPECT_TRUE(has_levels(member_of(s, 0.9, here, s.goal.position)));
+  s.limits.max_depth = deepest;
+  EXPECT_FALSE(has_levels(member_of(s, 0.9, here, s.goal.position)));
+  EXPECT_GT(member_of(s, 0.9, here, below).descent, 0.2) << "to a place that is deeper it dives as ever";
+}
+
 // Who learns only at a gate that it has to stop there has come a length too far by the time it does.
 TEST(Following, WhoMayHaveToStopAtAGateSlowsDownBeforeIt) {
   Reference way;

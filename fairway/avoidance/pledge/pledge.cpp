@@ -145,8 +145,7 @@ Command Pledge::stayed(const Situation& s, const Memory& memory, Context& contex
 /// Enters the group where it will come to rest. Why it cannot, if that is so.
 std::string_view Pledge::begin(const Situation& s, Memory& memory) const noexcept {
   const Vec2 datum{params.datum_north_m, params.datum_east_m};
-  Member member = pledge::member_of(s, params.speed_ratio);
-  member.anchor = resting_place(s);
+  const Member member = pledge::member_of(s, params.speed_ratio, resting_place(s), s.goal.position);
   const std::string_view misfit = pledge::misfit_of(member, datum);
   if (!misfit.empty()) return misfit;
   memory.agreement =
@@ -219,8 +218,8 @@ void Pledge::retarget(const Situation& s, Memory& memory) const noexcept {
     return;
   if (agreement.rounds().groups().count() > 1 && status != pledge::Status::arrived) return;
   const Reference* way = agreement.way();
-  Member member = pledge::member_of(s, params.speed_ratio);
-  member.anchor = way != nullptr ? way->knots().back().position : agreement.own().anchor;
+  const Vec3 anchor = way != nullptr ? way->knots().back().position : agreement.own().anchor;
+  const Member member = pledge::member_of(s, params.speed_ratio, anchor, s.goal.position);
   memory.is_beyond = !pledge::fits(member, agreement.terms().datum);
   if (!memory.is_beyond && (way == nullptr || s.time >= way->end())) agreement.hold(member);
 }
@@ -229,10 +228,9 @@ void Pledge::retarget(const Situation& s, Memory& memory) const noexcept {
 /// others, and no plan of theirs waits for it.
 void Pledge::keep(const Situation& s, Agreement& agreement) const noexcept {
   if (agreement.status() != pledge::Status::held && agreement.status() != pledge::Status::moving) return;
-  Member member = pledge::member_of(s, params.speed_ratio);
-  member.anchor = agreement.way() != nullptr ? resting_place(s) : agreement.own().anchor;
-  member.destination = member.anchor;
-  if (agreement.way() != nullptr || (agreement.own().destination - member.anchor).norm() > same_place)
+  const Vec3 place = agreement.way() != nullptr ? resting_place(s) : agreement.own().anchor;
+  const Member member = pledge::member_of(s, params.speed_ratio, place, place);
+  if (agreement.way() != nullptr || (agreement.own().destination - place).norm() > same_place)
     agreement.hold(member);
 }
 
@@ -253,13 +251,9 @@ void Pledge::aim(const Situation& s, const pledge::Chart& chart, Memory& memory)
   const auto stuck = is_stuck ? std::optional{memory.asides++} : std::nullopt;
   const pledge::Aim aim = pledge::aim_of(agreement, s.goal.position, chart, s.limits, stuck);
   memory.waits = aim.kind == pledge::Aim::Kind::none;
-  Member member = pledge::member_of(s, params.speed_ratio);
-  member.anchor = anchor;
   const bool aside = aim.kind == pledge::Aim::Kind::aside;
-  if (aside) {
-    member.destination = aim.place;
-    member.arrival = aside_within;
-  }
+  Member member = pledge::member_of(s, params.speed_ratio, anchor, aside ? aim.place : s.goal.position);
+  if (aside) member.arrival = aside_within;
   const Vec3 told = agreement.own().destination;
   if ((told - member.destination).norm() > same_place) agreement.hold(member, aside);
 }
@@ -300,9 +294,7 @@ void Pledge::watch(const Situation& s, const pledge::Chart& chart, Memory& memor
 /// Held at a place from now on, whatever was promised.
 void Pledge::stay_at(const Situation& s, const Vec3& place, Agreement& agreement) const noexcept {
   if (s.attendance == Attendance::arrived) return agreement.arrive(place);
-  Member member = pledge::member_of(s, params.speed_ratio);
-  member.anchor = place;
-  agreement.hold(member);
+  agreement.hold(pledge::member_of(s, params.speed_ratio, place, s.goal.position));
 }
 
 void Pledge::lose(const Situation& s, Memory& memory) const noexcept {

@@ -14,6 +14,7 @@ namespace {
 constexpr double piece = std::numbers::pi / 9.0;
 // at a corner sharper than this a member halts and turns [rad]; the corners of a ring are 0.35
 constexpr double sharp = 0.5;
+constexpr double level_gap = 2.5;  // between the spheres of two on levels, for their tubes of a metre [m]
 // within it of the destination a member may end, beyond what it is off its way when it arrives [m]
 constexpr double surely = 0.8;
 
@@ -61,6 +62,82 @@ Line line_of(const Vec2& from, const Vec2& to, const Plan& plan, double radius) 
 Reference ended_near(const Reference& whole, const Vec3& place, double distance) {
   const double time = first_within(whole, place, distance);
   return time < whole.end() ? whole.until(time) : whole;
+}
+
+/// How far along its passage a member is at a time, and how deep.
+struct Milestone {
+  double time{};   ///< [s]
+  double along{};  ///< its passage, by the time that this takes without levels [s]
+  double depth{};  ///< [m]
+};
+
+/// Evenly from one milestone to the next.
+class Milestones {
+ public:
+  void add(const Milestone& next) { all_[count_++] = next; }
+  std::span<const Milestone> all() const { return {all_.data(), count_}; }
+
+  Milestone at(double time) const { return between(&Milestone::time, time); }
+  /// When it is so far along.
+  double time_of(double along) const { return between(&Milestone::along, along).time; }
+
+ private:
+  Milestone between(double Milestone::*by, double value) const {
+    std::size_t after = 1;
+    while (after + 1 < count_ && all_[after].*by < value) ++after;
+    const Milestone &a = all_[after - 1], &b = all_[after];
+    const double span = b.*by - a.*by;
+    const double share = span > 0.0 ? std::clamp((value - a.*by) / span, 0.0, 1.0) : 1.0;
+    return {a.time + share * (b.time - a.time), a.along + share * (b.along - a.along),
+            a.depth + share * (b.depth - a.depth)};
+  }
+
+  std::array<Milestone, 5> all_{};
+  std::size_t count_{0};
+};
+
+/// Down from `leaves` on, along the level, and up again to be there at the end of a passage of `duration`.
+/// While it dives and climbs it is slower along by what that takes of its speed.
+Milestones milestones_of(const Member& member, int levels, double leaves, double duration) {
+  const double from = member.anchor.z(), to = member.destination.z();
+  const double level = math::fmax(from, to) + levels * level_step(member);
+  const auto share_left = [&](double rate) {
+    return std::sqrt(math::fmax(1.0 - rate * rate / (member.speed * member.speed), 0.0));
+  };
+  const double goes = leaves + member.turn, is_down = leaves + (level - from) / member.descent;
+  const double climbs_for = (level - to) / member.climb;
+  const double along_diving =
+      std::min(share_left(member.descent) * math::fmax(is_down - goes, 0.0), duration);
+  const double along_level = math::fmax(duration - along_diving - share_left(member.climb) * climbs_for, 0.0);
+  const double rises = math::fmax(goes, is_down) + along_level;
+
+  Milestones way;
+  way.add({leaves, 0.0, from});
+  if (goes < is_down) way.add({goes, 0.0, from + member.descent * member.turn});
+  way.add({is_down, along_diving, level});
+  if (goes >= is_down) way.add({goes, 0.0, level});
+  way.add({rises, along_diving + along_level, level});
+  way.add({rises + climbs_for, duration, to});
+  return way;
+}
+
+Reference below_others(const Member& member, const Plan& plan, const Code& code, const Passage& passage) {
+  const double leaves = plan.start() + delay_step * code.delay;
+  const Milestones way = milestones_of(member, code.dive, leaves, passage.duration());
+  std::array<double, Reference::most_knots> times{};
+  std::size_t count = 0;
+  for (const Milestone& each : way.all()) times[count++] = each.time;
+  for (const double along : passage.times()) times[count++] = way.time_of(along);
+  std::sort(times.begin(), times.begin() + static_cast<std::ptrdiff_t>(count));
+
+  Reference whole;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i > 0 && times[i] <= times[i - 1]) continue;
+    const Milestone now = way.at(times[i]);
+    const Vec2 place = passage.at(now.along);
+    whole.add({times[i], {place.x(), place.y(), now.depth}});
+  }
+  return ended_near(whole, member.destination, ends_before(member));
 }
 
 /// When two that move evenly for `duration` are first within `distance`, from now; never if never.
@@ -144,6 +221,7 @@ Reference reference_of(const Member& member, const Plan& plan, const Code& code)
 
 Reference reference_of(const Member& member, const Plan& plan, const Code& code,
                        const Passage& passage) noexcept {
+  if (code.dive > 0 && has_levels(member)) return below_others(member, plan, code, passage);
   const double leaves = plan.start() + delay_step * code.delay, goes = leaves + member.turn;
   const double down = member.destination.z() - member.anchor.z();
   const double rate = math::fmax(down > 0.0 ? member.descent : member.climb, 0.01);
@@ -164,6 +242,13 @@ Reference reference_of(const Member& member, const Plan& plan, const Code& code,
   }
   return ended_near(whole, member.destination, ends_before(member));
 }
+
+bool has_levels(const Member& member) noexcept {
+  return std::fabs(member.destination.z() - member.anchor.z()) < level_within &&
+         member.descent > level_keeping && member.climb > level_keeping && member.speed > level_keeping;
+}
+
+double level_step(const Member& member) noexcept { return 2.0 * member.radius + level_gap; }
 
 double ends_before(const Member& member) noexcept { return math::fmax(member.arrival - surely, 0.0); }
 

@@ -16,6 +16,9 @@ inline constexpr std::array<double, 8> ring_radius{0.0, 3.6, 4.2, 5.0, 6.0, 7.0,
 inline constexpr std::array<double, 4> ring_scale{1.0, 1.5, 2.5, 4.0};    ///< of all rings of a plan
 inline constexpr double never = std::numeric_limits<double>::infinity();  ///< as a time [s]
 inline constexpr double delay_step = 3.0;                                 ///< [s]
+inline constexpr int most_levels = 3;           ///< below a member's own way, if that is level
+inline constexpr double level_within = 1.0;     ///< a way is level whose ends differ by less in depth [m]
+inline constexpr double level_keeping = 0.055;  ///< who tells that it dives no faster stays on its way [m/s]
 
 struct Knot {
   double time{};                 ///< [s]
@@ -78,12 +81,17 @@ class Passage {
 };
 
 /// The way of one member by a plan: it waits for its delay, turns, and goes by the tangents of its ring,
-/// while it climbs or dives, each at its constant rate. It ends as far from the destination as the member
-/// arrives for certain. O(1).
+/// while it climbs or dives, each at its constant rate; where its way is level, so many levels below that. It
+/// ends as far from the destination as the member arrives for certain. O(1).
 Reference reference_of(const Member& member, const Plan& plan, const Code& code) noexcept;
 /// The same, where its passage by that ring is known.
 Reference reference_of(const Member& member, const Plan& plan, const Code& code,
                        const Passage& passage) noexcept;
+
+/// Whether its way is level and it tells that it can dive and climb: then it may go below others.
+bool has_levels(const Member& member) noexcept;
+/// From a member's way to its next level below it [m].
+double level_step(const Member& member) noexcept;
 
 /// So far from its destination it ends [m].
 double ends_before(const Member& member) noexcept;

@@ -52,6 +52,40 @@ TEST(Reference, BeginsAtTheAnchorEndsNearTheDestinationAndKeepsItsSpeeds) {
   }
 }
 
+// Levels are for those whose way is level; the sum of both speeds is within what they go.
+TEST(Reference, GoesBelowTheOthersAndUpAgainWithinItsSpeed) {
+  Rng rng = Rng{4}.stream("reference");
+  for (int i = 0; i < 500; ++i) {
+    Member member = drawn_member(rng);
+    member.destination.z() = member.anchor.z() + rng.uniform(-0.9, 0.9);
+    ASSERT_TRUE(has_levels(member));
+    const Plan plan = drawn_plan(rng);
+    Code code = plan.codes[0];
+    for (code.dive = 1; code.dive <= most_levels; ++code.dive) {
+      const Reference way = reference_of(member, plan, code);
+      ASSERT_LT(way.knots().size(), Reference::most_knots);
+      EXPECT_EQ(way.at(plan.start() + delay_step * code.delay), member.anchor);
+      EXPECT_LE((way.at(1e6) - member.destination).norm(), member.arrival - 0.79);
+      double deepest = 0.0;
+      for (const Knot& knot : way.knots()) deepest = std::max(deepest, knot.position.z());
+      const double level =
+          std::max(member.anchor.z(), member.destination.z()) + code.dive * level_step(member);
+      EXPECT_NEAR(deepest, level, 1e-9);
+      for (int k = 0; 0.37 * k < way.end(); ++k) {
+        const Vec3 v = way.velocity(0.37 * k);
+        EXPECT_LE(v.norm(), member.speed * (1.0 + 1e-9));
+        EXPECT_LE(v.z(), member.descent + 1e-9);
+        EXPECT_GE(v.z(), -member.climb - 1e-9);
+      }
+    }
+    code.dive = 0;
+    for (const Knot& knot : reference_of(member, plan, code).knots())
+      EXPECT_LT(std::fabs(knot.position.z() - member.anchor.z()), level_within);
+    member.descent = level_keeping;
+    EXPECT_FALSE(has_levels(member));
+  }
+}
+
 TEST(Reference, LeastDistancesAndFirstTimesAreThoseOfManySamples) {
   Rng rng = Rng{2}.stream("reference");
   for (int i = 0; i < 200; ++i) {

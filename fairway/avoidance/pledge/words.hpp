@@ -84,8 +84,9 @@ struct StateWord {
 struct Code {
   std::uint8_t ring{};   ///< 0 to 7: straight, or by a ring about the centre (ring_radius)
   std::uint8_t delay{};  ///< 0 to 7, in steps of delay_step
-  std::uint8_t
-      dive{};  ///< 0 to 3: how much of the time to spare goes by before it dives or climbs, in thirds
+  /// 0 to 3: how much of the time to spare goes by before it dives or climbs, in thirds; of a way that is
+  /// level, how many levels below it the member goes (has_levels).
+  std::uint8_t dive{};
 
   std::uint8_t packed() const { return static_cast<std::uint8_t>(ring << 5U | delay << 2U | dive); }
   static Code of(std::uint8_t byte) {

@@ -113,10 +113,15 @@ TEST(Words, WhatWasDamagedOrIsNoneIsRefused) {
   Rng rng = Rng{3}.stream("words");
   const StateWord said{any_header(rng, 10.0), any_member(rng)};
   const Speech whole = encode(said, datum);
-  for (std::size_t bit = 0; bit < 8 * Speech::most_bytes; ++bit) {
+  for (std::size_t one = 0; one < 8 * Speech::most_bytes; ++one) {
     Speech damaged = whole;
-    damaged.bytes[bit / 8] ^= static_cast<std::uint8_t>(1U << bit % 8);
-    EXPECT_FALSE(decode(damaged, datum, 10.0)) << bit;
+    damaged.bytes[one / 8] ^= static_cast<std::uint8_t>(1U << one % 8);
+    EXPECT_FALSE(decode(damaged, datum, 10.0)) << one;
+    for (std::size_t two = 0; two < one; ++two) {
+      Speech more = damaged;
+      more.bytes[two / 8] ^= static_cast<std::uint8_t>(1U << two % 8);
+      EXPECT_FALSE(decode(more, datum, 10.0)) << one << " and " << two;
+    }
   }
   Speech shorter = whole;
   --shorter.size;
