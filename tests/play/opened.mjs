@@ -95,7 +95,8 @@ async function opened_scenario(page, expect) {
   expect(await chosen(page) === 'of mine.yaml', 'its name stands in place of the scenario');
   const address = await page.evaluate(() => location.hash);
   await choose(page, 'Scenario', 'scenarios/swap_8.yaml');
-  await page.waitForFunction(() => document.querySelector('.command').textContent === 'fairway run scenarios/swap_8.yaml');
+  await commanded(page, 'fairway run scenarios/swap_8.yaml');
+  await page.waitForFunction((hash) => location.hash !== hash, address);
   await page.evaluate((hash) => { location.hash = hash; }, address);
   await commanded(page, 'of mine.yaml');
   expect(await chosen(page) === 'of mine.yaml', 'and in a link');
