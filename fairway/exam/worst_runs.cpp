@@ -17,7 +17,7 @@ namespace {
 using nlohmann::json;
 
 /// The least is the worst.
-auto badness(const ExamOutcome& outcome) {
+auto soundness(const ExamOutcome& outcome) {
   return std::tuple{outcome.is_safe(), outcome.all_arrived(), outcome.clearance_m};
 }
 
@@ -38,7 +38,8 @@ std::vector<WorstRun> worst_runs(const ExamTable& table) {
     for (const ExamRun* run : cell.runs) {
       if (std::isnan(run->outcome.clearance_m) || run->command.empty()) continue;
       WorstRun& worst = found[{cell.family, cell.name()}];
-      if (worst.run == nullptr || badness(run->outcome) < badness(worst.run->outcome)) worst = {&cell, run};
+      if (worst.run == nullptr || soundness(run->outcome) < soundness(worst.run->outcome))
+        worst = {&cell, run};
     }
   }
   std::vector<WorstRun> runs;
