@@ -14,6 +14,8 @@ namespace {
 constexpr double piece = std::numbers::pi / 9.0;
 // at a corner sharper than this a member halts and turns [rad]; the corners of a ring are 0.35
 constexpr double sharp = 0.5;
+// on a level at least: who climbed at once after its dive would lag by more than its tube [s]
+constexpr double level_rest = 8.0;
 constexpr double level_gap = 2.5;  // between the spheres of two on levels, for their tubes of a metre [m]
 // within it of the destination a member may end, beyond what it is off its way when it arrives [m]
 constexpr double surely = 0.8;
@@ -109,7 +111,7 @@ Milestones milestones_of(const Member& member, int levels, double leaves, double
   const double along_diving =
       std::min(share_left(member.descent) * math::fmax(is_down - goes, 0.0), duration);
   const double along_level = math::fmax(duration - along_diving - share_left(member.climb) * climbs_for, 0.0);
-  const double rises = math::fmax(goes, is_down) + along_level;
+  const double rises = math::fmax(goes, is_down) + math::fmax(along_level, level_rest);
 
   Milestones way;
   way.add({leaves, 0.0, from});

@@ -71,6 +71,11 @@ TEST(Reference, GoesBelowTheOthersAndUpAgainWithinItsSpeed) {
       const double level =
           std::max(member.anchor.z(), member.destination.z()) + code.dive * level_step(member);
       EXPECT_NEAR(deepest, level, 1e-9);
+      const auto is_deepest = [&](const Knot& knot) { return knot.position.z() > level - 1e-9; };
+      const auto first = std::ranges::find_if(way.knots(), is_deepest);
+      const auto rest = std::ranges::subrange{first, way.knots().end()};
+      const auto leaves = std::ranges::find_if_not(rest, is_deepest);
+      EXPECT_GE(std::prev(leaves)->time - first->time, 8.0 - 1e-9) << "its heave has time to change its sign";
       for (int k = 0; 0.37 * k < way.end(); ++k) {
         const Vec3 v = way.velocity(0.37 * k);
         EXPECT_LE(v.norm(), member.speed * (1.0 + 1e-9));
