@@ -297,8 +297,7 @@ json exam_page(const ExamTable& table, const ExamPageParts& parts) {
        "first on the evidence of these runs, = is not told apart from whoever leads. Grey: may not enter, or "
        "has not been run. No number: in no run did all arrive, in it and in the one alone. A click lists the "
        "runs, the least clearance first if asked, and leads to their distribution and, where there is one, "
-       "to "
-       "the playback of the worst."},
+       "to the playback of the worst."},
       std::move(heats)));
   if (!table.awareness.empty())
     sections.push_back(page::section("awareness", "What knowing less costs",

@@ -22,7 +22,7 @@ constexpr double most_drift_share = 0.5;  // of what a member is to go, that its
 constexpr double least_astern = 0.1;      // with which a member that is held goes back astern [m/s]
 constexpr double aside_for_good = 1.5;    // who is held and farther off than this turns to its anchor [m]
 constexpr double off_its_way = 0.5;       // that a member mostly is at most [m]
-constexpr double roughly = 1.0;           // of its depths and its radius as they are told, and more [m]
+constexpr double allowance = 1.0;         // of its depths and its radius as they are told, and more [m]
 constexpr double slack = 0.2;             // across, that a member that is held does not turn for [m]
 constexpr int longest_wait = 20;          // of a member for its turn [s]
 constexpr double turn_gain = 0.5;         // [1/s]
@@ -54,8 +54,8 @@ Vec3 within_limits(const Situation& s, const Vec3& v) noexcept {
 /// For all levels, if its way may be told to be level.
 bool has_room_below(const Member& member, double floor) noexcept {
   const double from = member.anchor.z(), to = member.destination.z();
-  const bool may_be_level = std::fabs(to - from) < level_within + roughly;
-  return !may_be_level || math::fmax(from, to) + most_levels * level_step(member) + roughly <= floor;
+  const bool may_be_level = std::fabs(to - from) < level_within + allowance;
+  return !may_be_level || math::fmax(from, to) + most_levels * level_step(member) + allowance <= floor;
 }
 
 /// A little way back to its anchor, ahead or astern, whichever is nearer: who turns round for that
