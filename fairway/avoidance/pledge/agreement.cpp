@@ -9,7 +9,7 @@ namespace {
 
 constexpr int codes_at_once = 200;         // of the search, in one decision, for its 1 ms
 constexpr int charted_codes_at_once = 80;  // likewise, where something stands
-constexpr int crowded_codes_at_once = 40;  // likewise, where vehicles of other groups are held
+constexpr int crowded_codes_at_once = 40;  // likewise, where there are vehicles of other groups
 constexpr double search_decisions = 30.0;  // before a turn in which a search begins, for all its codes
 constexpr double search_turns = 1.5;       // that it goes on for more to go, where others are held
 constexpr double last_decisions = 1.5;     // before a turn in which a proposal is made
@@ -30,7 +30,7 @@ constexpr double most_late = 2.0;          // who looks at its clock so long aft
 double least_patience(std::size_t count) { return 1.02 + 2.0 / static_cast<double>(count); }
 
 int codes_in_one_decision(const Chart& chart) {
-  if (!chart.held().empty()) return crowded_codes_at_once;
+  if (chart.has_others()) return crowded_codes_at_once;
   return chart.empty() ? codes_at_once : charted_codes_at_once;
 }
 
@@ -46,7 +46,7 @@ Agreement::Agreement(std::size_t vehicle, const Terms& terms) noexcept
       vehicle_{vehicle},
       self_{terms.groups().member_of(vehicle)},
       count_{terms.groups().size_of(terms.groups().group_of(vehicle))},
-      others_{vehicle, terms.groups()} {}
+      others_{vehicle, terms} {}
 
 void Agreement::hold(const Member& member, bool aside) noexcept {
   const std::uint8_t version =
@@ -186,7 +186,7 @@ bool Agreement::is_as_told() const noexcept {
 /// Rules 1 and 2, at least `ahead` before the start.
 void Agreement::acknowledge(double now, double ahead, const Chart& chart) noexcept {
   if (plan_.epoch <= std::max(acknowledged_epoch_, refused_epoch_) || !is_pending(now + ahead)) return;
-  const bool may_go = !plan_.participants[self_] || others_.rounds.may_depart();
+  const bool may_go = !plan_.participants[self_] || others_.may_depart();
   if (!is_as_told() || !may_go || status_ == Status::lost) return;
   if (!is_clear(chart)) {
     refused_epoch_ = plan_.epoch;
@@ -199,7 +199,8 @@ void Agreement::acknowledge(double now, double ahead, const Chart& chart) noexce
 /// Whether all that own ship may do is clear of the plan. Who is moving may have to promise to stop at its
 /// next gate for that.
 bool Agreement::accepts_own(const Clearance& scene, const Reference& way, const Chart& chart) const noexcept {
-  return scene.accepts(self_, way) && keeps_off(way, chart, berth(members_[self_], terms_.tubes));
+  return scene.accepts(self_, way) && keeps_off(way, chart, berth(members_[self_], terms_.tubes)) &&
+         scene.passes(self_, way, chart.passing());
 }
 
 bool Agreement::is_clear(const Chart& chart) noexcept {
@@ -235,7 +236,7 @@ void Agreement::depart(double now, double turn_period, const Chart& chart) noexc
   acknowledged_epoch_.author = most_members - 1;  // none that starts together with it any more
   Clearance scene = scene_of(plan_);
   const Reference way = reference_of(members_[self_], plan_, plan_.codes[self_]);
-  if (!has_all || now > plan_.start() + most_late || !others_.rounds.may_depart() ||
+  if (!has_all || now > plan_.start() + most_late || !others_.may_depart() ||
       !accepts_own(scene, way, chart)) {
     ++attempts_;
     return;
@@ -282,7 +283,8 @@ Members Agreement::held() const noexcept {
 std::array<Reference, most_members> Agreement::ways_of_others() const noexcept {
   std::array<Reference, most_members> ways;
   for (std::size_t i = 0; i < count_; ++i) {
-    if (i != self_ && (settled_[i] || is_done_here(i))) ways[i] = Reference{members_[i].anchor};
+    const bool rests = settled_[i] || (is_done_here(i) && statuses_[i] != Status::moving);
+    if (i != self_ && rests) ways[i] = Reference{members_[i].anchor};
     if (i != self_ && is_lost(i)) ways[i] = adrift(i);
   }
   return ways;
@@ -293,13 +295,46 @@ std::array<Reference, most_members> Agreement::ways_of_others() const noexcept {
 bool Agreement::may_propose(double now, double turn_period) const noexcept {
   const bool is_settling = plan_.epoch && now < plan_.start() + turn_period;
   if (status_ != Status::held || is_settling || known_ != everyone() || is_news(now, turn_period) ||
-      !others_.rounds.may_depart())
+      !others_.may_depart())
     return false;
   if (!newest_epoch_ || start_of(newest_epoch_) < entered_) return true;
   const Members waiting = held();
   for (std::size_t i = 0; i < self_; ++i)
     if (waiting[i] && now - last_heard_[i] < silent_turns * turn_period) return false;
   return true;
+}
+
+/// The soonest at which a plan may start that is told in the next turn.
+Epoch Agreement::soonest_plan(const Link& link, double patience) const noexcept {
+  const double turns = std::min(least_patience(terms_.count) + patience + attempts_, most_patience);
+  const double start = std::ceil((link.next_turn + turns * link.turn_period) / 0.1);
+  const std::int64_t after_all = newest_epoch_ ? newest_epoch_.tenths + 1 : Epoch::none;
+  return {std::max(static_cast<std::int64_t>(start), after_all), static_cast<std::uint8_t>(self_)};
+}
+
+void Agreement::begin_search(double now, const Link& link, double patience, const Chart& chart,
+                             const Headway& headway) noexcept {
+  search_began_ = now;
+  std::array<Reference, most_members> others = ways_of_others();
+  Epoch start = Search::at_zero;
+  if (chart.passing().empty()) {
+    for (Reference& other : others) other = other.later(-(now + 2.0 * link.turn_period));
+  } else {  // it matters when; by then the search has ended
+    start = soonest_plan(link, patience);
+    start.tenths += static_cast<std::int64_t>(search_turns * link.turn_period / 0.1);
+  }
+  search_.emplace(members_, held(), others, terms_, searches_ % 2 == 0 ? 0 : (searches_ + 1) / 2, chart,
+                  chart.empty() ? headway : Headway{}, start);
+}
+
+/// When the plan that was found may start: as soon as may be, or when it was looked for.
+std::optional<Epoch> Agreement::start_of_found(const Link& link, double patience,
+                                               const Chart& chart) const noexcept {
+  const Epoch soonest = soonest_plan(link, patience);
+  if (chart.passing().empty() || search_->holds_from(soonest, chart.passing())) return soonest;
+  const Epoch looked_for = search_->start();
+  if (looked_for < soonest || !search_->holds_from(looked_for, chart.passing())) return {};
+  return looked_for;
 }
 
 /// It searches before its turn, and proposes at the last decision before it what it has found by then, unless
@@ -314,23 +349,17 @@ void Agreement::propose(double now, double period, const Link& link, double pati
   if (!search_) {
     const double parts = chart.empty() ? 1.0 : 2.0 * static_cast<double>(Search::most_hubs);
     if (ahead > parts * search_decisions * period) return;
-    search_began_ = now;
-    // it plans from time 0 on
-    std::array<Reference, most_members> others = ways_of_others();
-    for (Reference& other : others) other = other.later(-(now + 2.0 * link.turn_period));
-    search_.emplace(members_, held(), others, terms_, searches_ % 2 == 0 ? 0 : (searches_ + 1) / 2, chart,
-                    chart.empty() ? headway : Headway{});
+    begin_search(now, link, patience, chart, headway);
   }
   const bool has_ended = search_->go_on(codes_in_one_decision(chart), chart);
   // who cannot go while others are held may go later
-  const bool is_enough = !chart.held().empty() && now > search_began_ + search_turns * link.turn_period;
+  const bool is_enough = chart.has_others() && now > search_began_ + search_turns * link.turn_period;
   const bool is_best = chart.empty() || has_ended || is_enough || search_->found_all();
-  if (search_->found() && is_best && ahead <= last_decisions * period) {
-    const double turns = std::min(least_patience(terms_.count) + patience + attempts_, most_patience);
+  const bool is_due = search_->found() && is_best && ahead <= last_decisions * period;
+  const std::optional<Epoch> start = is_due ? start_of_found(link, patience, chart) : std::nullopt;
+  if (start) {
     plan_ = search_->best();
-    const double start = std::ceil((link.next_turn + turns * link.turn_period) / 0.1);
-    const std::int64_t after_all = newest_epoch_ ? newest_epoch_.tenths + 1 : Epoch::none;
-    plan_.epoch = {std::max(static_cast<std::int64_t>(start), after_all), static_cast<std::uint8_t>(self_)};
+    plan_.epoch = *start;
     plan_.digest = digest_of(members_, plan_.participants, terms_.datum);
     newest_epoch_ = plan_.epoch;
     ++plans_;
@@ -338,40 +367,41 @@ void Agreement::propose(double now, double period, const Link& link, double pati
     search_.reset();
     ++searches_;
     acknowledge(now, 0.0, chart);
-  } else if (has_ended && !search_->found()) {
+  } else if (is_due || (has_ended && !search_->found())) {
     search_.reset();
     ++searches_;
   }
 }
 
-/// Who departs by no plan of this round any more: it has gone on to the next one, or has gone aside.
-bool Agreement::is_done_here(std::size_t i) const noexcept {
+/// Whether it has gone on to the next round.
+bool Agreement::is_ahead(std::size_t i) const noexcept {
   const Rounds& rounds = others_.rounds;
-  const Groups& groups = rounds.groups();
-  if (groups.count() == 1) return false;
-  const bool is_ahead =
-      i != self_ && rounds.heard_in(i * groups.count() + groups.group_of(vehicle_)) > rounds.round();
-  return is_ahead || (members_[i].anchor - members_[i].destination).norm() < no_way;
+  return i != self_ && rounds.heard_in(rounds.groups().vehicle_of(rounds.own_group(), i)) > rounds.round();
 }
 
-/// Somebody of it moves, or has proposed something, as long as proposals are not in vain.
+/// Who departs by no plan of this round any more: it has gone on to the next one, or has gone aside.
+bool Agreement::is_done_here(std::size_t i) const noexcept {
+  if (others_.rounds.groups().count() == 1) return false;
+  return is_ahead(i) || (members_[i].anchor - members_[i].destination).norm() < no_way;
+}
+
+/// Somebody of it moves and has not gone on, or has proposed something, as long as proposals are not in vain.
 bool Agreement::is_group_busy(double now, double turn_period) const noexcept {
   for (std::size_t i = 0; i < count_; ++i) {
     const bool is_silent = i != self_ && now - last_heard_[i] > silent_for_good * turn_period;
-    if (statuses_[i] == Status::moving && !is_silent) return true;
+    if (statuses_[i] == Status::moving && !is_silent && !is_ahead(i)) return true;
   }
   return is_pending(now) && plans_ < most_plans;
 }
 
 void Agreement::take_turns(double now, double period, double turn_period, bool is_free, bool rests) noexcept {
   Rounds& rounds = others_.rounds;
-  if (rounds.owns() && (!rounds.may_depart() || is_group_busy(now, turn_period))) used_ = now;
+  if (rounds.owns() && (!others_.may_depart() || is_group_busy(now, turn_period))) used_ = now;
   const bool has_use =
       is_free && status_ == Status::held && !is_done_here(self_) &&
       now < std::max(used_, entered_) + std::max(idle_turns * turn_period, idle_decisions * period);
-  const bool is_bound = status_ == Status::moving || has_promised(now);
-  const bool has_rest = status_ == Status::lost || (rests && !is_bound && !has_use);
-  if (!rounds.may_go_on(has_rest)) return;
+  const bool is_under_way = status_ == Status::moving || status_ == Status::lost;
+  if (!rounds.may_go_on(is_under_way || (rests && !has_promised(now) && !has_use))) return;
   rounds.go_on();
   if (search_) ++searches_;  // it came to nothing
   search_.reset();

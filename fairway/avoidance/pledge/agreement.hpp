@@ -63,9 +63,10 @@ class Agreement {
   /// called at every decision. `is_free`: its mission would let it depart; `rests`: it is where it says.
   void take_turns(double now, double period, double turn_period, bool is_free, bool rests) noexcept;
 
-  /// What stands, and where vehicles of other groups are held, which is written to `room`.
+  /// What stands, where vehicles of other groups are held, which is written to `room`, and who of them is on
+  /// its way. Good until the next word is heard.
   Chart chart(std::span<const Obstacle> standing, std::array<Obstacle, most_vehicles>& room) const noexcept {
-    return {standing, others_.places(terms_.tubes, room)};
+    return {standing, others_.places(room), others_.passing()};
   }
 
   /// Own ship is within its arrival of its destination, and stays at `place`, the end of its reference.
@@ -109,7 +110,7 @@ class Agreement {
   std::size_t count() const { return count_; }      ///< members of its group
   const Terms& terms() const { return terms_; }
   const Rounds& rounds() const { return others_.rounds; }
-  std::span<const Bystander> bystanders() const { return others_.bystanders(); }
+  const OtherGroups& others() const { return others_; }
   const Plan& plan() const { return plan_; }
   /// What it waits for, in a few words.
   std::string_view reason(double now) const noexcept;
@@ -138,6 +139,10 @@ class Agreement {
   void propose(double now, double period, const Link& link, double patience, const Chart& chart,
                const Headway& headway) noexcept;
   bool may_propose(double now, double turn_period) const noexcept;
+  void begin_search(double now, const Link& link, double patience, const Chart& chart,
+                    const Headway& headway) noexcept;
+  Epoch soonest_plan(const Link& link, double patience) const noexcept;
+  std::optional<Epoch> start_of_found(const Link& link, double patience, const Chart& chart) const noexcept;
   double clear_of(std::size_t i) const noexcept;
   void assume(double now, double turn_period) noexcept;
   Members unneeded(double now, double turn_period) const noexcept;
@@ -149,6 +154,7 @@ class Agreement {
   bool is_alarm(std::size_t from, const StateWord& word) const noexcept;
   const Speech* passed_on(double now, double turn_period) const noexcept;
   Members everyone() const noexcept { return Members{(1U << count_) - 1U}; }
+  bool is_ahead(std::size_t i) const noexcept;
   bool is_done_here(std::size_t i) const noexcept;
   bool is_group_busy(double now, double turn_period) const noexcept;
   bool is_pending(double now) const noexcept { return plan_.epoch && now < plan_.start(); }

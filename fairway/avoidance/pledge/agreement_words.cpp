@@ -123,8 +123,10 @@ Speech Agreement::say(double now, double turn_period) const noexcept {
                       .departed = departed_,
                       .heard = is_mistaken ? known_ & ~plan_.participants : known_};
   // whose group has no turn tells where it is held, which the others wait for
-  const bool tells_plan = status_ != Status::lost && !is_news(now, turn_period) && others_.rounds.owns() &&
-                          (is_pending(now) || (status_ == Status::moving && header.epoch));
+  // who is on its way tells other groups in turn by which plan, and from which state it was made
+  const bool owns = others_.rounds.owns(), goes = status_ == Status::moving && header.epoch;
+  const bool tells_plan =
+      status_ != Status::lost && !is_news(now, turn_period) && (owns ? is_pending(now) || goes : goes);
   // a plan that it cannot acknowledge comes to nothing, and may have been made from an older state of its
   // own; of who has arrived no acknowledgement is needed once that is known
   const bool is_missing = status_ != Status::moving && acknowledged_epoch_ != plan_.epoch;
@@ -132,7 +134,7 @@ Speech Agreement::say(double now, double turn_period) const noexcept {
   for (std::size_t i = 0; i < count_; ++i)
     if (i != self_ && !heard_by_[i][self_]) without_me.set(i);
   const bool is_odd_turn = std::fmod(std::floor(now / turn_period), 2.0) != 0.0;
-  const bool is_known = without_me.none() && !is_missing;
+  const bool is_known = without_me.none() && !is_missing && owns;
   if (tells_plan && !(is_missing && status_ == Status::held) && (is_known || is_odd_turn))
     return encode(PlanWord{header, plan_}, terms_.datum);
   return encode(StateWord{header, members_[self_]}, terms_.datum);
@@ -144,7 +146,7 @@ std::string_view Agreement::reason(double now) const noexcept {
   if (status_ == Status::lost) return "is off its promised way, holds and says so";
   if (known_ != everyone()) return "waits for the state of another member";
   if (!others_.rounds.owns()) return "waits until it is its group's turn";
-  if (!others_.rounds.knows_places()) return "waits to hear where the other groups are held";
+  if (!others_.may_depart()) return "waits to hear where the other groups are held, or go";
   if (search_) return "looks for a plan";
   if (is_pending(now))
     return acknowledged_[self_] ? "waits for acknowledgements, and for the start"

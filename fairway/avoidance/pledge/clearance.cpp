@@ -58,8 +58,7 @@ Clearance::Gates Clearance::gates_of(std::size_t member, const Reference& refere
   return gates;
 }
 
-Clearance::Stops Clearance::stops_of(std::size_t member, const Reference& reference,
-                                     const Gates& gates) const noexcept {
+Stops Clearance::stops_of(std::size_t member, const Reference& reference, const Gates& gates) const noexcept {
   Stops stops;
   for (const double gate : gates)
     if (gate < never) stops.add(gate, reference.at(gate));
@@ -103,6 +102,27 @@ std::optional<std::size_t> Clearance::hindered_by(std::size_t member, const Refe
       return other;
   }
   return {};
+}
+
+bool Clearance::passes(std::size_t member, const Reference& reference,
+                       std::span<const Passing> passing) const noexcept {
+  if (passing.empty()) return true;
+  const Stops stops = stops_of(member, reference, gates_of(member, reference));
+  const Member& own = members_[member];
+  const Vec3 begin = reference.at(start_);
+  return std::ranges::all_of(passing, [&](const Passing& other) {
+    const double needed = own.radius + other.radius + 2.0 * tubes_.radius + tubes_.told;
+    const double apart_here = std::min(needed, (begin - other.way.at(start_)).norm() - hair);
+    return least_distance(reference, other.way, start_, never, apart_here) >= apart_here &&
+           are_clear(stops, other.way, apart_here) && are_clear(other.stops, reference, apart_here);
+  });
+}
+
+Passing Clearance::passing(std::size_t member, const Reference& reference) const noexcept {
+  return {.vehicle = member,
+          .radius = members_[member].radius,
+          .way = reference,
+          .stops = stops_of(member, reference, gates_of(member, reference))};
 }
 
 void Clearance::place(std::size_t member, const Reference& reference) noexcept {

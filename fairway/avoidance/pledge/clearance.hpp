@@ -29,6 +29,25 @@ inline double least_beside(const Member& a, const Member& b, const Tubes& tubes)
   return a.radius + b.radius + tubes.radius + tubes.told;
 }
 
+/// A place where somebody may stay for ever from a time on.
+struct Stop {
+  double time{};  ///< [s]
+  Vec3 place = Vec3::Zero();
+};
+struct Stops {
+  std::array<Stop, most_members + 2> all{};
+  std::size_t count{0};
+  void add(double time, const Vec3& place) noexcept { all[count++] = {time, place}; }
+};
+
+/// A vehicle of another group that is on its way: it keeps to that, or stays at one of its stops.
+struct Passing {
+  std::size_t vehicle{};
+  double radius{};  ///< of its sphere [m]
+  Reference way;
+  Stops stops;
+};
+
 /// Members with the references that they have been given, and whether these keep clear of each other whatever
 /// words are lost:
 ///
@@ -58,6 +77,13 @@ class Clearance {
     return !hindered_by(member, reference);
   }
 
+  /// Whether a member that goes so keeps as clear (V1, V3) of those of other groups who are on their ways.
+  /// O(passing knots).
+  bool passes(std::size_t member, const Reference& reference,
+              std::span<const Passing> passing) const noexcept;
+  /// The member that goes so, as others see it.
+  Passing passing(std::size_t member, const Reference& reference) const noexcept;
+
   void place(std::size_t member, const Reference& reference) noexcept;
   void take_away(std::size_t member) noexcept { placed_.reset(member); }
 
@@ -73,17 +99,6 @@ class Clearance {
   double gate(std::size_t member, std::size_t other) const noexcept { return gates_[member][other]; }
 
  private:
-  /// A place where a member may stay for ever from a time on.
-  struct Stop {
-    double time{};
-    Vec3 place = Vec3::Zero();
-  };
-  struct Stops {
-    std::array<Stop, most_members + 2> all{};
-    std::size_t count{0};
-    void add(double time, const Vec3& place) noexcept { all[count++] = {time, place}; }
-  };
-
   double apart(std::size_t a, std::size_t b, const Vec3& from, const Vec3& to,
                double beyond = 0.0) const noexcept;
   Stops stops_of(std::size_t member, const Reference& reference, const Gates& gates) const noexcept;
@@ -99,21 +114,27 @@ class Clearance {
   std::array<Stops, most_members> stops_{};
 };
 
-/// What stands, as far as a member knows it, and the places at which vehicles of other groups are held.
+/// What stands, as far as a member knows it, the places at which vehicles of other groups are held, and those
+/// of them who are on their ways.
 class Chart {
  public:
   Chart() = default;
   template <class Obstacles>
     requires std::convertible_to<const Obstacles&, std::span<const Obstacle>>
-  Chart(const Obstacles& standing, std::span<const Obstacle> held = {}) : parts_{standing, held} {}
+  Chart(const Obstacles& standing, std::span<const Obstacle> held = {}, std::span<const Passing> passing = {})
+      : parts_{standing, held}, passing_{passing} {}
 
-  bool empty() const { return parts_[0].empty() && parts_[1].empty(); }
+  bool empty() const { return parts_[0].empty() && !has_others(); }
+  bool has_others() const { return !parts_[1].empty() || !passing_.empty(); }
   std::span<const Obstacle> standing() const { return parts_[0]; }
   std::span<const Obstacle> held() const { return parts_[1]; }
+  std::span<const Passing> passing() const { return passing_; }
+  /// What stays where it is.
   std::span<const std::span<const Obstacle>> parts() const { return parts_; }
 
  private:
   std::array<std::span<const Obstacle>, 2> parts_{};
+  std::span<const Passing> passing_;
 };
 
 /// Whether a reference is never nearer than `distance` [m] to what stands between two times, or, where it is

@@ -35,19 +35,21 @@ std::set<std::size_t> groups_that_move(const Fleet& fleet) {
   return groups;
 }
 
-TEST(PledgeGroups, OfMoreThanEightOneGroupMovesAtATimeAndAllArriveAtAnyLoss) {
+TEST(PledgeGroups, OfMoreThanEightAllKeepClearAndArriveAtAnyLossAndGroupsDepartWhileOthersAreOnTheirWays) {
+  std::size_t most = 0;
   for (const auto& [count, radius] : {std::pair{9, 20.0}, {12, 20.0}, {16, 24.0}, {24, 34.0}, {32, 44.0}}) {
     for (const double loss : {0.0, 0.3}) {
       Rng rng = Rng{static_cast<std::uint64_t>(count)}.stream("ring");
       Fleet fleet{ring_of(count, radius), 0.4 * count};
       while (!fleet.is_done() && fleet.time < 6000.0) {
         fleet.go_on([&](std::size_t, std::size_t) { return rng.uniform(0, 1) >= loss; });
-        ASSERT_LE(groups_that_move(fleet).size(), 1U) << count << " at " << fleet.time;
+        most = std::max(most, groups_that_move(fleet).size());
       }
       EXPECT_TRUE(fleet.is_done()) << count << ", loss " << loss;
       EXPECT_GE(fleet.least, 3.0 + 1.5) << count << ", loss " << loss;
     }
   }
+  EXPECT_GT(most, 1U);
 }
 
 /// From drawn places to others, none of which is near another.
@@ -71,7 +73,6 @@ TEST(PledgeGroups, AtDrawnPlacesAllKeepClearAndArriveThoughHalfIsLostInRuns) {
     LossesInRuns losses{rng};
     while (!fleet.is_done() && fleet.time < 7200.0) {
       fleet.go_on([&](std::size_t from, std::size_t to) { return losses(from, to); });
-      ASSERT_LE(groups_that_move(fleet).size(), 1U) << "seed " << seed << " at " << fleet.time;
     }
     EXPECT_TRUE(fleet.is_done()) << "seed " << seed;
     EXPECT_GE(fleet.least, 3.0 + 1.5) << "seed " << seed;
@@ -115,7 +116,7 @@ TEST(PledgeGroups, WhoIsOfNoGroupIsNotListenedTo) {
     stranger.hold(crossing({10, 0, 5}, {-20, 0, 5}));
     EXPECT_EQ(member.hear(stranger.say(0.0, 3.6), 0.0, 0.0), Hearing::taken);
     EXPECT_EQ(member.rounds().heard_in(vehicle), -1) << vehicle;
-    EXPECT_FALSE(member.bystanders()[vehicle].known) << vehicle;
+    EXPECT_FALSE(member.others().bystanders()[vehicle].known) << vehicle;
   }
 }
 

@@ -30,9 +30,18 @@ struct Surroundings {
         obstacles, [&](const Obstacle& obstacle) { return nearest_point(obstacle, place).distance < off; });
   }
 
+  /// Whether somebody of another group lies there, or is on its way there.
+  bool is_taken(const Vec3& place, double spare) const {
+    const auto ends_there = [&](const Passing& other) {
+      return is_near(place, other.way.knots().back().position, other.radius, spare);
+    };
+    return is_in(chart.held(), place, berth_of_own() + spare) ||
+           std::ranges::any_of(chart.passing(), ends_there);
+  }
+
   /// Whether somebody else is to go there.
   bool is_wanted(const Vec3& place, double spare) const {
-    for (const Bystander& other : agreement.bystanders())
+    for (const Bystander& other : agreement.others().bystanders())
       if (other.known && is_near(place, other.destination, other.radius, spare)) return true;
     for (std::size_t i = 0; i < agreement.count(); ++i) {
       const Member& mate = agreement.member(i);
@@ -48,10 +57,9 @@ struct Surroundings {
     }
     Member there = agreement.own();
     there.destination = place;
-    const double off = berth_of_own() + to_spare;
     return place.z() >= math::fmax(limits.min_depth, 0.0) && place.z() <= limits.max_depth &&
            fits(there, agreement.terms().datum) && !is_wanted(place, to_spare) &&
-           !is_in(chart.standing(), place, off) && !is_in(chart.held(), place, off);
+           !is_in(chart.standing(), place, berth_of_own() + to_spare) && !is_taken(place, to_spare);
   }
 
   /// The first free place about another: back to own ship, below, above, on either side and beyond; or from
@@ -85,7 +93,7 @@ Aim aim_of(const Agreement& agreement, const Vec3& goal, const Chart& chart, con
            std::optional<std::size_t> stuck) noexcept {
   const Surroundings about{agreement, chart, limits};
   const Vec3& anchor = agreement.own().anchor;
-  if (!Surroundings::is_in(chart.held(), goal, about.berth_of_own())) {
+  if (!about.is_taken(goal, 0.0)) {
     const std::optional<Vec3> other = stuck ? about.free_place_about(anchor, *stuck) : std::nullopt;
     return other ? Aim{Aim::Kind::aside, *other} : Aim{Aim::Kind::goal, goal};
   }

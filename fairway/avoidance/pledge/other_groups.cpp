@@ -1,36 +1,103 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/avoidance/pledge/other_groups.hpp"
 
+#include <algorithm>
+
 namespace fairway::pledge {
 
 void OtherGroups::hear(const Word& word) noexcept {
   const Header& header = header_of(word);
-  Bystander& other = bystanders_[header.sender];
+  const std::size_t from = header.sender;
+  Bystander& other = bystanders_[from];
   if (header.sent <= other.heard) return;
   other.heard = header.sent;
+  const std::size_t group = rounds.groups().group_of(from);
   const auto* state = std::get_if<StateWord>(&word);
-  const bool rests = state != nullptr && header.status != Status::moving;
-  rounds.hear(header.sender, header.round, rests);
-  if (!rests) return;
-  const Member& member = state->member;
+  if (state != nullptr) {
+    learn(*state, other);
+  } else if (const Plan& plan = std::get<PlanWord>(word).plan; groups_[group].plan.epoch < plan.epoch) {
+    groups_[group].plan = plan;
+  }
+  if (header.status == Status::moving) {
+    other.known = false;
+    // by an older plan than it speaks of nobody can tell where it goes
+    const bool goes_by_it = header.departed[rounds.groups().member_of(from)];
+    if (!goes_by_it || other.goes_by != header.epoch) forget_way(from);
+    other.goes_by = goes_by_it ? header.epoch : Epoch{};
+  } else if (state != nullptr) {
+    other.goes_by = {};
+    forget_way(from);
+  }
+  rounds.hear(from, header.round, state != nullptr && header.status != Status::moving);
+  if (header.status == Status::moving && is_passing(from)) rounds.tell_place(from);
+  follow(group);
+}
+
+void OtherGroups::learn(const StateWord& word, Bystander& other) noexcept {
+  const Groups& groups = rounds.groups();
+  Group& group = groups_[groups.group_of(word.header.sender)];
+  const std::size_t number = groups.member_of(word.header.sender);
+  group.members[number] = word.member;
+  group.known.set(number);
+  if (word.header.status == Status::moving) return;
+  const Member& member = word.member;
   other.known = true;
   other.place = member.anchor;
   other.radius = member.radius;
   other.destination = member.destination;
-  if (header.status != Status::lost) return;
+  if (word.header.status != Status::lost) return;
   const Vec3 half = 0.5 * (member.destination - member.anchor);
   other.place += half;
   other.radius += wandering + half.norm();
 }
 
-std::span<const Obstacle> OtherGroups::places(const Tubes& tubes,
-                                              std::array<Obstacle, most_vehicles>& room) const noexcept {
+/// The ways of those of a group who are on their way by its newest plan, once the states are known that it
+/// was made from.
+void OtherGroups::follow(std::size_t group) noexcept {
+  Group& g = groups_[group];
+  if (!g.plan.epoch) return;
+  const bool has_all = (g.plan.participants & ~g.known).none();
+  if (g.understood != g.plan.epoch && has_all &&
+      digest_of(g.members, g.plan.participants, terms_.datum) == g.plan.digest) {
+    g.planned = g.members;
+    g.understood = g.plan.epoch;
+  }
+  if (g.understood != g.plan.epoch) return;
+  const Clearance scene{g.planned, g.plan.participants, terms_.tubes, g.plan.start()};
+  for (std::size_t i = 0; i < rounds.groups().size_of(group); ++i) {
+    const std::size_t vehicle = rounds.groups().vehicle_of(group, i);
+    const bool goes = g.plan.participants[i] && bystanders_[vehicle].goes_by == g.plan.epoch;
+    if (!goes || is_passing(vehicle)) continue;
+    passing_[passing_count_] = scene.passing(i, reference_of(g.planned[i], g.plan, g.plan.codes[i]));
+    passing_[passing_count_++].vehicle = vehicle;
+    rounds.tell_place(vehicle);
+  }
+}
+
+bool OtherGroups::is_passing(std::size_t vehicle) const noexcept {
+  return std::ranges::find(passing(), vehicle, &Passing::vehicle) != passing().end();
+}
+
+void OtherGroups::forget_way(std::size_t vehicle) noexcept {
+  for (std::size_t i = 0; i < passing_count_; ++i)
+    if (passing_[i].vehicle == vehicle) passing_[i--] = passing_[--passing_count_];
+}
+
+bool OtherGroups::may_depart() const noexcept {
+  if (!rounds.may_depart()) return false;
+  const Groups& groups = rounds.groups();
+  for (std::size_t i = 0; i < groups.vehicles; ++i)
+    if (groups.group_of(i) != rounds.own_group() && !bystanders_[i].known && !is_passing(i)) return false;
+  return true;
+}
+
+std::span<const Obstacle> OtherGroups::places(std::array<Obstacle, most_vehicles>& room) const noexcept {
   std::size_t count = 0;
   for (std::size_t i = 0; i < rounds.groups().vehicles; ++i) {
     if (bystanders_[i].known)
       room[count++] = {.kind = Obstacle::Kind::sphere,
                        .position = bystanders_[i].place,
-                       .radius = bystanders_[i].radius + tubes.radius + 0.5 * tubes.told};
+                       .radius = bystanders_[i].radius + terms_.tubes.radius + 0.5 * terms_.tubes.told};
   }
   return std::span{room}.first(count);
 }

@@ -64,13 +64,19 @@ Command evaded(const Situation& s, const Agreement& agreement, const Vec3& stay,
                        .reacts = false};
   }
   for (std::size_t i = 0; i < pledge::most_vehicles; ++i) {
-    const pledge::Bystander& other = agreement.bystanders()[i];
+    const pledge::Bystander& other = agreement.others().bystanders()[i];
     if (other.known)
       tracks[count++] = {.id = TrackId{static_cast<std::uint32_t>(pledge::most_members + i)},
                          .position = other.place,
                          .radius = other.radius,
                          .reacts = false};
   }
+  for (const pledge::Passing& other : agreement.others().passing())
+    tracks[count++] = {.id = TrackId{static_cast<std::uint32_t>(pledge::most_members + other.vehicle)},
+                       .position = other.way.at(s.time),
+                       .velocity = other.way.velocity(s.time),
+                       .radius = other.radius,
+                       .reacts = false};
   const auto distance = [&](const Track& track) { return (track.position - s.own.position).squaredNorm(); };
   std::ranges::sort(std::span{tracks}.first(count), {}, distance);
   Situation shown = s;
@@ -238,7 +244,7 @@ void Pledge::keep(const Situation& s, Agreement& agreement) const noexcept {
 void Pledge::aim(const Situation& s, const pledge::Chart& chart, Memory& memory) const noexcept {
   Agreement& agreement = memory.agreement;
   const pledge::Rounds& rounds = agreement.rounds();
-  const bool can_choose = rounds.groups().count() > 1 && rounds.may_depart() &&
+  const bool can_choose = rounds.groups().count() > 1 && agreement.others().may_depart() &&
                           rounds.round() > memory.aimed_round && agreement.status() == pledge::Status::held;
   if (!can_choose) return;
   memory.aimed_round = rounds.round();

@@ -24,7 +24,7 @@ void Rounds::hear(std::size_t from, std::uint8_t told, bool tells_place) noexcep
 bool Rounds::knows_places() const noexcept {
   const auto count = static_cast<std::int64_t>(groups_.count());
   for (std::size_t i = 0; i < groups_.vehicles; ++i) {
-    if (groups_.group_of(i) == groups_.group_of(self_)) continue;
+    if (groups_.group_of(i) == own_group()) continue;
     const auto group = static_cast<std::int64_t>(groups_.group_of(i));
     const std::int64_t last_owned = round_ - (round_ - group + count) % count;
     if (others_[i].placed <= std::max(last_owned, std::int64_t{-1})) return false;

@@ -30,8 +30,10 @@ struct Groups {
 /// rules, on which claims C7 and C8 of the README rest:
 ///
 /// 1. A vehicle departs only in a round that its own group owns, and only when it has of everybody in another
-///    group a place at which that one rests, told in a later round than the last that its group has owned.
-/// 2. It leaves a round that its own group owns only when it is at rest where it says.
+///    group a place at which that one rests, or the way by which it goes until it rests, told in a later
+///    round than the last that its group has owned.
+/// 2. It leaves a round that its own group owns only when it is at rest where it says, or on the way that it
+///    says.
 /// 3. It leaves no round before it has heard everybody in that round or a later one.
 /// 4. Of two words of one vehicle that which was said later counts.
 ///
@@ -51,10 +53,13 @@ class Rounds {
   /// A word of another vehicle, said later than all that was heard of it before: in which round, modulo four,
   /// and whether it tells a place at which its sender rests.
   void hear(std::size_t from, std::uint8_t told, bool tells_place) noexcept;
+  /// The last word that was heard of another tells a place, or the way by which its sender goes.
+  void tell_place(std::size_t from) noexcept { others_[from].placed = others_[from].heard; }
 
   /// The latest round in which another was heard; -1 before any.
   std::int64_t heard_in(std::size_t other) const { return others_[other].heard; }
 
+  std::size_t own_group() const { return groups_.group_of(self_); }
   bool owns() const { return is_owner(self_, round_); }
   /// The second half of rule 1.
   bool knows_places() const noexcept;
@@ -63,16 +68,16 @@ class Rounds {
 
   /// Rule 1.
   bool may_depart() const noexcept { return owns() && knows_places(); }
-  /// Rules 2 and 3. `rests`: as rule 2 asks.
-  bool may_go_on(bool rests) const noexcept {
-    return groups_.count() > 1 && everyone_has_come() && (rests || !owns());
+  /// Rules 2 and 3. `is_settled`: as rule 2 asks.
+  bool may_go_on(bool is_settled) const noexcept {
+    return groups_.count() > 1 && everyone_has_come() && (is_settled || !owns());
   }
   void go_on() noexcept { ++round_; }
 
  private:
   struct Other {
     std::int64_t heard{-1};   ///< the latest round
-    std::int64_t placed{-1};  ///< the latest round in which it told a place
+    std::int64_t placed{-1};  ///< the latest round in which it told a place, or its way
   };
 
   bool is_owner(std::size_t vehicle, std::int64_t round) const noexcept;

@@ -16,7 +16,6 @@ constexpr int pair_cost = 1;                  // of the headway of one to anothe
 constexpr double worth = 0.5;                 // of a second of headway, in the mean time [s]
 constexpr int codes = 256;
 constexpr std::size_t centres = 2 + most_members;  // of rings, one for each attempt
-constexpr Epoch at_zero{.tenths = 0};              // plans are looked for as if they began then
 constexpr double least_gain = 0.05;                // for which a member takes another code [s]
 constexpr double rounding = 1e-6;                  // of times [s]
 
@@ -52,14 +51,15 @@ bool dives(const Member& member) { return member.destination.z() > member.anchor
 
 Search::Search(const std::array<Member, most_members>& members, const Members& participants,
                const std::array<Reference, most_members>& others, const Terms& terms, std::size_t attempt,
-               const Chart& chart, const Headway& wanted) noexcept
+               const Chart& chart, const Headway& wanted, const Epoch& start) noexcept
     : members_{members},
       asked_{participants},
       company_{participants},
       others_{others},
       tubes_{terms.tubes},
       attempt_{attempt},
-      wanted_{wanted} {
+      wanted_{wanted},
+      start_{start} {
   hubs_[hub_count_++] = {centre_as_told(centre_of(members, asked_, attempt), terms.datum), 0};
   find_hubs(chart, terms.datum);
   begin_hub();
@@ -159,7 +159,7 @@ void Search::stay(const Members& who) noexcept {
 
 /// Round the other way once all centres have been tried, and about every other hub.
 Plan Search::empty_plan() const noexcept {
-  return {.epoch = at_zero,
+  return {.epoch = start_,
           .centre = hubs_[hub_].centre,
           .scale = hubs_[hub_].scale,
           .to_port = (attempt_ / centres + hub_) % 2 == 1};
@@ -168,7 +168,9 @@ Plan Search::empty_plan() const noexcept {
 /// Who keeps a member from going so: itself, where that is what stands; nobody if it may.
 std::optional<std::size_t> Search::hindrance_to(std::size_t member, const Reference& reference,
                                                 const Clearance& scene, const Chart& chart) const noexcept {
-  if (!keeps_off(reference, chart, berth(members_[member], tubes_))) return member;
+  if (!keeps_off(reference, chart, berth(members_[member], tubes_)) ||
+      !scene.passes(member, reference, chart.passing()))
+    return member;
   return scene.hindered_by(member, reference, suspected_);
 }
 
@@ -191,10 +193,20 @@ bool Search::go_on(int count, const Chart& chart) noexcept {
 
 /// Nobody of the participants placed yet.
 Clearance Search::empty() const noexcept {
-  Clearance scene{members_, participants_, tubes_, 0.0};
+  Clearance scene{members_, participants_, tubes_, start_of(start_)};
   for (std::size_t i = 0; i < most_members; ++i)
     if (!participants_[i] && !ways_[i].empty()) scene.place(i, ways_[i]);
   return scene;
+}
+
+bool Search::holds_from(const Epoch& start, std::span<const Passing> passing) const noexcept {
+  Plan plan = best_.plan;
+  plan.epoch = start;
+  const Clearance scene{members_, plan.participants, tubes_, plan.start()};
+  for (std::size_t i = 0; i < most_members; ++i)
+    if (plan.participants[i] && !scene.passes(i, reference_of(members_[i], plan, plan.codes[i]), passing))
+      return false;
+  return true;
 }
 
 /// The participant after this one; false, and the first again, after the last.

@@ -7,17 +7,9 @@
 #include "fairway/avoidance/pledge/clashes.hpp"
 #include "fairway/avoidance/pledge/clearance.hpp"
 #include "fairway/avoidance/pledge/headway.hpp"
+#include "fairway/avoidance/pledge/other_groups.hpp"
 
 namespace fairway::pledge {
-
-/// What all vehicles that agree have to have in common.
-struct Terms {
-  std::size_t count{most_members};  ///< vehicles are 0 to count - 1
-  Vec2 datum = Vec2::Zero();        ///< to which places are told [m, north and east]
-  Tubes tubes{};
-
-  Groups groups() const { return {.vehicles = count}; }
-};
 
 /// Looks for a plan by which all of those who are held get to their destinations, soonest in the mean, where
 /// each second of headway that a plan lacks counts as half a second. First a carousel: those who dive by one
@@ -33,12 +25,15 @@ class Search {
   /// So many centres and widths of rings are tried where something stands in the way.
   static constexpr std::size_t most_hubs = 6;
 
-  /// Of a plan that begins at time 0. `others` are the references of those who do not take part and stay
+  /// Plans are looked for as if they began then, where nobody of another group is on its way.
+  static constexpr Epoch at_zero{.tenths = 0};
+
+  /// Of a plan that begins at `start`. `others` are the references of those who do not take part and stay
   /// where they are, as far as they are known; the rest of them have no knots. `attempt` counts from 0: every
   /// one has another centre, and another who is first. All that is asked keeps off what stands.
   Search(const std::array<Member, most_members>& members, const Members& participants,
          const std::array<Reference, most_members>& others, const Terms& terms, std::size_t attempt,
-         const Chart& chart, const Headway& wanted = {}) noexcept;
+         const Chart& chart, const Headway& wanted = {}, const Epoch& start = at_zero) noexcept;
 
   /// Tries so many codes, or carousels, more, on the chart that it was made with. True when it has ended.
   bool go_on(int count, const Chart& chart) noexcept;
@@ -48,6 +43,9 @@ class Search {
   /// Whether somebody can go. Those who cannot are left out of the participants.
   bool found() const { return best_.is_any(); }
   const Plan& best() const { return best_.plan; }
+  const Epoch& start() const { return start_; }
+  /// Whether the best keeps clear of those who are on their ways if it begins then instead.
+  bool holds_from(const Epoch& start, std::span<const Passing> passing) const noexcept;
 
  private:
   enum class Stage { carousel, one_by_one, improve, done };
@@ -99,6 +97,7 @@ class Search {
   Tubes tubes_{};
   std::size_t attempt_{};
   Headway wanted_{};
+  Epoch start_{};
   std::array<Hub, most_hubs> hubs_{};
   std::size_t hub_count_{0}, hub_{0};
 
