@@ -8,6 +8,7 @@
 #include "fairway/experiment/campaign_forms.hpp"
 #include "fairway/scenario/block.hpp"
 #include "fairway/scenario/load.hpp"
+#include "fairway/sim/team.hpp"
 
 namespace fairway {
 namespace {
@@ -65,12 +66,6 @@ std::string why_not_under(const Catalog& methods, std::string_view algorithm, co
   };
   if (methods.needs(algorithm, &AlgorithmInfo::needs_link) && std::ranges::any_of(family.grounds, is_silent))
     return "goes by the words of others, and nobody hears any";
-  return {};
-}
-
-std::optional<Range> team_sizes(const Catalog& methods, std::string_view algorithm) {
-  for (const ParamInfo& param : methods.params(algorithm))
-    if (param.name == "team_count") return param.range;
   return {};
 }
 

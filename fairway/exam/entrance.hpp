@@ -33,10 +33,6 @@ std::string why_not(const Catalog& methods, std::string_view algorithm, const Ex
 std::string why_not_under(const Catalog& methods, std::string_view algorithm, const ExamFamily& family,
                           const ExamCondition& condition);
 
-/// How many may be in the group of a method that agrees in one: the range of its parameter `team_count`,
-/// which the exam sets to the number of vehicles. None of whoever has no such parameter. Likewise.
-std::optional<Range> team_sizes(const Catalog& methods, std::string_view algorithm);
-
 /// Whether a condition makes a difference to a scenario: whether somebody tells somebody, or something is
 /// there to be seen that no chart has.
 bool concerns(ConditionOf of, const Scenario& scenario);

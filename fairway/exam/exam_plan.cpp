@@ -112,12 +112,8 @@ class Planner {
                         .algorithm = entrant.method.avoider,
                         .overrides = family.set,
                         .place = entrant.method.place};
-      const std::string avoider = family.keep_named_avoiders ? "defaults.avoider" : "vehicles[*].avoider";
-      cell.overrides.emplace_back(avoider, entrant.method.avoider);
-      if (team_sizes(methods_, algorithm_of(entrant.method)))
-        cell.overrides.emplace_back(
-            avoider + ".team_count",
-            std::to_string(first_test(family, family.grounds[ground], {}).vehicles.size()));
+      cell.overrides.emplace_back(family.keep_named_avoiders ? "defaults.avoider" : "vehicles[*].avoider",
+                                  entrant.method.avoider);
       // whatever a method needs around it is written in its name, so that none is given more than another
       cell.overrides.emplace_back("vehicles[*].tracking", "raw");
       cell.overrides.insert(cell.overrides.end(), condition.set.begin(), condition.set.end());

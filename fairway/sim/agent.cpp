@@ -8,6 +8,7 @@
 #include "fairway/control/onboard_model.hpp"
 #include "fairway/control/vehicle_limits.hpp"
 #include "fairway/core/envelope_numbers.hpp"
+#include "fairway/sim/team.hpp"
 
 namespace fairway {
 namespace {
@@ -172,11 +173,13 @@ std::string avoider_in_force(const VehicleSpec& spec, const Limits& limits, cons
   return made(spec.avoider, [&] { return avoiders.tracked(spec.avoider.name); });
 }
 
-Avoider make_avoider(const VehicleSpec& spec, const Limits& limits, std::uint64_t seed,
+Avoider make_avoider(const VehicleSpec& spec, const Limits& limits, const Scenario& scenario,
                      const Catalog& avoiders) {
   const std::string name = avoider_in_force(spec, limits, avoiders);
-  return made(spec.avoider,
-              [&] { return avoiders.make(name, spec.avoider.params, Rng{seed}.stream("avoider", spec.id)); });
+  return made(spec.avoider, [&] {
+    return avoiders.make(name, avoider_params(spec, scenario, avoiders),
+                         Rng{scenario.seed}.stream("avoider", spec.id));
+  });
 }
 
 Particulars particulars_of(const VehicleSpec& spec, const Vehicle& vehicle, double step,
@@ -223,7 +226,7 @@ Agent make_agent(const VehicleSpec& spec, const Scenario& scenario, const Catalo
     return Navigation{scenario.navigation.name, scenario.navigation.params, drawn_for("navigation")};
   });
   Particulars ship = particulars_of(spec, vehicle, scenario.step_s, catalogs.avoiders);
-  Avoider avoider = make_avoider(spec, ship.limits, scenario.seed, catalogs.avoiders);
+  Avoider avoider = make_avoider(spec, ship.limits, scenario, catalogs.avoiders);
   Eigen::VectorXd demand = vehicle.actuator_state();
 
   return {.start_delay = spec.start_delay_s,

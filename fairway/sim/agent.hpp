@@ -57,9 +57,9 @@ struct Agent {
 std::string avoider_in_force(const VehicleSpec& spec, const Limits& limits, const Catalog& avoiders);
 
 /// The vehicle, the avoider and the particulars of a spec, each alone. `limits` are the particulars', `step`
-/// is the control period [s]. They throw as `make_agent` does.
+/// is the control period [s]. They throw as `make_agent` does. The avoider's parameters are `avoider_params`.
 Vehicle make_vehicle(const VehicleSpec& spec, const VehicleCatalog& vehicles);
-Avoider make_avoider(const VehicleSpec& spec, const Limits& limits, std::uint64_t seed,
+Avoider make_avoider(const VehicleSpec& spec, const Limits& limits, const Scenario& scenario,
                      const Catalog& avoiders);
 Particulars particulars_of(const VehicleSpec& spec, const Vehicle& vehicle, double step,
                            const Catalog& avoiders);

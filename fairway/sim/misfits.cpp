@@ -12,6 +12,7 @@
 
 #include "fairway/core/math.hpp"
 #include "fairway/sim/agent.hpp"
+#include "fairway/sim/team.hpp"
 
 namespace fairway {
 namespace {
@@ -22,7 +23,6 @@ struct Ground {
   bool has_obstacles = false;
   bool has_others = false;
   bool is_silent = false;                                     ///< nobody tells anything
-  std::vector<std::uint32_t> ids;                             ///< of all vehicles
   double shallowest = Limits::none, deepest = -Limits::none;  ///< [m]
   double widest = 0.0, second_widest = 0.0;                   ///< radii of two vehicles' spheres [m]
 
@@ -38,7 +38,6 @@ struct Ground {
     }
     for (const VehicleSpec& vehicle : scenario.vehicles) {
       see(vehicle.position.z());
-      ids.push_back(vehicle.id);
       second_widest = math::fmax(second_widest, std::min(widest, vehicle.radius_m));
       widest = math::fmax(widest, vehicle.radius_m);
       for (const Leg& leg : vehicle.mission)
@@ -56,32 +55,22 @@ struct Ground {
   }
 };
 
-/// How many vehicles agree with this one, whose ids are 0 to one less; nothing where its method does not
-/// agree in such a team.
-std::optional<ParamInfo> team_of(const VehicleSpec& spec, std::string_view name, const Catalog& avoiders) {
-  for (ParamInfo& param : avoiders.params(name)) {
-    if (param.name != "team_count") continue;
-    for (const auto& [key, value] : spec.avoider.params)
-      if (key == param.name) param.value = value;
-    return std::move(param);
-  }
-  return {};
-}
-
-/// What is amiss with the team of a vehicle, as a clause about its method; empty for nothing.
-std::string amiss_in_team(const VehicleSpec& spec, std::string_view name, const Ground& ground,
-                          const Catalog& avoiders) {
-  const std::optional<ParamInfo> team = team_of(spec, name, avoiders);
-  const double* count = team ? std::get_if<double>(&team->value) : nullptr;
-  if (count == nullptr || !ground.has_others) return {};
-  const auto size = static_cast<std::uint32_t>(*count);
-  const std::string ids = fmt::format("the ids 0 to {} (team_count: {})", size - 1, size);
+/// What is amiss with the team in which a vehicle's method agrees, as a clause about it; empty for nothing.
+std::string amiss_in_team(const VehicleSpec& spec, const Scenario& scenario, const Catalog& avoiders) {
+  const std::optional<Range> sizes = team_sizes(avoiders, spec.avoider.name);
+  if (!sizes || scenario.vehicles.size() < 2) return {};
+  double size = 0.0;
+  for (const auto& [name, value] : avoider_params(spec, scenario, avoiders))
+    if (name == "team_count") size = std::get<double>(value);
+  const std::string ids = fmt::format("the ids 0 to {} (team_count: {})", size - 1.0, size);
   if (spec.id >= size)
     return fmt::format("agrees among {}, at most {}, and stays where it is with any other id", ids,
-                       team->range.hi);
-  const auto is_in_it = [&](std::uint32_t id) { return id < size; };
-  if (std::ranges::count_if(ground.ids, is_in_it) < static_cast<std::ptrdiff_t>(size))
-    return fmt::format("waits for words of {}, and not all of these are there", ids);
+                       sizes->hi);
+  const auto is_in_it = [&](const VehicleSpec& other) {
+    return other.id < size && team_sizes(avoiders, other.avoider.name);
+  };
+  if (static_cast<double>(std::ranges::count_if(scenario.vehicles, is_in_it)) < size)
+    return fmt::format("waits for words of {}, and not all of these are there and say such", ids);
   return {};
 }
 
@@ -95,9 +84,8 @@ std::string amiss_in_range(const VehicleSpec& spec, const PerceptionSpec& percep
 }
 
 /// What is amiss with one vehicle, each thing as a clause about its method.
-std::vector<std::string> amiss(const VehicleSpec& spec, const Limits& limits,
-                               const PerceptionSpec& perception, const Ground& ground,
-                               const Catalog& avoiders) {
+std::vector<std::string> amiss(const VehicleSpec& spec, const Limits& limits, const Scenario& scenario,
+                               const Ground& ground, const Catalog& avoiders) {
   const std::string name = avoider_in_force(spec, limits, avoiders);
   const auto all = [&](bool AlgorithmInfo::*what) { return avoiders.ignores(name, what); };
   const auto any = [&](bool AlgorithmInfo::*what) { return avoiders.needs(name, what); };
@@ -122,9 +110,9 @@ std::vector<std::string> amiss(const VehicleSpec& spec, const Limits& limits,
   }
   if (speaks && ground.is_silent)
     clauses.emplace_back("waits for the words of others, and the exchange is none");
-  if (std::string clause = amiss_in_range(spec, perception, ground); !is_alone && !clause.empty())
+  if (std::string clause = amiss_in_range(spec, scenario.perception, ground); !is_alone && !clause.empty())
     clauses.push_back(std::move(clause));
-  if (std::string clause = amiss_in_team(spec, name, ground, avoiders); !clause.empty())
+  if (std::string clause = amiss_in_team(spec, scenario, avoiders); !clause.empty())
     clauses.push_back(std::move(clause));
   const auto sees_no_more = [](const Catalog::Entry* layer) {
     return layer->info.needs_chart || layer->info.ignores_obstacles;
@@ -152,7 +140,7 @@ std::vector<std::string> misfits(const Scenario& scenario, const Catalogs& catal
   for (std::size_t i = 0; i < scenario.vehicles.size(); ++i) {
     const VehicleSpec& spec = scenario.vehicles[i];
     try {
-      for (std::string& clause : amiss(spec, limits[i], scenario.perception, ground, catalogs.avoiders)) {
+      for (std::string& clause : amiss(spec, limits[i], scenario, ground, catalogs.avoiders)) {
         const auto known = std::ranges::find(troubles, clause, &Trouble::clause);
         if (known != troubles.end()) {
           ++known->count;

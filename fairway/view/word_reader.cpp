@@ -18,7 +18,7 @@ const Avoider* WordReader::method_of(std::size_t vehicle) {
   if (is_new) {
     const VehicleSpec& spec = scenario_.vehicles[vehicle];
     try {
-      method = make_avoider(spec, spec.limits, scenario_.seed, *avoiders_);
+      method = make_avoider(spec, spec.limits, scenario_, *avoiders_);
     } catch (const InputError&) {  // of a program with methods of its own
     }
   }

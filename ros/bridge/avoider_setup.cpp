@@ -370,7 +370,7 @@ AvoiderSetup avoider_setup(const AvoiderOptions& options) {
                      .algorithm = avoider_in_force(own, limits, avoiders),
                      .pilot = {std::move(ship), draft.period},
                      .helm = std::move(draft.helm),
-                     .avoider = make_avoider(own, limits, draft.scenario.seed, avoiders)};
+                     .avoider = make_avoider(own, limits, draft.scenario, avoiders)};
   for (const ObstacleSpec& obstacle : setup.obstacles) {
     if (obstacle.charted && !obstacle.moves()) setup.helm.chart.push_back(obstacle.view());
   }

@@ -116,12 +116,6 @@ class Agreement {
   std::string_view reason(double now) const noexcept;
 
  private:
-  /// A word as it was said.
-  struct Said {
-    Speech speech{};
-    double sent{};  ///< [s]
-  };
-
   static constexpr std::array<double, most_members> not_yet() {
     std::array<double, most_members> times{};
     times.fill(-std::numeric_limits<double>::infinity());
@@ -153,9 +147,11 @@ class Agreement {
   double next_gate() const noexcept;
   bool is_alarm(std::size_t from, const StateWord& word) const noexcept;
   const Speech* passed_on(double now, double turn_period) const noexcept;
+  const Speech* passed_on_of_others(double now, double turn_period) const noexcept;
   Members everyone() const noexcept { return Members{(1U << count_) - 1U}; }
   bool is_ahead(std::size_t i) const noexcept;
   bool is_done_here(std::size_t i) const noexcept;
+  bool was_left_out() const noexcept;
   bool is_group_busy(double now, double turn_period) const noexcept;
   bool is_pending(double now) const noexcept { return plan_.epoch && now < plan_.start(); }
   /// Whether it is held elsewhere than before, and has had no turn yet to tell where.
@@ -171,6 +167,7 @@ class Agreement {
   OtherGroups others_{};
   double entered_ = -std::numeric_limits<double>::infinity();  ///< when it came to this round [s]
   double used_ = -std::numeric_limits<double>::infinity();     ///< until when the round was of use [s]
+  bool has_tried_{false};                                      ///< it has found no way in this round
 
   // of everybody
   std::array<Member, most_members> members_{};

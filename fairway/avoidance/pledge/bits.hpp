@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -58,9 +59,12 @@ class BitReader {
 
   std::uint32_t get(int bits) noexcept {
     std::uint32_t value = 0;
-    for (int bit = 0; bit < bits; ++bit, ++at_) {
-      const bool set = at_ / 8 < bytes_.size() && (bytes_[at_ / 8] & (0x80U >> (at_ % 8))) != 0U;
-      value = (value << 1U) | (set ? 1U : 0U);
+    for (auto left = static_cast<std::size_t>(bits); left > 0;) {
+      const std::size_t used = at_ % 8, taken = std::min(left, 8 - used);
+      const std::uint32_t byte = at_ / 8 < bytes_.size() ? bytes_[at_ / 8] : 0U;
+      value = (value << taken) | ((byte >> (8 - used - taken)) & ((1U << taken) - 1U));
+      at_ += taken;
+      left -= taken;
     }
     return value;
   }
@@ -112,11 +116,18 @@ inline std::uint32_t hash(std::span<const std::uint8_t> bytes, std::uint32_t fro
 /// The last byte of a speech is a check on the others: CRC-8 by x^8 + x^4 + x^3 + x^2 + 1 from ones on
 /// (SAE J1850), by which no two bits that are wrong pass.
 inline std::uint8_t check_of(const Speech& speech) noexcept {
-  std::uint32_t rest = 0xffU;
-  for (const std::uint8_t byte : std::span{speech.bytes}.first(Speech::most_bytes - 1)) {
-    rest ^= byte;
-    for (int bit = 0; bit < 8; ++bit) rest = (rest << 1U) ^ ((rest & 0x80U) != 0U ? 0x11dU : 0U);
-  }
+  static constexpr std::array<std::uint8_t, 256> rests = [] {  // of each byte
+    std::array<std::uint8_t, 256> all{};
+    for (std::uint32_t byte = 0; byte < all.size(); ++byte) {
+      std::uint32_t rest = byte;
+      for (int bit = 0; bit < 8; ++bit) rest = (rest << 1U) ^ ((rest & 0x80U) != 0U ? 0x11dU : 0U);
+      all[byte] = static_cast<std::uint8_t>(rest);
+    }
+    return all;
+  }();
+  std::uint8_t rest = 0xffU;
+  for (const std::uint8_t byte : std::span{speech.bytes}.first(Speech::most_bytes - 1))
+    rest = rests[rest ^ byte];
   return static_cast<std::uint8_t>(~rest);
 }
 

@@ -108,6 +108,15 @@ TEST(PledgeGroups, WhileOneIsSilentNobodyMoves) {
   }
 }
 
+TEST(PledgeGroups, WhoIsOutOfTheReachOfSomebodyOfAnotherGroupIsHeardThroughOthers) {
+  Fleet fleet{ring_of(12, 20.0), 4.8};
+  while (!fleet.is_done() && fleet.time < 1200.0)
+    fleet.go_on(
+        [](std::size_t from, std::size_t to) { return from + to != 5 || from * to != 0; });  // 0 and 5
+  EXPECT_TRUE(fleet.is_done());
+  EXPECT_GE(fleet.least, 3.0 + 1.5);
+}
+
 TEST(PledgeGroups, WhoIsOfNoGroupIsNotListenedTo) {
   Agreement member{0, {.count = 9}};
   member.hold(crossing({0, 0, 5}, {20, 0, 5}));

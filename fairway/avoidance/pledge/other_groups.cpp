@@ -5,12 +5,12 @@
 
 namespace fairway::pledge {
 
-void OtherGroups::hear(const Word& word) noexcept {
+void OtherGroups::hear(const Word& word, const Speech& speech) noexcept {
   const Header& header = header_of(word);
   const std::size_t from = header.sender;
   Bystander& other = bystanders_[from];
-  if (header.sent <= other.heard) return;
-  other.heard = header.sent;
+  if (header.sent <= other.said.sent) return;
+  other.said = {speech, header.sent};
   const std::size_t group = rounds.groups().group_of(from);
   const auto* state = std::get_if<StateWord>(&word);
   if (state != nullptr) {

@@ -20,14 +20,20 @@ struct Terms {
   Groups groups() const { return {.vehicles = count}; }
 };
 
+/// A word as it was said.
+struct Said {
+  Speech speech{};
+  double sent = -std::numeric_limits<double>::infinity();  ///< [s]
+};
+
 /// A vehicle of another group, as it last told where it rests.
 struct Bystander {
-  bool known{false};                                        ///< whether it did, and has not departed since
-  Vec3 place = Vec3::Zero();                                ///< [m, NED]
-  double radius{};                                          ///< [m]
-  Vec3 destination = Vec3::Zero();                          ///< [m, NED]
-  Epoch goes_by{};                                          ///< the plan by which it says it is on its way
-  double heard = -std::numeric_limits<double>::infinity();  ///< when the last word was said [s]
+  bool known{false};                ///< whether it did, and has not departed since
+  Vec3 place = Vec3::Zero();        ///< [m, NED]
+  double radius{};                  ///< [m]
+  Vec3 destination = Vec3::Zero();  ///< [m, NED]
+  Epoch goes_by{};                  ///< the plan by which it says it is on its way
+  Said said{};                      ///< the last word of it
 };
 
 /// What a member knows of the vehicles of other groups: whose round it is, where they are held, and by which
@@ -40,7 +46,7 @@ class OtherGroups {
   Rounds rounds;
 
   /// A word of a vehicle of another group; one that was said before the last that was heard is passed over.
-  void hear(const Word& word) noexcept;
+  void hear(const Word& word, const Speech& speech) noexcept;
 
   /// Rule 1 of `Rounds`.
   bool may_depart() const noexcept;

@@ -7,6 +7,7 @@
 #include "fairway/avoidance/pledge/following.hpp"
 #include "fairway/avoidance/pledge/making_room.hpp"
 #include "fairway/avoidance/pledge/reading.hpp"
+#include "fairway/core/math.hpp"
 
 namespace fairway {
 namespace {
@@ -18,15 +19,16 @@ using pledge::Member;
 using pledge::Reference;
 using pledge::resting_place;
 
-constexpr double soon = 8.0;          // within it nobody who is lost may come near a promised way [s]
-constexpr double threatened = 12.0;   // likewise a member that is held [s]
-constexpr int most_losses = 1;        // after which a member that is lost again is so for good
-constexpr double aside_within = 0.5;  // of a place to which a member goes aside it comes [m]
-constexpr int patient_rounds = 2;     // without a plan, before a member goes aside
-constexpr double at_rest = 0.05;      // slower than this a member is held [m/s]
-constexpr double settling = 4.0;      // for so long, before it departs, a member turns to its course [s]
-constexpr double resting = 12.0;      // at rest for so long, who was lost is held again [s]
-constexpr double same_place = 0.2;    // as near to each other two destinations are one [m]
+constexpr double soon = 8.0;           // within it nobody who is lost may come near a promised way [s]
+constexpr double threatened = 12.0;    // likewise a member that is held [s]
+constexpr int most_losses = 1;         // after which a member that is lost again is so for good
+constexpr double aside_within = 0.5;   // of a place to which a member goes aside it comes [m]
+constexpr int patient_rounds = 2;      // without a plan, before a member goes aside
+constexpr double at_rest = 0.05;       // slower than this a member is held [m/s]
+constexpr double settling = 4.0;       // for so long, before it departs, a member turns to its course [s]
+constexpr double resting = 12.0;       // at rest for so long, who was lost is held again [s]
+constexpr double shortest_turn = 4.0;  // however often words come: to hear, decide and be heard [decisions]
+constexpr double same_place = 0.2;     // as near to each other two destinations are one [m]
 
 /// The course on which a member that is held will depart, once it is time to turn to it: who departs while it
 /// turns the other way is late. Not in a current, in which nobody who has turned aside stays where it is.
@@ -166,7 +168,7 @@ std::string_view Pledge::begin(const Situation& s, Memory& memory) const noexcep
 std::string_view Pledge::hear(const Situation& s, Memory& memory) const noexcept {
   std::string_view unheard;
   memory.time = s.time;
-  memory.turn_period = s.link->turn_period;
+  memory.turn_period = math::fmax(s.link->turn_period, shortest_turn * s.period);
   for (const Heard& heard : s.link->heard) {
     if (number(heard.from) >= memory.heard.size()) continue;
     std::optional<double>& last = memory.heard[number(heard.from)];
@@ -204,9 +206,10 @@ void Pledge::take_part(const Situation& s, const pledge::Chart& chart, Memory& m
   if (goes_on) retarget(s, memory);
   if (is_free) {
     aim(s, chart, memory);
-    agreement.go_on(s.time, s.period, *s.link, patience, chart, {params.headway_s, s.current});
+    const Link link{.turn_period = memory.turn_period, .next_turn = s.link->next_turn};
+    agreement.go_on(s.time, s.period, link, patience, chart, {params.headway_s, s.current});
   }
-  agreement.take_turns(s.time, s.period, s.link->turn_period, is_free && !memory.waits, rests(s, memory));
+  agreement.take_turns(s.time, s.period, memory.turn_period, is_free && !memory.waits, rests(s, memory));
 }
 
 /// Whether it is where it says, if it is held.

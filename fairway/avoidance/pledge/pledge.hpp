@@ -10,9 +10,8 @@ namespace fairway {
 /// Acknowledged commitments over a modem: a group of up to eight stays where it is until a plan for all has
 /// every member's acknowledgement, and then each keeps to its reference in a tube. What is lost on the way
 /// delays it, and never brings two together (README.md, whose claims are the rules of `Agreement`). It keeps
-/// off what the chart shows. More than eight are up to four groups, which move in turns. It avoids nobody who
-/// does not agree. A decision is O(knots + obstacles), and
-/// while a plan is sought up to 0.5 ms more.
+/// off what the chart shows. More than eight are up to four groups, which depart in turns. It avoids nobody
+/// who does not agree. A decision is O(knots + obstacles), and while a plan is sought up to 0.5 ms more.
 struct Pledge {
   static constexpr AlgorithmInfo info{
       .name = "pledge",
@@ -42,8 +41,9 @@ struct Pledge {
       using P = Params;
       return std::tuple{
           field<&P::team_count>({2, pledge::most_vehicles},
-                                "vehicles that agree, whose ids are 0 to one less; more than eight are "
-                                "several groups, which move in turns"),
+                                "vehicles that agree, whose ids are 0 to one less; in a scenario all whose "
+                                "methods do, unless it says how many; more than eight are several groups, "
+                                "which depart in turns"),
           field<&P::tube_m>({0.05, 100}, "a member is never farther than this from its promised place"),
           field<&P::speed_ratio>({0.1, 1}, "of its greatest speed at which a member plans to go"),
           field<&P::gain_hz>({0, 10}, "speed by which it returns to its reference, for each metre off it"),

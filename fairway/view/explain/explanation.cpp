@@ -9,6 +9,7 @@
 #include "fairway/core/math.hpp"
 #include "fairway/core/text.hpp"
 #include "fairway/sim/agent.hpp"
+#include "fairway/sim/team.hpp"
 #include "fairway/view/explain/decision_facts.hpp"
 #include "fairway/view/explain/drawn_section.hpp"
 #include "fairway/view/explain/headline.hpp"
@@ -275,6 +276,7 @@ Explanation explain(const Scenario& scenario, const FoundDecision& found, const 
   }
   const VehicleSpec& vehicle = scenario.vehicles[found.instant.vehicle];
   Choice avoider = vehicle.avoider;
+  avoider.params = avoider_params(vehicle, scenario, avoiders);
   avoider.name = avoider_in_force(vehicle, decision.situation().limits, avoiders);
   sections.push_back(method_section(avoider, avoiders));
   sections.push_back(found_section(found));

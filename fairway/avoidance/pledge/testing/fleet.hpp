@@ -15,7 +15,7 @@ namespace fairway::pledge {
 
 inline constexpr double step = 0.2;
 
-struct Said {
+struct Spoken {
   Speech speech;
   std::size_t from;
   double heard;  ///< when [s]
@@ -24,7 +24,7 @@ struct Said {
 /// A model of all groups: members that keep to their references exactly, and a modem that loses what a test
 /// has it lose.
 struct Fleet {
-  std::vector<Said> said;
+  std::vector<Spoken> said;
   std::vector<Agreement> members;
   std::vector<Vec3> places;
   std::vector<std::vector<Obstacle>> charts;  ///< of each member
@@ -59,13 +59,13 @@ struct Fleet {
   void go_on(const std::function<bool(std::size_t, std::size_t)>& gets_through) {
     for (std::size_t i = 0; i < members.size(); ++i)
       if (has_turn(i)) said.push_back({members[i].say(time, turn_period), i, time + on_the_air});
-    for (const Said& word : said) {
+    for (const Spoken& word : said) {
       if (word.heard > time + 1e-9) continue;
       for (std::size_t j = 0; j < members.size(); ++j)
         if (j != word.from && gets_through(word.from, j))
           members[j].hear(word.speech, word.heard - on_the_air, time);
     }
-    std::erase_if(said, [&](const Said& word) { return word.heard <= time + 1e-9; });
+    std::erase_if(said, [&](const Spoken& word) { return word.heard <= time + 1e-9; });
     for (std::size_t i = 0; i < members.size(); ++i) {
       std::array<Obstacle, most_vehicles> room;
       members[i].go_on(time, period, {{}, turn_period, turn(i, time)}, patience,
