@@ -147,7 +147,7 @@ class Agreement {
   double next_gate() const noexcept;
   bool is_alarm(std::size_t from, const StateWord& word) const noexcept;
   const Speech* passed_on(double now, double turn_period) const noexcept;
-  const Speech* passed_on_of_others(double now, double turn_period) const noexcept;
+  const Speech* passed_on_in_turn(double now, double turn_period) const noexcept;
   Members everyone() const noexcept { return Members{(1U << count_) - 1U}; }
   bool is_ahead(std::size_t i) const noexcept;
   bool is_done_here(std::size_t i) const noexcept;

@@ -95,7 +95,7 @@ const Speech* Agreement::passed_on(double now, double turn_period) const noexcep
   }
   const auto alarm = std::ranges::max_element(alarmed_);
   if (now < *alarm + turn_period) return &said_[static_cast<std::size_t>(alarm - alarmed_.begin())].speech;
-  if (const Speech* other = passed_on_of_others(now, turn_period)) return other;
+  if (const Speech* other = passed_on_in_turn(now, turn_period)) return other;
   if (turn % passes_each != 0) return nullptr;
   for (std::size_t k = 0; k < count_; ++k) {
     const std::size_t of = (static_cast<std::size_t>(turn / passes_each) + k) % count_;
@@ -108,18 +108,18 @@ const Speech* Agreement::passed_on(double now, double turn_period) const noexcep
   return nullptr;
 }
 
-/// The last word of one of the vehicles of other groups, one after the other, in every other turn of who has
-/// no round and has told its own: it may be out of the reach of who waits for it.
-const Speech* Agreement::passed_on_of_others(double now, double turn_period) const noexcept {
+/// The last word of one vehicle after the other, of its own group the last state, in every other turn of who
+/// has no round and has told its own: it may be out of the reach of who waits for it.
+const Speech* Agreement::passed_on_in_turn(double now, double turn_period) const noexcept {
   const Groups& groups = others_.rounds.groups();
   if (others_.rounds.owns() || status_ == Status::moving || now < entered_ + turn_period) return nullptr;
   const std::size_t turn = static_cast<std::size_t>(std::floor(now / turn_period)) + vehicle_;
   if (turn % 2 != 0) return nullptr;
   for (std::size_t i = 0; i < groups.vehicles; ++i) {
     const std::size_t of = (turn / 2 + vehicle_ + i) % groups.vehicles;
-    const Said& said = others_.bystanders()[of].said;
-    if (groups.group_of(of) != others_.rounds.own_group() && said.sent > now - longest_kept)
-      return &said.speech;
+    const bool is_mate = groups.group_of(of) == others_.rounds.own_group();
+    const Said& said = is_mate ? said_[groups.member_of(of)] : others_.bystanders()[of].said;
+    if (of != vehicle_ && said.sent > now - longest_kept) return &said.speech;
   }
   return nullptr;
 }
