@@ -252,7 +252,10 @@ void Pledge::aim(const Situation& s, const pledge::Chart& chart, Memory& memory)
   if (!can_choose) return;
   memory.aimed_round = rounds.round();
   const Vec3& anchor = agreement.own().anchor;
-  memory.idle_rounds = (anchor - memory.aimed_from).norm() < 1.0 ? memory.idle_rounds + 1 : 0;
+  if ((anchor - memory.aimed_from).norm() >= 1.0)
+    memory.idle_rounds = 0;
+  else if (chart.passing().empty())  // who is on its way may be all that was in its own
+    ++memory.idle_rounds;
   memory.aimed_from = anchor;
   // not all who are stuck at once
   const auto own_round = static_cast<std::size_t>(rounds.round()) / rounds.groups().count();
