@@ -115,8 +115,8 @@ void Agreement::go_on(double now, double period, const Link& link, double patien
   stop_at_gate(now);
   acknowledge(now, latest(patience) * link.turn_period, chart);
   depart(now, link.turn_period, chart);
-  // on board decisions may come more rarely than they are meant to
   if (std::isinf(entered_) && others_.rounds.groups().count() > 1) entered_ = now;
+  // on board decisions may come more rarely than they are meant to
   const double since = now - looked_;
   looked_ = now;
   const bool is_rare = since > 1.2 * period && since < link.turn_period;

@@ -139,8 +139,8 @@ Speech Agreement::say(double now, double turn_period) const noexcept {
                       .acknowledged = acknowledged_,
                       .departed = departed_,
                       .heard = is_mistaken ? known_ & ~plan_.participants : known_};
-  // whose group has no turn tells where it is held, which the others wait for
-  // who is on its way tells other groups in turn by which plan, and from which state it was made
+  // whose group has no round tells where it is held, which the others wait for, or, of who is on its way, now
+  // the plan and now the state that it was made from
   const bool owns = others_.rounds.owns(), goes = status_ == Status::moving && header.epoch;
   const bool tells_plan =
       status_ != Status::lost && !is_news(now, turn_period) && (owns ? is_pending(now) || goes : goes);
