@@ -5,6 +5,7 @@
 #include <set>
 
 #include "fairway/metrics/run_metrics.hpp"
+#include "fairway/scenario/load.hpp"
 #include "fairway/sim/simulation.hpp"
 
 namespace fairway {
@@ -124,6 +125,17 @@ TEST(AcousticExchange, WhoSpeaksIsToldTheDistancesThatItsModemMeasures) {
   EXPECT_GE(distances.count, 10);
   EXPECT_LT(distances.worst, 2.5) << "two ways, up to three seconds apart, at 1 m/s together at most";
   EXPECT_GT(distances.worst, 0.01);
+}
+
+TEST(PerfectExchange, WhoSpeaksMoreOftenThanItDecidesAgreesAtTheFirstAttempt) {
+  Scenario scenario =
+      load_scenario(FAIRWAY_SOURCE_DIR "/campaigns/exam/grounds/pair_overtaking.yaml",
+                    {{"vehicles[*].avoider", "pledge"}, {"vehicles[*].tracking", "raw"}}, 20001);
+  scenario.duration_s = 200;  // with a second attempt one of them takes 297 s
+  const std::vector<Measure> measures = measured_of(scenario);
+  const auto arrived = std::ranges::find(measures, "arrived_ratio", &Measure::quantity);
+  ASSERT_NE(arrived, measures.end());
+  EXPECT_EQ(arrived->value, 1.0);
 }
 
 TEST(AcousticExchange, AnIdealModemIsPerfectExchange) {

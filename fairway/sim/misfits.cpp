@@ -57,19 +57,16 @@ struct Ground {
 
 /// What is amiss with the team in which a vehicle's method agrees, as a clause about it; empty for nothing.
 std::string amiss_in_team(const VehicleSpec& spec, const Scenario& scenario, const Catalog& avoiders) {
-  const std::optional<Range> sizes = team_sizes(avoiders, spec.avoider.name);
-  if (!sizes || scenario.vehicles.size() < 2) return {};
-  double size = 0.0;
-  for (const auto& [name, value] : avoider_params(spec, scenario, avoiders))
-    if (name == "team_count") size = std::get<double>(value);
-  const std::string ids = fmt::format("the ids 0 to {} (team_count: {})", size - 1.0, size);
-  if (spec.id >= size)
+  const std::optional<double> size = team_size(spec, scenario, avoiders);
+  if (!size || scenario.vehicles.size() < 2) return {};
+  const std::string ids = fmt::format("the ids 0 to {} (team_count: {})", *size - 1.0, *size);
+  if (spec.id >= *size)
     return fmt::format("agrees among {}, at most {}, and stays where it is with any other id", ids,
-                       sizes->hi);
+                       team_sizes(avoiders, spec.avoider.name)->hi);
   const auto is_in_it = [&](const VehicleSpec& other) {
-    return other.id < size && team_sizes(avoiders, other.avoider.name);
+    return other.id < *size && team_sizes(avoiders, other.avoider.name);
   };
-  if (static_cast<double>(std::ranges::count_if(scenario.vehicles, is_in_it)) < size)
+  if (static_cast<double>(std::ranges::count_if(scenario.vehicles, is_in_it)) < *size)
     return fmt::format("waits for words of {}, and not all of these are there and say such", ids);
   return {};
 }

@@ -18,4 +18,7 @@ std::optional<Range> team_sizes(const Catalog& avoiders, std::string_view name);
 /// Throws InputError for an unknown name. O(vehicles) for a method that agrees.
 ParamValues avoider_params(const VehicleSpec& spec, const Scenario& scenario, const Catalog& avoiders);
 
+/// How many agree with a vehicle by that; nothing for a method that agrees with nobody. Likewise.
+std::optional<double> team_size(const VehicleSpec& spec, const Scenario& scenario, const Catalog& avoiders);
+
 }  // namespace fairway

@@ -115,7 +115,7 @@ void Agreement::go_on(double now, double period, const Link& link, double patien
   stop_at_gate(now);
   acknowledge(now, latest(patience) * link.turn_period, chart);
   depart(now, link.turn_period, chart);
-  if (std::isinf(entered_) && others_.rounds.groups().count() > 1) entered_ = now;
+  if (std::isinf(entered_) && others_.rounds.groups().count() > 1) entered_ = now;  // the first round
   // on board decisions may come more rarely than they are meant to
   const double since = now - looked_;
   looked_ = now;
@@ -306,7 +306,7 @@ void Agreement::take_turns(double now, double period, double turn_period, bool i
   Rounds& rounds = others_.rounds;
   if (rounds.owns() && (!others_.may_depart() || is_group_busy(now, turn_period))) used_ = now;
   const bool has_use =
-      is_free && status_ == Status::held && !is_done_here(self_) && !has_tried_ && !was_left_out() &&
+      is_free && status_ == Status::held && !is_done_here(self_) && !found_none_ && !was_left_out() &&
       now < std::max(used_, entered_) + std::max(idle_turns * turn_period, idle_decisions * period);
   const bool is_under_way = status_ == Status::moving || status_ == Status::lost;
   if (!rounds.may_go_on(is_under_way || (rests && !has_promised(now) && !has_use))) return;
@@ -314,7 +314,7 @@ void Agreement::take_turns(double now, double period, double turn_period, bool i
   if (search_) ++searches_;  // it came to nothing
   search_.reset();
   entered_ = now;
-  has_tried_ = false;
+  found_none_ = false;
   plans_ = 0;
 }
 

@@ -36,7 +36,7 @@ enum class Hearing : std::uint8_t {
 /// 4. It passes a gate only if it knows that the one who stood there has departed; or else it stops there,
 ///    and that is its anchor from then on.
 /// Where there are several groups a member also keeps to the rules of `Rounds`, and its way off the places at
-/// which vehicles of other groups are held.
+/// which vehicles of other groups are held and the ways by which they go.
 ///
 /// Nothing here depends on when a word arrives, or whether. A value; nothing allocates or throws.
 class Agreement {
@@ -167,7 +167,7 @@ class Agreement {
   OtherGroups others_{};
   double entered_ = -std::numeric_limits<double>::infinity();  ///< when it came to this round [s]
   double used_ = -std::numeric_limits<double>::infinity();     ///< until when the round was of use [s]
-  bool has_tried_{false};                                      ///< it has found no way in this round
+  bool found_none_{false};                                     ///< it has found no way in this round
 
   // of everybody
   std::array<Member, most_members> members_{};

@@ -108,7 +108,7 @@ void Agreement::propose(double now, double period, const Link& link, double pati
     ++searches_;
     acknowledge(now, 0.0, chart);
   } else if (is_due || (has_ended && !search_->found())) {
-    has_tried_ = !is_due;
+    found_none_ = !search_->found();
     search_.reset();
     ++searches_;
   }

@@ -108,10 +108,9 @@ bool Clearance::passes(std::size_t member, const Reference& reference,
                        std::span<const Passing> passing) const noexcept {
   if (passing.empty()) return true;
   const Stops stops = stops_of(member, reference, gates_of(member, reference));
-  const Member& own = members_[member];
   const Vec3 begin = reference.at(start_);
   return std::ranges::all_of(passing, [&](const Passing& other) {
-    const double needed = own.radius + other.radius + 2.0 * tubes_.radius + tubes_.told;
+    const double needed = least_apart(members_[member].radius, other.radius, tubes_);
     const double apart_here = std::min(needed, (begin - other.way.at(start_)).norm() - hair);
     return least_distance(reference, other.way, start_, never, apart_here) >= apart_here &&
            are_clear(stops, other.way, apart_here) && are_clear(other.stops, reference, apart_here);

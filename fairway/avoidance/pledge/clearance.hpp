@@ -18,8 +18,11 @@ struct Tubes {
 };
 
 /// How far the centres of two have to be from each other [m].
+inline double least_apart(double radius_a, double radius_b, const Tubes& tubes) noexcept {
+  return radius_a + radius_b + 2.0 * tubes.radius + tubes.told;
+}
 inline double least_apart(const Member& a, const Member& b, const Tubes& tubes) noexcept {
-  return a.radius + b.radius + 2.0 * tubes.radius + tubes.told;
+  return least_apart(a.radius, b.radius, tubes);
 }
 
 /// How far the centres of two have to be from each other of whom one has stopped on its way [m]: both radii,

@@ -63,11 +63,11 @@ void OtherGroups::follow(std::size_t group) noexcept {
     g.understood = g.plan.epoch;
   }
   if (g.understood != g.plan.epoch) return;
-  const Clearance scene{g.planned, g.plan.participants, terms_.tubes, g.plan.start()};
   for (std::size_t i = 0; i < rounds.groups().size_of(group); ++i) {
     const std::size_t vehicle = rounds.groups().vehicle_of(group, i);
     const bool goes = g.plan.participants[i] && bystanders_[vehicle].goes_by == g.plan.epoch;
     if (!goes || is_passing(vehicle)) continue;
+    const Clearance scene{g.planned, g.plan.participants, terms_.tubes, g.plan.start()};
     passing_[passing_count_] = scene.passing(i, reference_of(g.planned[i], g.plan, g.plan.codes[i]));
     passing_[passing_count_++].vehicle = vehicle;
     rounds.tell_place(vehicle);

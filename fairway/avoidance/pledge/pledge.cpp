@@ -206,7 +206,8 @@ void Pledge::take_part(const Situation& s, const pledge::Chart& chart, Memory& m
   if (goes_on) retarget(s, memory);
   if (is_free) {
     aim(s, chart, memory);
-    const Link link{.turn_period = memory.turn_period, .next_turn = s.link->next_turn};
+    Link link = *s.link;
+    link.turn_period = memory.turn_period;
     agreement.go_on(s.time, s.period, link, patience, chart, {params.headway_s, s.current});
   }
   agreement.take_turns(s.time, s.period, memory.turn_period, is_free && !memory.waits, rests(s, memory));

@@ -97,7 +97,7 @@ class Search {
   Tubes tubes_{};
   std::size_t attempt_{};
   Headway wanted_{};
-  Epoch start_{};
+  Epoch start_{};  ///< of the plans that are looked for
   std::array<Hub, most_hubs> hubs_{};
   std::size_t hub_count_{0}, hub_{0};
 
