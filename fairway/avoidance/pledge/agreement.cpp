@@ -72,7 +72,7 @@ Reference Agreement::whereabouts(std::size_t i) const noexcept {
   if (is_lost(i)) return adrift(i);
   if (statuses_[i] == Status::moving)
     return departed_[i] && plan_.participants[i] ? reference_of(members_[i], plan_, plan_.codes[i])
-                                                 : Reference{};
+                                                 : gone_[i].way;
   return Reference{members_[i].anchor};
 }
 
@@ -128,10 +128,11 @@ void Agreement::go_on(double now, double period, const Link& link, double patien
 void Agreement::assume(double now, double turn_period) noexcept {
   for (std::size_t i = 0; i < count_; ++i) {
     const double silent_since = now - silent_for_good * turn_period;
-    if (!ends_[i] || statuses_[i] != Status::moving || ends_[i]->time > silent_since ||
+    const Gone& gone = gone_[i];
+    if (!gone.by || gone.may_stop || statuses_[i] != Status::moving || gone.way.end() > silent_since ||
         last_heard_[i] > silent_since)
       continue;
-    members_[i].anchor = ends_[i]->position;
+    members_[i].anchor = gone.way.knots().back().position;
     statuses_[i] = Status::arrived;
     settled_.set(i);
   }
@@ -296,7 +297,7 @@ bool Agreement::is_group_busy(double now, double turn_period) const noexcept {
 
 /// Whether others of its group have departed in this round by a plan that did not take it along.
 bool Agreement::was_left_out() const noexcept {
-  if (!plan_.epoch || plan_.participants[self_]) return false;
+  if (!plan_.epoch || plan_.start() < entered_ || plan_.participants[self_]) return false;
   for (std::size_t i = 0; i < count_; ++i)
     if (statuses_[i] == Status::moving && is_ahead(i)) return true;
   return false;

@@ -116,6 +116,13 @@ class Agreement {
   std::string_view reason(double now) const noexcept;
 
  private:
+  /// How a member departed.
+  struct Gone {
+    Epoch by{};
+    Reference way;
+    bool may_stop{false};  ///< at a gate
+  };
+
   static constexpr std::array<double, most_members> not_yet() {
     std::array<double, most_members> times{};
     times.fill(-std::numeric_limits<double>::infinity());
@@ -143,6 +150,7 @@ class Agreement {
   Reference adrift(std::size_t i) const noexcept;
   Members held() const noexcept;
   std::array<Reference, most_members> ways_of_others() const noexcept;
+  void learn_way_of(std::size_t other) noexcept;
   Clearance scene_of(const Plan& plan) const noexcept;
   double next_gate() const noexcept;
   bool is_alarm(std::size_t from, const StateWord& word) const noexcept;
@@ -174,7 +182,7 @@ class Agreement {
   Members known_{};                                          ///< whose states have been heard
   std::array<Status, most_members> statuses_{};              ///< as last heard
   Members settled_{};                                        ///< who have told where they have arrived
-  std::array<std::optional<Knot>, most_members> ends_{};     ///< of who departed by a way without gates
+  std::array<Gone, most_members> gone_{};                    ///< by which way each departed last
   std::array<double, most_members> last_heard_ = not_yet();  ///< when what was heard last was said [s]
   std::array<Members, most_members> heard_by_{};             ///< whose states each of them has
   std::array<double, most_members> known_since_{};           ///< when its first state was heard [s]

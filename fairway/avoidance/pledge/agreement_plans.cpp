@@ -55,12 +55,19 @@ void Agreement::begin_search(double now, const Link& link, double patience, cons
                              const Headway& headway) noexcept {
   search_began_ = now;
   std::array<Reference, most_members> others = ways_of_others();
+  bool it_matters_when = !chart.passing().empty();
+  for (std::size_t i = 0; i < count_; ++i) {
+    if (i == self_ || statuses_[i] != Status::moving) continue;
+    others[i] = whereabouts(i);
+    it_matters_when = it_matters_when || !others[i].empty();
+  }
   Epoch start = Search::at_zero;
-  if (chart.passing().empty()) {
+  if (!it_matters_when) {
     for (Reference& other : others) other = other.later(-(now + 2.0 * link.turn_period));
-  } else {  // it matters when; by then the search has ended
+  } else {
     start = soonest_plan(link, patience);
-    start.tenths += static_cast<std::int64_t>(search_turns * link.turn_period / 0.1);
+    // by then the search has ended
+    if (!chart.empty()) start.tenths += static_cast<std::int64_t>(search_turns * link.turn_period / 0.1);
   }
   search_.emplace(members_, held(), others, terms_, searches_ % 2 == 0 ? 0 : (searches_ + 1) / 2, chart,
                   chart.empty() ? headway : Headway{}, start);
@@ -69,9 +76,8 @@ void Agreement::begin_search(double now, const Link& link, double patience, cons
 /// When the plan that was found may start: as soon as may be, or when it was looked for.
 std::optional<Epoch> Agreement::start_of_found(const Link& link, double patience,
                                                const Chart& chart) const noexcept {
-  const Epoch soonest = soonest_plan(link, patience);
-  if (chart.passing().empty() || search_->holds_from(soonest, chart.passing())) return soonest;
-  const Epoch looked_for = search_->start();
+  const Epoch soonest = soonest_plan(link, patience), looked_for = search_->start();
+  if (looked_for == Search::at_zero || search_->holds_from(soonest, chart.passing())) return soonest;
   if (looked_for < soonest || !search_->holds_from(looked_for, chart.passing())) return {};
   return looked_for;
 }
@@ -93,7 +99,8 @@ void Agreement::propose(double now, double period, const Link& link, double pati
   const bool has_ended = search_->go_on(codes_in_one_decision(chart), chart);
   // who cannot go while others are held may go later
   const double enough = std::max(search_turns * link.turn_period, search_decisions * period);
-  const bool is_enough = chart.has_others() && now > search_began_ + enough;
+  const bool is_beside_others = chart.has_others() || search_->start() != Search::at_zero;
+  const bool is_enough = is_beside_others && now > search_began_ + enough;
   const bool is_best = chart.empty() || has_ended || is_enough || search_->found_all();
   const bool is_due = search_->found() && is_best && ahead <= last_decisions * period;
   const std::optional<Epoch> start = is_due ? start_of_found(link, patience, chart) : std::nullopt;

@@ -66,13 +66,18 @@ void Agreement::learn(const Header& header) noexcept {
   }
   const bool has_gone = header.status == Status::moving || header.status == Status::arrived;
   if (has_gone && header.sent > plan_.start()) left_.set(from);
-  if (header.status == Status::held || header.status == Status::lost) ends_[from].reset();
-  if (header.status != Status::moving || !departed_[from] || !plan_.participants[from] || ends_[from]) return;
-  // nothing but a gate can stop it any more
-  const Reference way = reference_of(members_[from], plan_, plan_.codes[from]);
+  if (header.status == Status::held || header.status == Status::lost) gone_[from] = {};
+  if (header.status == Status::moving && departed_[from] && plan_.participants[from] &&
+      gone_[from].by != plan_.epoch)
+    learn_way_of(from);
+}
+
+/// Another has departed by the newest plan. Nothing but a gate can stop it any more.
+void Agreement::learn_way_of(std::size_t other) noexcept {
+  const Reference way = reference_of(members_[other], plan_, plan_.codes[other]);
   const Clearance::Gates gates =
-      Clearance{members_, plan_.participants, terms_.tubes, plan_.start()}.gates_of(from, way);
-  if (*std::ranges::min_element(gates) == never) ends_[from] = way.knots().back();
+      Clearance{members_, plan_.participants, terms_.tubes, plan_.start()}.gates_of(other, way);
+  gone_[other] = {plan_.epoch, way, *std::ranges::min_element(gates) < never};
 }
 
 void Agreement::learn(const PlanWord& word) noexcept {

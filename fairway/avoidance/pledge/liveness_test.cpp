@@ -13,7 +13,7 @@ namespace {
 
 TEST(PledgeLiveness, OfThreeAllArriveWhateverWasLostInTheTurnsThatDecideAndWhoeverSpeaksFirst) {
   constexpr unsigned words = 9;
-  int divided = 0;
+  int divided = 0, beside_another = 0;
   for (const std::vector<std::size_t>& slots : orders_of_three()) {
     const Fleet begins = three_about_to_decide(slots);
     for (unsigned pattern = 0; pattern < 1U << words; ++pattern) {
@@ -23,13 +23,20 @@ TEST(PledgeLiveness, OfThreeAllArriveWhateverWasLostInTheTurnsThatDecideAndWhoev
       while (word < words) fleet.go_on(by_pattern);
       while (fleet.time < begins.time + 12.0) fleet.go_on([](std::size_t, std::size_t) { return false; });
       divided += fleet.moving() > 0 && fleet.moving() < 3 ? 1 : 0;
-      while (!fleet.is_done() && fleet.time < begins.time + 400.0) fleet.go_on(always);
+      const std::ptrdiff_t moved_first = fleet.moving();
+      std::ptrdiff_t moved_at_once = moved_first;
+      while (!fleet.is_done() && fleet.time < begins.time + 400.0) {
+        fleet.go_on(always);
+        moved_at_once = std::max(moved_at_once, fleet.moving());
+      }
+      beside_another += moved_first > 0 && moved_at_once > moved_first ? 1 : 0;
       ASSERT_TRUE(fleet.is_done()) << pattern;
       ASSERT_GE(fleet.least, 3.0 + 2.0) << pattern;
       ASSERT_LT(fleet.time, begins.time + 250.0) << pattern;
     }
   }
   EXPECT_GT(divided, 0) << "patterns that divide the group are among them";
+  EXPECT_GT(beside_another, divided / 2) << "who stayed goes while the others are on their ways";
 }
 
 TEST(PledgeLiveness, OfTwoToEightNobodyIsLeftAfterHalfAnHourThoughHalfIsLostInRuns) {

@@ -13,6 +13,7 @@ void OtherGroups::hear(const Word& word, const Speech& speech) noexcept {
   other.said = {speech, header.sent};
   const std::size_t group = rounds.groups().group_of(from);
   const auto* state = std::get_if<StateWord>(&word);
+  bool tells_where = state != nullptr && header.status != Status::moving;
   if (state != nullptr) {
     learn(*state, other);
   } else if (const Plan& plan = std::get<PlanWord>(word).plan; groups_[group].plan.epoch < plan.epoch) {
@@ -20,16 +21,19 @@ void OtherGroups::hear(const Word& word, const Speech& speech) noexcept {
   }
   if (header.status == Status::moving) {
     other.known = false;
-    // by an older plan than it speaks of nobody can tell where it goes
+    // who goes by an older plan than it speaks of is on the way that is known if it has not rested since
     const bool goes_by_it = header.departed[rounds.groups().member_of(from)];
-    if (!goes_by_it || other.goes_by != header.epoch) forget_way(from);
-    other.goes_by = goes_by_it ? header.epoch : Epoch{};
+    const bool has_rested = state != nullptr && state->member.version != other.version;
+    if (goes_by_it ? other.goes_by != header.epoch : has_rested) {
+      other.goes_by = goes_by_it ? header.epoch : Epoch{};
+      forget_way(from);
+    }
+    tells_where = is_passing(from) && (goes_by_it || state != nullptr);
   } else if (state != nullptr) {
     other.goes_by = {};
     forget_way(from);
   }
-  rounds.hear(from, header.round, state != nullptr && header.status != Status::moving);
-  if (header.status == Status::moving && is_passing(from)) rounds.tell_place(from);
+  rounds.hear(from, header.round, tells_where);
   follow(group);
 }
 
@@ -71,6 +75,7 @@ void OtherGroups::follow(std::size_t group) noexcept {
     passing_[passing_count_] = scene.passing(i, reference_of(g.planned[i], g.plan, g.plan.codes[i]));
     passing_[passing_count_++].vehicle = vehicle;
     rounds.tell_place(vehicle);
+    bystanders_[vehicle].version = g.planned[i].version;
   }
 }
 

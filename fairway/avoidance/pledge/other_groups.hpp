@@ -33,6 +33,7 @@ struct Bystander {
   double radius{};                  ///< [m]
   Vec3 destination = Vec3::Zero();  ///< [m, NED]
   Epoch goes_by{};                  ///< the plan by which it says it is on its way
+  std::uint8_t version{};           ///< of the state from which it departed, where its way is known
   Said said{};                      ///< the last word of it
 };
 

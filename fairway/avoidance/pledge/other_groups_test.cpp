@@ -50,15 +50,40 @@ TEST(OtherGroups, OfAPlanThatWasMadeFromOtherStatesNoWayIsKnown) {
   EXPECT_TRUE(hearer.others.passing().empty());
 }
 
-TEST(OtherGroups, WhoGoesByAnOlderPlanThanItSpeaksOfMayBeOnAnyWay) {
+TEST(OtherGroups, WhoGoesByAnOlderPlanThanItSpeaksOfIsOnTheWayThatIsKnownIfItHasNotRestedSince) {
   Hearer hearer;
   hearer.hear(StateWord{hearer.header(Status::moving, true), hearer.member});
   hearer.hear(PlanWord{hearer.header(Status::moving, true), hearer.plan});
   ASSERT_EQ(hearer.others.passing().size(), 1U);
   hearer.plan.epoch.tenths += 100;
-  hearer.hear(PlanWord{hearer.header(Status::moving, false), hearer.plan});
+  hearer.hear(StateWord{hearer.header(Status::moving, false), hearer.member});
+  EXPECT_EQ(hearer.others.passing().size(), 1U);
+  ++hearer.member.version;
+  hearer.hear(StateWord{hearer.header(Status::moving, false), hearer.member});
   EXPECT_TRUE(hearer.others.passing().empty());
   EXPECT_FALSE(hearer.others.bystanders()[1].known);
+}
+
+TEST(OtherGroups, AWayIsToldByEveryWordButOneAboutANewerPlan) {
+  Hearer hearer;
+  hearer.hear(StateWord{hearer.header(Status::moving, true), hearer.member});
+  hearer.hear(PlanWord{hearer.header(Status::moving, true), hearer.plan});
+  const auto hear_in_round = [&](std::uint8_t round, auto word) {
+    word.header.round = round;
+    for (std::uint8_t other = 3; other < 9; other += 2)
+      hearer.others.hear(StateWord{{.sender = other, .round = round, .sent = hearer.sent}, hearer.member},
+                         {});
+    hearer.hear(word);
+  };
+  const PlanWord newer{hearer.header(Status::moving, false), {.epoch = {200, 0}, .participants = 0b0010}};
+  // the others own round 1, and vehicle 0 round 2
+  hearer.others.rounds.go_on();
+  hear_in_round(1, newer);
+  hearer.others.rounds.go_on();
+  hear_in_round(2, newer);
+  EXPECT_FALSE(hearer.others.may_depart()) << "it may have departed again in round 1";
+  hear_in_round(2, StateWord{hearer.header(Status::moving, false), hearer.member});
+  EXPECT_TRUE(hearer.others.may_depart());
 }
 
 TEST(OtherGroups, NobodyDepartsBeforeAllOthersAreAtAPlaceOrOnAWayThatIsKnown) {
@@ -73,8 +98,9 @@ TEST(OtherGroups, NobodyDepartsBeforeAllOthersAreAtAPlaceOrOnAWayThatIsKnown) {
   EXPECT_FALSE(hearer.others.may_depart());
   hearer.hear(PlanWord{hearer.header(Status::moving, true), hearer.plan});
   EXPECT_TRUE(hearer.others.may_depart());
+  ++hearer.member.version;
   hearer.plan.epoch.tenths += 100;
-  hearer.hear(PlanWord{hearer.header(Status::moving, false), hearer.plan});
+  hearer.hear(StateWord{hearer.header(Status::moving, false), hearer.member});
   EXPECT_FALSE(hearer.others.may_depart());
 }
 

@@ -25,6 +25,7 @@ constexpr int most_losses = 1;         // after which a member that is lost agai
 constexpr double aside_within = 0.5;   // of a place to which a member goes aside it comes [m]
 constexpr int patient_rounds = 2;      // without a plan, before a member goes aside
 constexpr double at_rest = 0.05;       // slower than this a member is held [m/s]
+constexpr double waves = 4.0;          // over so long they go to and fro [s]
 constexpr double settling = 4.0;       // for so long, before it departs, a member turns to its course [s]
 constexpr double resting = 12.0;       // at rest for so long, who was lost is held again [s]
 constexpr double shortest_turn = 4.0;  // however often words come: to hear, decide and be heard [decisions]
@@ -313,15 +314,17 @@ void Pledge::stay_at(const Situation& s, const Vec3& place, Agreement& agreement
 void Pledge::lose(const Situation& s, Memory& memory) const noexcept {
   ++memory.losses;
   memory.moved = s.time;
+  memory.drift = s.own.velocity;
   memory.stay = s.own.position;
   memory.agreement.lose(s.own.position, s.own.velocity);
 }
 
 /// Who was lost is held again once it has been at rest for longer than a dead hull that a current takes along
-/// is on its way from one to the other, but not for ever again.
+/// is on its way from one to the other, but not for ever again. Waves may move it all the time.
 void Pledge::recover(const Situation& s, Memory& memory) const noexcept {
   Agreement& agreement = memory.agreement;
-  if (s.own.velocity.norm() > at_rest) memory.moved = s.time;
+  memory.drift += std::min(1.0, s.period / waves) * (s.own.velocity - memory.drift);
+  if (std::min(s.own.velocity.norm(), memory.drift.norm()) > at_rest) memory.moved = s.time;
   if (memory.losses > most_losses || s.time < memory.moved + resting)
     return agreement.lose(s.own.position, s.own.velocity);
   stay_at(s, s.own.position, agreement);

@@ -70,6 +70,7 @@ struct Pledge {
     bool waits{false};               ///< it has chosen to stay for this round
     bool is_beyond{false};           ///< its goal is too far from the datum to be told
     double moved{};                  ///< when it was not at rest, since it was lost [s]
+    Vec3 drift = Vec3::Zero();       ///< its velocity since then without the waves [m/s, NED]
     double turn_period{};
     double time{};
     Vec3 stay = Vec3::Zero();  ///< where a lost member holds [m, NED]

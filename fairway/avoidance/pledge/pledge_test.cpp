@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -31,12 +32,12 @@ struct Alone {
   Rng rng{1};
   Context context{rng};
   std::vector<Obstacle> obstacles;
-  Vec3 position{0.0, 0.0, 5.0}, goal{40.0, 0.0, 5.0};
+  Vec3 position{0.0, 0.0, 5.0}, velocity{0.0, 0.0, 0.0}, goal{40.0, 0.0, 5.0};
   double radius{1.5};
 
   Command decide(double time) {
     Situation s{.time = time, .period = 0.1};
-    s.own = {.id = VehicleId{0}, .position = position, .radius = radius};
+    s.own = {.id = VehicleId{0}, .position = position, .velocity = velocity, .radius = radius};
     s.goal = {.position = goal, .cruise_speed = 0.5, .arrival = 1.0};
     s.limits = {.max_speed = 0.5, .max_climb_rate = 0.3};
     s.link = &link;
@@ -79,6 +80,22 @@ TEST(Pledge, WhoWasLostIsHeldAgainOnceItHasRestedForLongAndIsLostForGoodWhenItTh
   member.position.x() = 1.2;
   EXPECT_EQ(status_at(20.0), pledge::Status::lost);
   for (const double time : {21.0, 40.0, 100.0}) EXPECT_EQ(status_at(time), pledge::Status::lost);
+}
+
+TEST(Pledge, WavesAreNoReasonToBeLostForEverAndACurrentIs) {
+  const auto status_after = [](double seconds, double to_and_fro, double current) {
+    Alone member;
+    member.decide(0.0);
+    member.memory.losses = 1;
+    member.memory.agreement.lose(member.position, Vec3::Zero());
+    for (double time = 0.0; time < seconds; time += 0.1) {
+      member.velocity = {current + to_and_fro * std::cos(0.5 * pi * time), 0.0, 0.0};
+      member.decide(time);
+    }
+    return member.memory.agreement.status();
+  };
+  EXPECT_EQ(status_after(30.0, 0.15, 0.0), pledge::Status::held);
+  EXPECT_EQ(status_after(200.0, 0.15, 0.1), pledge::Status::lost);
 }
 
 TEST(Pledge, AWordThatItCannotTakeIsSpokenOf) {

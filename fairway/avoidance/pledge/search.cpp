@@ -18,6 +18,7 @@ constexpr int codes = 256;
 constexpr std::size_t centres = 2 + most_members;  // of rings, one for each attempt
 constexpr double least_gain = 0.05;                // for which a member takes another code [s]
 constexpr double rounding = 1e-6;                  // of times [s]
+constexpr double longer = 60.0;  // by so much a way may be longer than to wait and go straight [s]
 
 /// First where the straight ways cross, in the mean; then the middle of where all are, to go round each other
 /// there; then where each of them is, to go round it.
@@ -61,8 +62,23 @@ Search::Search(const std::array<Member, most_members>& members, const Members& p
       wanted_{wanted},
       start_{start} {
   hubs_[hub_count_++] = {centre_as_told(centre_of(members, asked_, attempt), terms.datum), 0};
+  find_limits(chart);
   find_hubs(chart, terms.datum);
   begin_hub();
+}
+
+/// Beside those who are on their ways nobody takes a way that is much longer than to wait until they have
+/// come to their ends, and then to go straight.
+void Search::find_limits(const Chart& chart) noexcept {
+  latest_.fill(never);
+  if (start_ == at_zero) return;
+  double all_there = start_of(start_);
+  for (const Reference& other : others_)
+    if (!other.empty()) all_there = math::fmax(all_there, other.end());
+  for (const Passing& other : chart.passing()) all_there = math::fmax(all_there, other.way.end());
+  for (std::size_t i = 0; i < most_members; ++i)
+    if (asked_[i])
+      latest_[i] = all_there + longer + reference_of(members_[i], Plan{.epoch = at_zero}, Code{}).end();
 }
 
 /// Wider round the same centre, and round what stands in most ways, each attempt from another of them on.
@@ -202,10 +218,14 @@ Clearance Search::empty() const noexcept {
 bool Search::holds_from(const Epoch& start, std::span<const Passing> passing) const noexcept {
   Plan plan = best_.plan;
   plan.epoch = start;
-  const Clearance scene{members_, plan.participants, tubes_, plan.start()};
+  Clearance scene{members_, plan.participants, tubes_, plan.start()};
   for (std::size_t i = 0; i < most_members; ++i)
-    if (plan.participants[i] && !scene.passes(i, reference_of(members_[i], plan, plan.codes[i]), passing))
-      return false;
+    if (!plan.participants[i] && !others_[i].empty()) scene.place(i, others_[i]);
+  for (std::size_t i = 0; i < most_members; ++i) {
+    if (!plan.participants[i]) continue;
+    const Reference reference = reference_of(members_[i], plan, plan.codes[i]);
+    if (!scene.accepts(i, reference) || !scene.passes(i, reference, passing)) return false;
+  }
   return true;
 }
 
@@ -245,6 +265,7 @@ void Search::try_carousel(int number, const Chart& chart) noexcept {
     if (!participants_[i]) continue;
     plan.codes[i].ring = by[i];
     const Reference reference = reference_of(members_[i], plan, plan.codes[i]);
+    if (reference.end() > latest_[i]) return clashes_.add(i, i, by);
     if (const auto hindrance = hindrance_to(i, reference, scene, chart))
       return clashes_.add(i, participants_[*hindrance] ? *hindrance : i, by);
     scene.place(i, reference);
@@ -297,7 +318,7 @@ void Search::try_code(double limit, const Chart& chart) noexcept {
 /// One code of the member whose turn it is; when all were tried it takes the cheapest, or stays.
 void Search::try_next_code(const Chart& chart) noexcept {
   if (!participants_[member_]) number_ = codes;
-  if (number_ < codes) try_code(least_cost_, chart);
+  if (number_ < codes) try_code(math::fmin(least_cost_, latest_[member_]), chart);
   if (++number_ < codes) return;
   if (least_cost_ < never) {
     plan_.codes[member_] = code_;

@@ -25,7 +25,7 @@ class Search {
   /// So many centres and widths of rings are tried where something stands in the way.
   static constexpr std::size_t most_hubs = 6;
 
-  /// Plans are looked for as if they began then, where nobody of another group is on its way.
+  /// Plans are looked for as if they began then, where nobody is on its way.
   static constexpr Epoch at_zero{.tenths = 0};
 
   /// Of a plan that begins at `start`. `others` are the references of those who do not take part and stay
@@ -56,6 +56,7 @@ class Search {
     std::uint8_t scale{};
   };
 
+  void find_limits(const Chart& chart) noexcept;
   void find_hubs(const Chart& chart, const Vec2& datum) noexcept;
   void begin() noexcept;
   void begin_hub() noexcept;
@@ -97,7 +98,8 @@ class Search {
   Tubes tubes_{};
   std::size_t attempt_{};
   Headway wanted_{};
-  Epoch start_{};  ///< of the plans that are looked for
+  Epoch start_{};                              ///< of the plans that are looked for
+  std::array<double, most_members> latest_{};  ///< at its end; who would be later stays [s]
   std::array<Hub, most_hubs> hubs_{};
   std::size_t hub_count_{0}, hub_{0};
 

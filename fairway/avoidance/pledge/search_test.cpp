@@ -36,5 +36,51 @@ TEST(PledgeSearch, LetsThoseGoWhoLieAtEachOthersDestinationsWhereNotAllCan) {
   EXPECT_GT(some, 50) << "so narrow it is";
 }
 
+/// A member that goes from one side of the origin to the other, from 100 s on, beside another that is on its
+/// way.
+struct BesideAnother {
+  static constexpr Epoch start{.tenths = 1000};
+  Member member = crossing({-10, 0, 5}, {10, 0, 5});
+  Reference other;
+
+  explicit BesideAnother(const std::array<Knot, 2>& way) {
+    for (const Knot& knot : way) other.add(knot);
+  }
+  Search search(const Epoch& from, const Chart& chart = {}) const {
+    Search search{{member, member},
+                  0b0001,
+                  {Reference{}, other},
+                  {.tubes = {.radius = 1.0, .told = 0.1}},
+                  0,
+                  chart,
+                  {},
+                  from};
+    while (!search.go_on(1000, chart)) continue;
+    return search;
+  }
+};
+
+TEST(PledgeSearch, KeepsClearOfWhoIsOnItsWayAndKnowsWhenThatHolds) {
+  const BesideAnother scene{{{{0.0, {0, -61, 5}}, {244.0, {0, 61, 5}}}}};
+  const Search search = scene.search(BesideAnother::start);
+  ASSERT_TRUE(search.found());
+  const Plan& plan = search.best();
+  const Reference way = reference_of(scene.member, plan, plan.codes[0]);
+  EXPECT_GE(least_distance(way, scene.other, plan.start()), 5.1);
+  EXPECT_TRUE(search.holds_from(BesideAnother::start, {}));
+  int meets = 0;
+  for (int seconds = -60; seconds < 60; ++seconds)
+    meets += search.holds_from({.tenths = 1000 + 10 * seconds}, {}) ? 0 : 1;
+  EXPECT_GT(meets, 0) << "if it departs at another time it meets the other";
+}
+
+TEST(PledgeSearch, BesideWhoIsOnItsWayNobodyGoesALongWayRound) {
+  const std::vector<Vec3> corners{{-1, -16, 0}, {1, -16, 0}, {1, 16, 0}, {-1, 16, 0}};
+  const std::array walls{Obstacle{.kind = Obstacle::Kind::polygon, .vertices = corners}};
+  const BesideAnother scene{{{{0.0, {300, 0, 5}}, {110.0, {350, 0, 5}}}}};
+  EXPECT_TRUE(scene.search(Search::at_zero, Chart{walls}).found());
+  EXPECT_FALSE(scene.search(BesideAnother::start, Chart{walls}).found());
+}
+
 }  // namespace
 }  // namespace fairway::pledge
