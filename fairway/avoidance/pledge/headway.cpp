@@ -36,10 +36,10 @@ double headway_of(const Reference& a, const Reference& b, double apart, const He
 }
 
 double headway_of(std::size_t member, const Reference& reference, const Clearance& scene,
-                  const Headway& wanted) noexcept {
+                  const Members& others, const Headway& wanted) noexcept {
   Headway least = wanted;
   for (std::size_t other = 0; other < most_members; ++other) {
-    if (other == member || !scene.placed()[other]) continue;
+    if (other == member || !scene.placed()[other] || !others[other]) continue;
     const double apart = scene.beside(member, other);
     least.aim = headway_of(reference, scene.reference(other), apart, least);
     least.aim = headway_of(scene.reference(other), reference, apart, least);
@@ -47,13 +47,14 @@ double headway_of(std::size_t member, const Reference& reference, const Clearanc
   return least.aim;
 }
 
-double headway_of(const Clearance& scene, const Headway& wanted) noexcept {
+double headway_of(const Clearance& scene, const Members& some, const Members& others,
+                  const Headway& wanted) noexcept {
   Headway least = wanted;
+  Members rest = others;
   for (std::size_t i = 0; i < most_members; ++i) {
-    for (std::size_t j = 0; scene.placed()[i] && j < most_members; ++j) {
-      if (j == i || !scene.placed()[j]) continue;
-      least.aim = headway_of(scene.reference(i), scene.reference(j), scene.beside(i, j), least);
-    }
+    if (!some[i] || !scene.placed()[i]) continue;
+    rest.reset(i);
+    least.aim = headway_of(i, scene.reference(i), scene, rest, least);
   }
   return least.aim;
 }

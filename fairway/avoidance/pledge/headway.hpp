@@ -19,11 +19,13 @@ struct Headway {
 /// each of a few times.
 double headway_of(const Reference& a, const Reference& b, double apart, const Headway& wanted) noexcept;
 
-/// The least one of a member towards all others that have been placed, and of these towards it.
+/// The least one of a member towards those of `others` that have been placed, and of these towards it.
 double headway_of(std::size_t member, const Reference& reference, const Clearance& scene,
-                  const Headway& wanted) noexcept;
+                  const Members& others, const Headway& wanted) noexcept;
 
-/// The least one of all that have been placed.
-double headway_of(const Clearance& scene, const Headway& wanted) noexcept;
+/// The least one of those of `some` that have been placed towards those of `others`, and of these towards
+/// them.
+double headway_of(const Clearance& scene, const Members& some, const Members& others,
+                  const Headway& wanted) noexcept;
 
 }  // namespace fairway::pledge

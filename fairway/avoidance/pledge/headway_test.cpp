@@ -72,7 +72,7 @@ Found found(std::uint64_t seed, double aim) {
     scene.place(i, way);
     it.time += way.end() / 8.0;
   }
-  it.headway = headway_of(scene, {.aim = 20.0});
+  it.headway = headway_of(scene, Members{}.set(), Members{}.set(), {.aim = 20.0});
   return it;
 }
 

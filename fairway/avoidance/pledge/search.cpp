@@ -67,8 +67,6 @@ Search::Search(const std::array<Member, most_members>& members, const Members& p
   begin_hub();
 }
 
-/// Beside those who are on their ways nobody takes a way that is much longer than to wait until they have
-/// come to their ends, and then to go straight.
 void Search::find_limits(const Chart& chart) noexcept {
   latest_.fill(never);
   if (start_ == at_zero) return;
@@ -286,11 +284,20 @@ void Search::end_carousels() noexcept {
     if (plan_.participants[i]) scene_.place(i, reference_of(members_[i], plan_, plan_.codes[i]));
 }
 
+/// What is lacking of the headway that is wanted: among those who are asked, and besides, where others are on
+/// their ways, towards these [s].
+template <class HeadwayTowards>
+double Search::lack_of(const HeadwayTowards& headway_towards) const noexcept {
+  if (start_ == at_zero) return wanted_.aim - headway_towards(Members{}.set());
+  return 2.0 * wanted_.aim - headway_towards(asked_) - headway_towards(~asked_);
+}
+
 /// Of the way of the member whose turn it is.
 double Search::cost_of(const Reference& reference) noexcept {
   if (wanted_.aim <= 0.0) return reference.end();
   spent_ += 2 * pair_cost * static_cast<int>(scene_.placed().count());
-  const double lacks = wanted_.aim - headway_of(member_, reference, scene_, wanted_);
+  const double lacks =
+      lack_of([&](const Members& others) { return headway_of(member_, reference, scene_, others, wanted_); });
   return reference.end() + worth * static_cast<double>(participants_.count()) * lacks;
 }
 
@@ -377,7 +384,9 @@ void Search::keep(const Clearance& scene, const Plan& plan) noexcept {
   if (wanted_.aim > 0.0 && option.is_better_than(of_hub_)) {
     const auto placed = static_cast<int>(scene.placed().count());
     spent_ += pair_cost * placed * placed;
-    option.cost += worth * (wanted_.aim - headway_of(scene, wanted_));
+    option.cost += worth * lack_of([&](const Members& others) {
+                     return headway_of(scene, plan.participants, others, wanted_);
+                   });
   }
   if (option.is_better_than(of_hub_)) of_hub_ = option;
   if (option.is_better_than(best_)) best_ = option;

@@ -28,9 +28,11 @@ class Search {
   /// Plans are looked for as if they began then, where nobody is on its way.
   static constexpr Epoch at_zero{.tenths = 0};
 
-  /// Of a plan that begins at `start`. `others` are the references of those who do not take part and stay
-  /// where they are, as far as they are known; the rest of them have no knots. `attempt` counts from 0: every
-  /// one has another centre, and another who is first. All that is asked keeps off what stands.
+  /// Of a plan that begins at `start`. `others` are the references of those who do not take part, as far as
+  /// they are known; the rest of them have no knots. `attempt` counts from 0: every one has another centre,
+  /// and another who is first. All that is asked keeps off what stands. Where somebody is on its way nobody
+  /// goes a way that takes a minute longer than to wait until all such have come to their ends, and to go
+  /// straight then.
   Search(const std::array<Member, most_members>& members, const Members& participants,
          const std::array<Reference, most_members>& others, const Terms& terms, std::size_t attempt,
          const Chart& chart, const Headway& wanted = {}, const Epoch& start = at_zero) noexcept;
@@ -66,6 +68,8 @@ class Search {
                                           const Clearance& scene, const Chart& chart) const noexcept;
   int carousel_count() const noexcept;
   double cost_of(const Reference& reference) noexcept;
+  template <class HeadwayTowards>
+  double lack_of(const HeadwayTowards& headway_towards) const noexcept;
   void try_carousel(int number, const Chart& chart) noexcept;
   void end_carousels() noexcept;
   void try_code(double limit, const Chart& chart) noexcept;
