@@ -143,6 +143,7 @@ class Agreement {
   void begin_search(double now, const Link& link, double patience, const Chart& chart,
                     const Headway& headway) noexcept;
   Epoch soonest_plan(const Link& link, double patience) const noexcept;
+  Epoch start_beside_others(const Link& link, double patience, const Chart& chart) const noexcept;
   std::optional<Epoch> start_of_found(const Link& link, double patience, const Chart& chart) const noexcept;
   double clear_of(std::size_t i) const noexcept;
   void assume(double now, double turn_period) noexcept;

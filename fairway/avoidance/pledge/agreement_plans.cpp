@@ -51,6 +51,13 @@ Epoch Agreement::soonest_plan(const Link& link, double patience) const noexcept 
   return {std::max(static_cast<std::int64_t>(start), after_all), static_cast<std::uint8_t>(self_)};
 }
 
+/// When a plan would start that is found beside those who are on their ways: by then the search has ended.
+Epoch Agreement::start_beside_others(const Link& link, double patience, const Chart& chart) const noexcept {
+  Epoch start = soonest_plan(link, patience);
+  if (!chart.empty()) start.tenths += static_cast<std::int64_t>(search_turns * link.turn_period / 0.1);
+  return start;
+}
+
 void Agreement::begin_search(double now, const Link& link, double patience, const Chart& chart,
                              const Headway& headway) noexcept {
   search_began_ = now;
@@ -61,14 +68,9 @@ void Agreement::begin_search(double now, const Link& link, double patience, cons
     others[i] = whereabouts(i);
     it_matters_when = it_matters_when || !others[i].empty();
   }
-  Epoch start = Search::at_zero;
-  if (!it_matters_when) {
+  const Epoch start = it_matters_when ? start_beside_others(link, patience, chart) : Search::at_zero;
+  if (!it_matters_when)
     for (Reference& other : others) other = other.later(-(now + 2.0 * link.turn_period));
-  } else {
-    start = soonest_plan(link, patience);
-    // by then the search has ended
-    if (!chart.empty()) start.tenths += static_cast<std::int64_t>(search_turns * link.turn_period / 0.1);
-  }
   search_.emplace(members_, held(), others, terms_, searches_ % 2 == 0 ? 0 : (searches_ + 1) / 2, chart,
                   chart.empty() ? headway : Headway{}, start);
 }

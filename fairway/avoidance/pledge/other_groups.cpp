@@ -13,28 +13,33 @@ void OtherGroups::hear(const Word& word, const Speech& speech) noexcept {
   other.said = {speech, header.sent};
   const std::size_t group = rounds.groups().group_of(from);
   const auto* state = std::get_if<StateWord>(&word);
-  bool tells_where = state != nullptr && header.status != Status::moving;
   if (state != nullptr) {
     learn(*state, other);
   } else if (const Plan& plan = std::get<PlanWord>(word).plan; groups_[group].plan.epoch < plan.epoch) {
     groups_[group].plan = plan;
   }
-  if (header.status == Status::moving) {
-    other.known = false;
-    // who goes by an older plan than it speaks of is on the way that is known if it has not rested since
-    const bool goes_by_it = header.departed[rounds.groups().member_of(from)];
-    const bool has_rested = state != nullptr && state->member.version != other.version;
-    if (goes_by_it ? other.goes_by != header.epoch : has_rested) {
-      other.goes_by = goes_by_it ? header.epoch : Epoch{};
-      forget_way(from);
-    }
-    tells_where = is_passing(from) && (goes_by_it || state != nullptr);
-  } else if (state != nullptr) {
+  const bool moves = header.status == Status::moving;
+  if (!moves && state != nullptr) {
     other.goes_by = {};
     forget_way(from);
   }
-  rounds.hear(from, header.round, tells_where);
+  rounds.hear(from, header.round, moves ? tells_way(header, state) : state != nullptr);
   follow(group);
+}
+
+/// Whether who is on its way is on the one that is known of it, which is forgotten where it is not: it goes
+/// by that plan, or speaks of a newer one and has not rested since. Of a newer plan alone that does not
+/// follow.
+bool OtherGroups::tells_way(const Header& header, const StateWord* state) noexcept {
+  Bystander& other = bystanders_[header.sender];
+  other.known = false;
+  const bool goes_by_it = header.departed[rounds.groups().member_of(header.sender)];
+  const bool has_rested = state != nullptr && state->member.version != other.version;
+  if (goes_by_it ? other.goes_by != header.epoch : has_rested) {
+    other.goes_by = goes_by_it ? header.epoch : Epoch{};
+    forget_way(header.sender);
+  }
+  return is_passing(header.sender) && (goes_by_it || state != nullptr);
 }
 
 void OtherGroups::learn(const StateWord& word, Bystander& other) noexcept {

@@ -72,6 +72,7 @@ class OtherGroups {
   };
 
   void learn(const StateWord& word, Bystander& other) noexcept;
+  bool tells_way(const Header& header, const StateWord* state) noexcept;
   void follow(std::size_t group) noexcept;
   bool is_passing(std::size_t vehicle) const noexcept;
   void forget_way(std::size_t vehicle) noexcept;

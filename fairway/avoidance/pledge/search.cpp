@@ -18,7 +18,7 @@ constexpr int codes = 256;
 constexpr std::size_t centres = 2 + most_members;  // of rings, one for each attempt
 constexpr double least_gain = 0.05;                // for which a member takes another code [s]
 constexpr double rounding = 1e-6;                  // of times [s]
-constexpr double longer = 60.0;  // by so much a way may be longer than to wait and go straight [s]
+constexpr double longest_detour = 60.0;            // beyond waiting and going straight then [s]
 
 /// First where the straight ways cross, in the mean; then the middle of where all are, to go round each other
 /// there; then where each of them is, to go round it.
@@ -67,6 +67,7 @@ Search::Search(const std::array<Member, most_members>& members, const Members& p
   begin_hub();
 }
 
+/// Beside those who are on their ways.
 void Search::find_limits(const Chart& chart) noexcept {
   latest_.fill(never);
   if (start_ == at_zero) return;
@@ -76,7 +77,8 @@ void Search::find_limits(const Chart& chart) noexcept {
   for (const Passing& other : chart.passing()) all_there = math::fmax(all_there, other.way.end());
   for (std::size_t i = 0; i < most_members; ++i)
     if (asked_[i])
-      latest_[i] = all_there + longer + reference_of(members_[i], Plan{.epoch = at_zero}, Code{}).end();
+      latest_[i] =
+          all_there + longest_detour + reference_of(members_[i], Plan{.epoch = at_zero}, Code{}).end();
 }
 
 /// Wider round the same centre, and round what stands in most ways, each attempt from another of them on.
@@ -206,19 +208,18 @@ bool Search::go_on(int count, const Chart& chart) noexcept {
 }
 
 /// Nobody of the participants placed yet.
-Clearance Search::empty() const noexcept {
-  Clearance scene{members_, participants_, tubes_, start_of(start_)};
+Clearance Search::scene_beside(const std::array<Reference, most_members>& others, const Members& participants,
+                               const Epoch& start) const noexcept {
+  Clearance scene{members_, participants, tubes_, start_of(start)};
   for (std::size_t i = 0; i < most_members; ++i)
-    if (!participants_[i] && !ways_[i].empty()) scene.place(i, ways_[i]);
+    if (!participants[i] && !others[i].empty()) scene.place(i, others[i]);
   return scene;
 }
 
 bool Search::holds_from(const Epoch& start, std::span<const Passing> passing) const noexcept {
   Plan plan = best_.plan;
   plan.epoch = start;
-  Clearance scene{members_, plan.participants, tubes_, plan.start()};
-  for (std::size_t i = 0; i < most_members; ++i)
-    if (!plan.participants[i] && !others_[i].empty()) scene.place(i, others_[i]);
+  const Clearance scene = scene_beside(others_, plan.participants, start);
   for (std::size_t i = 0; i < most_members; ++i) {
     if (!plan.participants[i]) continue;
     const Reference reference = reference_of(members_[i], plan, plan.codes[i]);
@@ -258,7 +259,7 @@ void Search::try_carousel(int number, const Chart& chart) noexcept {
   plan.scale = static_cast<std::uint8_t>(plan.scale + number / carousels);
   plan.to_port = number % carousels >= rings * rings;
   plan.participants = participants_;
-  Clearance scene = empty();
+  Clearance scene = scene_beside(ways_, participants_, start_);
   for (std::size_t i = 0; i < most_members; ++i) {
     if (!participants_[i]) continue;
     plan.codes[i].ring = by[i];
@@ -279,7 +280,7 @@ void Search::end_carousels() noexcept {
   least_cost_ = never;
   stage_ = of_hub_.is_any() ? Stage::improve : Stage::one_by_one;
   plan_ = of_hub_.is_any() ? of_hub_.plan : empty_plan();
-  scene_ = empty();
+  scene_ = scene_beside(ways_, participants_, start_);
   for (std::size_t i = 0; i < most_members; ++i)
     if (plan_.participants[i]) scene_.place(i, reference_of(members_[i], plan_, plan_.codes[i]));
 }

@@ -63,7 +63,8 @@ class Search {
   void begin() noexcept;
   void begin_hub() noexcept;
   Plan empty_plan() const noexcept;
-  Clearance empty() const noexcept;
+  Clearance scene_beside(const std::array<Reference, most_members>& others, const Members& participants,
+                         const Epoch& start) const noexcept;
   std::optional<std::size_t> hindrance_to(std::size_t member, const Reference& reference,
                                           const Clearance& scene, const Chart& chart) const noexcept;
   int carousel_count() const noexcept;
