@@ -86,6 +86,15 @@ TEST(PledgeGroups, WhereWordsComeAtEveryStepAGroupStillHasTheTimeToFindAPlan) {
   EXPECT_GE(fleet.least, 3.0 + 1.5);
 }
 
+TEST(PledgeGroups, WhoWasLeftOutOfAPlanLooksForOneInItsNextRound) {
+  std::vector<Member> wide = ring_of(16, 28.0);
+  for (Member& member : wide) member.radius = 3.5;  // so that not all of a group can go at once
+  Fleet fleet{wide, step};
+  while (!fleet.is_done() && fleet.time < 500.0) fleet.go_on(always);
+  EXPECT_TRUE(fleet.is_done()) << "it would take 643 s where rounds are given back until all have arrived";
+  EXPECT_GE(fleet.least, 7.0 + 1.5);
+}
+
 TEST(PledgeGroups, NobodyAllocatesWhereOneHasRoundsToCountAndPlacesToKeepClearOf) {
   Fleet fleet{ring_of(16, 24.0), 6.4};
   fleet.said.reserve(64);

@@ -35,6 +35,21 @@ TEST(Headway, CountsWithTheWaterThatSetsTheStoppedOneOff) {
   EXPECT_NEAR(headway_of(one, other, 4.0, {.aim = 30.0, .drift = {0, 0.1, 0}}), 10.0, 0.1);
 }
 
+TEST(Headway, IsTowardsThoseAloneWhoAreNamed) {
+  // the third follows the first by 6 m at 0.5 m/s, where 4 m are needed; the second is far from both
+  const Member member{.radius = 1.5};
+  Clearance scene{{member, member, member}, 0b111, {.radius = 0.9, .told = 0.1}, 0.0};
+  scene.place(0, straight(0, {10, 0, 5}, 100, {60, 0, 5}));
+  scene.place(1, straight(0, {10, 50, 5}, 100, {60, 50, 5}));
+  scene.place(2, straight(0, {4, 0, 5}, 100, {54, 0, 5}));
+  const Headway wanted{.aim = 20.0};
+  const Members first_two{0b011}, third{0b100};
+  EXPECT_EQ(headway_of(scene, first_two, first_two, wanted), 20.0);
+  EXPECT_NEAR(headway_of(scene, first_two, third, wanted), 4.0, 0.1);
+  EXPECT_NEAR(headway_of(scene, third, first_two, wanted), 4.0, 0.1);
+  EXPECT_EQ(headway_of(1, scene.reference(1), scene, third, wanted), 20.0);
+}
+
 TEST(Headway, IsWhatSamplesOfWhereOneStopsAndTheOtherComesSay) {
   Rng rng{20260};
   for (int draw = 0; draw < 20; ++draw) {

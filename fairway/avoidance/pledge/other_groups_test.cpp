@@ -70,6 +70,7 @@ TEST(OtherGroups, AWayIsToldByEveryWordButOneAboutANewerPlan) {
   hearer.hear(PlanWord{hearer.header(Status::moving, true), hearer.plan});
   const auto hear_in_round = [&](std::uint8_t round, auto word) {
     word.header.round = round;
+    word.header.sent = hearer.sent;
     for (std::uint8_t other = 3; other < 9; other += 2)
       hearer.others.hear(StateWord{{.sender = other, .round = round, .sent = hearer.sent}, hearer.member},
                          {});
