@@ -99,14 +99,18 @@ class Milestones {
 };
 
 /// Down from `leaves` on, along the level, and up again to be there at the end of a passage of `duration`.
-/// While it dives and climbs it is slower along by what that takes of its speed.
-Milestones milestones_of(const Member& member, int levels, double leaves, double duration) {
+/// While it dives and climbs it is slower along by what that takes of its speed, or, plumb, does not go
+/// along.
+Milestones milestones_of(const Member& member, const Code& code, double leaves, double duration) {
   const double from = member.anchor.z(), to = member.destination.z();
-  const double level = math::fmax(from, to) + levels * level_step(member);
+  const double level = math::fmax(from, to) + code.dive * level_step(member);
+  const bool plumb = is_plumb(member, code);
   const auto share_left = [&](double rate) {
+    if (plumb) return 0.0;
     return std::sqrt(math::fmax(1.0 - rate * rate / (member.speed * member.speed), 0.0));
   };
-  const double goes = leaves + member.turn, is_down = leaves + (level - from) / member.descent;
+  const double is_down = leaves + (level - from) / member.descent;
+  const double turned = leaves + member.turn, goes = plumb ? math::fmax(turned, is_down) : turned;
   const double climbs_for = (level - to) / member.climb;
   const double along_diving =
       std::min(share_left(member.descent) * math::fmax(is_down - goes, 0.0), duration);
@@ -124,8 +128,8 @@ Milestones milestones_of(const Member& member, int levels, double leaves, double
 }
 
 Reference below_others(const Member& member, const Plan& plan, const Code& code, const Passage& passage) {
-  const double leaves = plan.start() + delay_step * code.delay;
-  const Milestones way = milestones_of(member, code.dive, leaves, passage.duration());
+  const double leaves = plan.start() + delay_of(member, code);
+  const Milestones way = milestones_of(member, code, leaves, passage.duration());
   std::array<double, Reference::most_knots> times{};
   std::size_t count = 0;
   for (const Milestone& each : way.all()) times[count++] = each.time;
@@ -223,8 +227,8 @@ Reference reference_of(const Member& member, const Plan& plan, const Code& code)
 
 Reference reference_of(const Member& member, const Plan& plan, const Code& code,
                        const Passage& passage) noexcept {
-  if (code.dive > 0 && has_levels(member)) return below_others(member, plan, code, passage);
-  const double leaves = plan.start() + delay_step * code.delay, goes = leaves + member.turn;
+  if (is_below(member, code)) return below_others(member, plan, code, passage);
+  const double leaves = plan.start() + delay_of(member, code), goes = leaves + member.turn;
   const double down = member.destination.z() - member.anchor.z();
   const double rate = math::fmax(down > 0.0 ? member.descent : member.climb, 0.01);
   const double along = member.turn + passage.duration(), vertical = std::fabs(down) / rate;
@@ -248,6 +252,16 @@ Reference reference_of(const Member& member, const Plan& plan, const Code& code,
 bool has_levels(const Member& member) noexcept {
   return std::fabs(member.destination.z() - member.anchor.z()) < level_within &&
          member.descent > level_keeping && member.climb > level_keeping && member.speed > level_keeping;
+}
+
+bool is_below(const Member& member, const Code& code) noexcept { return code.dive > 0 && has_levels(member); }
+
+bool is_plumb(const Member& member, const Code& code) noexcept {
+  return is_below(member, code) && code.delay % 2 == 1;
+}
+
+double delay_of(const Member& member, const Code& code) noexcept {
+  return delay_step * (code.delay - (is_plumb(member, code) ? 1 : 0));
 }
 
 double level_step(const Member& member) noexcept { return 2.0 * member.radius + level_gap; }

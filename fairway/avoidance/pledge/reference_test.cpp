@@ -39,7 +39,7 @@ TEST(Reference, BeginsAtTheAnchorEndsNearTheDestinationAndKeepsItsSpeeds) {
     const Plan plan = drawn_plan(rng);
     const Reference way = reference_of(member, plan, plan.codes[0]);
     ASSERT_LT(way.knots().size(), Reference::most_knots);
-    EXPECT_EQ(way.at(plan.start() + delay_step * plan.codes[0].delay), member.anchor);
+    EXPECT_EQ(way.at(plan.start() + delay_of(member, plan.codes[0])), member.anchor);
     EXPECT_LE((way.at(1e6) - member.destination).norm(), member.arrival - 0.79);
     for (int k = 0; 0.37 * k < way.end(); ++k) {
       const double time = 0.37 * k;
@@ -64,7 +64,7 @@ TEST(Reference, GoesBelowTheOthersAndUpAgainWithinItsSpeed) {
     for (code.dive = 1; code.dive <= most_levels; ++code.dive) {
       const Reference way = reference_of(member, plan, code);
       ASSERT_LT(way.knots().size(), Reference::most_knots);
-      EXPECT_EQ(way.at(plan.start() + delay_step * code.delay), member.anchor);
+      EXPECT_EQ(way.at(plan.start() + delay_of(member, code)), member.anchor);
       EXPECT_LE((way.at(1e6) - member.destination).norm(), member.arrival - 0.79);
       double deepest = 0.0;
       for (const Knot& knot : way.knots()) deepest = std::max(deepest, knot.position.z());
@@ -89,6 +89,43 @@ TEST(Reference, GoesBelowTheOthersAndUpAgainWithinItsSpeed) {
     member.descent = level_keeping;
     EXPECT_FALSE(has_levels(member));
   }
+}
+
+TEST(Reference, PlumbItDivesWhereItIsHeldAndClimbsWhereItEnds) {
+  Rng rng = Rng{5}.stream("reference");
+  int plumb = 0;
+  for (int i = 0; i < 500; ++i) {
+    Member member = drawn_member(rng);
+    member.destination.z() = member.anchor.z() + rng.uniform(-0.9, 0.9);
+    member.arrival = 0.8;
+    const Plan plan = drawn_plan(rng);
+    const Code code = plan.codes[0];
+    const Reference way = reference_of(member, plan, code);
+    const double level =
+        std::max(member.anchor.z(), member.destination.z()) + code.dive * level_step(member) - 1e-9;
+    double astray = 0.0;  // of those above the level
+    for (int k = 0; 0.37 * k < way.end(); ++k) {
+      const Vec3 place = way.at(0.37 * k);
+      const double off =
+          std::min(horizontal_norm(place - member.anchor), horizontal_norm(place - member.destination));
+      if (place.z() < level) astray = std::max(astray, off);
+    }
+    if (is_plumb(member, code)) {
+      ++plumb;
+      EXPECT_LT(astray, 1e-6);
+      EXPECT_LE(way.at(plan.start() + delay_step * (code.delay - 1) + 1.0).z(),
+                member.anchor.z() + member.descent + 1e-9);
+      EXPECT_GT(way.at(plan.start() + delay_step * (code.delay - 1) + 1.0).z(), member.anchor.z())
+          << "it does not wait for its bit";
+    } else if (is_below(member, code)) {
+      EXPECT_GT(astray, 1.0);
+      EXPECT_EQ(delay_of(member, code), delay_step * code.delay);
+    }
+    member.destination.z() = member.anchor.z() + 5.0;
+    EXPECT_FALSE(is_plumb(member, code)) << "of a way that is not level all bits are a delay";
+    EXPECT_EQ(delay_of(member, code), delay_step * code.delay);
+  }
+  EXPECT_GT(plumb, 100);
 }
 
 TEST(Reference, LeastDistancesAndFirstTimesAreThoseOfManySamples) {

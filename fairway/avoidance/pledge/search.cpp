@@ -15,36 +15,8 @@ constexpr std::size_t widths = 2;             // of its rings, where headway is 
 constexpr int pair_cost = 1;                  // of the headway of one to another, in codes
 constexpr double worth = 0.5;                 // of a second of headway, in the mean time [s]
 constexpr int codes = 256;
-constexpr std::size_t centres = 2 + most_members;  // of rings, one for each attempt
-constexpr double least_gain = 0.05;                // for which a member takes another code [s]
-constexpr double rounding = 1e-6;                  // of times [s]
-constexpr double longest_detour = 60.0;            // beyond waiting and going straight then [s]
-
-/// First where the straight ways cross, in the mean; then the middle of where all are, to go round each other
-/// there; then where each of them is, to go round it.
-Vec2 centre_of(const std::array<Member, most_members>& members, const Members& participants,
-               std::size_t attempt) {
-  const std::size_t choice = attempt % centres;
-  if (choice >= 2) return members[choice - 2].anchor.head<2>();
-  Vec2 sum = Vec2::Zero();
-  for (std::size_t i = 0; i < most_members; ++i) {
-    const Member& m = members[i];
-    if (participants[i])
-      sum += choice == 0 ? Vec2{0.5 * (m.anchor + m.destination).head<2>()} : Vec2{m.anchor.head<2>()};
-  }
-  return participants.any() ? Vec2{sum / static_cast<double>(participants.count())} : sum;
-}
-
-/// From its centre, on a level [m].
-double extent_of(const Obstacle& obstacle) {
-  if (obstacle.kind == Obstacle::Kind::sphere) return obstacle.radius;
-  const Vec3 centre = centre_of(obstacle);
-  if (obstacle.kind == Obstacle::Kind::segment) return horizontal_norm(obstacle.to - centre);
-  double farthest = 0.0;
-  for (const Vec3& vertex : obstacle.vertices)
-    farthest = math::fmax(farthest, horizontal_norm(vertex - centre));
-  return farthest;
-}
+constexpr double least_gain = 0.05;  // for which a member takes another code [s]
+constexpr double rounding = 1e-6;    // of times [s]
 
 bool dives(const Member& member) { return member.destination.z() > member.anchor.z(); }
 
@@ -61,63 +33,9 @@ Search::Search(const std::array<Member, most_members>& members, const Members& p
       attempt_{attempt},
       wanted_{wanted},
       start_{start} {
-  hubs_[hub_count_++] = {centre_as_told(centre_of(members, asked_, attempt), terms.datum), 0};
   find_limits(chart);
   find_hubs(chart, terms.datum);
   begin_hub();
-}
-
-/// Beside those who are on their ways.
-void Search::find_limits(const Chart& chart) noexcept {
-  latest_.fill(never);
-  if (start_ == at_zero) return;
-  double all_there = start_of(start_);
-  for (const Reference& other : others_)
-    if (!other.empty()) all_there = math::fmax(all_there, other.end());
-  for (const Passing& other : chart.passing()) all_there = math::fmax(all_there, other.way.end());
-  for (std::size_t i = 0; i < most_members; ++i)
-    if (asked_[i])
-      latest_[i] =
-          all_there + longest_detour + reference_of(members_[i], Plan{.epoch = at_zero}, Code{}).end();
-}
-
-/// Wider round the same centre, and round what stands in most ways, each attempt from another of them on.
-void Search::find_hubs(const Chart& chart, const Vec2& datum) noexcept {
-  struct Found {
-    Hub hub;
-    std::size_t hindered;  ///< whose straight ways it stands in
-    std::size_t number;    ///< as found
-  };
-  std::array<Reference, most_members> straight{};
-  for (std::size_t i = 0; i < most_members; ++i)
-    if (asked_[i]) straight[i] = reference_of(members_[i], Plan{.epoch = at_zero}, Code{});
-  std::array<Found, 16> found{};
-  std::size_t count = 0;
-  const auto find = [&](const Obstacle& obstacle) {
-    std::size_t hindered = 0;
-    double widest = 0.0;
-    for (std::size_t i = 0; i < most_members; ++i) {
-      const double off = berth(members_[i], tubes_);
-      if (straight[i].empty() || keeps_off(straight[i], obstacle, off)) continue;
-      ++hindered;
-      widest = math::fmax(widest, off);
-    }
-    if (hindered == 0 || count == found.size()) return;
-    const double radius = extent_of(obstacle) + widest;
-    std::uint8_t scale = 0;
-    while (scale + 1U < ring_scale.size() && ring_scale[scale] * ring_radius[rings - 2] < radius) ++scale;
-    found[count] = {{centre_as_told(centre_of(obstacle).head<2>(), datum), scale}, hindered, count};
-    ++count;
-  };
-  for (const std::span<const Obstacle> part : chart.parts()) std::ranges::for_each(part, find);
-  std::ranges::sort(std::span{found}.first(count), [](const Found& a, const Found& b) {
-    return a.hindered != b.hindered ? a.hindered > b.hindered : a.number < b.number;
-  });
-  if (count == 0) return;
-  for (std::uint8_t scale = 1; scale < 3; ++scale) hubs_[hub_count_++] = {hubs_[0].centre, scale};
-  const std::size_t room = most_hubs - hub_count_;
-  for (std::size_t i = 0; i < std::min(count, room); ++i)
-    hubs_[hub_count_++] = found[(i + attempt_ * room) % count].hub;
 }
 
 void Search::begin_hub() noexcept {
@@ -196,10 +114,10 @@ bool Search::go_on(int count, const Chart& chart) noexcept {
       count -= carousel_cost - 1;
       try_carousel(number_++, chart);
       if (number_ == carousel_count()) end_carousels();
-    } else if (stage_ == Stage::one_by_one) {
-      try_next_code(chart);
-    } else {
+    } else if (stage_ == Stage::improve) {
       improve_next(chart);
+    } else {
+      try_next_code(chart);
     }
     count -= spent_;
     spent_ = 0;
@@ -274,12 +192,18 @@ void Search::try_carousel(int number, const Chart& chart) noexcept {
 
 /// The best carousel is improved; without one the members go one by one.
 void Search::end_carousels() noexcept {
+  if (of_hub_.is_any()) return begin_with(Stage::improve, of_hub_.plan);
+  begin_with(Stage::one_by_one, empty_plan());
+}
+
+/// From the first member's first code on.
+void Search::begin_with(Stage stage, const Plan& plan) noexcept {
+  stage_ = stage;
+  plan_ = plan;
   number_ = 0;
   turn_ = 0;
   member_ = numbered(0);
   least_cost_ = never;
-  stage_ = of_hub_.is_any() ? Stage::improve : Stage::one_by_one;
-  plan_ = of_hub_.is_any() ? of_hub_.plan : empty_plan();
   scene_ = scene_beside(ways_, participants_, start_);
   for (std::size_t i = 0; i < most_members; ++i)
     if (plan_.participants[i]) scene_.place(i, reference_of(members_[i], plan_, plan_.codes[i]));
@@ -295,7 +219,7 @@ double Search::lack_of(const HeadwayTowards& headway_towards) const noexcept {
 
 /// Of the way of the member whose turn it is.
 double Search::cost_of(const Reference& reference) noexcept {
-  if (wanted_.aim <= 0.0) return reference.end();
+  if (wanted_.aim <= 0.0 || stage_ == Stage::plumb) return reference.end();
   spent_ += 2 * pair_cost * static_cast<int>(scene_.placed().count());
   const double lacks =
       lack_of([&](const Members& others) { return headway_of(member_, reference, scene_, others, wanted_); });
@@ -307,11 +231,13 @@ double Search::cost_of(const Reference& reference) noexcept {
 void Search::try_code(double limit, const Chart& chart) noexcept {
   const Code code = Code::of(static_cast<std::uint8_t>(number_));
   const Member& member = members_[member_];
-  const bool is_first_of_ring = code.delay == 0 && code.dive == 0;
-  if (is_first_of_ring) passage_ = Passage{member, plan_, code.ring};
-  if (code.delay > 0 && undelayed_[code.dive] + delay_step * code.delay > limit + rounding) return;
+  const bool plumb = is_plumb(member, code);
+  if (is_first_of_ring()) passage_ = Passage{member, plan_, code.ring};
+  double& undelayed = undelayed_[plumb ? most_levels + code.dive : code.dive];
+  const double delay = delay_of(member, code);
+  if (delay > 0.0 && undelayed + delay > limit + rounding) return;
   const Reference reference = reference_of(member, plan_, code, passage_);
-  if (code.delay == 0) undelayed_[code.dive] = reference.end();
+  if (delay <= 0.0) undelayed = reference.end();
   if (reference.end() >= limit) return;
   if (const auto hindrance = hindrance_to(member_, reference, scene_, chart)) {
     suspected_ = *hindrance;
@@ -323,9 +249,33 @@ void Search::try_code(double limit, const Chart& chart) noexcept {
   code_ = code;
 }
 
-/// One code of the member whose turn it is; when all were tried it takes the cheapest, or stays.
+/// Of those who can go, as far as has been tried.
+bool Search::are_any_level() const noexcept {
+  for (std::size_t i = 0; i < most_members; ++i)
+    if (participants_[i] && has_levels(members_[i])) return true;
+  return false;
+}
+
+/// The member whose turn it is.
+bool Search::goes_plumb() const noexcept { return stage_ == Stage::plumb && has_levels(members_[member_]); }
+
+/// The code of that number. Who goes plumb goes straight if it can.
+bool Search::is_to_be_tried() const noexcept {
+  if (!goes_plumb()) return true;
+  const Code code = Code::of(static_cast<std::uint8_t>(number_));
+  return is_plumb(members_[member_], code) && (code.ring == 0 || least_cost_ == never);
+}
+
+bool Search::is_first_of_ring() const noexcept {
+  const Code first = goes_plumb() ? Code{.delay = 1, .dive = 1} : Code{};
+  return number_ % (codes / rings) == first.packed();
+}
+
+/// One code of the member whose turn it is; when all were tried it takes the cheapest, or stays. Where not
+/// all have one, those who have levels go plumb.
 void Search::try_next_code(const Chart& chart) noexcept {
   if (!participants_[member_]) number_ = codes;
+  while (number_ < codes && !is_to_be_tried()) ++number_;
   if (number_ < codes) try_code(math::fmin(least_cost_, latest_[member_]), chart);
   if (++number_ < codes) return;
   if (least_cost_ < never) {
@@ -335,12 +285,17 @@ void Search::try_next_code(const Chart& chart) noexcept {
   }
   if (next_member()) return;
   if (plan_.participants == participants_) {
-    keep(scene_, plan_);
+    if (stage_ == Stage::one_by_one) keep(scene_, plan_);
     stage_ = Stage::improve;
     return;
   }
-  stay(participants_ & ~plan_.participants);
-  participants_ = plan_.participants;
+  if (stage_ == Stage::one_by_one) {
+    went_ = plan_.participants;
+    if (are_any_level()) return begin_with(Stage::plumb, empty_plan());
+  }
+  if (plan_.participants.count() > went_.count()) went_ = plan_.participants;
+  stay(participants_ & ~went_);
+  participants_ = went_;
   begin();
   if (stage_ == Stage::done) end_hub();
 }

@@ -14,16 +14,19 @@ namespace fairway::pledge {
 /// Looks for a plan by which all of those who are held get to their destinations, soonest in the mean, where
 /// each second of headway that a plan lacks counts as half a second. First a carousel: those who dive by one
 /// ring, those who climb by another. Where none is clear, one member after the other takes the soonest code
-/// that is clear of those before it; whoever has none stays, and all begin again round it. Then each looks
-/// for a sooner one. Where something stands in the way and not all can go, it does the same with rings round
-/// that; where nobody can, with those alone who lie at each other's destinations. A value: it goes on from
-/// where it was, a few codes at a time. Nothing allocates.
+/// that is clear of those before it. Where that leaves somebody behind, it takes one by which it dives where
+/// it is held and climbs where it ends, and is in the way of few; whoever has none stays, and all begin again
+/// round it. Then each looks for a sooner code. Where something stands in the way and not all can go, it does
+/// the same with rings round that; where nobody can, with those alone who lie at each other's destinations. A
+/// value: it goes on from where it was, a few codes at a time. Nothing allocates.
 class Search {
  public:
   Search() = default;
 
   /// So many centres and widths of rings are tried where something stands in the way.
   static constexpr std::size_t most_hubs = 6;
+  /// Rings have so many centres, one for each attempt.
+  static constexpr std::size_t centres = 2 + most_members;
 
   /// Plans are looked for as if they began then, where nobody is on its way.
   static constexpr Epoch at_zero{.tenths = 0};
@@ -32,7 +35,7 @@ class Search {
   /// they are known; the rest of them have no knots. `attempt` counts from 0: every one has another centre,
   /// and another who is first. All that is asked keeps off what stands. Where somebody is on its way nobody
   /// goes a way that takes a minute longer than to wait until all such have come to their ends, and to go
-  /// straight then.
+  /// straight then; nor by the first attempt where it would be so beside all who are asked, on straight ways.
   Search(const std::array<Member, most_members>& members, const Members& participants,
          const std::array<Reference, most_members>& others, const Terms& terms, std::size_t attempt,
          const Chart& chart, const Headway& wanted = {}, const Epoch& start = at_zero) noexcept;
@@ -50,7 +53,7 @@ class Search {
   bool holds_from(const Epoch& start, std::span<const Passing> passing) const noexcept;
 
  private:
-  enum class Stage { carousel, one_by_one, improve, done };
+  enum class Stage { carousel, one_by_one, plumb, improve, done };
 
   /// What the rings go round, and how wide they are.
   struct Hub {
@@ -58,15 +61,21 @@ class Search {
     std::uint8_t scale{};
   };
 
+  std::array<Reference, most_members> straight_ways() const noexcept;
   void find_limits(const Chart& chart) noexcept;
   void find_hubs(const Chart& chart, const Vec2& datum) noexcept;
   void begin() noexcept;
   void begin_hub() noexcept;
+  void begin_with(Stage stage, const Plan& plan) noexcept;
   Plan empty_plan() const noexcept;
   Clearance scene_beside(const std::array<Reference, most_members>& others, const Members& participants,
                          const Epoch& start) const noexcept;
   std::optional<std::size_t> hindrance_to(std::size_t member, const Reference& reference,
                                           const Clearance& scene, const Chart& chart) const noexcept;
+  bool are_any_level() const noexcept;
+  bool goes_plumb() const noexcept;
+  bool is_to_be_tried() const noexcept;
+  bool is_first_of_ring() const noexcept;
   int carousel_count() const noexcept;
   double cost_of(const Reference& reference) noexcept;
   template <class HeadwayTowards>
@@ -98,6 +107,7 @@ class Search {
   Members company_{};       ///< those of them who are tried now; the others stay
   std::size_t chain_{0};    ///< the next company is that of the member of this number
   Members participants_{};  ///< who can, as far as has been tried
+  Members went_{};          ///< of these, one by one, at first
   std::array<Reference, most_members> others_{};
   std::array<Reference, most_members> ways_{};  ///< the same, and of who stays where it is
   Tubes tubes_{};
@@ -119,10 +129,11 @@ class Search {
   std::size_t member_{0};  ///< that member
   Clearance scene_{};
   Plan plan_{};
-  Passage passage_{};                  ///< of that member by the ring of its code
-  std::array<double, 4> undelayed_{};  ///< when it is there by that ring, by how it dives [s]
-  double least_cost_{};                ///< of the member's codes that were tried [s]
-  double cost_{};                      ///< of the code that the member has [s]
+  Passage passage_{};  ///< of that member by the ring of its code
+  std::array<double, 2 * most_levels + 1>
+      undelayed_{};      ///< when it is there by that ring, by how it dives [s]
+  double least_cost_{};  ///< of the member's codes that were tried [s]
+  double cost_{};        ///< of the code that the member has [s]
 
   Option of_hub_{}, best_{};
 };

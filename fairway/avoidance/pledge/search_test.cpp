@@ -36,6 +36,37 @@ TEST(PledgeSearch, LetsThoseGoWhoLieAtEachOthersDestinationsWhereNotAllCan) {
   EXPECT_GT(some, 50) << "so narrow it is";
 }
 
+/// Two streams at one depth that run into each other, four behind each other in each, whose last ones lie
+/// where the first ones of the others end.
+std::array<Member, most_members> streams(Rng& rng) {
+  std::array<Member, most_members> all;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const double behind = 9.0 * static_cast<double>(i % 4), ahead = i < 4 ? 1.0 : -1.0;
+    all[i] = crossing({ahead * (rng.normal() - 20.0 - behind), rng.uniform(-4, 4), 5},
+                      {ahead * (60.0 - behind), rng.uniform(-4, 4), 5});
+    all[i].radius = 2.0;
+  }
+  return all;
+}
+
+TEST(PledgeSearch, StreamsThatMeetHeadOnGoAtOnceAsWhoDivesOnTheSpotIsInNobodysWay) {
+  Rng rng{20011};
+  for (int draw = 0; draw < 20; ++draw) {
+    const std::array<Member, most_members> members = streams(rng);
+    Search search{members, Members{}.set(), {}, {.tubes = {.radius = 1.0, .told = 0.1}}, 0,
+                  {},      {.aim = 20.0}};
+    while (!search.go_on(1000, {})) continue;
+    ASSERT_TRUE(search.found_all()) << draw;
+    const Plan& plan = search.best();
+    Clearance scene{members, plan.participants, {.radius = 1.0, .told = 0.1}, 0.0};
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      const Reference way = reference_of(members[i], plan, plan.codes[i]);
+      EXPECT_TRUE(scene.accepts(i, way)) << draw << ": " << i;
+      scene.place(i, way);
+    }
+  }
+}
+
 /// A member that goes from one side of the origin to the other, from 100 s on, beside another that is on its
 /// way.
 struct BesideAnother {
@@ -80,6 +111,23 @@ TEST(PledgeSearch, BesideWhoIsOnItsWayNobodyGoesALongWayRound) {
   const BesideAnother scene{{{{0.0, {300, 0, 5}}, {110.0, {350, 0, 5}}}}};
   EXPECT_TRUE(scene.search(Search::at_zero, Chart{walls}).found());
   EXPECT_FALSE(scene.search(BesideAnother::start, Chart{walls}).found());
+}
+
+TEST(PledgeSearch, OfSeveralNobodyGoesALongWayRoundAtTheFirstAttempt) {
+  const std::vector<Vec3> corners{{-1, -25, 0}, {1, -25, 0}, {1, 25, 0}, {-1, 25, 0}};
+  const std::array walls{Obstacle{.kind = Obstacle::Kind::polygon, .vertices = corners}};
+  const Chart chart{walls};
+  const std::array<Member, most_members> members{crossing({-10, 0, 5}, {10, 0, 5}),
+                                                 crossing({-10, 8, 5}, {10, 8, 5})};
+  const auto finds = [&](const Members& asked, std::size_t attempt) {
+    const std::array<Reference, most_members> others{Reference{}, Reference{members[1].anchor}};
+    Search search{members, asked, others, {.tubes = {.radius = 1.0, .told = 0.1}}, attempt, chart};
+    while (!search.go_on(1000, chart)) continue;
+    return search.found();
+  };
+  EXPECT_FALSE(finds(0b11, 0));
+  EXPECT_TRUE(finds(0b11, 1)) << "there is no other way";
+  EXPECT_TRUE(finds(0b01, 0)) << "it has nobody to wait for";
 }
 
 }  // namespace
