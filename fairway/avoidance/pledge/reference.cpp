@@ -99,18 +99,17 @@ class Milestones {
 };
 
 /// Down from `leaves` on, along the level, and up again to be there at the end of a passage of `duration`.
-/// While it dives and climbs it is slower along by what that takes of its speed, or, plumb, does not go
-/// along.
+/// While it dives and climbs it is slower along by what that takes of its speed, or, on the spot, halts.
 Milestones milestones_of(const Member& member, const Code& code, double leaves, double duration) {
   const double from = member.anchor.z(), to = member.destination.z();
   const double level = math::fmax(from, to) + code.dive * level_step(member);
-  const bool plumb = is_plumb(member, code);
+  const bool on_the_spot = is_on_the_spot(member, code);
   const auto share_left = [&](double rate) {
-    if (plumb) return 0.0;
+    if (on_the_spot) return 0.0;
     return std::sqrt(math::fmax(1.0 - rate * rate / (member.speed * member.speed), 0.0));
   };
   const double is_down = leaves + (level - from) / member.descent;
-  const double turned = leaves + member.turn, goes = plumb ? math::fmax(turned, is_down) : turned;
+  const double turned = leaves + member.turn, goes = on_the_spot ? math::fmax(turned, is_down) : turned;
   const double climbs_for = (level - to) / member.climb;
   const double along_diving =
       std::min(share_left(member.descent) * math::fmax(is_down - goes, 0.0), duration);
@@ -256,12 +255,12 @@ bool has_levels(const Member& member) noexcept {
 
 bool is_below(const Member& member, const Code& code) noexcept { return code.dive > 0 && has_levels(member); }
 
-bool is_plumb(const Member& member, const Code& code) noexcept {
+bool is_on_the_spot(const Member& member, const Code& code) noexcept {
   return is_below(member, code) && code.delay % 2 == 1;
 }
 
 double delay_of(const Member& member, const Code& code) noexcept {
-  return delay_step * (code.delay - (is_plumb(member, code) ? 1 : 0));
+  return delay_step * (code.delay - (is_on_the_spot(member, code) ? 1 : 0));
 }
 
 double level_step(const Member& member) noexcept { return 2.0 * member.radius + level_gap; }

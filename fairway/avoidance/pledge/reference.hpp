@@ -93,7 +93,7 @@ bool has_levels(const Member& member) noexcept;
 /// Whether it goes below its way by this code, where it has levels.
 bool is_below(const Member& member, const Code& code) noexcept;
 /// Whether it does so by diving where it is held and climbing where it ends, and not while it goes along.
-bool is_plumb(const Member& member, const Code& code) noexcept;
+bool is_on_the_spot(const Member& member, const Code& code) noexcept;
 /// How long it waits from the plan's start on [s].
 double delay_of(const Member& member, const Code& code) noexcept;
 /// From a member's way to its next level below it [m].

@@ -91,9 +91,9 @@ TEST(Reference, GoesBelowTheOthersAndUpAgainWithinItsSpeed) {
   }
 }
 
-TEST(Reference, PlumbItDivesWhereItIsHeldAndClimbsWhereItEnds) {
+TEST(Reference, OnTheSpotItDivesWhereItIsHeldAndClimbsWhereItEnds) {
   Rng rng = Rng{5}.stream("reference");
-  int plumb = 0;
+  int on_the_spot = 0;
   for (int i = 0; i < 500; ++i) {
     Member member = drawn_member(rng);
     member.destination.z() = member.anchor.z() + rng.uniform(-0.9, 0.9);
@@ -110,8 +110,8 @@ TEST(Reference, PlumbItDivesWhereItIsHeldAndClimbsWhereItEnds) {
           std::min(horizontal_norm(place - member.anchor), horizontal_norm(place - member.destination));
       if (place.z() < level) astray = std::max(astray, off);
     }
-    if (is_plumb(member, code)) {
-      ++plumb;
+    if (is_on_the_spot(member, code)) {
+      ++on_the_spot;
       EXPECT_LT(astray, 1e-6);
       EXPECT_LE(way.at(plan.start() + delay_step * (code.delay - 1) + 1.0).z(),
                 member.anchor.z() + member.descent + 1e-9);
@@ -122,10 +122,10 @@ TEST(Reference, PlumbItDivesWhereItIsHeldAndClimbsWhereItEnds) {
       EXPECT_EQ(delay_of(member, code), delay_step * code.delay);
     }
     member.destination.z() = member.anchor.z() + 5.0;
-    EXPECT_FALSE(is_plumb(member, code)) << "of a way that is not level all bits are a delay";
+    EXPECT_FALSE(is_on_the_spot(member, code)) << "of a way that is not level all bits are a delay";
     EXPECT_EQ(delay_of(member, code), delay_step * code.delay);
   }
-  EXPECT_GT(plumb, 100);
+  EXPECT_GT(on_the_spot, 100);
 }
 
 TEST(Reference, LeastDistancesAndFirstTimesAreThoseOfManySamples) {

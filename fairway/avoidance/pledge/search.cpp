@@ -219,7 +219,7 @@ double Search::lack_of(const HeadwayTowards& headway_towards) const noexcept {
 
 /// Of the way of the member whose turn it is.
 double Search::cost_of(const Reference& reference) noexcept {
-  if (wanted_.aim <= 0.0 || stage_ == Stage::plumb) return reference.end();
+  if (wanted_.aim <= 0.0 || stage_ == Stage::on_the_spot) return reference.end();
   spent_ += 2 * pair_cost * static_cast<int>(scene_.placed().count());
   const double lacks =
       lack_of([&](const Members& others) { return headway_of(member_, reference, scene_, others, wanted_); });
@@ -231,9 +231,9 @@ double Search::cost_of(const Reference& reference) noexcept {
 void Search::try_code(double limit, const Chart& chart) noexcept {
   const Code code = Code::of(static_cast<std::uint8_t>(number_));
   const Member& member = members_[member_];
-  const bool plumb = is_plumb(member, code);
+  const bool on_the_spot = is_on_the_spot(member, code);
   if (is_first_of_ring()) passage_ = Passage{member, plan_, code.ring};
-  double& undelayed = undelayed_[plumb ? most_levels + code.dive : code.dive];
+  double& undelayed = undelayed_[on_the_spot ? most_levels + code.dive : code.dive];
   const double delay = delay_of(member, code);
   if (delay > 0.0 && undelayed + delay > limit + rounding) return;
   const Reference reference = reference_of(member, plan_, code, passage_);
@@ -257,22 +257,24 @@ bool Search::are_any_level() const noexcept {
 }
 
 /// The member whose turn it is.
-bool Search::goes_plumb() const noexcept { return stage_ == Stage::plumb && has_levels(members_[member_]); }
+bool Search::goes_on_the_spot() const noexcept {
+  return stage_ == Stage::on_the_spot && has_levels(members_[member_]);
+}
 
-/// The code of that number. Who goes plumb goes straight if it can.
+/// The code of that number. Who goes on the spot goes straight if it can.
 bool Search::is_to_be_tried() const noexcept {
-  if (!goes_plumb()) return true;
+  if (!goes_on_the_spot()) return true;
   const Code code = Code::of(static_cast<std::uint8_t>(number_));
-  return is_plumb(members_[member_], code) && (code.ring == 0 || least_cost_ == never);
+  return is_on_the_spot(members_[member_], code) && (code.ring == 0 || least_cost_ == never);
 }
 
 bool Search::is_first_of_ring() const noexcept {
-  const Code first = goes_plumb() ? Code{.delay = 1, .dive = 1} : Code{};
+  const Code first = goes_on_the_spot() ? Code{.delay = 1, .dive = 1} : Code{};
   return number_ % (codes / rings) == first.packed();
 }
 
 /// One code of the member whose turn it is; when all were tried it takes the cheapest, or stays. Where not
-/// all have one, those who have levels go plumb.
+/// all have one, those who have levels go on the spot.
 void Search::try_next_code(const Chart& chart) noexcept {
   if (!participants_[member_]) number_ = codes;
   while (number_ < codes && !is_to_be_tried()) ++number_;
@@ -291,7 +293,7 @@ void Search::try_next_code(const Chart& chart) noexcept {
   }
   if (stage_ == Stage::one_by_one) {
     went_ = plan_.participants;
-    if (are_any_level()) return begin_with(Stage::plumb, empty_plan());
+    if (are_any_level()) return begin_with(Stage::on_the_spot, empty_plan());
   }
   if (plan_.participants.count() > went_.count()) went_ = plan_.participants;
   stay(participants_ & ~went_);

@@ -53,7 +53,7 @@ class Search {
   bool holds_from(const Epoch& start, std::span<const Passing> passing) const noexcept;
 
  private:
-  enum class Stage { carousel, one_by_one, plumb, improve, done };
+  enum class Stage { carousel, one_by_one, on_the_spot, improve, done };
 
   /// What the rings go round, and how wide they are.
   struct Hub {
@@ -73,7 +73,7 @@ class Search {
   std::optional<std::size_t> hindrance_to(std::size_t member, const Reference& reference,
                                           const Clearance& scene, const Chart& chart) const noexcept;
   bool are_any_level() const noexcept;
-  bool goes_plumb() const noexcept;
+  bool goes_on_the_spot() const noexcept;
   bool is_to_be_tried() const noexcept;
   bool is_first_of_ring() const noexcept;
   int carousel_count() const noexcept;

@@ -83,7 +83,8 @@ struct StateWord {
 /// How each member goes: three numbers of the codebook in one byte.
 struct Code {
   std::uint8_t ring{};   ///< 0 to 7: straight, or by a ring about the centre (ring_radius)
-  std::uint8_t delay{};  ///< 0 to 7, in steps of delay_step; on a level the last bit says is_plumb instead
+  std::uint8_t delay{};  ///< 0 to 7, in steps of delay_step; but the last bit of who goes below its way says
+                         ///< whether it dives on the spot (is_on_the_spot)
   /// 0 to 3: how much of the time to spare goes by before it dives or climbs, in thirds; of a way that is
   /// level, how many levels below it the member goes (has_levels).
   std::uint8_t dive{};
