@@ -10,6 +10,7 @@
 
 #include "fairway/core/limits.hpp"
 #include "fairway/core/shapes.hpp"
+#include "fairway/core/shared.hpp"
 #include "fairway/metrics/metric.hpp"
 #include "fairway/metrics/neighbours.hpp"
 
@@ -19,7 +20,7 @@ namespace fairway {
 struct Surroundings {
   std::vector<DriftingObstacle> obstacles;  ///< whoever owns their vertices outlives the metrics
   std::vector<double> radii;                ///< of the vehicles' spheres, by index [m]; 0 where not given
-  std::vector<Limits> limits;  ///< of the vehicles, by index; able to do anything where not given
+  std::vector<Shared<Limits>> limits;  ///< of the vehicles, by index; able to do anything where not given
 };
 
 /// What raja2024 does not measure: pair events, separation, makespan, arrivals, energy, holding, what

@@ -34,7 +34,7 @@ ProgressMetric::ProgressMetric(double window, std::shared_ptr<const Surroundings
 Goal ProgressMetric::goal_of(const Frame& frame, std::size_t index) const {
   const VehicleFrame& vehicle = frame.vehicles[index];
   const bool known = index < surroundings_->limits.size();
-  const double fastest = known ? surroundings_->limits[index].max_speed : Limits::none;
+  const double fastest = known ? surroundings_->limits[index]->max_speed : Limits::none;
   return {.position = vehicle.goal, .cruise_speed = math::fmin(vehicle.goal_speed, fastest), .velocity = {}};
 }
 

@@ -32,7 +32,7 @@ Helm::Helm(Pilot pilot, HelmSetup setup, Avoider avoider)
       avoider_{std::move(avoider)},
       fresh_{avoider_},
       progress_watch_{setup_.policy.progress_window_s} {
-  check_params(pilot_.ship().steering);
+  check_params(*pilot_.ship().steering);
   check_params(setup_.policy);
   for (const TeamMate& mate : setup_.team)
     neighbours_.push_back({.radius = mate.radius, .priority = mate.priority});
