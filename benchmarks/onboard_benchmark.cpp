@@ -15,7 +15,7 @@ constexpr std::uint32_t neighbours = 7;
 
 Helm helm_of(const char* algorithm) {
   Particulars ship{.id = VehicleId{0}, .name = "own", .radius = 1.5};
-  ship.limits.max_speed = 0.5;
+  ship.limits.edit().max_speed = 0.5;
   HelmSetup setup;
   for (std::uint32_t i = 1; i <= neighbours; ++i) {
     setup.team.push_back(

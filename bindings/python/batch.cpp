@@ -67,8 +67,8 @@ std::vector<Measure> measured(const ScenarioText& scenario, const py::object& al
 void check_names(const std::vector<ScenarioText>& scenarios, const Catalogs& catalogs) {
   for (const ScenarioText& text : scenarios) {
     for (const VehicleSpec& vehicle : text.scenario().vehicles) {
-      catalogs.vehicles.find(vehicle.model.name);
-      catalogs.avoiders.params(vehicle.avoider.name);
+      catalogs.vehicles.find(vehicle.model->name);
+      catalogs.avoiders.params(vehicle.avoider->name);
     }
   }
 }

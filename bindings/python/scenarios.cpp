@@ -65,11 +65,11 @@ void bind_scenario_vehicle(py::module_& m) {
       .def_readonly("id", &V::id, "of the vehicle")
       .def_readonly("name", &V::name, "of the vehicle")
       .def_property_readonly(
-          "model", [](const V& v) { return v.model.name; }, "of vehicles()")
+          "model", [](const V& v) { return v.model->name; }, "of vehicles()")
       .def_property_readonly(
           "model_params", [](const V& v) { return params_dict(v.model); }, "as written")
       .def_property_readonly(
-          "algorithm", [](const V& v) { return v.avoider.name; }, "of algorithms()")
+          "algorithm", [](const V& v) { return v.avoider->name; }, "of algorithms()")
       .def_property_readonly(
           "algorithm_params", [](const V& v) { return params_dict(v.avoider); }, "as written")
       .def_readonly("position", &V::position, "at the start [m, NED]")
@@ -84,7 +84,7 @@ void bind_scenario_vehicle(py::module_& m) {
           "mission", [](const py::object& self) { return show(self.cast<const V&>().mission, self); },
           "of Leg")
       .def("__repr__", [](const V& v) {
-        return "<ScenarioVehicle " + v.name + ": " + v.model.name + " under " + v.avoider.name + ">";
+        return "<ScenarioVehicle " + v.name + ": " + v.model->name + " under " + v.avoider->name + ">";
       });
 }
 
@@ -183,11 +183,11 @@ Scenario ScenarioText::read(std::optional<std::uint64_t> seed) const {
   Scenario scenario = document_.scenario(overrides_, seed);
   if (algorithm_.empty()) return scenario;
   for (VehicleSpec& vehicle : scenario.vehicles) {
-    if (vehicle.avoider.name == algorithm_) {
-      vehicle.avoider.params = merged(vehicle.avoider.params, params_);
-      vehicle.avoider.param_where.clear();
+    if (vehicle.avoider->name == algorithm_) {
+      vehicle.avoider.edit().params = merged(vehicle.avoider->params, params_);
+      vehicle.avoider.edit().param_where.clear();
     } else {
-      vehicle.avoider = {
+      vehicle.avoider = Choice{
           .name = algorithm_, .params = params_, .path = "with_algorithm", .where = {}, .param_where = {}};
     }
   }

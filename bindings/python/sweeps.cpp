@@ -37,7 +37,7 @@ class OwnAlgorithms {
   std::string version(const Scenario& scenario) const {
     std::map<std::string_view, std::string_view> used;
     for (const VehicleSpec& vehicle : scenario.vehicles) {
-      for (const std::string_view layer : layer_names(vehicle.avoider.name)) {
+      for (const std::string_view layer : layer_names(vehicle.avoider->name)) {
         if (const auto own = versions_.find(layer); own != versions_.end()) used[own->first] = own->second;
       }
     }
@@ -72,7 +72,7 @@ class OwnAlgorithms {
   /// Otherwise the catalogs with all algorithms are asked, so that a slip finds its nearest name among them.
   static bool is_known(const Scenario& scenario) {
     return std::ranges::all_of(scenario.vehicles, [](const VehicleSpec& vehicle) {
-      return std::ranges::all_of(layer_names(vehicle.avoider.name),
+      return std::ranges::all_of(layer_names(vehicle.avoider->name),
                                  [](std::string_view layer) { return builtin().avoiders.has(layer); });
     });
   }

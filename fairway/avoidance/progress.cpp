@@ -30,29 +30,70 @@ std::string_view note_of(Headway headway) noexcept {
   return {};
 }
 
+// every room is that of a place from the beginning, so that whoever looks for one looks among places
+void Trail::forget() noexcept {
+  here_ = {};
+  entered_ = since_ = here_.seen;
+  std::ranges::fill(rooms_, here_);
+  room_of_.fill(none);
+  for (std::uint8_t room = 0; room < rooms_.size(); ++room) room_of_[room + 1U] = room;
+  present_ = newest_ = 0;
+}
+
 bool Trail::see(double time, const Vec3& position, double step, double window) noexcept {
+  const auto is_recent = [&](const Place& place) { return time - place.seen <= return_windows * window; };
   const auto is_in = [&](const Place& place) {
-    return time - place.seen <= return_windows * window &&
-           (position - place.position).squaredNorm() <= step * step;
+    return is_recent(place) && (position - place.position).squaredNorm() <= step * step;
   };
-  if (is_in(places_[present_])) {
-    places_[present_].seen = time;
+  if (is_in(here_)) {
+    here_.seen = time;
     if (time - entered_ <= window) return false;
-    places_[present_].position = position;  // what it crept in a window leads nowhere
+    here_.position = position;  // what it crept in a window leads nowhere
     entered_ = time;
     return false;
   }
   entered_ = time;
-  const auto known = std::ranges::find_if(places_, is_in);
-  if (known != places_.end()) {
-    known->seen = time;
-    present_ = static_cast<std::size_t>(known - places_.begin());
+  const auto known =
+      std::ranges::find_if(room_of_, [&](std::uint8_t room) { return room != none && is_in(rooms_[room]); });
+  if (known != room_of_.end()) {
+    std::swap(here_, rooms_[*known]);
+    here_.seen = time;
+    room_of_[present_] = std::exchange(*known, none);
+    present_ = static_cast<std::uint8_t>(known - room_of_.begin());
     return false;
   }
-  present_ = newest_ = (newest_ + 1) % most_places;
-  places_[present_] = {position, time};
+  newest_ = static_cast<std::uint8_t>((newest_ + 1U) % most_places);
+  leave_for(newest_, is_recent);
+  present_ = newest_;
+  here_ = {position, time};
   since_ = time;
   return true;
+}
+
+/// Keeps the place that is here in the room of the one that `next` replaces, or else of one that was too long
+/// ago.
+template <class IsRecent>
+void Trail::leave_for(std::uint8_t next, const IsRecent& is_recent) noexcept {
+  if (next == present_) return;
+  std::uint8_t room = std::exchange(room_of_[next], none);
+  if (room == none) {
+    const auto left = std::ranges::find_if(
+        room_of_, [&](std::uint8_t other) { return other != none && !is_recent(rooms_[other]); });
+    if (left != room_of_.end()) {
+      room = std::exchange(*left, none);
+    } else {
+      rooms_.reserve(most_places - 1);
+      room = static_cast<std::uint8_t>(rooms_.size());
+      rooms_.emplace_back();
+    }
+  }
+  rooms_[room] = here_;
+  room_of_[present_] = room;
+}
+
+void ProgressWatch::forget() noexcept {
+  *this = ProgressWatch{window_, std::move(trail_)};
+  trail_.forget();
 }
 
 void ProgressWatch::see(double time, const Vec3& position, const Goal& goal, bool under_way) noexcept {

@@ -7,6 +7,8 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include "fairway/avoidance/command.hpp"
 #include "fairway/avoidance/situation.hpp"
@@ -40,15 +42,27 @@ std::string_view note_of(Headway headway) noexcept;
 
 /// Where something has been of late. A place is a ball; it counts as new again to whoever has not been in it
 /// for one and a half windows, so that a way back out of a blind alley is progress, while going to and fro,
-/// or round and round, in less than that is none; nor is what it creeps, less than a place in a window. Fixed
-/// memory, O(1) while it stays in a ball or comes to a new one of the last 32.
+/// or round and round, in less than that is none; nor is what it creeps, less than a place in a window. Of
+/// places it remembers the last 32. A value, O(1) while it stays in a ball.
 class Trail {
  public:
+  /// At cruising speed a window and a half is 15 steps; whoever is twice as fast still fits.
+  static constexpr std::size_t most_places = 32;
+  static constexpr std::size_t usual_places = 16;
+
+  /// Has memory for `room` places. With less than `most_places` whoever needs more takes it, once; with that
+  /// nothing allocates but a copy.
+  explicit Trail(std::size_t room) : rooms_(room - 1) { forget(); }
+  Trail() : Trail{most_places} {}
+
   /// It is at `position` [m, NED] at `time` [s]; places have the radius `step` [m]. True if this one is new.
   bool see(double time, const Vec3& position, double step, double window) noexcept;
 
   /// When it last came to a new place [s]; minus infinity before the first.
   double since() const noexcept { return since_; }
+
+  /// Is as one that has been nowhere yet, with the memory that it has.
+  void forget() noexcept;
 
  private:
   struct Place {
@@ -56,14 +70,18 @@ class Trail {
     double seen{-std::numeric_limits<double>::infinity()};  // when it was last there
   };
 
-  // at cruising speed a window and a half is 15 steps; whoever is twice as fast still fits
-  static constexpr std::size_t most_places = 32;
+  static constexpr std::uint8_t none = most_places;
 
-  std::array<Place, most_places> places_;
-  std::size_t present_{};                                     // where it is
-  double entered_{-std::numeric_limits<double>::infinity()};  // since when
-  std::size_t newest_{};  // made last; the next one takes the place after it
-  double since_{-std::numeric_limits<double>::infinity()};
+  template <class IsRecent>
+  void leave_for(std::uint8_t next, const IsRecent& is_recent) noexcept;
+
+  Place here_;
+  double entered_{};  // since when it is here
+  double since_{};
+  std::vector<Place> rooms_;                       // of the other places
+  std::array<std::uint8_t, most_places> room_of_;  // of each place; none: it is here, or too long ago
+  std::uint8_t present_{};                         // which place is here
+  std::uint8_t newest_{};                          // made last; the next one replaces the one after it
 };
 
 /// Somebody else, as far as progress is concerned.
@@ -82,13 +100,15 @@ struct ProgressReport {
   std::optional<TrackId> with{};  ///< the nearest of those that it waits for, or is deadlocked with
 };
 
-/// Watches one vehicle's progress: `see()` at every instant, then `judge()`. A value, of fixed memory;
-/// nothing throws or allocates. What it cannot tell: a way back to where it was, or a drift, that is faster
-/// than a tenth of cruising speed counts as progress, and so does a round of more than a window and a half.
+/// Watches one vehicle's progress: `see()` at every instant, then `judge()`. A value; nothing throws, and
+/// with a trail that has room for all of its places nothing allocates but a copy. What it cannot tell: a way
+/// back to where it was, or a drift, that is faster than a tenth of cruising speed counts as progress, and so
+/// does a round of more than a window and a half.
 class ProgressWatch {
  public:
-  /// `window` [s].
-  explicit ProgressWatch(double window = 30.0) noexcept : window_{window} {}
+  /// `window` [s]; `trail` is of somebody who has been nowhere yet.
+  explicit ProgressWatch(double window = 30.0, Trail trail = Trail{})
+      : window_{window}, trail_{std::move(trail)} {}
 
   /// It is at `position` [m, NED] at `time` [s], and is meant to go to `goal.position` at
   /// `goal.cruise_speed`, if `under_way`.
@@ -107,6 +127,9 @@ class ProgressWatch {
   ProgressReport judge(Mode mode, std::span<const Bystander> bystanders) const noexcept;
 
   const Trail& trail() const noexcept { return trail_; }
+
+  /// Is as one that has seen nothing yet, with the memory that it has.
+  void forget() noexcept;
 
  private:
   double window_;

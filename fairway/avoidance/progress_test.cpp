@@ -8,6 +8,7 @@
 #include <numbers>
 #include <vector>
 
+#include "fairway/core/rng.hpp"
 #include "fairway/core/testing/allocations.hpp"
 
 namespace fairway {
@@ -186,6 +187,60 @@ TEST(Progress, HasWordsForWhoeverMakesNone) {
   EXPECT_TRUE(note_of(Headway::making).empty() && note_of(Headway::holding).empty());
   for (const Headway stuck : {Headway::waiting, Headway::deadlocked, Headway::trapped})
     EXPECT_TRUE(note_of(stuck).starts_with("no progress: "));
+}
+
+TEST(Trail, IsTheSameWithAnyRoom) {
+  Rng rng{18};
+  Vec3 place = Vec3::Zero(), velocity = Vec3::Zero();
+  Trail few{2}, usual{Trail::usual_places}, all;
+  int news = 0;
+  for (int i = 0; i < 20'000; ++i) {  // to and fro at up to four times the cruising speed, and at rest
+    if (rng.index(40) == 0) velocity = -velocity;
+    if (rng.index(40) == 0) velocity = {rng.uniform(-1.4, 1.4), rng.uniform(-1.4, 1.4), 0};
+    if (rng.index(100) == 0) velocity = Vec3::Zero();
+    place += 0.5 * velocity;
+    Trail copy = few;
+    const bool is_new = all.see(0.5 * i, place, 1.5, 30.0);
+    ASSERT_EQ(few.see(0.5 * i, place, 1.5, 30.0), is_new) << i;
+    ASSERT_EQ(copy.see(0.5 * i, place, 1.5, 30.0), is_new) << i;
+    ASSERT_EQ(usual.see(0.5 * i, place, 1.5, 30.0), is_new) << i;
+    ASSERT_EQ(usual.since(), all.since()) << i;
+    news += is_new ? 1 : 0;
+  }
+  EXPECT_GT(news, 1000);
+  EXPECT_LT(news, 19'000);
+}
+
+TEST(Trail, OfMoreThan32PlacesTheOldestIsForgottenEvenWhereItIsLeftForTheNewest) {
+  constexpr double window = 1e6;
+  Trail trail{Trail::usual_places};
+  double time = 0.0;
+  const auto sees = [&](int place) { return trail.see(time++, {10.0 * place, 0, 0}, 1.5, window); };
+  for (int place = 0; place < 32; ++place) EXPECT_TRUE(sees(place)) << place;
+  EXPECT_FALSE(sees(0));
+  EXPECT_TRUE(sees(32));
+  EXPECT_TRUE(sees(0));
+  EXPECT_FALSE(sees(2));
+}
+
+TEST(Trail, UsualRoomIsEnoughAtCruisingSpeed) {
+  Trail trail{Trail::usual_places};
+  const long before = allocation_count();
+  for (int i = 0; i < 20'000; ++i) trail.see(0.05 * i, {0.5 * 0.05 * i, 0, 0}, 1.5, 30.0);
+  EXPECT_EQ(allocation_count(), before);
+}
+
+TEST(Trail, ForgetsAllWithoutMemory) {
+  Trail trail{Trail::usual_places}, fresh;
+  for (int i = 0; i < 100; ++i) trail.see(i, {1.0 * i, 0, 0}, 1.5, 30.0);
+  const long before = allocation_count();
+  trail.forget();
+  EXPECT_EQ(allocation_count(), before);
+  EXPECT_EQ(trail.since(), fresh.since());
+  for (int i = 0; i < 200; ++i) {  // back where it was, and round
+    const Vec3 place{20.0 * std::cos(0.1 * i), 20.0 * std::sin(0.1 * i), 0};
+    ASSERT_EQ(trail.see(100.0 + i, place, 1.5, 30.0), fresh.see(100.0 + i, place, 1.5, 30.0)) << i;
+  }
 }
 
 TEST(Progress, WatchingAllocatesNothing) {

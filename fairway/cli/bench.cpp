@@ -63,8 +63,8 @@ Scenario crossing(const std::string& model, const std::string& algorithm) {
     const Vec3 start{20 * math::cos(angle), 20 * math::sin(angle), 10.0 + (i % 2)};
     VehicleSpec vehicle{.id = i,
                         .name = "v" + std::to_string(i),
-                        .model = {.name = model},
-                        .avoider = {.name = algorithm},
+                        .model = Choice{.name = model},
+                        .avoider = Choice{.name = algorithm},
                         .position = start,
                         .yaw = angle + pi,
                         .radius_m = 1.0,

@@ -42,25 +42,25 @@ Scenario lattice(std::size_t count) {
   while (side * side * side < count) ++side;
   Rng rng{1};
   const auto jitter = [&] { return rng.uniform(-2.0, 2.0); };
+  VehicleSpec vehicle{
+      .model = Choice{.name = "kinematic"},
+      .avoider = Choice{.name = "orca3d", .params = {{"crit_dist_m", 15.0}, {"max_neighbours_count", 10.0}}},
+      .radius_m = 1.0};
+  vehicle.limits.max_speed = 0.5;
   scenario.vehicles.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
     const Eigen::Vector<std::size_t, 3> cell{i % side, i / side % side, i / (side * side)};
     const Vec3 start = 11.0 * cell.cast<double>() + Vec3{jitter(), jitter(), jitter()};
     const double angle = rng.uniform(-pi, pi);
-    VehicleSpec vehicle{
-        .id = static_cast<std::uint32_t>(i),
-        .name = "v" + std::to_string(i),
-        .model = {.name = "kinematic"},
-        .avoider = {.name = "orca3d", .params = {{"crit_dist_m", 15.0}, {"max_neighbours_count", 10.0}}},
-        .position = start,
-        .yaw = angle,
-        .radius_m = 1.0,
-        .priority = static_cast<std::int32_t>(i)};
-    vehicle.limits.max_speed = 0.5;
-    vehicle.mission.push_back({.kind = LegKind::transit,
-                               .position = start + 1000.0 * Vec3{math::cos(angle), math::sin(angle), 0.0},
-                               .speed_mps = 0.5});
-    scenario.vehicles.push_back(std::move(vehicle));
+    vehicle.id = static_cast<std::uint32_t>(i);
+    vehicle.name = "v" + std::to_string(i);
+    vehicle.position = start;
+    vehicle.yaw = angle;
+    vehicle.priority = static_cast<std::int32_t>(i);
+    vehicle.mission = {{.kind = LegKind::transit,
+                        .position = start + 1000.0 * Vec3{math::cos(angle), math::sin(angle), 0.0},
+                        .speed_mps = 0.5}};
+    scenario.vehicles.push_back(vehicle);
   }
   return scenario;
 }

@@ -40,7 +40,7 @@ std::string annotated(const Scenario& scenario, const std::vector<std::string>& 
   for (std::string line; std::getline(lines, line);) {
     if (!line.starts_with(' ')) in_vehicles = line == "vehicles:";
     if (in_vehicles && line.starts_with("    avoider:")) {
-      if (avoiders[vehicle] != scenario.vehicles[vehicle].avoider.name)
+      if (avoiders[vehicle] != scenario.vehicles[vehicle].avoider->name)
         line += "  # in force: " + avoiders[vehicle];
       ++vehicle;
     }

@@ -39,11 +39,11 @@ OwnMethods own_methods(const Program& program) {
     };
     std::set<std::string> versions;
     for (const VehicleSpec& vehicle : scenario.vehicles) {
-      for (const std::string_view layer : layer_names(vehicle.avoider.name)) {
+      for (const std::string_view layer : layer_names(vehicle.avoider->name)) {
         if (!known.avoiders.has(layer))
           versions.insert(version_text(layer, own.avoiders.find(layer).version));
       }
-      if (!is_known_vehicle(vehicle.model.name)) versions.insert(version_text(vehicle.model.name, {}));
+      if (!is_known_vehicle(vehicle.model->name)) versions.insert(version_text(vehicle.model->name, {}));
     }
     std::string all;
     for (const std::string& text : versions) all += text + "\n";

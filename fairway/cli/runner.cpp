@@ -188,8 +188,9 @@ void set_algorithm(Scenario& scenario, const std::string& name) {
     return;
   }
   for (VehicleSpec& vehicle : scenario.vehicles) {
-    if (vehicle.avoider.name == name) continue;
-    vehicle.avoider = {.name = name, .params = {}, .path = "--algorithm", .where = {}, .param_where = {}};
+    if (vehicle.avoider->name == name) continue;
+    vehicle.avoider =
+        Choice{.name = name, .params = {}, .path = "--algorithm", .where = {}, .param_where = {}};
   }
 }
 

@@ -26,6 +26,7 @@ Autopilot::Autopilot(const Vehicle& vehicle, const VelocityController::Params& p
     fins_.emplace(*drive, vehicle.actuators());
     return;
   }
+  std::vector<double BodyRequest::*> setpoints;
   for (const ActuatorInfo& actuator : vehicle.actuators()) {
     double BodyRequest::*const setpoint = setpoint_of(actuator.name);
     if (setpoint == nullptr) {
@@ -33,8 +34,9 @@ Autopilot::Autopilot(const Vehicle& vehicle, const VelocityController::Params& p
                        std::string(vehicle.info().name) +
                        ": it is not a velocity setpoint and the vehicle does not tell how it pushes");
     }
-    setpoints_.push_back(setpoint);
+    setpoints.push_back(setpoint);
   }
+  setpoints_ = std::move(setpoints);
 }
 
 ActuatorValues Autopilot::control(const BodyRequest& request, const Vec3& v_b, const Vec3& omega_b, double h,
@@ -42,9 +44,10 @@ ActuatorValues Autopilot::control(const BodyRequest& request, const Vec3& v_b, c
   if (controller_) return controller_->control(request, v_b, omega_b, h);
   if (fins_) return fins_->control(request, euler_of(q_nb).pitch, v_b, omega_b, h);
 
-  ActuatorValues command(static_cast<Eigen::Index>(setpoints_.size()));
-  for (std::size_t i = 0; i < setpoints_.size(); ++i)
-    command[static_cast<Eigen::Index>(i)] = request.*setpoints_[i];
+  const std::vector<double BodyRequest::*>& setpoints = *setpoints_;
+  ActuatorValues command(static_cast<Eigen::Index>(setpoints.size()));
+  for (std::size_t i = 0; i < setpoints.size(); ++i)
+    command[static_cast<Eigen::Index>(i)] = request.*setpoints[i];
   return command;
 }
 

@@ -9,6 +9,7 @@
 #include "fairway/control/thrust_allocator.hpp"
 #include "fairway/control/velocity_controller.hpp"
 #include "fairway/core/boxed.hpp"
+#include "fairway/core/shared.hpp"
 #include "fairway/dynamics/vehicle.hpp"
 
 namespace fairway {
@@ -37,7 +38,7 @@ class Autopilot {
   Boxed<VelocityController> controller_;
   Boxed<ThrustAllocator> allocator_;
   Boxed<FinAutopilot> fins_;
-  std::vector<double BodyRequest::*> setpoints_;  // of each actuator, without a controller
+  Shared<std::vector<double BodyRequest::*>> setpoints_;  // of each actuator, without a controller
 };
 
 }  // namespace fairway

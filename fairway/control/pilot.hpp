@@ -16,6 +16,7 @@
 #include "fairway/core/envelope.hpp"
 #include "fairway/core/leg.hpp"
 #include "fairway/core/onboard_model.hpp"
+#include "fairway/core/shared.hpp"
 #include "fairway/core/state.hpp"
 
 namespace fairway {
@@ -26,8 +27,8 @@ struct Particulars {
   std::string name;
   double radius{1.0};  ///< of the enclosing sphere [m]
   std::int32_t priority{};
-  Limits limits;
-  SteeringParams steering;
+  Shared<Limits> limits;
+  Shared<SteeringParams> steering;
   Boxed<OnboardModel> model;
   Boxed<Envelope> envelope{};  ///< where the avoider needs it
 };

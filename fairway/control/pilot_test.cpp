@@ -55,7 +55,7 @@ TEST(Pilot, HoldsItsHeadingUntilACurrentHasSetItAsideAndThenTurnsItsBowToItsPlac
 TEST(Pilot, ReckonsWithTheCurrentOnlyWhereTheVehicleCannotStop) {
   const Vec3 ahead{0.2, 0, 0};
   for (const SteeringKind kind : {SteeringKind::holonomic, SteeringKind::crab}) {
-    Pilot pilot{{.steering = {.kind = kind, .min_speed_mps = 0.1}}, 1.0};
+    Pilot pilot{{.steering = SteeringParams{.kind = kind, .min_speed_mps = 0.1}}, 1.0};
     pilot.obey({.velocity = {0.5, 0, 0}}, start, Vec3::Zero());
     const BodyRequest request = pilot.request(adrift, ahead);
     EXPECT_EQ(request.through_water, kind == SteeringKind::crab);
@@ -65,7 +65,7 @@ TEST(Pilot, ReckonsWithTheCurrentOnlyWhereTheVehicleCannotStop) {
 }
 
 TEST(Pilot, ShowsASectionByTheVelocityOfItsLineAndWhoArrivedAsTheLastInRank) {
-  const Pilot pilot{{.radius = 2.5, .priority = 3, .limits = {.max_speed = 0.7}}, 1.0};
+  const Pilot pilot{{.radius = 2.5, .priority = 3, .limits = Limits{.max_speed = 0.7}}, 1.0};
   const Ownship own = pilot.own_ship({.p_n = {5, 1, 5}}, 0.25, false);
   EXPECT_EQ(own.priority, 3);
   EXPECT_EQ(own.radius, 2.5);

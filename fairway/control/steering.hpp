@@ -35,6 +35,8 @@ struct SteeringParams {
   double min_speed_mps = 0.0;
   double circle_radius_m = 20.0;
 
+  friend bool operator==(const SteeringParams&, const SteeringParams&) = default;
+
   static consteval auto fields() {
     return std::tuple{
         field<&SteeringParams::kind>("which law"),

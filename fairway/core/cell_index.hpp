@@ -22,7 +22,6 @@ class CellIndex {
   /// Room for so many points, up to which `rebuild` does not allocate.
   void reserve(std::size_t count) {
     points_.reserve(count);
-    cells_.reserve(count);
     begins_.reserve(bucket_count(count) + 1);
   }
 
@@ -92,6 +91,8 @@ class CellIndex {
   double edge() const { return edge_; }
   /// How many are in a cell that anyone is in, on average.
   double crowd() const { return crowd_; }
+  /// Of all points, along the axis where it is largest [m].
+  double extent() const { return extent_; }
 
  private:
   static constexpr std::size_t handful = 24;          // so few are looked through faster than cells are found
@@ -114,11 +115,6 @@ class CellIndex {
     Row row;
     std::uint32_t index;
   };
-  struct Cell {
-    std::uint32_t bucket;
-    Row row;
-  };
-  static constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
 
   static std::size_t bucket_count(std::size_t count) { return 2 * std::bit_ceil(count + 1); }
 
@@ -129,6 +125,8 @@ class CellIndex {
     const auto whole = static_cast<std::int32_t>(cells);
     return whole - (cells < whole ? 1 : 0);
   }
+
+  Row row_of(const Vec3& p) const { return {cell_of(p.y()), cell_of(p.z())}; }
 
   /// Of the cell x of a row; the next one has the next bucket, round the end.
   std::uint32_t bucket_of(const Row& row, std::int32_t x) const {
@@ -168,19 +166,13 @@ class CellIndex {
     if (count <= handful) return keep(count, point_of);
     mask_ = static_cast<std::uint32_t>(bucket_count(count) - 1);
     begins_.assign(std::size_t{mask_} + 2, 0);
-    cells_.clear();
     Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
     for (std::size_t i = 0; i < count; ++i) {
       const Vec3 p = point_of(i);
-      if (!is_finite(p)) {
-        cells_.push_back({nowhere, {}});
-        continue;
-      }
+      if (!is_finite(p)) continue;
       low = low.cwiseMin(p);
       high = high.cwiseMax(p);
-      const Row row{cell_of(p.y()), cell_of(p.z())};
-      cells_.push_back({bucket_of(row, cell_of(p.x())), row});
-      ++begins_[cells_.back().bucket];
+      ++begins_[bucket_of(row_of(p), cell_of(p.x()))];
     }
 
     // where the points of each bucket end; putting them there from the last one on leaves where they begin
@@ -192,9 +184,10 @@ class CellIndex {
     }
     points_.resize(sum);
     for (std::size_t i = count; i-- > 0;) {
-      const Cell& cell = cells_[i];
-      if (cell.bucket != nowhere)
-        points_[--begins_[cell.bucket]] = {point_of(i), cell.row, static_cast<std::uint32_t>(i)};
+      const Vec3 p = point_of(i);
+      if (!is_finite(p)) continue;
+      const Row row = row_of(p);
+      points_[--begins_[bucket_of(row, cell_of(p.x()))]] = {p, row, static_cast<std::uint32_t>(i)};
     }
     extent_ = sum > 0 ? (high - low).maxCoeff() : 0.0;
     crowd_ = occupied > 0 ? static_cast<double>(sum) / static_cast<double>(occupied) : least_in_a_cell;
@@ -205,7 +198,6 @@ class CellIndex {
   double crowd_{};   // in a cell that anyone is in, on average
   std::uint32_t mask_{};
   std::vector<Point> points_;          // by bucket
-  std::vector<Cell> cells_;            // of each point, while they are sorted
   std::vector<std::uint32_t> begins_;  // of each bucket among the points, and the end
 };
 

@@ -42,13 +42,13 @@ constexpr bool is_avoiding(Phase phase) { return phase == Phase::under_way || ph
 /// One leg of a mission, as plain data. After the last leg a vehicle holds its position.
 struct Leg {
   LegKind kind{};
+  bool agreed{false};            ///< rendezvous: waits for the vehicle's method too
   Vec3 position = Vec3::Zero();  ///< of the goal [m, NED]
   Vec3 from = Vec3::Zero();      ///< of a section's start [m, NED]
   double speed_mps{0.5};         ///< along the leg
   Vec3 box_m = Vec3::Zero();     ///< arrival when |error| <= box on every axis (go_to, section)
   double arrival_m{1.0};         ///< arrival when the distance is at most this (transit; others if no box)
   double duration_s{0.0};        ///< keep_position
-  bool agreed{false};            ///< rendezvous: waits for the vehicle's method too
 
   friend bool operator==(const Leg&, const Leg&) = default;
 };

@@ -15,11 +15,13 @@
 namespace fairway {
 
 /// How far a list reaches: as far as about `usual_count` others are on average, but not less than `least`
-/// and not more than `most` [m].
+/// and not more than `most` [m]. What of that is added as a margin decides how often all are sorted again,
+/// and how long lists are.
 struct VicinityLists {
   double least{};
   double most{std::numeric_limits<double>::infinity()};
   double usual_count{8.0};
+  double margin_ratio{0.1};
 };
 
 /// Who is near, of points that move a little at a time (Verlet, Physical Review 159, 1967: lists of
@@ -131,9 +133,8 @@ class Vicinity {
   }
 
  private:
-  static constexpr std::size_t handful = 24;        // so few are compared faster than lists are kept
-  static constexpr std::size_t list_capacity = 32;  // of a list on average
-  static constexpr double margin_share = 0.1;       // of what a list reaches
+  static constexpr std::size_t handful = 24;     // so few are compared faster than lists are kept
+  static constexpr double most_on_lists = 32.0;  // on average
 
   /// Whoever was near when all were last sorted.
   struct Listed {
@@ -147,33 +148,61 @@ class Vicinity {
   /// More than `distance`, by more than all that is rounded on the way.
   static double longer(double distance) { return distance * (1.0 + 1e-9); }
 
+  static double cube_root(double x) { return math::exp(math::log(x) / 3.0); }
+
+  /// How many are meant to be on one, the margin included.
+  double usual_on_a_list() const {
+    const double grown = 1.0 + lists_.margin_ratio;
+    return lists_.usual_count * grown * grown * grown;
+  }
+
   void sort() {
     then_ = now_;
     index_.rebuild(now_.size(), lists_.least > 0.0 ? lists_.least : lists_.most,
                    [&](std::size_t i) { return now_[i]; });
-    const double in_sphere = 4.19 * index_.crowd();  // of the radius of a cell's edge, where it is crowded
-    const double usual = index_.edge() * math::exp(math::log(lists_.usual_count / in_sphere) / 3.0);
-    const double reach = std::clamp(usual, lists_.least, std::max(lists_.least, lists_.most));
-    margin_ = margin_share * reach;
-    list_reach_ = reach + margin_;
+    if (usual_reach_ == 0.0) {
+      const double in_sphere = 4.19 * index_.crowd();  // of the radius of a cell's edge, where it is crowded
+      usual_reach_ = index_.edge() * cube_root(lists_.usual_count / in_sphere);
+    }
     moved_ = 0.0;
-    list();
+    bool enough = false;
+    while (!enough) enough = list_enough();
   }
 
-  /// Everyone's list, or none at all where there would be too much on them.
+  /// Lists that reach as far as is usual, which from then on is as far as as many as are meant to be on them
+  /// are. False where they were much too short for that.
+  bool list_enough() {
+    constexpr double much = 1.4;
+    const double farthest = std::max(lists_.least, std::min(lists_.most, 2.0 * index_.extent()));
+    const double reach = std::clamp(usual_reach_, lists_.least, farthest);
+    margin_ = lists_.margin_ratio * reach;
+    list_reach_ = reach + margin_;
+    list();
+    const double found = math::fmax(1.0, static_cast<double>(listed_.size()));
+    const double wanted = usual_on_a_list() * static_cast<double>(now_.size());
+    const double longer_by = std::clamp(cube_root(wanted / found), 1.0 / much, much);
+    usual_reach_ = longer_by * reach;
+    return longer_by < much || reach == farthest;
+  }
+
+  /// Everyone's list, or none at all where there would be too much on them. There is room for what is usually
+  /// on them; where that is not enough they take more.
   void list() {
-    const std::size_t capacity = list_capacity * now_.size();
-    listed_.reserve(capacity);
+    const auto of_all = [count = static_cast<double>(now_.size())](double on_a_list) {
+      return static_cast<std::size_t>(on_a_list * count);
+    };
+    const std::size_t most = of_all(most_on_lists);
+    listed_.reserve(std::min(most, of_all(1.25 * usual_on_a_list())));
     begins_.resize(now_.size() + 1);
     listed_.clear();
     for (std::size_t i = 0; i < now_.size(); ++i) {
       begins_[i] = static_cast<std::uint32_t>(listed_.size());
       index_.visit(then_[i], longer(list_reach_), [&](std::size_t j, double distance2) {
-        if (j == i || listed_.size() == capacity) return;
+        if (j == i || listed_.size() == most) return;
         const double a_little_less = (1.0 - 1e-6) * std::sqrt(distance2);
         listed_.push_back({static_cast<float>(a_little_less), static_cast<std::uint32_t>(j)});
       });
-      if (listed_.size() == capacity) return begins_.clear();
+      if (listed_.size() == most) return begins_.clear();
       std::ranges::sort(listed_.begin() + begins_[i], listed_.end(), {}, &Listed::distance);
     }
     begins_.back() = static_cast<std::uint32_t>(listed_.size());
@@ -186,6 +215,7 @@ class Vicinity {
   double moved_{};                     // since then, nobody farther [m]
   double margin_{};                    // [m]
   double list_reach_{};                // with it [m]
+  double usual_reach_{};               // of the lists to come, without it [m]; 0 before the first
   std::vector<Listed> listed_;         // all lists, one after the other
   std::vector<std::uint32_t> begins_;  // of each, and the end; empty where there are none
 };

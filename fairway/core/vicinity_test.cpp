@@ -149,6 +149,31 @@ TEST(Vicinity, WhatEachLooksAtDoesNotGrowWithTheFleet) {
   EXPECT_LT(many.on_a_list, 1.5 * few.on_a_list);  // more of the few are at the rim, where half is empty
 }
 
+TEST(Vicinity, AsManyAsAreMeantAreOnAListHoweverFarApartTheyAre) {
+  for (const double size : {4.0, 40.0, 4000.0}) {
+    Wanderers wanderers{1000, size, {.least = 0.001 * size, .usual_count = 8.0}};
+    double on_lists = 0.0;
+    for (int step = 0; step < 200; ++step) wanderers.wander(0.0005 * size);
+    for (std::size_t i = 0; i < 1000; ++i) {
+      const Vec3& place = wanderers.vicinity.place(i);
+      wanderers.vicinity.visit_others(i, place, wanderers.vicinity.sure_reach(i, place),
+                                      [&](std::size_t, double) { on_lists += 0.001; });
+    }
+    EXPECT_GT(on_lists, 5.0) << size;
+    EXPECT_LT(on_lists, 1.1 * 1.1 * 1.1 * 8.0 * 1.25) << size;
+  }
+}
+
+TEST(Vicinity, WhoeverComesFromNowhereIsFound) {
+  Wanderers wanderers{100, 40.0, {}};
+  const std::vector<Vec3> places = wanderers.points;
+  for (Vec3& point : wanderers.points) point = Vec3::Constant(std::nan(""));
+  for (int step = 0; step < 5; ++step) wanderers.wander(0.0);
+  wanderers.points = places;
+  wanderers.wander(0.0);
+  for (std::size_t i = 0; i < 100; ++i) hold_to_comparison(wanderers, i, wanderers.points[i], 10.0);
+}
+
 TEST(Vicinity, DoesNotAllocateOnceItHasSeenThemAll) {
   Wanderers wanderers{500, 40.0, {.most = 15.0}};
   wanderers.wander(0.5);

@@ -65,9 +65,10 @@ std::vector<Measure> simulate(const Scenario& scenario) {
   for (std::size_t i = 0; i < scenario.vehicles.size(); ++i) {
     const VehicleSpec& vehicle = scenario.vehicles[i];
     measures.push_back({"east_m", static_cast<int>(i), vehicle.position.y()});
-    measures.push_back({"name_count", static_cast<int>(i), static_cast<double>(vehicle.avoider.name.size())});
     measures.push_back(
-        {"params_count", static_cast<int>(i), static_cast<double>(vehicle.avoider.params.size())});
+        {"name_count", static_cast<int>(i), static_cast<double>(vehicle.avoider->name.size())});
+    measures.push_back(
+        {"params_count", static_cast<int>(i), static_cast<double>(vehicle.avoider->params.size())});
   }
   return measures;
 }
@@ -108,9 +109,9 @@ quantities: [makespan_s]
   EXPECT_EQ(last.exam.safety_distance_m, 3.0);
   EXPECT_EQ(last.duration_s, 200.0);
   EXPECT_EQ(last.step_s, 0.05);
-  EXPECT_EQ(last.vehicles[1].avoider.name, "apf");
-  EXPECT_EQ(last.vehicles[1].avoider.params, (ParamValues{{"w2_ratio", 2.5}}));
-  EXPECT_EQ(c.scenario_of(0).vehicles[1].avoider.params, ParamValues{});
+  EXPECT_EQ(last.vehicles[1].avoider->name, "apf");
+  EXPECT_EQ(last.vehicles[1].avoider->params, (ParamValues{{"w2_ratio", 2.5}}));
+  EXPECT_EQ(c.scenario_of(0).vehicles[1].avoider->params, ParamValues{});
 }
 
 TEST_F(CampaignTest, SeedsAreSharedSoThatCellsMeetTheSameCase) {
@@ -123,7 +124,7 @@ TEST_F(CampaignTest, SeedsAreSharedSoThatCellsMeetTheSameCase) {
 
 TEST_F(CampaignTest, AvoiderParametersCanBeVariedWithinAnAlgorithm) {
   const Campaign c = parse("algorithms: [apf]\ngrid: {\"vehicles[*].avoider.crit_dist_m\": [6, 7]}\n");
-  EXPECT_EQ(c.scenario_of(1).vehicles[1].avoider.params, (ParamValues{{"crit_dist_m", 7.0}}));
+  EXPECT_EQ(c.scenario_of(1).vehicles[1].avoider->params, (ParamValues{{"crit_dist_m", 7.0}}));
 }
 
 TEST_F(CampaignTest, WhatIsLaidOverEveryScenarioMakesNoColumn) {
@@ -139,7 +140,7 @@ TEST_F(CampaignTest, WithoutAlgorithmsEachScenarioKeepsItsOwn) {
   ASSERT_EQ(c.specs.size(), 1U);
   EXPECT_EQ(c.specs[0].seed, 1U);
   EXPECT_EQ(c.specs[0].labels, (Labels{{"case", "pair"}, {"method", "as_written"}}));
-  EXPECT_EQ(c.scenario_of(0).vehicles[0].avoider.name, "orca3d");
+  EXPECT_EQ(c.scenario_of(0).vehicles[0].avoider->name, "orca3d");
 }
 
 TEST_F(CampaignTest, KeysFollowWhatDecidesTheOutcomeAndNothingElse) {
@@ -195,8 +196,8 @@ TEST_F(CampaignTest, TheScenarioIsTheOneThatWasLoaded) {
 TEST_F(CampaignTest, EachCellIsCheckedBeforeAnythingIsRun) {
   std::vector<std::string> seen;
   const auto check = [&](const Scenario& s) {
-    seen.push_back(s.vehicles[0].avoider.name);
-    if (s.vehicles[0].avoider.name == "orca") throw InputError("unknown algorithm orca");
+    seen.push_back(s.vehicles[0].avoider->name);
+    if (s.vehicles[0].avoider->name == "orca") throw InputError("unknown algorithm orca");
   };
   parse("algorithms: [apf, orca3d]\nseeds: {count: 3}\n", check);
   EXPECT_THAT(seen, ElementsAre("apf", "orca3d"));
@@ -285,7 +286,7 @@ TEST_F(CampaignTest, ARunWithAMethodOfTheProgramsOwnHasItsVersionInTheKey) {
   const std::string two = "algorithms: [orca3d, {algorithm: mine+stop_and_wait}]\n";
   const auto with = [&](const std::string& version, const std::string& program) {
     const auto own = [version](const Scenario& scenario) {
-      return scenario.vehicles[0].avoider.name.starts_with("mine") ? version : std::string();
+      return scenario.vehicles[0].avoider->name.starts_with("mine") ? version : std::string();
     };
     return parse_campaign(std::string(minimal) + two, folder_.file("test.yaml"), {}, 2, {own, program}).specs;
   };
@@ -383,7 +384,7 @@ TEST_F(CampaignTest, RunsThatAreKeptKeepTheirCells) {
   keep_runs(c, [](const RunSpec& spec) { return spec.seed == 3; });
   ASSERT_EQ(c.specs.size(), 2U);
   EXPECT_EQ(*find_label(c.specs[1].labels, "method"), "orca3d");
-  EXPECT_EQ(c.scenario_of(1).vehicles[0].avoider.name, "orca3d");
+  EXPECT_EQ(c.scenario_of(1).vehicles[0].avoider->name, "orca3d");
 }
 
 }  // namespace

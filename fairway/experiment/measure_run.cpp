@@ -12,6 +12,7 @@ Surroundings surroundings_of(const Scenario& scenario, const VehicleCatalog& veh
   Surroundings surroundings;
   for (const ObstacleSpec& spec : scenario.obstacles)
     surroundings.obstacles.push_back({spec.view(), spec.velocity});
+  surroundings.radii.reserve(scenario.vehicles.size());
   for (const VehicleSpec& spec : scenario.vehicles) surroundings.radii.push_back(spec.radius_m);
   surroundings.limits = limits_in_force(scenario, vehicles);
   return surroundings;

@@ -15,7 +15,7 @@ RecordingInfo recording_info(const Scenario& scenario) {
                      .vehicles = {},
                      .machine = std::string(fairway_machine)};
   for (const VehicleSpec& vehicle : scenario.vehicles)
-    info.vehicles.push_back({VehicleId{vehicle.id}, vehicle.name, vehicle.model.name});
+    info.vehicles.push_back({VehicleId{vehicle.id}, vehicle.name, vehicle.model->name});
   return info;
 }
 
@@ -36,7 +36,7 @@ std::string whereabouts(const std::string& program, std::string_view method) {
 void check_methods(const Recording& recording, const Scenario& scenario, const Catalogs& catalogs,
                    const std::string& file) {
   for (const VehicleSpec& vehicle : scenario.vehicles) {
-    for (const std::string_view layer : layer_names(vehicle.avoider.name)) {
+    for (const std::string_view layer : layer_names(vehicle.avoider->name)) {
       if (catalogs.avoiders.has(layer)) continue;
       throw InputError(file + ": the algorithm \"" + std::string(layer) + "\" is not in this program; " +
                        whereabouts(recording.info().program, layer));

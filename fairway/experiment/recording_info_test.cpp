@@ -16,7 +16,7 @@ std::string refusal_of(const std::string& program, const std::string& algorithm,
   const TemporaryFolder folder;
   Scenario scenario =
       load_scenario(std::string(FAIRWAY_SOURCE_DIR) + "/scenarios/head_on.yaml", {{"duration_s", "1"}});
-  for (VehicleSpec& vehicle : scenario.vehicles) vehicle.avoider = {.name = algorithm};
+  for (VehicleSpec& vehicle : scenario.vehicles) vehicle.avoider = Choice{.name = algorithm};
   RecordingInfo info = recording_info(scenario);
   info.program = program;
   RecordingWriter writer{folder.file("run.mcap"), info};

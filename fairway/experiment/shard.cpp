@@ -67,7 +67,7 @@ double expected_cost(const Scenario& scenario) {
   const double steps = scenario.duration_s / scenario.step_s;
   double cost = 0.0;
   for (const VehicleSpec& vehicle : scenario.vehicles) {
-    const std::string method = vehicle.avoider.name.substr(0, vehicle.avoider.name.find('+'));
+    const std::string method = vehicle.avoider->name.substr(0, vehicle.avoider->name.find('+'));
     cost += steps * (vehicle_step_us + decision_cost(method) / scenario.steps_per_decision);
     if (method == "rrt_star" || method == "blend") cost += plan_us;
   }

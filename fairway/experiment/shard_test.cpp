@@ -81,12 +81,12 @@ TEST(Shards, OfWhichThereIsOneHaveAll) {
 TEST(ExpectedCost, GrowsWithVehiclesStepsAndTheMethod) {
   Scenario scenario;
   scenario.vehicles.resize(2);
-  scenario.vehicles[0].avoider.name = scenario.vehicles[1].avoider.name = "orca3d";
+  scenario.vehicles[0].avoider.edit().name = scenario.vehicles[1].avoider.edit().name = "orca3d";
   const double orca = expected_cost(scenario);
   scenario.duration_s *= 2;
   EXPECT_DOUBLE_EQ(expected_cost(scenario), 2 * orca);
   scenario.duration_s /= 2;
-  for (VehicleSpec& vehicle : scenario.vehicles) vehicle.avoider.name = "avoa+stop_and_wait";
+  for (VehicleSpec& vehicle : scenario.vehicles) vehicle.avoider.edit().name = "avoa+stop_and_wait";
   EXPECT_GT(expected_cost(scenario), 50 * orca);
   scenario.vehicles.pop_back();
   EXPECT_GT(expected_cost(scenario), 25 * orca);

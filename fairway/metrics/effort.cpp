@@ -50,11 +50,14 @@ void EffortMetric::see(const VehicleFrame& vehicle, double period, Own& own) {
   const Vec3& v = vehicle.state.v_b;
   const Vec3& omega = vehicle.state.omega_b;
   const std::array<double, 6> nu{v.x(), v.y(), v.z(), omega.x(), omega.y(), omega.z()};
-  for (std::size_t axis = 0; axis < nu.size(); ++axis) {
-    const double power = vehicle.wrench[static_cast<Eigen::Index>(axis)] * nu[axis];
-    own.square[axis] += power * power * period;
-    own.absolute[axis] += std::abs(power) * period;
-  }
+  const auto power = [&](std::size_t axis) {
+    return vehicle.wrench[static_cast<Eigen::Index>(axis)] * nu[axis];
+  };
+  const auto square = [&](std::size_t axis) { return power(axis) * power(axis) * period; };
+  for (std::size_t axis = 0; axis < nu.size(); ++axis) own.absolute[axis] += std::abs(power(axis)) * period;
+  own.surge_square += square(surge);
+  own.sway_square += square(sway);
+  own.yaw_square += square(yaw);
   own.thruster_square += vehicle.power * vehicle.power * period;
   own.thruster_energy += vehicle.power * period;
 }
@@ -71,9 +74,9 @@ void EffortMetric::report(std::vector<Measure>& measures) const {
 
     add("path_length_m", own.path_length);
     add("displacement_m", (own.last - own.start).norm());
-    add("rms_surge_power_w", std::sqrt(mean(own.square[surge])));
-    add("rms_sway_power_w", std::sqrt(mean(own.square[sway])));
-    add("rms_yaw_power_w", std::sqrt(mean(own.square[yaw])));
+    add("rms_surge_power_w", std::sqrt(mean(own.surge_square)));
+    add("rms_sway_power_w", std::sqrt(mean(own.sway_square)));
+    add("rms_yaw_power_w", std::sqrt(mean(own.yaw_square)));
     add("mean_surge_power_w", mean(own.absolute[surge]));
     add("mean_sway_power_w", mean(own.absolute[sway]));
     add("mean_yaw_power_w", mean(own.absolute[yaw]));

@@ -33,9 +33,11 @@ class EffortMetric final : public Metric {
     Vec3 last = Vec3::Zero();
     double path_length{};
     double time{};
-    std::array<double, 6> square{};    ///< integral of P^2 [W2 s] by axis
     std::array<double, 6> absolute{};  ///< integral of |P| [J] by axis
-    double thruster_square{};          ///< likewise of the actuators' power
+    double surge_square{};             ///< integral of P^2 [W2 s]
+    double sway_square{};
+    double yaw_square{};
+    double thruster_square{};  ///< likewise of the actuators' power
     double thruster_energy{};
   };
 

@@ -94,7 +94,7 @@ void EncounterMetric::begin(const Frame& frame, std::size_t hands) {
     counts_.resize(vehicles);
     for (Count& count : counts_) count.open.reserve(std::min(vehicles, Neighbours::usual_contacts));
   }
-  while (detected_.size() < hands) detected_.emplace_back().reserve(vehicles);
+  while (detected_.size() < hands) detected_.emplace_back().reserve(Neighbours::usual_room(vehicles));
 }
 
 void EncounterMetric::see(const Frame& frame) {

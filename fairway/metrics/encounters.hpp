@@ -49,12 +49,12 @@ class EncounterMetric final : public Metric {
     bool started{};
     bool finished{};
     bool stuck{};
+    int avoided{};
+    int collisions{};
     double start_distance{};
     double navigation_time{};
     double avoidance_time{};
     double distance{};
-    int avoided{};
-    int collisions{};
     Vec3 last_position = Vec3::Zero();
     std::vector<OpenEncounter> open;
     Occasion first_collision;

@@ -53,7 +53,7 @@ void FleetMetric::see(const Frame& frame) {
 
 void FleetMetric::begin(const Frame& frame, std::size_t hands) {
   const std::size_t n = frame.vehicles.size();
-  const std::size_t usual_pairs = std::min(n * n / 2, Neighbours::usual_contacts * n / 2);
+  const std::size_t usual_pairs = std::min(n * n / 2, n + 64);  // more take memory
   if (own_.empty()) {
     own_.resize(n);
     touching_.reserve(usual_pairs);
@@ -110,9 +110,9 @@ bool FleetMetric::see_vehicle(const Frame& frame, std::size_t index) {
     own.energy += vehicle.power * frame.period;
     if (vehicle.command.mode == Mode::hold) own.hold_time += frame.period;
     if (vehicle.command.mode == Mode::infeasible && ++own.infeasible == 1)
-      own.first_infeasible.time = frame.time;
+      own.first_infeasible_time = frame.time;
     if (is_beyond(vehicle, index)) {
-      if (own.unattainable_time == 0.0) own.first_unattainable.time = frame.time;
+      if (own.unattainable_time == 0.0) own.first_unattainable_time = frame.time;
       own.unattainable_time += frame.period;
     }
   }
@@ -129,7 +129,8 @@ void FleetMetric::see_obstacles(const Frame& frame, std::size_t index) {
     const double clearance = nearest_point(obstacle, frame.vehicles[index].state.p_n).distance;
     if (!(clearance < own.clearance)) continue;
     own.clearance = clearance;
-    own.clearance_at = {.obstacle = static_cast<int>(k), .time = frame.time};
+    own.nearest_obstacle = static_cast<int>(k);
+    own.clearance_time = frame.time;
   }
 }
 
@@ -150,7 +151,8 @@ void FleetMetric::see_others(const Frame& frame, std::span<const Neighbour> near
   }
   if (!(nearest2 < own.nearest2)) return;
   own.nearest2 = nearest2;
-  own.nearest_at = {.other = static_cast<int>(who), .time = frame.time};
+  own.nearest_other = static_cast<int>(who);
+  own.nearest_time = frame.time;
 }
 
 void FleetMetric::see_pairs(const Frame& frame) {
@@ -187,7 +189,7 @@ void FleetMetric::report(std::vector<Measure>& measures) const {
     arrived += own_[i].arrived ? 1 : 0;
     if (!(own_[i].nearest2 < nearest2)) continue;
     nearest2 = own_[i].nearest2;
-    nearest_at = own_[i].nearest_at;
+    nearest_at = own_[i].nearest_at();
     nearest_at.vehicle = static_cast<int>(i);
   }
   measures.push_back(
@@ -200,15 +202,16 @@ void FleetMetric::report(std::vector<Measure>& measures) const {
   for (std::size_t i = 0; i < own_.size(); ++i) {
     const Own& own = own_[i];
     const int vehicle = static_cast<int>(i);
-    measures.push_back({"nearest_m", vehicle, std::sqrt(own.nearest2), own.nearest_at});
-    measures.push_back({"obstacle_clearance_m", vehicle, own.clearance, own.clearance_at});
+    measures.push_back({"nearest_m", vehicle, std::sqrt(own.nearest2), own.nearest_at()});
+    measures.push_back({"obstacle_clearance_m", vehicle, own.clearance, own.clearance_at()});
     const double radius = i < surroundings_->radii.size() ? surroundings_->radii[i] : 0.0;
-    measures.push_back({"footprint_clearance_m", vehicle, own.clearance - radius, own.clearance_at});
+    measures.push_back({"footprint_clearance_m", vehicle, own.clearance - radius, own.clearance_at()});
     measures.push_back({"energy_j", vehicle, own.energy});
     measures.push_back({"hold_time_s", vehicle, own.hold_time});
-    measures.push_back(
-        {"infeasible_count", vehicle, static_cast<double>(own.infeasible), own.first_infeasible});
-    measures.push_back({"unattainable_time_s", vehicle, own.unattainable_time, own.first_unattainable});
+    measures.push_back({"infeasible_count", vehicle, static_cast<double>(own.infeasible),
+                        Occasion{.time = own.first_infeasible_time}});
+    measures.push_back({"unattainable_time_s", vehicle, own.unattainable_time,
+                        Occasion{.time = own.first_unattainable_time}});
   }
 }
 

@@ -10,6 +10,7 @@
 
 #include "fairway/core/limits.hpp"
 #include "fairway/core/shapes.hpp"
+#include "fairway/core/shared.hpp"
 #include "fairway/metrics/metric.hpp"
 #include "fairway/metrics/neighbours.hpp"
 
@@ -19,7 +20,7 @@ namespace fairway {
 struct Surroundings {
   std::vector<DriftingObstacle> obstacles;  ///< whoever owns their vertices outlives the metrics
   std::vector<double> radii;                ///< of the vehicles' spheres, by index [m]; 0 where not given
-  std::vector<Limits> limits;  ///< of the vehicles, by index; able to do anything where not given
+  std::vector<Shared<Limits>> limits;  ///< of the vehicles, by index; able to do anything where not given
 };
 
 /// What raja2024 does not measure: pair events, separation, makespan, arrivals, energy, holding, what
@@ -43,6 +44,8 @@ class FleetMetric final : public Metric {
   void report(std::vector<Measure>& measures) const override;
 
  private:
+  static constexpr double never = std::numeric_limits<double>::quiet_NaN();
+
   struct Own {
     double energy{};
     double hold_time{};
@@ -51,10 +54,15 @@ class FleetMetric final : public Metric {
     double clearance{std::numeric_limits<double>::infinity()};
     int infeasible{};
     bool arrived{};
-    Occasion nearest_at;          ///< when `nearest2` was so
-    Occasion clearance_at;        ///< likewise `clearance`
-    Occasion first_infeasible;    ///< the first of `infeasible`
-    Occasion first_unattainable;  ///< likewise of `unattainable_time`
+    int nearest_other{Occasion::none};      ///< with whom `nearest2` was so
+    int nearest_obstacle{Occasion::none};   ///< likewise `clearance`
+    double nearest_time{never};             ///< when
+    double clearance_time{never};           ///< likewise
+    double first_infeasible_time{never};    ///< the first of `infeasible`
+    double first_unattainable_time{never};  ///< likewise of `unattainable_time`
+
+    Occasion nearest_at() const { return {.other = nearest_other, .time = nearest_time}; }
+    Occasion clearance_at() const { return {.obstacle = nearest_obstacle, .time = clearance_time}; }
   };
 
   bool is_beyond(const VehicleFrame& vehicle, std::size_t index) const;

@@ -45,7 +45,7 @@ class Script {
 
 TEST(FleetMetric, CommandsBeyondAVehicleCountForAsLongAsItIsUnderWayByThem) {
   Surroundings surroundings;
-  surroundings.limits = {{.min_speed = 1.0, .sternway = false, .sway = false}, {}};
+  surroundings.limits = {Limits{.min_speed = 1.0, .sternway = false, .sway = false}, {}};
   RunMetrics metrics{{6.0, 3.0}, surroundings};
   std::array<VehicleFrame, 2> vehicles{};
   std::int64_t tick = 0;

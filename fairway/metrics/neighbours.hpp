@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -22,8 +23,11 @@ class Neighbours {
   /// Of one vehicle at once there is room for so many contacts; whoever has more takes memory for them.
   static constexpr std::size_t usual_contacts = 8;
 
+  /// The same of all that one vehicle looks at, of `count` that there are.
+  static constexpr std::size_t usual_room(std::size_t count) { return std::min<std::size_t>(count, 128); }
+
   /// `reach` is how far the metrics usually look [m].
-  explicit Neighbours(double reach) : vicinity_{{.least = reach, .usual_count = 20.0}} {}
+  explicit Neighbours(double reach) : vicinity_{{.least = reach, .usual_count = 5.0, .margin_ratio = 0.2}} {}
 
   /// Takes the next frame, of the same vehicles.
   const Neighbours& of(const Frame& frame) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fairway/core/math.hpp"
+#include "fairway/core/prefetch.hpp"
 #include "fairway/core/text.hpp"
 
 namespace fairway {
@@ -33,7 +34,7 @@ ProgressMetric::ProgressMetric(double window, std::shared_ptr<const Surroundings
 Goal ProgressMetric::goal_of(const Frame& frame, std::size_t index) const {
   const VehicleFrame& vehicle = frame.vehicles[index];
   const bool known = index < surroundings_->limits.size();
-  const double fastest = known ? surroundings_->limits[index].max_speed : Limits::none;
+  const double fastest = known ? surroundings_->limits[index]->max_speed : Limits::none;
   return {.position = vehicle.goal, .cruise_speed = math::fmin(vehicle.goal_speed, fastest), .velocity = {}};
 }
 
@@ -49,8 +50,10 @@ void ProgressMetric::see(const Frame& frame) {
 
 void ProgressMetric::begin(const Frame& frame, std::size_t hands) {
   if (own_.empty()) {
-    own_.assign(frame.vehicles.size(), {.watch = ProgressWatch{window_}});
-    bystanders_.reserve(frame.vehicles.size() + surroundings_->obstacles.size());
+    own_.reserve(frame.vehicles.size());
+    while (own_.size() < frame.vehicles.size())
+      own_.push_back({.watch = ProgressWatch{window_, Trail{Trail::usual_places}}});
+    bystanders_.reserve(Neighbours::usual_room(frame.vehicles.size()) + surroundings_->obstacles.size());
   }
   while (late_.size() < hands) late_.emplace_back().reserve(frame.vehicles.size());
 }
@@ -59,12 +62,10 @@ void ProgressMetric::see(const Frame& frame, std::size_t index, std::size_t hand
   const VehicleFrame& vehicle = frame.vehicles[index];
   Own& own = own_[index];
 
-  // of a large fleet hardly any watch is in the cache: what is read of each lies before and behind its places
+  // of a large fleet hardly any watch is in the cache
   constexpr std::size_t ahead = 4;
   if (index + ahead < own_.size()) {
-    __builtin_prefetch(&own_[index + ahead].watch);
-    __builtin_prefetch(&own_[index + ahead].report);
-    __builtin_prefetch(&own_[index + ahead].last_without);
+    prefetch(&own_[index + ahead], sizeof(Own));
   }
 
   own.watch.see(frame.time, vehicle.state.p_n, goal_of(frame, index), is_avoiding(vehicle.phase));

@@ -98,7 +98,8 @@ TEST(ProgressMetric, WaitsForADrifterWithinReachOfTheSpheres) {
 }
 
 TEST(ProgressMetric, TheLimitOnSpeedIsTheCruisingSpeedWhereItIsLower) {
-  Surroundings slow{.obstacles = {}, .radii = {}, .limits = {{.max_speed = 0.1}, {.max_speed = 0.1}}};
+  Surroundings slow{
+      .obstacles = {}, .radii = {}, .limits = {Limits{.max_speed = 0.1}, Limits{.max_speed = 0.1}}};
   TwoVehicles run{slow};
   run.see(200, {0.04, 0, 0});  // less than a tenth of 0.5 m/s, more than one of 0.1 m/s
   EXPECT_EQ(run.value("no_progress_time_s", 1), 0.0);

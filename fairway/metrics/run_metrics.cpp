@@ -17,7 +17,7 @@ void RunMetrics::write(const Frame& frame) {
   const Neighbours& all = neighbours_.of(frame);
   constexpr std::size_t size = 64;
   const std::size_t count = vehicles_ = frame.vehicles.size();
-  while (near_.size() < hands) near_.emplace_back().reserve(count);
+  while (near_.size() < hands) near_.emplace_back().reserve(Neighbours::usual_room(count));
   const auto see = [&](std::size_t part, std::size_t hand) {
     for (std::size_t i = part * size; i < std::min(count, (part + 1) * size); ++i) {
       std::vector<Neighbour>& near = near_[hand];

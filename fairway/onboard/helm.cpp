@@ -32,7 +32,7 @@ Helm::Helm(Pilot pilot, HelmSetup setup, Avoider avoider)
       avoider_{std::move(avoider)},
       fresh_{avoider_},
       progress_watch_{setup_.policy.progress_window_s} {
-  check_params(pilot_.ship().steering);
+  check_params(*pilot_.ship().steering);
   check_params(setup_.policy);
   for (const TeamMate& mate : setup_.team)
     neighbours_.push_back({.radius = mate.radius, .priority = mate.priority});
@@ -56,13 +56,18 @@ void Helm::begin_again() noexcept {
   avoider_ = fresh_;
   pilot_ = Pilot{pilot_.ship(), pilot_.period()};
   own_watch_ = {};
-  for (std::size_t i = 0; i < neighbours_.size(); ++i)
-    neighbours_[i] = {.radius = setup_.team[i].radius, .priority = setup_.team[i].priority};
+  for (std::size_t i = 0; i < neighbours_.size(); ++i) {
+    Neighbour& neighbour = neighbours_[i];
+    neighbour = {.radius = setup_.team[i].radius,
+                 .priority = setup_.team[i].priority,
+                 .trail = std::move(neighbour.trail)};
+    neighbour.trail.forget();
+  }
   heard_.clear();
   next_turn_ = 0.0;
   current_ = Vec3::Zero();
   current_time_.reset();
-  progress_watch_ = ProgressWatch{setup_.policy.progress_window_s};
+  progress_watch_.forget();
   updated_ = -std::numeric_limits<double>::infinity();
   standing_ = 0;
   task_ = Task::none;

@@ -34,7 +34,7 @@ struct Outcome {
 Outcome outcome_of(const Meeting& meeting) {
   fixes::Parts setup = fixes::setup();
   setup.policy = meeting.policy;
-  setup.ship.steering.kind = SteeringKind::proportional;
+  setup.ship.steering.edit().kind = SteeringKind::proportional;
   fixes::Parts other = setup;
   other.ship.id = VehicleId{1};
   other.team = {{.id = VehicleId{0}, .name = "zero", .radius = 1.5}};

@@ -15,7 +15,8 @@ namespace {
 Scenario cube(const std::string& algorithm, std::int32_t steps_per_decision) {
   Scenario scenario = load_scenario(FAIRWAY_SOURCE_DIR "/scenarios/cube20_8.yaml");
   scenario.steps_per_decision = steps_per_decision;
-  for (VehicleSpec& vehicle : scenario.vehicles) vehicle.avoider = {.name = algorithm, .path = "avoider"};
+  for (VehicleSpec& vehicle : scenario.vehicles)
+    vehicle.avoider = Choice{.name = algorithm, .path = "avoider"};
   return scenario;
 }
 
@@ -46,9 +47,9 @@ class Helms {
     const double now = simulation.time();
     for (std::size_t i = 0; i < helms_.size(); ++i) {
       for (std::size_t k = 0; k < helms_.size(); ++k) {
-        Fix fix{.time = now, .state = agents[k].estimate, .position_sigma = agents[k].own.position_sigma};
+        Fix fix{.time = now, .state = agents[k].estimate(), .position_sigma = agents[k].own.position_sigma};
         if (measure_water_)
-          fix.through_water_b = fix.state.v_b - fix.state.q_nb.conjugate() * agents[k].estimated_current;
+          fix.through_water_b = fix.state.v_b - fix.state.q_nb.conjugate() * agents[k].estimated_current();
         const VehicleId id = agents[k].ship().id;
         const FixVerdict verdict =
             i == k ? helms_[i].own_fix(fix, now) : helms_[i].neighbour_fix(id, fix, now);
@@ -113,7 +114,7 @@ TEST_P(HelmBesideASimulation, DecidesAndAsksTheSameToTheBit) {
       if (!is_avoiding(agent.mission.phase()) && agent.mission.phase() != Phase::arrived) continue;
       ASSERT_EQ(order.decided, deciding[i]) << agent.ship().name << " at " << now;
       ASSERT_EQ(order.command, agent.pilot.command()) << agent.ship().name << " at " << now;
-      const BodyRequest request = agent.pilot.request(agent.own, agent.estimated_current);
+      const BodyRequest request = agent.pilot.request(agent.own, agent.estimated_current());
       ASSERT_TRUE(order.request == request) << agent.ship().name << " at " << now;
       decisions += order.decided ? 1 : 0;
       avoided += order.decided && order.command.mode == Mode::avoid ? 1 : 0;

@@ -183,9 +183,9 @@ TEST(Helm, ASectionIsFollowedByTheVelocityOfItsLine) {
 
 TEST(Helm, OutsideTheDepthBandEveryOrderLeadsBack) {
   auto with = setup();
-  with.ship.limits.min_depth = 5.0;
-  with.ship.limits.max_depth = 20.0;
-  with.ship.limits.max_climb_rate = 0.2;
+  with.ship.limits.edit().min_depth = 5.0;
+  with.ship.limits.edit().max_depth = 20.0;
+  with.ship.limits.edit().max_climb_rate = 0.2;
   for (const double depth : {2.0, 23.0}) {
     const double back = depth < 10 ? 1.0 : -1.0;
     for (const char* algorithm : {"direct", "apf", "orca3d", "orca2d", "orca3d+stop_and_wait"}) {
@@ -204,8 +204,8 @@ TEST(Helm, OutsideTheDepthBandEveryOrderLeadsBack) {
 
 TEST(Helm, AVehicleThatIsTooDeepOrTooShallowComesBackOnItsWay) {
   auto with = setup();
-  with.ship.limits.min_depth = 5.0;
-  with.ship.limits.max_depth = 20.0;
+  with.ship.limits.edit().min_depth = 5.0;
+  with.ship.limits.edit().max_depth = 20.0;
   for (const double depth : {2.0, 23.0}) {
     Helm helm = helm_of(with);
     ASSERT_TRUE(helm.go_to({500, 0, 12}, 0.5));
@@ -221,7 +221,7 @@ TEST(Helm, AVehicleThatIsTooDeepOrTooShallowComesBackOnItsWay) {
 
 TEST(Helm, AGoalOutsideTheDepthBandIsRefusedUnlessItCanBeReachedFromWithin) {
   auto with = setup();
-  with.ship.limits.max_depth = 20.0;
+  with.ship.limits.edit().max_depth = 20.0;
   Helm helm = helm_of(with);
   EXPECT_FALSE(helm.go_to({50, 0, 21.5}, 0.5));
   EXPECT_TRUE(helm.go_to({50, 0, 20.5}, 0.5)) << "arrival is at 1 m";
@@ -229,8 +229,9 @@ TEST(Helm, AGoalOutsideTheDepthBandIsRefusedUnlessItCanBeReachedFromWithin) {
 
 TEST(Helm, AVehicleThatCannotStopHoldsInACircle) {
   auto with = setup();
-  with.ship.steering = {.kind = SteeringKind::crab, .min_speed_mps = 0.8, .circle_radius_m = 20.0};
-  with.ship.limits.max_speed = 1.5;
+  with.ship.steering =
+      SteeringParams{.kind = SteeringKind::crab, .min_speed_mps = 0.8, .circle_radius_m = 20.0};
+  with.ship.limits.edit().max_speed = 1.5;
   Helm helm = under_way(1.0, with);
   EXPECT_GE(helm.order().request.surge_mps, 0.8);
   helm.keep_position();
@@ -245,7 +246,7 @@ TEST(Helm, AVehicleThatCannotStopHoldsInACircle) {
 
 TEST(Helm, EstimatesTheCurrentFromTheVelocityThroughTheWaterAndFiltersIt) {
   auto with = setup();
-  with.ship.steering = {.kind = SteeringKind::crab, .min_speed_mps = 0.1};
+  with.ship.steering = SteeringParams{.kind = SteeringKind::crab, .min_speed_mps = 0.1};
   Helm helm = helm_of(with, "direct");
   helm.go_to({500, 0, 10}, 0.5);
   const auto surge_at = [&](int instant, std::optional<double> through_water) {
@@ -303,7 +304,7 @@ TEST(Helm, AClockThatRunsBackOrSaysNoTimeEndsInAHold) {
 
 TEST(Helm, NoOrderTurnsFasterThanTheLimit) {
   fixes::Parts with = setup();
-  with.ship.limits.max_turn_rate = 0.05;
+  with.ship.limits.edit().max_turn_rate = 0.05;
   Helm helm = helm_of(with);
   helm.own_fix(on_course(0.0), 0.0);
   ASSERT_TRUE(helm.go_to({-500, 10, 10}, 0.5));

@@ -28,18 +28,18 @@ Navigation::Navigation(std::string_view kind, const ParamValues& params, Rng rng
   drift.position_error = drift.params.position_sigma_m * Vec2{drift.rng.normal(), drift.rng.normal()};
   drift.heading_error = radians(drift.params.heading_sigma_deg) * drift.rng.normal();
   Rng of_current = rng.stream("current");
-  current_bias_ = drift.params.current_sigma_mps * Vec3{of_current.normal(), of_current.normal(), 0.0};
+  drift.current_bias = drift.params.current_sigma_mps * Vec3{of_current.normal(), of_current.normal(), 0.0};
 }
 
-VehicleState Navigation::estimate(const VehicleState& truth, double period) {
+const VehicleState& Navigation::estimate(const VehicleState& truth, double period) {
   if (!drift_) return truth;
-  auto& [params, rng, position_error, heading_error] = *drift_;
+  auto& [params, rng, position_error, heading_error, bias, believed] = *drift_;
   for (double& error : position_error)
     error = drifted(error, params.position_sigma_m, params.position_correlation_s, period, rng);
   heading_error =
       drifted(heading_error, radians(params.heading_sigma_deg), params.heading_correlation_s, period, rng);
 
-  VehicleState believed = truth;
+  believed = truth;
   believed.p_n += Vec3{position_error.x(), position_error.y(), params.depth_sigma_m * rng.normal()};
   believed.q_nb = quaternion_of({.yaw = heading_error}) * truth.q_nb;
   believed.v_b += params.velocity_sigma_mps * Vec3{rng.normal(), rng.normal(), rng.normal()};

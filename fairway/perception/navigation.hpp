@@ -50,12 +50,17 @@ class Navigation {
 
   /// Where the vehicle believes to be and how it believes to move, one tick of `period` [s] after the last
   /// call.
-  VehicleState estimate(const VehicleState& truth, double period);
+  const VehicleState& estimate(const VehicleState& truth, double period);
+
+  /// What the last call of `estimate` gave, `truth` being what it was given.
+  const VehicleState& believed(const VehicleState& truth) const { return drift_ ? drift_->believed : truth; }
 
   /// What the vehicle estimates the current round it to be, which is `truth_n` [m/s, NED]: its velocity over
   /// ground less the one through the water, as a Doppler log that tracks both gives it. The estimate is off
   /// by a bias that stays the same for the run, and does not share the errors of `estimate`.
-  Vec3 current(const Vec3& truth_n) const { return truth_n + current_bias_; }
+  Vec3 current(const Vec3& truth_n) const {
+    return truth_n + (drift_ ? drift_->current_bias : Vec3{Vec3::Zero()});
+  }
 
   /// What it states of itself: the standard deviation of north and of east. [m]
   double position_sigma() const {
@@ -68,10 +73,11 @@ class Navigation {
     Rng rng;
     Vec2 position_error = Vec2::Zero();  // [m]
     double heading_error{};              // [rad]
+    Vec3 current_bias = Vec3::Zero();    // [m/s, NED]
+    VehicleState believed{};
   };
 
-  Boxed<Drift> drift_;                // nothing: navigation is perfect
-  Vec3 current_bias_ = Vec3::Zero();  // [m/s, NED]
+  Boxed<Drift> drift_;  // nothing: navigation is perfect
 };
 
 /// The kinds of navigation that there are.

@@ -93,7 +93,7 @@ void add_seen(const Scene& scene, const Viewpoint& own, const Reach& reach, std:
   for (std::size_t i = scene.movers.size(); i-- > 0;) {
     const Mover& mover = scene.movers[i];
     if (drifters_alone && mover.is_vehicle) return;
-    if (!mover.silent || i == scene.own_index) continue;
+    if (!mover.silent || (mover.is_vehicle && i == scene.own_index)) continue;
     const double distance2 = (mover.position - own.estimate.p_n).squaredNorm();
     const double range = mover.is_vehicle ? reach.vehicles : reach.obstacles + own.radius + mover.radius;
     if (distance2 <= range * range) near.push_back({distance2, mover.id, scene.heard.size() + i});

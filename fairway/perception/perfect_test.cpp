@@ -50,6 +50,22 @@ TEST(PerfectPerception, DriftersAreTracksAmongTheOthersNearestFirst) {
   EXPECT_LT(tracks[1].priority, tracks[0].priority);
 }
 
+TEST(PerfectPerception, WhereAllAreHeardDriftersAloneAreAmongTheMovers) {
+  const Mailbox heard{message(0, {0, 0, 0}), message(1, {10, 0, 0})};
+  const std::vector<Mover> movers{drifter({20, 0, 0})};
+  Vicinity places;
+  places.update(heard.size(), [&](std::size_t i) { return heard[i].position; });
+  const VehicleState x;
+  std::vector<Near> near;
+  std::vector<Track> tracks;
+  perceive_movers(
+      {.own_index = 0, .movers = movers, .heard = heard, .places = &places, .heard_at_once = true},
+      {x, x, 1.0}, {.vehicles = 100, .obstacles = 100}, near, tracks);
+  ASSERT_EQ(tracks.size(), 2U);
+  EXPECT_EQ(tracks[0].id, TrackId{1});
+  EXPECT_EQ(tracks[1].id, movers[0].id);
+}
+
 TEST(PerfectPerception, ADrifterIsPerceivedFromSurfaceToSurface) {
   const auto is_seen = [](double distance) {
     const std::vector<Mover> movers{vehicle(0, {0, 0, 0}), drifter({distance, 0, 0})};

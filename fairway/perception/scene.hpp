@@ -32,8 +32,8 @@ struct Mover {
 struct Scene {
   double time{};                        ///< [s]
   double period{};                      ///< of the ticks that messages are stamped with [s]
-  std::size_t own_index{};              ///< of the vehicle among the movers
-  std::span<const Mover> movers;        ///< all vehicles by index, then what drifts
+  std::size_t own_index{};              ///< of the vehicle
+  std::span<const Mover> movers;        ///< all vehicles by index, unless all are heard, then what drifts
   std::span<const Obstacle> obstacles;  ///< all that do not move
   std::span<const Message> heard;       ///< the last message of each vehicle, as far as there is one
 

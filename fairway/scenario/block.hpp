@@ -70,6 +70,17 @@ Key<Owner> key(std::string_view name, T Owner::*member, const Form<T>& form, std
       .schema = form.schema};
 }
 
+/// The same of what an Owner may have in common with others.
+template <class Owner, class T>
+Key<Owner> key(std::string_view name, Shared<T> Owner::*member, const Form<T>& form, std::string_view meaning,
+               Needed needed = Needed::no) {
+  const Form<Shared<T>> shared{
+      .read = form.read,
+      .write = [write = form.write](const Shared<T>& value) { return write(*value); },
+      .schema = form.schema};
+  return key<Owner, Shared<T>>(name, member, shared, meaning, needed);
+}
+
 namespace detail {
 
 /// The checks of a mapping against its table: it is one, it has no other keys, no quantity in two

@@ -48,7 +48,7 @@ TEST(Fleet, ALatticeIsACubeRoundItsCentre) {
   EXPECT_EQ(scenario.vehicles[0].position, Vec3(-4, -3, 25));
   EXPECT_EQ(scenario.vehicles[26].position, Vec3(6, 7, 35));
   EXPECT_EQ(scenario.vehicles[26].name, "robot26");
-  EXPECT_EQ(scenario.vehicles[3].model.name, "kinematic");
+  EXPECT_EQ(scenario.vehicles[3].model->name, "kinematic");
 }
 
 TEST(Fleet, EachGoesToThePlaceOppositeTheMiddleAndHeadsForIt) {

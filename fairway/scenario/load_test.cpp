@@ -90,12 +90,12 @@ TEST(LoadTest, EveryKeyArrivesWhereItBelongs) {
   EXPECT_EQ(north.id, 4U);
   EXPECT_EQ(north.name, "north");
   EXPECT_EQ(north.priority, 4);
-  EXPECT_EQ(north.model.name, "sparus2");
-  EXPECT_EQ(north.model.params, (ParamValues{{"mass_kg", 52.0}}));
-  EXPECT_EQ(north.avoider.name, "orca3d");
-  EXPECT_EQ(north.avoider.path, "vehicles[0].avoider");
-  EXPECT_EQ(north.steering.name, "");
-  EXPECT_EQ(north.steering.params, (ParamValues{{"ori_error_rad", 0.6}}));
+  EXPECT_EQ(north.model->name, "sparus2");
+  EXPECT_EQ(north.model->params, (ParamValues{{"mass_kg", 52.0}}));
+  EXPECT_EQ(north.avoider->name, "orca3d");
+  EXPECT_EQ(north.avoider->path, "vehicles[0].avoider");
+  EXPECT_EQ(north.steering->name, "");
+  EXPECT_EQ(north.steering->params, (ParamValues{{"ori_error_rad", 0.6}}));
   EXPECT_EQ(north.position, Vec3(0, 0, 5));
   EXPECT_EQ(north.yaw, radians(30.0));
   EXPECT_EQ(north.speed, 0.1);
@@ -117,10 +117,10 @@ TEST(LoadTest, EveryKeyArrivesWhereItBelongs) {
   EXPECT_EQ(second.id, 1U);
   EXPECT_EQ(second.name, "robot1");
   EXPECT_EQ(second.priority, -3);
-  EXPECT_EQ(second.model.name, "zarco");
-  EXPECT_TRUE(second.model.params.empty()) << "a choice that names itself takes no parameters of another";
-  EXPECT_EQ(second.avoider.name, "apf");
-  EXPECT_TRUE(second.avoider.params.empty());
+  EXPECT_EQ(second.model->name, "zarco");
+  EXPECT_TRUE(second.model->params.empty()) << "a choice that names itself takes no parameters of another";
+  EXPECT_EQ(second.avoider->name, "apf");
+  EXPECT_TRUE(second.avoider->params.empty());
   EXPECT_EQ(second.mission[0].box_m, Vec3(5, 5, 4));
   EXPECT_EQ(second.mission[1].from, Vec3(10, 10, 0));
   EXPECT_EQ(second.mission[1].position, Vec3(20, 10, 0));
@@ -136,9 +136,9 @@ TEST(LoadTest, EveryKeyArrivesWhereItBelongs) {
 
 TEST(LoadTest, AChoiceKnowsTheLineOfItsNameAndOfEachParameter) {
   const Scenario s = parse_scenario(crossing, "crossing.yaml");
-  EXPECT_EQ(s.vehicles[0].avoider.where.prefix(), "crossing.yaml:20:24: ");
-  EXPECT_EQ(s.vehicles[0].avoider.param_where.at(0).prefix(), "crossing.yaml:20:32: ");
-  EXPECT_EQ(s.vehicles[1].avoider.where.prefix(), "crossing.yaml:32:14: ");
+  EXPECT_EQ(s.vehicles[0].avoider->where.prefix(), "crossing.yaml:20:24: ");
+  EXPECT_EQ(s.vehicles[0].avoider->param_where.at(0).prefix(), "crossing.yaml:20:32: ");
+  EXPECT_EQ(s.vehicles[1].avoider->where.prefix(), "crossing.yaml:32:14: ");
   EXPECT_EQ(s.expect[1].where.prefix(), "crossing.yaml:41:15: ");
 }
 
@@ -168,7 +168,7 @@ TEST(LoadTest, ParametersKeepTheirTypes) {
                              {"d", std::string("true")},
                              {"e", std::string("word")},
                              {"f", 1000.0}};
-  EXPECT_EQ(s.vehicles[0].model.params, expected);
+  EXPECT_EQ(s.vehicles[0].model->params, expected);
 }
 
 /// A document with one vehicle, whose start and other keys are given.
@@ -197,7 +197,7 @@ TEST(DistributionTest, DefaultsAreDrawnAnewForEachVehicle) {
   const Scenario s = parse_scenario(text, "a", {}, 3);
   EXPECT_EQ(s.seed, 3U);
   EXPECT_EQ(s.vehicles[1].position.y(), Rng{3}.stream("vehicles[1].start.position_m[1]").uniform(0, 9));
-  EXPECT_EQ(std::get<double>(s.vehicles[2].model.params[0].second),
+  EXPECT_EQ(std::get<double>(s.vehicles[2].model->params[0].second),
             Rng{3}.stream("vehicles[2].model.mass_kg").uniform(1, 2));
   EXPECT_EQ(s.vehicles[2].mission[0].position.x(),
             Rng{3}.stream("vehicles[2].mission[0].transit.position_m[0]").uniform(0, 9));
@@ -236,29 +236,29 @@ TEST(OverrideTest, ReplacesAndAddsValuesByPath) {
 TEST(OverrideTest, AWordGrowsIntoAMapping) {
   const Scenario s = parse_scenario(
       crossing, "c.yaml", {{"vehicles[1].avoider.gain_ratio", "2"}, {"vehicles[1].model.mass_kg", "60"}});
-  EXPECT_EQ(s.vehicles[1].avoider.name, "apf");
-  EXPECT_EQ(s.vehicles[1].avoider.params, (ParamValues{{"gain_ratio", 2.0}}));
-  EXPECT_EQ(s.vehicles[1].model.name, "zarco");
+  EXPECT_EQ(s.vehicles[1].avoider->name, "apf");
+  EXPECT_EQ(s.vehicles[1].avoider->params, (ParamValues{{"gain_ratio", 2.0}}));
+  EXPECT_EQ(s.vehicles[1].model->name, "zarco");
 }
 
 TEST(OverrideTest, EveryVehicleIsReachedAlsoWhereTheDefaultsSpeak) {
   const Scenario s = parse_scenario(
       crossing, "c.yaml", {{"vehicles[*].avoider.time_horizon_s", "9"}, {"vehicles[*].radius_m", "1"}});
-  EXPECT_EQ(s.vehicles[0].avoider.name, "orca3d");
-  EXPECT_EQ(s.vehicles[0].avoider.params, (ParamValues{{"time_horizon_s", 9.0}}));
-  EXPECT_EQ(s.vehicles[1].avoider.name, "apf");
-  EXPECT_EQ(s.vehicles[1].avoider.params, (ParamValues{{"time_horizon_s", 9.0}}));
+  EXPECT_EQ(s.vehicles[0].avoider->name, "orca3d");
+  EXPECT_EQ(s.vehicles[0].avoider->params, (ParamValues{{"time_horizon_s", 9.0}}));
+  EXPECT_EQ(s.vehicles[1].avoider->name, "apf");
+  EXPECT_EQ(s.vehicles[1].avoider->params, (ParamValues{{"time_horizon_s", 9.0}}));
 
   const Scenario other = parse_scenario(crossing, "c.yaml", {{"vehicles[*].avoider", "vo"}});
-  EXPECT_EQ(other.vehicles[0].avoider.name, "vo");
-  EXPECT_TRUE(other.vehicles[0].avoider.params.empty());
-  EXPECT_EQ(parse_scenario(crossing, "c.yaml", {{"defaults.avoider", "vo"}}).vehicles[0].avoider.name, "vo");
+  EXPECT_EQ(other.vehicles[0].avoider->name, "vo");
+  EXPECT_TRUE(other.vehicles[0].avoider->params.empty());
+  EXPECT_EQ(parse_scenario(crossing, "c.yaml", {{"defaults.avoider", "vo"}}).vehicles[0].avoider->name, "vo");
 }
 
 TEST(OverrideTest, AVehicleReplacedAsAWholeStillTakesTheDefaults) {
   const Scenario s =
       parse_scenario(crossing, "c.yaml", {{"vehicles[1]", "{start: {position_m: [1, 2, 30]}}"}});
-  EXPECT_EQ(s.vehicles[1].avoider.name, "orca3d");
+  EXPECT_EQ(s.vehicles[1].avoider->name, "orca3d");
   EXPECT_EQ(s.vehicles[1].position, Vec3(1, 2, 30));
 }
 

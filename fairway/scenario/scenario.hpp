@@ -12,6 +12,7 @@
 #include "fairway/core/limits.hpp"
 #include "fairway/core/params.hpp"
 #include "fairway/core/shapes.hpp"
+#include "fairway/core/shared.hpp"
 #include "fairway/core/state.hpp"
 #include "fairway/scenario/water_spec.hpp"
 
@@ -76,16 +77,24 @@ struct ObstacleSpec {
   bool moves() const { return !velocity.isZero(0.0); }
 };
 
-/// One vehicle, with everything that is its own.
+/// Where a vehicle's own things are written; of the file if built by a program.
+struct VehiclePlaces {
+  Location start;  ///< its position
+  Location limits;
+  std::vector<Location> mission;  ///< of each leg; may be empty
+};
+
+/// One vehicle, with everything that is its own. What it was copied with it has in common with the original
+/// until it differs.
 struct VehicleSpec {
   std::uint32_t id{};
   std::string name;
-  Choice model;                      ///< of the vehicle catalog
-  Choice avoider;                    ///< of the avoidance catalog
+  Shared<Choice> model;              ///< of the vehicle catalog
+  Shared<Choice> avoider;            ///< of the avoidance catalog
   Tracking tracking{Tracking::raw};  ///< a file that does not say it means `automatic`
-  Choice steering;    ///< how a velocity becomes a body request; name empty = the model's usual one
-  Choice allocation;  ///< how commanded forces are shared out among the thrusters; name empty = bounded
-  Choice autopilot;   ///< what drives the thrusters to a velocity; name empty = velocity_controller
+  Shared<Choice> steering;    ///< how a velocity becomes a body request; name empty = the model's usual one
+  Shared<Choice> allocation;  ///< how commanded forces are shared out among the thrusters; likewise bounded
+  Shared<Choice> autopilot;   ///< what drives the thrusters to a velocity; likewise velocity_controller
   Vec3 position = Vec3::Zero();  ///< at the start [m, NED]
   double yaw{};                  ///< at the start [rad]
   double speed{};                ///< surge at the start [m/s]
@@ -96,11 +105,7 @@ struct VehicleSpec {
   FailureSpec failure;
   Limits limits;
   std::vector<Leg> mission;
-
-  // where that was written; of the file if built by a program
-  Location start_where;  ///< its position
-  Location limits_where;
-  std::vector<Location> mission_where;  ///< of each leg; may be empty
+  Shared<VehiclePlaces> where;
 };
 
 /// How encounters are counted.

@@ -19,9 +19,10 @@ Key<VehicleSpec> placed(Key<VehicleSpec> entry, const Keep& keep) {
 }
 
 Key<VehicleSpec> position() {
-  return placed(key("position_m", &VehicleSpec::position, vector(anywhere),
-                    "Where it is [n, e, d]; d is 0 for what floats.", Needed::yes),
-                [](const Value& value, VehicleSpec& v) { v.start_where = value.tree().where.location(); });
+  return placed(
+      key("position_m", &VehicleSpec::position, vector(anywhere),
+          "Where it is [n, e, d]; d is 0 for what floats.", Needed::yes),
+      [](const Value& value, VehicleSpec& v) { v.where.edit().start = value.tree().where.location(); });
 }
 
 Block<VehicleSpec> start_block() {
@@ -116,12 +117,13 @@ const Block<VehicleSpec>& vehicle_block() {
           "false: it tells nobody anything, and nobody may count on it to give way. Default true."),
       key("failure", &VehicleSpec::failure, unless({}, block_form(failure_block())),
           "What breaks on board under way. Default: nothing."),
-      placed(key("limits", &VehicleSpec::limits, limits(),
-                 "What it may do. A limit that is not given does not bind."),
-             [](const Value& value, VehicleSpec& v) { v.limits_where = value.tree().where.location(); }),
+      placed(
+          key("limits", &VehicleSpec::limits, limits(),
+              "What it may do. A limit that is not given does not bind."),
+          [](const Value& value, VehicleSpec& v) { v.where.edit().limits = value.tree().where.location(); }),
       placed(
           key("mission", &VehicleSpec::mission, mission(), "Its legs, in order. It then holds its position."),
-          [](const Value& value, VehicleSpec& v) { v.mission_where = places_of_legs(value); }),
+          [](const Value& value, VehicleSpec& v) { v.where.edit().mission = places_of_legs(value); }),
   };
   return block;
 }
@@ -141,11 +143,6 @@ Form<VehicleSpec> vehicle() {
                 vehicle.name = "robot" + std::to_string(vehicle.id);
                 vehicle.priority = static_cast<std::int32_t>(vehicle.id);
                 vehicle.tracking = Tracking::automatic;
-                vehicle.model.path = value.path() + ".model";
-                vehicle.avoider.path = value.path() + ".avoider";
-                vehicle.steering.path = value.path() + ".steering";
-                vehicle.allocation.path = value.path() + ".allocation";
-                vehicle.autopilot.path = value.path() + ".autopilot";
                 read_block(value, vehicle_block(), vehicle);
                 return vehicle;
               },

@@ -76,7 +76,7 @@ AutopilotParams autopilot_of(const VehicleSpec& spec, const Vehicle& vehicle) {
   const bool given = !choice.name.empty() || !choice.params.empty();
   if (given && vehicle.propulsion() == nullptr) {
     throw InputError(choice.where, choice.path,
-                     spec.model.name + " has no thrusters that it could drive: leave it out");
+                     spec.model->name + " has no thrusters that it could drive: leave it out");
   }
   return chosen(choice, "kind", AutopilotParams{});
 }
@@ -134,7 +134,7 @@ std::optional<Envelope> usable(const std::optional<Envelope>& measured, const Ve
   const std::string_view why = why_unusable(*measured);
   if (why.empty()) return measured;
   if (limits.sway) return {};
-  throw InputError(spec.model.where, spec.model.path,
+  throw InputError(spec.model->where, spec.model->path,
                    avoider + " cannot reckon with what it does within its limits: " + std::string(why));
 }
 
@@ -163,14 +163,14 @@ Exchange make_exchange(const Scenario& scenario) {
 }
 
 Vehicle make_vehicle(const VehicleSpec& spec, const VehicleCatalog& vehicles) {
-  return made(spec.model, [&] { return vehicles.make(spec.model.name, spec.model.params); });
+  return made(spec.model, [&] { return vehicles.make(spec.model->name, spec.model->params); });
 }
 
 std::string avoider_in_force(const VehicleSpec& spec, const Limits& limits, const Catalog& avoiders) {
   const bool is_tracked =
       spec.tracking == Tracking::trackable || (spec.tracking == Tracking::automatic && !limits.sway);
-  if (!is_tracked) return spec.avoider.name;
-  return made(spec.avoider, [&] { return avoiders.tracked(spec.avoider.name); });
+  if (!is_tracked) return spec.avoider->name;
+  return made(spec.avoider, [&] { return avoiders.tracked(spec.avoider->name); });
 }
 
 Avoider make_avoider(const VehicleSpec& spec, const Limits& limits, const Scenario& scenario,
@@ -198,14 +198,16 @@ Particulars particulars_of(const VehicleSpec& spec, const Vehicle& vehicle, doub
   return ship;
 }
 
-std::vector<Limits> limits_in_force(const Scenario& scenario, const VehicleCatalog& vehicles) {
-  std::vector<Limits> limits;
+std::vector<Shared<Limits>> limits_in_force(const Scenario& scenario, const VehicleCatalog& vehicles) {
+  std::vector<Shared<Limits>> limits;
+  limits.reserve(scenario.vehicles.size());
   for (const VehicleSpec& spec : scenario.vehicles) {
     try {
-      limits.push_back(narrowed(spec.limits, vehicles.make(spec.model.name, spec.model.params)));
+      limits.push_back(narrowed(spec.limits, vehicles.make(spec.model->name, spec.model->params)));
     } catch (const InputError&) {
       limits.push_back(spec.limits);
     }
+    if (limits.size() > 1) share_if_same(limits.back(), limits[limits.size() - 2]);
   }
   return limits;
 }
@@ -213,19 +215,23 @@ std::vector<Limits> limits_in_force(const Scenario& scenario, const VehicleCatal
 bool is_same(const Choice& a, const Choice& b) { return a.name == b.name && a.params == b.params; }
 
 Agent make_agent(const VehicleSpec& spec, const Scenario& scenario, const Catalogs& catalogs,
-                 const Vehicle* alike) {
+                 const Agent* alike) {
   const Rng rng{scenario.seed};
   const auto drawn_for = [&](std::string_view user) { return rng.stream(user, spec.id); };
   const PerceptionSpec& perception = scenario.perception;
   const std::size_t track_count = scenario.vehicles.size() + scenario.obstacles.size();
-  Vehicle vehicle = alike != nullptr ? *alike : make_vehicle(spec, catalogs.vehicles);
+  Vehicle vehicle = alike != nullptr ? alike->vehicle : make_vehicle(spec, catalogs.vehicles);
   vehicle.prepare(scenario.step_s);
   vehicle.set_state(start_of(spec));
-  Autopilot autopilot = make_autopilot(spec, vehicle);
+  Autopilot autopilot = alike != nullptr ? alike->autopilot : make_autopilot(spec, vehicle);
   Navigation navigation = made(scenario.navigation, [&] {
     return Navigation{scenario.navigation.name, scenario.navigation.params, drawn_for("navigation")};
   });
   Particulars ship = particulars_of(spec, vehicle, scenario.step_s, catalogs.avoiders);
+  if (alike != nullptr) {
+    share_if_same(ship.limits, alike->ship().limits);
+    share_if_same(ship.steering, alike->ship().steering);
+  }
   Avoider avoider = make_avoider(spec, ship.limits, scenario, catalogs.avoiders);
   Eigen::VectorXd demand = vehicle.actuator_state();
 

@@ -37,14 +37,17 @@ struct Agent {
   Lookout lookout;
 
   // this tick's values
-  VehicleState estimate;                  ///< where it believes to be
-  Vec3 current = Vec3::Zero();            ///< of the water round it [m/s, NED]
-  Vec3 estimated_current = Vec3::Zero();  ///< what it believes that to be
+  Vec3 current = Vec3::Zero();  ///< of the water round it [m/s, NED]
   Ownship own;
   std::string_view note;   ///< of the last command that had one
   Eigen::VectorXd demand;  ///< of the actuators
 
   const Particulars& ship() const { return pilot.ship(); }
+
+  /// Where it believes to be. Valid until it moves.
+  const VehicleState& estimate() const { return navigation.believed(vehicle.state()); }
+  /// What it believes the current round it to be [m/s, NED].
+  Vec3 estimated_current() const { return navigation.current(current); }
 
   /// Whether this has broken on board by `time` [s].
   bool has_failed(FailureKind kind, double time) const {
@@ -68,15 +71,16 @@ Particulars particulars_of(const VehicleSpec& spec, const Vehicle& vehicle, doub
 bool is_same(const Choice& a, const Choice& b);
 
 /// An agent as its spec describes it, everything random on board drawn from streams of the scenario's seed.
-/// It shares the model, which is constant, with the vehicle `alike` if there is one, of the same choice.
+/// What it has in common with `alike`, if there is one, of the same model, allocation and autopilot, is in
+/// memory once.
 /// Throws InputError, with the place in the file, where a catalog does not know a name or refuses a
 /// parameter, and where a method would have to reckon with a vehicle that can neither go sideways nor turn.
 Agent make_agent(const VehicleSpec& spec, const Scenario& scenario, const Catalogs& catalogs,
-                 const Vehicle* alike = nullptr);
+                 const Agent* alike = nullptr);
 
 /// What each vehicle of a scenario may and can do, as its agent is told. A model that the catalog does not
 /// know or refuses is taken to be able to do anything: whoever simulates it refuses it.
-std::vector<Limits> limits_in_force(const Scenario& scenario, const VehicleCatalog& vehicles);
+std::vector<Shared<Limits>> limits_in_force(const Scenario& scenario, const VehicleCatalog& vehicles);
 
 /// What the vehicles of a scenario hear of each other. Throws InputError likewise.
 Exchange make_exchange(const Scenario& scenario);

@@ -26,8 +26,8 @@ double known_speed() {
   Catalogs catalogs = builtin_catalogs();
   catalogs.vehicles.add<OwnBoat<speed>>();
   Scenario scenario{.name = "own"};
-  VehicleSpec vehicle{.model = {.name = "own_boat"},
-                      .avoider = {.name = "orca3d"},
+  VehicleSpec vehicle{.model = Choice{.name = "own_boat"},
+                      .avoider = Choice{.name = "orca3d"},
                       .tracking = Tracking::trackable,
                       .position = {0, 0, 5}};
   vehicle.mission = {{.kind = LegKind::transit, .position = {20, 0, 5}}};

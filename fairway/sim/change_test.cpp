@@ -10,7 +10,8 @@ namespace {
 /// One that holds for a while and then sets out.
 Scenario holding(double duration_s) {
   Scenario scenario{.name = "holding", .duration_s = 100};
-  VehicleSpec vehicle{.model = {.name = "kinematic"}, .avoider = {.name = "direct"}, .position = {0, 0, 5}};
+  VehicleSpec vehicle{
+      .model = Choice{.name = "kinematic"}, .avoider = Choice{.name = "direct"}, .position = {0, 0, 5}};
   vehicle.limits.max_speed = 0.5;
   vehicle.mission = {{.kind = LegKind::keep_position, .duration_s = duration_s},
                      {.kind = LegKind::transit, .position = {20, 0, 5}}};

@@ -14,8 +14,8 @@ namespace {
 VehicleSpec swimmer(std::uint32_t id, const Vec3& from, const Vec3& to) {
   VehicleSpec spec{.id = id,
                    .name = "v" + std::to_string(id),
-                   .model = {.name = "sparus2", .path = "model"},
-                   .avoider = {.name = "orca3d", .path = "avoider"},
+                   .model = Choice{.name = "sparus2", .path = "model"},
+                   .avoider = Choice{.name = "orca3d", .path = "avoider"},
                    .position = from,
                    .yaw = std::atan2(to.y() - from.y(), to.x() - from.x()),
                    .radius_m = 2.0,
@@ -71,7 +71,7 @@ TEST(AcousticExchange, WhoSpeaksGoesByTheClockOnBoard) {
   Scenario scenario = meeting({{"update_rate_hz", 1.0}, {"clock_offset_s", 0.5}});
   scenario.duration_s = 20;
   for (VehicleSpec& spec : scenario.vehicles)
-    spec.avoider = {.name = "pledge", .params = {{"team_count", 2.0}}, .path = "avoider"};
+    spec.avoider = Choice{.name = "pledge", .params = {{"team_count", 2.0}}, .path = "avoider"};
   Simulation simulation{scenario, builtin_catalogs()};
   Clocks clocks{simulation};
   simulation.observe(&clocks);
@@ -117,7 +117,7 @@ TEST(AcousticExchange, WhoSpeaksIsToldTheDistancesThatItsModemMeasures) {
                                {"modem_max_bytes_count", 90.0}});
   scenario.duration_s = 20;
   for (VehicleSpec& spec : scenario.vehicles)
-    spec.avoider = {.name = "pledge", .params = {{"team_count", 2.0}}, .path = "avoider"};
+    spec.avoider = Choice{.name = "pledge", .params = {{"team_count", 2.0}}, .path = "avoider"};
   Simulation simulation{scenario, builtin_catalogs()};
   Distances distances{simulation};
   simulation.observe(&distances);
@@ -211,7 +211,7 @@ Ear ear_at(const ParamValues& params, const std::string& kind = "acoustic", bool
   Scenario scenario = meeting(params, kind);
   scenario.duration_s = 20;
   for (VehicleSpec& vehicle : scenario.vehicles)
-    vehicle.avoider = {.name = "pledge", .params = {{"team_count", 2.0}}, .path = "avoider"};
+    vehicle.avoider = Choice{.name = "pledge", .params = {{"team_count", 2.0}}, .path = "avoider"};
   Ear ear;
   const std::array<FrameSink*, 1> sinks{&ear};
   Simulation simulation{scenario, builtin_catalogs()};

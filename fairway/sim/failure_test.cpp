@@ -13,8 +13,8 @@ Scenario pair(FailureKind kind, const std::string& exchange = "acoustic") {
   scenario.exchange = {.name = exchange, .path = "exchange"};
   const auto add = [&](const Vec3& from, const Vec3& to) {
     VehicleSpec vehicle{.id = static_cast<std::uint32_t>(scenario.vehicles.size()),
-                        .model = {.name = "sparus2", .path = "model"},
-                        .avoider = {.name = "direct", .path = "avoider"},
+                        .model = Choice{.name = "sparus2", .path = "model"},
+                        .avoider = Choice{.name = "direct", .path = "avoider"},
                         .position = from};
     vehicle.limits.max_speed = 0.5;
     vehicle.mission = {{.kind = LegKind::transit, .position = to}};

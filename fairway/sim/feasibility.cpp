@@ -30,11 +30,11 @@ void refuse_depth(const Location& where, const std::string& path, const VehicleI
 
 void check_depths(const VehicleSpec& spec, std::size_t index, const VehicleInfo& info) {
   const std::string path = vehicle_path(index);
-  refuse_depth(spec.start_where, path + ".start.position_m", info, spec.position.z());
+  refuse_depth(spec.where->start, path + ".start.position_m", info, spec.position.z());
   for (std::size_t i = 0; i < spec.mission.size(); ++i) {
     const Leg& leg = spec.mission[i];
     if (leg.kind == LegKind::rendezvous || leg.kind == LegKind::keep_position) continue;
-    const Location& where = i < spec.mission_where.size() ? spec.mission_where[i] : spec.model.where;
+    const Location& where = i < spec.where->mission.size() ? spec.where->mission[i] : spec.model->where;
     const std::string kind{enum_name(leg.kind)};
     const std::string place = path + ".mission[" + std::to_string(i) + "]." + kind;
     const bool is_section = leg.kind == LegKind::section;
@@ -43,7 +43,7 @@ void check_depths(const VehicleSpec& spec, std::size_t index, const VehicleInfo&
   }
   if (spec.limits.min_depth <= 0.0 && spec.limits.max_depth >= 0.0) return;
   const bool sunk = spec.limits.min_depth > 0.0;
-  refuse(spec.limits_where, path + ".limits." + (sunk ? "min_depth_m" : "max_depth_m"),
+  refuse(spec.where->limits, path + ".limits." + (sunk ? "min_depth_m" : "max_depth_m"),
          std::string(info.name) + " lives on the surface, at depth 0, which " +
              number_text(sunk ? spec.limits.min_depth : spec.limits.max_depth) + " leaves out");
 }
@@ -80,8 +80,8 @@ class ShortestStep {
   void refuse_if_too_long() const {
     if (!limit_) return;
     const bool is_written = !scenario_.step_where.file.empty();
-    refuse(is_written ? scenario_.step_where : spec_.model.where, "step_s",
-           number_text(scenario_.step_s) + " is too long for " + spec_.name + " (" + spec_.model.name +
+    refuse(is_written ? scenario_.step_where : spec_.model->where, "step_s",
+           number_text(scenario_.step_s) + " is too long for " + spec_.name + " (" + spec_.model->name +
                "): its " + std::string(limit_->mode.axis) + " mode " + std::string(when_) + ", " +
                text_of(limit_->mode) + ", would grow; at most " +
                number_text(rounded_down(margin * limit_->step_s)) + " would do");
@@ -150,8 +150,8 @@ void check_speed(const Scenario& scenario, std::size_t index, const Agent& agent
   const double current = fastest_current(scenario.water);
   const double reach = math::fmax(model_reach_mps, model_reach_ratio * fastest);
   if (std::abs(spec.speed) + current <= reach) return;
-  refuse(spec.start_where, vehicle_path(index) + ".start",
-         spec.model.name + " starts at " + number_text(spec.speed) + " m/s in currents of up to " +
+  refuse(spec.where->start, vehicle_path(index) + ".start",
+         spec.model->name + " starts at " + number_text(spec.speed) + " m/s in currents of up to " +
              number_text(current) + " m/s; its model holds up to " + number_text(rounded_down(reach)) +
              " m/s through the water together");
 }

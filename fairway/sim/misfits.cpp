@@ -62,9 +62,9 @@ std::string amiss_in_team(const VehicleSpec& spec, const Scenario& scenario, con
   const std::string ids = fmt::format("the ids 0 to {} (team_count: {})", *size - 1.0, *size);
   if (spec.id >= *size)
     return fmt::format("agrees among {}, at most {}, and stays where it is with any other id", ids,
-                       team_sizes(avoiders, spec.avoider.name)->hi);
+                       team_sizes(avoiders, spec.avoider->name)->hi);
   const auto is_in_it = [&](const VehicleSpec& other) {
-    return other.id < *size && team_sizes(avoiders, other.avoider.name);
+    return other.id < *size && team_sizes(avoiders, other.avoider->name);
   };
   if (static_cast<double>(std::ranges::count_if(scenario.vehicles, is_in_it)) < *size)
     return fmt::format("waits for words of {}, and not all of these are there and say such", ids);
@@ -95,10 +95,10 @@ std::vector<std::string> amiss(const VehicleSpec& spec, const Limits& limits, co
 
   std::vector<std::string> clauses;
   if (any(&AlgorithmInfo::needs_sway) && !limits.sway && !foresees)
-    clauses.push_back("moves a point that goes any way at once, and " + spec.model.name +
+    clauses.push_back("moves a point that goes any way at once, and " + spec.model->name +
                       " has to turn first");
   if (any(&AlgorithmInfo::needs_stopping) && limits.min_speed > 0.0)
-    clauses.push_back("has to stop now and then, and " + spec.model.name + " cannot: it circles");
+    clauses.push_back("has to stop now and then, and " + spec.model->name + " cannot: it circles");
   if (!foresees && is_blind != is_alone) {
     if (is_blind && ground.has_obstacles) clauses.emplace_back("ignores obstacles, and there are some");
     if (is_alone && has_others) clauses.emplace_back("ignores whatever moves, and there are others");
@@ -127,7 +127,7 @@ std::vector<std::string> amiss(const VehicleSpec& spec, const Limits& limits, co
 
 std::vector<std::string> misfits(const Scenario& scenario, const Catalogs& catalogs) {
   const Ground ground{scenario};
-  const std::vector<Limits> limits = limits_in_force(scenario, catalogs.vehicles);
+  const std::vector<Shared<Limits>> limits = limits_in_force(scenario, catalogs.vehicles);
   struct Trouble {
     std::string clause;
     std::string first;

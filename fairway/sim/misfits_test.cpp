@@ -31,7 +31,7 @@ std::vector<std::string> told(const std::string& model, const std::string& avoid
 
 std::string in_force(const std::string& model, const std::string& avoider, const std::string& tracking) {
   const Scenario scenario = alone(model, avoider, tracking);
-  const std::vector<Limits> limits = limits_in_force(scenario, builtin_vehicles());
+  const std::vector<Shared<Limits>> limits = limits_in_force(scenario, builtin_vehicles());
   return avoider_in_force(scenario.vehicles[0], limits[0], builtin_catalogs().avoiders);
 }
 

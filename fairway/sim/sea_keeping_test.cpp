@@ -123,8 +123,8 @@ TEST(SeaKeeping, AnOtterRidesOnLongWaves) {
 VehicleSpec crossing_vehicle(std::uint32_t id, const std::string& model, double depth) {
   VehicleSpec spec{.id = id,
                    .name = "v" + std::to_string(id),
-                   .model = {.name = model, .path = "model"},
-                   .avoider = {.name = "orca3d", .path = "avoider"},
+                   .model = Choice{.name = model, .path = "model"},
+                   .avoider = Choice{.name = "orca3d", .path = "avoider"},
                    .position = {0, 10.0 * id, depth},
                    .radius_m = 1.5,
                    .priority = static_cast<std::int32_t>(id)};
@@ -207,7 +207,7 @@ TEST(SeaKeeping, TheSeaShiftsNobodysDraws) {
   far_below.water.waves.spectrum = SpectrumSpec{.significant_height_m = 0.1, .peak_period_s = 1.0};
   for (Scenario* scenario : {&calm, &far_below}) {
     for (VehicleSpec& spec : scenario->vehicles) {
-      spec.avoider.name = "apf+stop_and_wait";
+      spec.avoider.edit().name = "apf+stop_and_wait";
       spec.position.z() = spec.mission[0].position.z() = 200.0;  // k depth > 200
     }
   }
@@ -220,7 +220,8 @@ TEST(SeaKeeping, AStepInWavesAndCurrentsDoesNotAllocate) {
   Simulation simulation{scenario, builtin_catalogs()};
   RunMetrics metrics{{6, 3}};
   const std::array<FrameSink*, 1> sinks{&metrics};
-  for (int i = 0; i < 10; ++i) simulation.step(sinks);
+  // whom the sea carries faster than it cruises takes more memory for its trail, once in the first 45 s
+  for (int i = 0; i < 1000; ++i) simulation.step(sinks);
   const long before = allocation_count();
   for (int i = 0; i < 1000; ++i) simulation.step(sinks);
   EXPECT_EQ(allocation_count(), before);

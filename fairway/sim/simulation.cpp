@@ -14,11 +14,22 @@
 namespace fairway {
 namespace {
 
-/// Of one vehicle, where they are kept: whoever has more takes memory for them.
+/// Of one vehicle, where they are kept, and how many are near: whoever has more takes memory for them.
 constexpr std::size_t usual_tracks = 32;
+constexpr std::size_t usual_near = 128;
 
 /// Apart from the ids of vehicles, which count from 0.
 TrackId id_of(const Drifter& drifter) { return TrackId{first_drifter_id + drifter.number}; }
+
+/// Whether one vehicle may have in common with the other what it is built of.
+bool is_built_alike(const VehicleSpec& a, const VehicleSpec& b) {
+  return is_same(a.model, b.model) && is_same(a.allocation, b.allocation) &&
+         is_same(a.autopilot, b.autopilot);
+}
+
+bool may_be_silent(const Agent& agent) {
+  return !agent.cooperative || agent.failure.kind == FailureKind::silent;
+}
 
 /// What does not change of it; where it is stays to be said by `move_to`.
 Mover mover_of(const Agent& agent, bool is_silent) {
@@ -69,7 +80,7 @@ void write(const Agent& agent, Tick now, bool is_told, Message& message) {
 }
 
 Viewpoint viewpoint_of(const Agent& agent) {
-  return {agent.vehicle.state(), agent.estimate, agent.ship().radius, agent.avoider.most_tracks()};
+  return {agent.vehicle.state(), agent.estimate(), agent.ship().radius, agent.avoider.most_tracks()};
 }
 
 /// What a request over ground is through the water.
@@ -91,7 +102,7 @@ void fetch_beyond(const Agent& agent) {
 
 /// Whoever looks round usually looks at no more than a few, within perception's range.
 Vicinity::Lists lists_of(const Scenario& scenario) {
-  return {.most = scenario.perception.range_m, .usual_count = 14.0};
+  return {.most = scenario.perception.range_m, .usual_count = 12.0};
 }
 
 }  // namespace
@@ -107,20 +118,21 @@ Simulation::Simulation(const Scenario& scenario, const Catalogs& catalogs)
   agents_.reserve(scenario.vehicles.size());
   const VehicleSpec* before = nullptr;
   for (const VehicleSpec& spec : scenario.vehicles) {
-    const bool alike = before != nullptr && is_same(before->model, spec.model);
-    agents_.push_back(make_agent(spec, scenario, catalogs, alike ? &agents_.back().vehicle : nullptr));
+    const bool alike = before != nullptr && is_built_alike(*before, spec);
+    agents_.push_back(make_agent(spec, scenario, catalogs, alike ? &agents_.back() : nullptr));
     before = &spec;
   }
-  for (const Agent& agent : agents_) {
-    movers_.push_back(mover_of(agent, !agent.cooperative || !exchange_.carries_anything()));
-    looked_at_ = looked_at_ || agent.lookout.has_sensor();
+  looked_at_ = std::ranges::any_of(agents_, [](const Agent& agent) { return agent.lookout.has_sensor(); });
+  if (looked_at_ || !exchange_.carries_at_once() || std::ranges::any_of(agents_, may_be_silent)) {
+    movers_.reserve(agents_.size() + obstacles_.drifters().size());
+    for (const Agent& agent : agents_)
+      movers_.push_back(mover_of(agent, !agent.cooperative || !exchange_.carries_anything()));
+    places_.resize(agents_.size());
   }
-  movers_.resize(agents_.size() + obstacles_.drifters().size());
-  places_.resize(agents_.size());
+  movers_.resize(movers_.size() + obstacles_.drifters().size());
   mailbox_.resize(agents_.size());
   hands_.resize(1);
   frame_.resize(agents_.size());
-  drawings_.resize(agents_.size());
   check_feasible(scenario, agents_, sea_);
 }
 
@@ -154,8 +166,9 @@ StageTimes Simulation::stage_times() const {
 
 void Simulation::make_room(bool keeping) {
   keeping_ = keeping;
+  const std::size_t others = std::max<std::size_t>(agents_.size(), 1) - 1 + obstacles_.drifters().size();
   const auto make = [&](Sight& sight, std::size_t most_tracks) {
-    sight.tracks.reserve(std::min(most_tracks, movers_.size()));
+    sight.tracks.reserve(std::min(most_tracks, others));
     sight.obstacles.reserve(obstacles_.fixed().size());
   };
   for (Hand& hand : hands_) {
@@ -169,7 +182,7 @@ void Simulation::make_room(bool keeping) {
     make(hand.passing, std::max(most_alone, most_together));
     if (!keeping)
       for (Sight& sight : hand.company.sights) make(sight, most_together);
-    hand.near.reserve(movers_.size());
+    hand.near.reserve(std::min(usual_near, others + 1));
   }
   if (!keeping || !kept_.empty()) return;
   kept_.resize(agents_.size());
@@ -279,10 +292,9 @@ void Simulation::locate(std::size_t index, Hand& /*hand*/) {
   Agent& agent = agents_[index];
   const VehicleState& truth = agent.vehicle.state();
   agent.current = sea_.water_at(truth.p_n, time()).current_n;
-  agent.estimated_current = agent.navigation.current(agent.current);
-  agent.estimate = agent.navigation.estimate(truth, period_);
-  agent.own = agent.pilot.own_ship(agent.estimate, agent.navigation.position_sigma(),
-                                   agent.mission.phase() == Phase::arrived);
+  agent.own =
+      agent.pilot.own_ship(agent.navigation.estimate(truth, period_), agent.navigation.position_sigma(),
+                           agent.mission.phase() == Phase::arrived);
 }
 
 void Simulation::tell(std::size_t index, Hand& hand) {
@@ -291,10 +303,12 @@ void Simulation::tell(std::size_t index, Hand& hand) {
   const bool is_told = agent.cooperative && !is_silent && exchange_.may_take(index, tick_);
   write(agent, tick_, is_told, mailbox_[index]);
   hand.anyone_speaks = hand.anyone_speaks || !mailbox_[index].speech.empty();
-  // of who told all at once nothing is left to go by but what is seen
-  if (is_silent && exchange_.carries_at_once()) movers_[index].silent = true;
-  places_[index] = agent.vehicle.state().p_n;
-  if (looked_at_ || movers_[index].silent) move_to(agent, movers_[index]);
+  if (!everyone_tells()) {
+    // of who told all at once nothing is left to go by but what is seen
+    if (is_silent && exchange_.carries_at_once()) movers_[index].silent = true;
+    places_[index] = agent.vehicle.state().p_n;
+    if (looked_at_ || movers_[index].silent) move_to(agent, movers_[index]);
+  }
   hand.rendezvous_reached = std::min(hand.rendezvous_reached, agent.mission.rendezvous_reached());
 }
 
@@ -305,7 +319,8 @@ void Simulation::deliver() {
   exchange_.pass_on(tick_, mailbox_, places_, obstacles_.fixed());
   sort_places();
   obstacles_.move_to(time());
-  std::ranges::transform(obstacles_.drifters(), movers_.begin() + static_cast<std::ptrdiff_t>(agents_.size()),
+  std::ranges::transform(obstacles_.drifters(),
+                         movers_.end() - static_cast<std::ptrdiff_t>(obstacles_.drifters().size()),
                          [](const Drifter& drifter) { return mover_of(drifter); });
 }
 
@@ -313,7 +328,7 @@ void Simulation::sort_places() {
   const Vec3 nowhere = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
   const bool told_at_once = exchange_.carries_at_once();
   found_at_.update(agents_.size(), [&](std::size_t i) -> Vec3 {
-    if (movers_[i].silent) return places_[i];
+    if (!everyone_tells() && movers_[i].silent) return places_[i];
     return told_at_once && mailbox_[i].tells_place() ? mailbox_[i].position : nowhere;
   });
 }
@@ -369,7 +384,7 @@ ActuatorValues Simulation::demanded(std::size_t index, Hand& hand) {
   }
   const BodyRequest request = steered_from_outside
                                   ? *order->request
-                                  : agent.pilot.request(agent.own, agent.estimated_current, avoids);
+                                  : agent.pilot.request(agent.own, agent.estimated_current(), avoids);
   notice(index, why_impossible(request), tick_, hand);
 
   // the vehicle's own controller works on velocities through the water

@@ -111,7 +111,10 @@ class Simulation {
 
   /// From now on, or no longer: frames hold what each method draws of its thinking and the messages under
   /// way. It costs time and memory, and changes nothing else.
-  void show_thoughts(bool shown) { showing_ = shown; }
+  void show_thoughts(bool shown) {
+    showing_ = shown;
+    if (shown) drawings_.resize(agents_.size());
+  }
 
   /// Shows `observer` every decision of an avoider from now on, one at a time in the order of the vehicles;
   /// null: nobody.
@@ -190,6 +193,9 @@ class Simulation {
     std::optional<BodyRequest> request;
   };
 
+  /// All at once and for as long as the exchange is the same, and nobody looks: then who tells is all there
+  /// is.
+  bool everyone_tells() const { return places_.empty(); }
   bool everyone_is_at(const Agent& agent) const;
   static bool waits_for_method(const Agent& agent);
   std::optional<Command> attend(std::size_t index, Hand& hand);
@@ -219,15 +225,15 @@ class Simulation {
   std::vector<Order> orders_;  // by vehicle; empty before the first
   Mailbox mailbox_;
   Exchange exchange_;
-  std::vector<Mover> movers_;  // all vehicles, then what drifts
-  std::vector<Vec3> places_;   // of the vehicles
+  std::vector<Mover> movers_;  // all vehicles, unless everyone tells, then what drifts
+  std::vector<Vec3> places_;   // of the vehicles, unless everyone tells
   Vicinity found_at_;          // the vehicles, where perception finds them
   std::vector<Sight> kept_;    // by vehicle, of its last decision; empty where nobody wants them
   std::vector<Hand> hands_;
   Boxed<Crew> crew_;  // nothing: one hand alone
   std::vector<VehicleFrame> frame_;
-  std::vector<Drawing> drawings_;       // by vehicle, of its last decision
-  std::vector<MessageFlight> flights_;  // likewise empty unless showing
+  std::vector<Drawing> drawings_;       // by vehicle, of its last decision; empty before anyone looks
+  std::vector<MessageFlight> flights_;  // empty unless showing
   std::vector<SpokenWord> words_;       // of the present tick
   DecisionObserver* observer_{nullptr};
   int rendezvous_reached_{};  // by all

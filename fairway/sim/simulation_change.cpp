@@ -53,7 +53,8 @@ void Simulation::change(const Scenario& before, const Scenario& changed, const C
   last_tick_ = fresh.last_tick_;
   if (!is_same(before.exchange, changed.exchange)) {
     exchange_ = std::move(fresh.exchange_);
-    for (std::size_t i = 0; i < agents_.size(); ++i) movers_[i].silent = fresh.movers_[i].silent;
+    movers_ = std::move(fresh.movers_);
+    places_ = std::move(fresh.places_);
   }
   for (std::size_t i = 0; i < agents_.size(); ++i) {
     Agent& agent = agents_[i];
@@ -62,7 +63,7 @@ void Simulation::change(const Scenario& before, const Scenario& changed, const C
       agent.avoider = std::move(fresh.agents_[i].avoider);
       agent.pilot = std::move(fresh.agents_[i].pilot);
       agent.agrees = false;
-      drawings_[i].clear();
+      if (!drawings_.empty()) drawings_[i].clear();
     }
     if (was.mission != is.mission) {
       agent.mission.change(is.mission, agent.own, time());

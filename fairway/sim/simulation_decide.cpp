@@ -67,7 +67,7 @@ std::optional<Command> Simulation::attend(std::size_t index, Hand& hand) {
   if (leg == nullptr) return {};
   Situation shown = agent.pilot.situation(time(), agent.own, *leg, {}, obstacles_.fixed());
   listen(index, hand, shown);
-  shown.current = agent.estimated_current;
+  shown.current = agent.estimated_current();
   shown.attendance = phase == Phase::arrived                            ? Attendance::arrived
                      : waits_for_method(agent) && everyone_is_at(agent) ? Attendance::ready
                                                                         : Attendance::waiting;
@@ -117,7 +117,7 @@ Situation Simulation::situation(std::size_t index, const Sight& sight) const {
   const Agent& agent = agents_[index];
   Situation shown =
       agent.pilot.situation(time(), agent.own, *agent.mission.leg(), sight.tracks, sight.obstacles);
-  shown.current = agent.estimated_current;
+  shown.current = agent.estimated_current();
   return shown;
 }
 
@@ -138,7 +138,7 @@ void Simulation::decide(std::size_t index, Hand& hand) {
   Agent& agent = agents_[index];
   const bool deciding = is_deciding(agent);
   if (is_avoiding(agent.mission.phase()) && !deciding) return;
-  drawings_[index].clear();
+  if (!drawings_.empty()) drawings_[index].clear();
   if (deciding && joins(index)) return join(index, hand);
   if (!deciding) {
     const std::optional<Command> stay = attend(index, hand);
@@ -203,7 +203,7 @@ void Simulation::obey(Agent& agent, const Command& command) {
   if (agent.beyond_control) return;
   agent.beyond_control = agent.has_failed(FailureKind::leaves, time());
   const Command carried_out = agent.beyond_control ? Command{.velocity = agent.own.velocity} : command;
-  agent.pilot.obey(carried_out, agent.own, agent.estimated_current);
+  agent.pilot.obey(carried_out, agent.own, agent.estimated_current());
 }
 
 }  // namespace fairway

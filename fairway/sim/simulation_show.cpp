@@ -37,7 +37,7 @@ void Simulation::record(std::size_t index, Hand& /*hand*/) {
   frame.wrench = wrench_of(agent.vehicle);
   frame.tracks = keeping_ ? std::span<const Track>{kept_[index].tracks} : std::span<const Track>{};
   frame.echoes = agent.lookout.echoes();
-  frame.strokes = drawings_[index].strokes();
+  frame.strokes = drawings_.empty() ? std::span<const Stroke>{} : drawings_[index].strokes();
 }
 
 /// What methods have said at this tick, where any of them has something to say.

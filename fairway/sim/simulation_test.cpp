@@ -16,8 +16,8 @@ VehicleSpec vehicle(std::uint32_t id, const Vec3& from, const Vec3& to, const st
                     const std::string& algorithm) {
   VehicleSpec spec{.id = id,
                    .name = "v" + std::to_string(id),
-                   .model = {.name = model, .path = "model"},
-                   .avoider = {.name = algorithm, .path = "avoider"},
+                   .model = Choice{.name = model, .path = "model"},
+                   .avoider = Choice{.name = algorithm, .path = "avoider"},
                    .position = from,
                    .yaw = std::atan2(to.y() - from.y(), to.x() - from.x()),
                    .radius_m = 1.5,
@@ -146,7 +146,7 @@ Scenario fleet_of(std::size_t count) {
     const Vec3 from{11.0 * (i % 5), 11.0 * (i / 5 % 5), 11.0 * (i / 25)};
     const Vec3 to = from + 500.0 * Vec3{std::cos(angle), std::sin(angle), 0.0};
     scenario.vehicles.push_back(vehicle(i, from, to, "kinematic", "orca3d"));
-    scenario.vehicles.back().avoider.params = {{"crit_dist_m", 15.0}, {"max_neighbours_count", 10.0}};
+    scenario.vehicles.back().avoider.edit().params = {{"crit_dist_m", 15.0}, {"max_neighbours_count", 10.0}};
   }
   return scenario;
 }
@@ -281,7 +281,8 @@ TEST(Simulation, AVehicleThatArrivedHoldsItsPlaceAndGivesWay) {
 
 TEST(Simulation, AnUnknownNameIsRefusedWithItsPlaceAndTheNearest) {
   Scenario scenario = swap("sparus2", "orca3d");
-  scenario.vehicles[1].avoider = {.name = "orca", .path = "vehicles[1].avoider", .where = {"x.yaml", 14, 5}};
+  scenario.vehicles[1].avoider =
+      Choice{.name = "orca", .path = "vehicles[1].avoider", .where = {"x.yaml", 14, 5}};
   try {
     Simulation{scenario, builtin_catalogs()};
     FAIL() << "accepted";
@@ -289,11 +290,11 @@ TEST(Simulation, AnUnknownNameIsRefusedWithItsPlaceAndTheNearest) {
     EXPECT_STREQ(error.what(),
                  "x.yaml:14:5: vehicles[1].avoider: unknown algorithm \"orca\"; did you mean orca3d?");
   }
-  scenario.vehicles[1].avoider = {.name = "orca3d",
-                                  .params = {{"time_horizon", 5.0}},
-                                  .path = "vehicles[1].avoider",
-                                  .where = {"x.yaml", 14, 5},
-                                  .param_where = {{"x.yaml", 15, 7}}};
+  scenario.vehicles[1].avoider = Choice{.name = "orca3d",
+                                        .params = {{"time_horizon", 5.0}},
+                                        .path = "vehicles[1].avoider",
+                                        .where = {"x.yaml", 14, 5},
+                                        .param_where = {{"x.yaml", 15, 7}}};
   try {
     Simulation{scenario, builtin_catalogs()};
     FAIL() << "accepted";
@@ -341,7 +342,7 @@ TEST(Simulation, ChangedToWhatItIsItGoesOnAlike) {
 TEST(Simulation, ChangedOnItsWayItIsTheSameUpToThenAndAnotherFromThenOn) {
   const Scenario before = swap("kinematic", "orca3d");
   Scenario changed = before;
-  for (VehicleSpec& spec : changed.vehicles) spec.avoider.name = "apf";
+  for (VehicleSpec& spec : changed.vehicles) spec.avoider.edit().name = "apf";
   const auto whole = hashes_of(before, before, -1), both = hashes_of(before, changed, 400);
   const auto parted = std::ranges::mismatch(whole, both);
   EXPECT_EQ(parted.in1 - whole.begin(), 400);
@@ -390,9 +391,9 @@ TEST(Simulation, WhatCannotChangeOnTheWayIsRefusedByItsName) {
   EXPECT_THAT(refused([](Scenario& s) { s.vehicles.pop_back(); }), testing::HasSubstr("and not: "));
   EXPECT_THAT(refused([](Scenario& s) { s.vehicles[2].mission[0].kind = LegKind::rendezvous; }),
               testing::HasSubstr("and not: "));
-  EXPECT_THAT(refused([](Scenario& s) { s.vehicles[1].avoider.name = "orca4d"; }),
+  EXPECT_THAT(refused([](Scenario& s) { s.vehicles[1].avoider.edit().name = "orca4d"; }),
               testing::HasSubstr("did you mean"));
-  EXPECT_EQ(refused([](Scenario& s) { s.vehicles[1].avoider.name = "apf"; }), "accepted");
+  EXPECT_EQ(refused([](Scenario& s) { s.vehicles[1].avoider.edit().name = "apf"; }), "accepted");
 }
 
 }  // namespace

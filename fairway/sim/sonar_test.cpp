@@ -12,11 +12,11 @@ namespace {
 VehicleSpec sparus(std::uint32_t id, const Vec3& from, const Vec3& to) {
   VehicleSpec spec{.id = id,
                    .name = "v" + std::to_string(id),
-                   .model = {.name = "sparus2", .path = "model"},
-                   .avoider = {.name = "orca3d",
-                               .params = {{"time_horizon_s", 20.0}, {"responsibility_ratio", 1.0}},
-                               .path = "avoider"},
-                   .steering = {.name = "proportional", .path = "steering"},
+                   .model = Choice{.name = "sparus2", .path = "model"},
+                   .avoider = Choice{.name = "orca3d",
+                                     .params = {{"time_horizon_s", 20.0}, {"responsibility_ratio", 1.0}},
+                                     .path = "avoider"},
+                   .steering = Choice{.name = "proportional", .path = "steering"},
                    .position = from,
                    .yaw = std::atan2(to.y() - from.y(), to.x() - from.x()),
                    .radius_m = 2.0,
@@ -104,7 +104,7 @@ TEST(SonarInTheLoop, WhoSaysAWordOfItsMethodHasNotSaidWhereItIs) {
   scenario.exchange.name = "acoustic";
   scenario.exchange.params = {{"range_m", 2000.0}};
   scenario.vehicles = {sparus(0, {0, 0, 5}, {100, 0, 5}), sparus(1, {-150, 0, 5}, {-60, 0, 5})};
-  for (VehicleSpec& spec : scenario.vehicles) spec.avoider = {.name = "delay_check", .path = "avoider"};
+  for (VehicleSpec& spec : scenario.vehicles) spec.avoider = Choice{.name = "delay_check", .path = "avoider"};
   for (const char* perception : {"perfect", "sonar"}) {
     scenario.perception.kind = {.name = perception, .path = "perception"};
     Simulation simulation{scenario, builtin_catalogs()};

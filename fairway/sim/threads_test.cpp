@@ -29,8 +29,8 @@ Scenario crowd(std::size_t count, const std::string& algorithm) {
   for (std::size_t i = 0; i < count; ++i) {
     VehicleSpec vehicle{.id = static_cast<std::uint32_t>(i),
                         .name = "v" + std::to_string(i),
-                        .model = {.name = "kinematic"},
-                        .avoider = {.name = algorithm},
+                        .model = Choice{.name = "kinematic"},
+                        .avoider = Choice{.name = algorithm},
                         .position = anywhere(),
                         .radius_m = 0.5,
                         .priority = static_cast<std::int32_t>(i),
@@ -88,7 +88,7 @@ TEST(Company, WhoDecidesTogetherDecidesAsAlone) {
       Scenario scenario = crowd(150, "orca3d");
       scenario.steps_per_decision = steps_per_decision;
       for (std::size_t i = 0; i < scenario.vehicles.size(); i += 7)
-        scenario.vehicles[i].avoider = {.name = i % 2 == 0 ? "apf" : "orca3d+stop_and_wait"};
+        scenario.vehicles[i].avoider = Choice{.name = i % 2 == 0 ? "apf" : "orca3d+stop_and_wait"};
       scenario.obstacles.push_back(
           {.kind = Obstacle::Kind::sphere, .charted = false, .position = {30, 30, 15}, .radius = 4.0});
       std::vector<std::uint64_t> hashes;

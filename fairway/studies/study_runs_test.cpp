@@ -23,8 +23,8 @@ namespace {
 Scenario lone_vehicle() {
   Scenario scenario{.name = "lone"};
   VehicleSpec vehicle{.name = "one"};
-  vehicle.model = {.name = "kinematic"};
-  vehicle.avoider = {.name = "direct"};
+  vehicle.model = Choice{.name = "kinematic"};
+  vehicle.avoider = Choice{.name = "direct"};
   vehicle.mission = {{.kind = LegKind::transit, .position = {10.0, 0.0, 0.0}}};
   scenario.vehicles = {vehicle};
   return scenario;

@@ -42,7 +42,7 @@ test: {scenario: meeting.yaml, seeds: {first: 201, count: 40}}
 )";
 
 double param(const Scenario& scenario, std::string_view name, double usual) {
-  for (const auto& [key, value] : scenario.vehicles[0].avoider.params)
+  for (const auto& [key, value] : scenario.vehicles[0].avoider->params)
     if (key == name) return std::get<double>(value);
   return usual;
 }

@@ -16,10 +16,10 @@ namespace fairway {
 
 /// What a film's frames are made of that the frames of a run do not say themselves.
 struct FrameExtras {
-  std::span<const Vec3> currents;        ///< at each of the film's depths [m/s, NED]
-  std::span<const std::uint8_t> alerts;  ///< of each vehicle, as the page numbers them
-  std::span<const Limits> limits;        ///< of each vehicle
-  const ProgressMetric& progress;        ///< that has seen this frame
+  std::span<const Vec3> currents;          ///< at each of the film's depths [m/s, NED]
+  std::span<const std::uint8_t> alerts;    ///< of each vehicle, as the page numbers them
+  std::span<const Shared<Limits>> limits;  ///< of each vehicle
+  const ProgressMetric& progress;          ///< that has seen this frame
 };
 
 /// The numbers of a film, a column after the other, each frame after frame, little-endian. Memory is the

@@ -35,7 +35,7 @@ class Play {
     return text.empty() ? json::array() : json::parse(text).at(list);
   }
 
-  Scenario scenario{.vehicles = {{.id = 3, .avoider = {.name = "pledge"}}}};
+  Scenario scenario{.vehicles = {{.id = 3, .avoider = Choice{.name = "pledge"}}}};
   Catalog avoiders = builtin_avoiders();
   FilmThoughts thoughts;
 
@@ -72,7 +72,7 @@ TEST(FilmThoughts, HoldEveryWordAsItsMethodReadsIt) {
 
   WordReader unread{play.scenario, nullptr};
   EXPECT_EQ(unread.read(garbage).text, "says the bytes 0a1f");
-  play.scenario.vehicles[0].avoider.name = "of another program";
+  play.scenario.vehicles[0].avoider.edit().name = "of another program";
   WordReader unknown{play.scenario, &play.avoiders};
   EXPECT_EQ(unknown.read(garbage).text, "says the bytes 0a1f");
 }

@@ -19,8 +19,8 @@ json vehicle_scene(const VehicleSpec& spec) {
     parts.push_back({{"x_m", part.x}, {"y_m", part.y}, {"z_m", part.z}, {"yaw_rad", part.yaw}});
   return {{"id", spec.id},
           {"name", spec.name},
-          {"model", spec.model.name},
-          {"avoider", spec.avoider.name},
+          {"model", spec.model->name},
+          {"avoider", spec.avoider->name},
           {"shape", hull.shape},
           {"length_m", hull.length},
           {"beam_m", hull.beam},

@@ -57,9 +57,9 @@ Hull hull_of_transport(const ParamValues& params) {
 }  // namespace
 
 Hull hull_of(const VehicleSpec& spec) {
-  const std::string& model = spec.model.name;
-  if (model == Zarco::info.name) return hull_of_zarco(spec.model.params);
-  if (model == MinervaTransport::info.name) return hull_of_transport(spec.model.params);
+  const std::string& model = spec.model->name;
+  if (model == Zarco::info.name) return hull_of_zarco(spec.model->params);
+  if (model == MinervaTransport::info.name) return hull_of_transport(spec.model->params);
   const auto known = std::ranges::find(known_hulls, model, &KnownHull::model);
   if (known == known_hulls.end())
     return {.shape = "point", .length = 2.0 * spec.radius_m, .beam = 2.0 * spec.radius_m, .parts = {}};

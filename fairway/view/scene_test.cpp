@@ -57,7 +57,7 @@ TEST(Scene, HasAHullForEveryVehicleThatComesWithFairway) {
   const VehicleCatalog catalog = builtin_vehicles();
   for (const VehicleCatalog::Entry& entry : catalog.entries()) {
     VehicleSpec spec;
-    spec.model.name = std::string{entry.info.name};
+    spec.model.edit().name = std::string{entry.info.name};
     const bool has_body = entry.info.name != "kinematic";
     EXPECT_EQ(hull_of(spec).shape == "point", !has_body) << entry.info.name;
   }
@@ -65,17 +65,17 @@ TEST(Scene, HasAHullForEveryVehicleThatComesWithFairway) {
 
 TEST(Scene, ShowsAPointAsLargeAsWhatOthersKeepClearOf) {
   VehicleSpec spec;
-  spec.model.name = "kinematic";
+  spec.model.edit().name = "kinematic";
   spec.radius_m = 2.5;
   EXPECT_EQ(hull_of(spec).length, 5.0);
 }
 
 TEST(Scene, ShowsATransportSystemInItsOwnLayout) {
   VehicleSpec spec;
-  spec.model.name = "minerva_transport";
+  spec.model.edit().name = "minerva_transport";
   EXPECT_EQ(hull_of(spec).parts.size(), 4u);
   EXPECT_NEAR(hull_of(spec).length, 2 * 2.26 + 1.44, 1e-12);
-  spec.model.params = {
+  spec.model.edit().params = {
       {"layout", 2.0}, {"layout[0].x_m", 2.0}, {"layout[1].x_m", -2.0}, {"layout[1].yaw_deg", 180.0}};
   const Hull hull = hull_of(spec);
   ASSERT_EQ(hull.parts.size(), 2u);

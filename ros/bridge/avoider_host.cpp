@@ -175,7 +175,7 @@ std::vector<std::uint8_t> AvoiderHost::own_speech() const {
 Diagnosis AvoiderHost::diagnosis(double now) const { return diagnosis_of(self_->helm, now); }
 
 std::vector<Mark> AvoiderHost::marks() const {
-  return marks_of(self_->drawing, self_->helm.own(), self_->helm.pilot().ship().limits.max_speed);
+  return marks_of(self_->drawing, self_->helm.own(), self_->helm.pilot().ship().limits->max_speed);
 }
 
 std::optional<Triple> AvoiderHost::goal() const {

@@ -358,7 +358,7 @@ TEST(AvoiderHost, WithAScenarioAndPerfectMessagesItDecidesAsTheSimulationDoesToT
     const double now = simulation.time();
     for (std::size_t i = 0; i < hosts.size(); ++i) {
       for (std::size_t k = 0; k < hosts.size(); ++k) {
-        const Motion motion = motion_of(simulation.agents()[k].estimate, now);
+        const Motion motion = motion_of(simulation.agents()[k].estimate(), now);
         if (k == i) hosts[i].own_motion(motion, now);
         if (k != i) hosts[i].neighbour_motion(k < i ? k : k - 1, motion, now);
       }

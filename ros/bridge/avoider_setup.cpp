@@ -83,7 +83,7 @@ Setting flag(const std::string& name, Target target) {
 /// Parameters that the algorithm in the scenario had and the one in its place has too are kept, unless that
 /// comes of a file with its own.
 void choose_algorithm(Draft& draft, const std::string& name) {
-  Choice& avoider = draft.vehicle().avoider;
+  Choice& avoider = draft.vehicle().avoider.edit();
   if (is_algorithm_file(name)) {
     avoider = load_algorithm(name);
     return;
@@ -102,9 +102,11 @@ std::vector<Setting> made_settings() {
   std::vector<Setting> all{
       {"algorithm", choose_algorithm},
       {"model",
-       [](Draft& d, const std::string& text) { d.vehicle().model = {.name = text, .path = "model"}; }},
+       [](Draft& d, const std::string& text) { d.vehicle().model = Choice{.name = text, .path = "model"}; }},
       {"steering",
-       [](Draft& d, const std::string& text) { d.vehicle().steering = {.name = text, .path = "steering"}; }},
+       [](Draft& d, const std::string& text) {
+         d.vehicle().steering = Choice{.name = text, .path = "steering"};
+       }},
       {"priority",
        [](Draft& d, const std::string& t) { d.vehicle().priority = whole_of("priority", t, -2147483648.0); }},
       {"id", [](Draft& d,
@@ -192,9 +194,11 @@ void set_mate(Draft& draft, const std::string& setting, const std::string& text)
 void apply(Draft& draft, const std::string& name, const std::string& text,
            const std::vector<std::string>& also_known) {
   const auto tail_of = [&](std::string_view head) { return name.substr(head.size()); };
-  if (name.starts_with("params.")) return put(draft.vehicle().avoider.params, tail_of("params."), text);
-  if (name.starts_with("model.")) return put(draft.vehicle().model.params, tail_of("model."), text);
-  if (name.starts_with("steering.")) return put(draft.vehicle().steering.params, tail_of("steering."), text);
+  if (name.starts_with("params."))
+    return put(draft.vehicle().avoider.edit().params, tail_of("params."), text);
+  if (name.starts_with("model.")) return put(draft.vehicle().model.edit().params, tail_of("model."), text);
+  if (name.starts_with("steering."))
+    return put(draft.vehicle().steering.edit().params, tail_of("steering."), text);
   if (name.starts_with("policy.")) return set_policy(draft.helm.policy, tail_of("policy."), text);
   if (name.starts_with(envelope_prefix)) {
     draft.envelope.emplace_back(tail_of(envelope_prefix), text);
@@ -274,8 +278,8 @@ Scenario scenario_of_names(const std::string& own, std::vector<std::string> name
   for (std::size_t i = 0; i < names.size(); ++i) {
     scenario.vehicles.push_back({.id = static_cast<std::uint32_t>(i),
                                  .name = names[i],
-                                 .model = {.name = "kinematic", .path = "model"},
-                                 .avoider = {.name = "orca3d", .path = "algorithm"},
+                                 .model = Choice{.name = "kinematic", .path = "model"},
+                                 .avoider = Choice{.name = "orca3d", .path = "algorithm"},
                                  .priority = static_cast<std::int32_t>(i)});
   }
   return scenario;

@@ -161,7 +161,7 @@ void FleetHost::Self::watch(std::size_t index) {
   const Leg* leg = agent.mission.leg();
   FleetVehicle& vehicle = vehicles[index];
   vehicle.truth = motion_of(agent.vehicle.state(), simulation.time());
-  vehicle.estimate = motion_of(agent.estimate, simulation.time());
+  vehicle.estimate = motion_of(agent.estimate(), simulation.time());
   vehicle.estimate.position_sigma = agent.own.position_sigma;
   vehicle.phase = enum_name(phase);
   vehicle.wants_command = is_avoiding(phase);

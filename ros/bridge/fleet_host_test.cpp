@@ -24,7 +24,7 @@ BodyVelocity body_velocity_of(const BodyRequest& request) {
 
 /// What the agent's own avoider made it ask of its controller at this instant.
 BodyVelocity asked_by(const Agent& agent) {
-  return body_velocity_of(agent.pilot.request(agent.own, agent.estimated_current));
+  return body_velocity_of(agent.pilot.request(agent.own, agent.estimated_current()));
 }
 
 void expect_same(const Motion& motion, const VehicleState& x) {
@@ -49,7 +49,7 @@ TEST_P(FleetAsARun, ToldWhatTheOwnAvoidersWouldDoItGoesWhereTheSimulationGoesToT
     plain.look();
     for (std::size_t i = 0; i < fleet.size(); ++i) {
       expect_same(fleet.vehicle(i).truth, plain.agents()[i].vehicle.state());
-      expect_same(fleet.vehicle(i).estimate, plain.agents()[i].estimate);
+      expect_same(fleet.vehicle(i).estimate, plain.agents()[i].estimate());
     }
     plain.act({});
     for (std::size_t i = 0; i < fleet.size(); ++i) {

@@ -31,7 +31,7 @@ struct Parts : HelmSetup {
 /// Vehicle 0 of two, decides ten times a second, 0.5 m/s, turns on the spot.
 inline Parts setup() {
   Parts setup{{}, {.id = VehicleId{0}, .name = "zero", .radius = 1.5}, 0.1};
-  setup.ship.limits.max_speed = 0.5;
+  setup.ship.limits.edit().max_speed = 0.5;
   setup.team = {{.id = VehicleId{1}, .name = "one", .radius = 1.5, .priority = 1}};
   return setup;
 }

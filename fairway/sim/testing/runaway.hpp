@@ -49,11 +49,11 @@ inline Scenario breaking_scenario(double growth_hz = 1.0) {
   for (std::uint32_t i = 0; i < 2; ++i) {
     VehicleSpec spec{.id = i,
                      .name = i == 0 ? "whole" : "broken",
-                     .model = {.name = i == 0 ? "kinematic" : "runaway"},
-                     .avoider = {.name = "direct"},
+                     .model = Choice{.name = i == 0 ? "kinematic" : "runaway"},
+                     .avoider = Choice{.name = "direct"},
                      .position = {0, 20.0 * i, 5},
                      .speed = i == 0 ? 0.0 : 1.0};
-    if (i == 1) spec.model.params = {{"growth_hz", growth_hz}};
+    if (i == 1) spec.model.edit().params = {{"growth_hz", growth_hz}};
     spec.mission = {{.kind = LegKind::transit, .position = {1000, 20.0 * i, 5}, .speed_mps = 0.5}};
     scenario.vehicles.push_back(spec);
   }

@@ -147,7 +147,8 @@ Scenario crossing_scenario(const Condition& condition, const Method& method, std
         .name = "drifting", .params = {{"position_sigma_m", condition.drift_sigma_m}}, .path = "navigation"};
   for (VehicleSpec& vehicle : scenario.vehicles) {
     if (is_orca) continue;
-    vehicle.avoider = {.name = std::string(method.algorithm), .params = method.params, .path = "avoider"};
+    vehicle.avoider =
+        Choice{.name = std::string(method.algorithm), .params = method.params, .path = "avoider"};
     if (method.algorithm != "bvc") vehicle.radius_m = collision_radius;
     for (Leg& leg : vehicle.mission) leg.agreed = condition.agreed_beforehand;
   }

@@ -138,8 +138,8 @@ Scenario passage(Course course, const Layout& layout, Vessel vessel, const Metho
 
   VehicleSpec own{.name = std::string(name_of(vessel))};
   own.model = model_of(vessel);
-  own.avoider = {
-      .name = std::string(method.algorithm), .params = method.params, .path = "vehicles[0].avoider"};
+  own.avoider =
+      Choice{.name = std::string(method.algorithm), .params = method.params, .path = "vehicles[0].avoider"};
   own.steering = steering_of(method);
   own.position = layout.start;
   own.yaw = layout.heading;

@@ -94,11 +94,11 @@ constexpr std::array published_values{
 
 VehicleSpec transport_system(const Method& method, Plant plant, const Vec3& goal) {
   VehicleSpec vehicle{.name = "transport"};
-  vehicle.model = {.name = "minerva_transport",
-                   .params = {{"plant", std::string(name_of(plant))}},
-                   .path = "vehicles[0].model"};
-  vehicle.avoider = {
-      .name = std::string(method.algorithm), .params = method.params, .path = "vehicles[0].avoider"};
+  vehicle.model = Choice{.name = "minerva_transport",
+                         .params = {{"plant", std::string(name_of(plant))}},
+                         .path = "vehicles[0].model"};
+  vehicle.avoider =
+      Choice{.name = std::string(method.algorithm), .params = method.params, .path = "vehicles[0].avoider"};
   vehicle.radius_m = footprint_radius;
   vehicle.mission = {{.kind = LegKind::transit, .position = goal, .speed_mps = 0.5}};
   return vehicle;
@@ -151,7 +151,7 @@ Scenario scenario_of(const PublishedRun& run, Plant plant) {
   scenario.exam.time_coefficient_ratio = 1e6;
   scenario.obstacles = obstacles_of(run.which);
   VehicleSpec vehicle = transport_system(run.method, plant, goal_of(run.which));
-  vehicle.allocation = {.name = "pseudo_inverse", .path = "vehicles[0].allocation"};
+  vehicle.allocation = Choice{.name = "pseudo_inverse", .path = "vehicles[0].allocation"};
   vehicle.mission.front().arrival_m = 1e-9;
   scenario.vehicles = {vehicle};
   return scenario;

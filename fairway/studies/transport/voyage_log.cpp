@@ -138,8 +138,8 @@ void VoyageLog::report(std::vector<Measure>& measures) const {
 }
 
 std::optional<Trajectory> printed_reference(const VehicleSpec& vehicle) {
-  if (vehicle.avoider.name != RrtStar::info.name) return {};
-  const auto params = params_of<RrtStar::Params>(vehicle.avoider.params);
+  if (vehicle.avoider->name != RrtStar::info.name) return {};
+  const auto params = params_of<RrtStar::Params>(vehicle.avoider->params);
   if (params.segment_time_s <= 0.0 || params.waypoints.size() < 2) return {};
 
   std::vector<Vec2> waypoints;

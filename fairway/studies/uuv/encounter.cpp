@@ -54,8 +54,8 @@ VehicleSpec meeting_uuv(const Meeting& meeting, std::size_t index, const Setting
                         const Method& method) {
   VehicleSpec uuv = uuv_of(index, meeting.starts[index], meeting.goals[index], setting.speed_mps, hull,
                            agility_of(setting));
-  uuv.avoider = {
-      .name = std::string(method.algorithm), .params = params_of(method, setting), .path = "avoider"};
+  uuv.avoider =
+      Choice{.name = std::string(method.algorithm), .params = params_of(method, setting), .path = "avoider"};
   uuv.speed = setting.start_speed_mps;
   uuv.start_delay_s = meeting.start_delays_s[index];
   uuv.radius_m = setting.uuv_radius_m;

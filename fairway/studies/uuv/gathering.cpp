@@ -142,7 +142,7 @@ Scenario gathering_scenario(const Gathering& gathering, const Awareness& awarene
   for (std::size_t i = 0; i < voyages.size(); ++i) {
     VehicleSpec& uuv = scenario.vehicles.emplace_back(
         uuv_of(i, voyages[i].start, voyages[i].goal, cruise_speed, awareness.hull, agility));
-    uuv.avoider = {.name = std::string(method.algorithm), .params = method.params, .path = "avoider"};
+    uuv.avoider = Choice{.name = std::string(method.algorithm), .params = method.params, .path = "avoider"};
     uuv.radius_m = kept_radius;
   }
   return scenario;

@@ -160,9 +160,9 @@ TEST(UuvSilence, TheMethodRunsOverTheChannelThatIsNamed) {
   EXPECT_EQ(scenario.exchange.name, "acoustic");
   EXPECT_EQ(scenario.seed, 3U);
   EXPECT_EQ(scenario.vehicles.size(), 8U);
-  EXPECT_EQ(scenario.vehicles.front().avoider.name, "apf+inflate");
+  EXPECT_EQ(scenario.vehicles.front().avoider->name, "apf+inflate");
   const ParamValues w2{{"crit_dist_m", 6.0}, {"w2_ratio", 2.5}};
-  EXPECT_EQ(scenario.vehicles.front().avoider.params, w2);
+  EXPECT_EQ(scenario.vehicles.front().avoider->params, w2);
   EXPECT_EQ(silence_scenario("cube20_8", strong, {}, 3).exchange.name, "perfect");
 }
 

@@ -25,7 +25,7 @@ class HeadOn : public ::testing::Test {
     scenario.name = "met";
     scenario.vehicles = {{.id = 0, .name = "auv"}, {.id = 1, .name = "other"}};
     for (VehicleSpec& vehicle : scenario.vehicles) {
-      vehicle.avoider = {.name = "orca3d", .params = {{"time_horizon_s", 7.0}}};
+      vehicle.avoider = Choice{.name = "orca3d", .params = {{"time_horizon_s", 7.0}}};
     }
   }
 
