@@ -50,8 +50,8 @@ class Trail {
   static constexpr std::size_t most_places = 32;
   static constexpr std::size_t usual_places = 16;
 
-  /// Has memory for `room` places. With less than `most_places` whoever needs more takes it, once; with that
-  /// nothing allocates but a copy.
+  /// Has memory for `room` places: `usual_places` are enough for who goes no faster than it cruises. With
+  /// less than `most_places` whoever needs more takes it, once; with that nothing allocates but a copy.
   explicit Trail(std::size_t room) : rooms_(room - 1) { forget(); }
   Trail() : Trail{most_places} {}
 

@@ -42,6 +42,7 @@ class Vicinity {
   void update(std::size_t count, const PointOf& point_of) {
     const bool is_new = count != now_.size();
     now_.resize(count);
+    if (is_new) room_ = 0;
     if (count <= handful) {
       for (std::size_t i = 0; i < count; ++i) now_[i] = point_of(i);
       return;
@@ -167,6 +168,15 @@ class Vicinity {
     moved_ = 0.0;
     bool enough = false;
     while (!enough) enough = list_enough();
+    if (room_ == 0 && !listed_.empty()) {
+      room_ = std::min(of_all(most_on_lists),
+                       std::max(of_all(1.25 * usual_on_a_list()), listed_.size() + listed_.size() / 4));
+      listed_.reserve(room_);
+    }
+  }
+
+  std::size_t of_all(double on_a_list) const {
+    return static_cast<std::size_t>(on_a_list * static_cast<double>(now_.size()));
   }
 
   /// Lists that reach as far as is usual, which from then on is as far as as many as are meant to be on them
@@ -185,14 +195,9 @@ class Vicinity {
     return longer_by < much || reach == farthest;
   }
 
-  /// Everyone's list, or none at all where there would be too much on them. There is room for what is usually
-  /// on them; where that is not enough they take more.
+  /// Everyone's list, or none at all where there would be too much on them.
   void list() {
-    const auto of_all = [count = static_cast<double>(now_.size())](double on_a_list) {
-      return static_cast<std::size_t>(on_a_list * count);
-    };
-    const std::size_t most = of_all(most_on_lists);
-    listed_.reserve(std::min(most, of_all(1.25 * usual_on_a_list())));
+    const std::size_t most = room_ > 0 ? room_ : of_all(most_on_lists);
     begins_.resize(now_.size() + 1);
     listed_.clear();
     for (std::size_t i = 0; i < now_.size(); ++i) {
@@ -216,6 +221,7 @@ class Vicinity {
   double margin_{};                    // [m]
   double list_reach_{};                // with it [m]
   double usual_reach_{};               // of the lists to come, without it [m]; 0 before the first
+  std::size_t room_{};                 // of all lists, for more than are on the first ones; 0 before these
   std::vector<Listed> listed_;         // all lists, one after the other
   std::vector<std::uint32_t> begins_;  // of each, and the end; empty where there are none
 };

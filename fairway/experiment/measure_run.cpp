@@ -7,6 +7,14 @@
 #include "fairway/sim/simulation.hpp"
 
 namespace fairway {
+namespace {
+
+bool keeps_pace(const VehicleSpec& spec, const Limits& limits, const WaterSpec& water) {
+  const auto is_fast = [&](const Leg& leg) { return leg.speed_mps >= limits.max_speed; };
+  return water.still() && std::ranges::all_of(spec.mission, is_fast);
+}
+
+}  // namespace
 
 Surroundings surroundings_of(const Scenario& scenario, const VehicleCatalog& vehicles) {
   Surroundings surroundings;
@@ -15,6 +23,10 @@ Surroundings surroundings_of(const Scenario& scenario, const VehicleCatalog& veh
   surroundings.radii.reserve(scenario.vehicles.size());
   for (const VehicleSpec& spec : scenario.vehicles) surroundings.radii.push_back(spec.radius_m);
   surroundings.limits = limits_in_force(scenario, vehicles);
+  surroundings.keeps_pace.reserve(scenario.vehicles.size());
+  for (std::size_t i = 0; i < scenario.vehicles.size(); ++i)
+    surroundings.keeps_pace.push_back(
+        keeps_pace(scenario.vehicles[i], *surroundings.limits[i], scenario.water));
   return surroundings;
 }
 

@@ -21,6 +21,7 @@ struct Surroundings {
   std::vector<DriftingObstacle> obstacles;  ///< whoever owns their vertices outlives the metrics
   std::vector<double> radii;                ///< of the vehicles' spheres, by index [m]; 0 where not given
   std::vector<Shared<Limits>> limits;  ///< of the vehicles, by index; able to do anything where not given
+  std::vector<bool> keeps_pace;        ///< likewise: who goes no faster over ground than on its legs
 };
 
 /// What raja2024 does not measure: pair events, separation, makespan, arrivals, energy, holding, what

@@ -51,8 +51,11 @@ void ProgressMetric::see(const Frame& frame) {
 void ProgressMetric::begin(const Frame& frame, std::size_t hands) {
   if (own_.empty()) {
     own_.reserve(frame.vehicles.size());
-    while (own_.size() < frame.vehicles.size())
-      own_.push_back({.watch = ProgressWatch{window_, Trail{Trail::usual_places}}});
+    for (std::size_t i = 0; i < frame.vehicles.size(); ++i) {
+      const bool keeps_pace = i < surroundings_->keeps_pace.size() && surroundings_->keeps_pace[i];
+      const std::size_t room = keeps_pace ? Trail::usual_places : Trail::most_places;
+      own_.push_back({.watch = ProgressWatch{window_, Trail{room}}});
+    }
     bystanders_.reserve(Neighbours::usual_room(frame.vehicles.size()) + surroundings_->obstacles.size());
   }
   while (late_.size() < hands) late_.emplace_back().reserve(frame.vehicles.size());

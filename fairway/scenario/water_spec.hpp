@@ -90,6 +90,8 @@ struct WaterSpec {
   Vec3 current_n = Vec3::Zero();  ///< uniform [m/s, NED]; zero if there is a `current`
   CurrentSpec current;
   WavesSpec waves;
+
+  bool still() const { return current_n.isZero(0.0) && current.none() && waves.calm(); }
 };
 
 }  // namespace fairway
