@@ -36,7 +36,8 @@ void Trail::forget() noexcept {
   entered_ = since_ = here_.seen;
   std::ranges::fill(rooms_, here_);
   room_of_.fill(none);
-  for (std::uint8_t room = 0; room < rooms_.size(); ++room) room_of_[room + 1U] = room;
+  for (std::size_t room = 0; room < rooms_.size(); ++room)
+    room_of_[room + 1] = static_cast<std::uint8_t>(room);
   present_ = newest_ = 0;
 }
 
