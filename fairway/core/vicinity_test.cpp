@@ -174,6 +174,18 @@ TEST(Vicinity, WhoeverComesFromNowhereIsFound) {
   for (std::size_t i = 0; i < 100; ++i) hold_to_comparison(wanderers, i, wanderers.points[i], 10.0);
 }
 
+TEST(Vicinity, WhereAllCrowdTogetherItFindsThemWithoutMoreMemory) {
+  Wanderers wanderers{300, 120.0, {.least = 15.0}};
+  wanderers.wander(0.5);
+  for (int step = 0; step < 25; ++step) {
+    for (Vec3& point : wanderers.points) point *= 0.9;
+    const long before = allocation_count();
+    wanderers.wander(0.01);
+    ASSERT_EQ(allocation_count(), before) << step;
+    hold_to_comparison(wanderers, 7, wanderers.points[7], 15.0);
+  }
+}
+
 TEST(Vicinity, DoesNotAllocateOnceItHasSeenThemAll) {
   Wanderers wanderers{500, 40.0, {.most = 15.0}};
   wanderers.wander(0.5);

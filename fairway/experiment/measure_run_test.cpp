@@ -28,5 +28,17 @@ TEST(MeasureRun, ARunThatBrokeIsStoredAsAFailureWithItsReason) {
   }
 }
 
+TEST(MeasureRun, WhoMayGoFasterThanOnALegIsNotTakenToKeepPace) {
+  Scenario scenario{.name = "pace"};
+  VehicleSpec vehicle{.model = Choice{.name = "kinematic"}, .avoider = Choice{.name = "direct"}};
+  vehicle.limits.max_speed = 0.5;
+  vehicle.mission = {{.kind = LegKind::transit, .position = {20, 0, 5}, .speed_mps = 0.5}};
+  scenario.vehicles = {vehicle, vehicle};
+  scenario.vehicles[1].mission.push_back({.kind = LegKind::transit, .speed_mps = 0.3});
+  EXPECT_EQ(surroundings_of(scenario).keeps_pace, (std::vector<bool>{true, false}));
+  scenario.water.current_n.x() = 0.1;
+  EXPECT_EQ(surroundings_of(scenario).keeps_pace, (std::vector<bool>{false, false}));
+}
+
 }  // namespace
 }  // namespace fairway
