@@ -50,14 +50,14 @@ void EffortMetric::see(const VehicleFrame& vehicle, double period, Own& own) {
   const Vec3& v = vehicle.state.v_b;
   const Vec3& omega = vehicle.state.omega_b;
   const std::array<double, 6> nu{v.x(), v.y(), v.z(), omega.x(), omega.y(), omega.z()};
-  const auto power = [&](std::size_t axis) {
-    return vehicle.wrench[static_cast<Eigen::Index>(axis)] * nu[axis];
-  };
-  const auto square = [&](std::size_t axis) { return power(axis) * power(axis) * period; };
-  for (std::size_t axis = 0; axis < nu.size(); ++axis) own.absolute[axis] += std::abs(power(axis)) * period;
-  own.surge_square += square(surge);
-  own.sway_square += square(sway);
-  own.yaw_square += square(yaw);
+  std::array<double, 6> power;
+  for (std::size_t axis = 0; axis < nu.size(); ++axis) {
+    power[axis] = vehicle.wrench[static_cast<Eigen::Index>(axis)] * nu[axis];
+    own.absolute[axis] += std::abs(power[axis]) * period;
+  }
+  own.surge_square += power[surge] * power[surge] * period;
+  own.sway_square += power[sway] * power[sway] * period;
+  own.yaw_square += power[yaw] * power[yaw] * period;
   own.thruster_square += vehicle.power * vehicle.power * period;
   own.thruster_energy += vehicle.power * period;
 }

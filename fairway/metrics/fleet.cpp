@@ -53,7 +53,7 @@ void FleetMetric::see(const Frame& frame) {
 
 void FleetMetric::begin(const Frame& frame, std::size_t hands) {
   const std::size_t n = frame.vehicles.size();
-  const std::size_t usual_pairs = std::min(n * n / 2, n + 64);  // more take memory
+  const std::size_t usual_pairs = std::min(n * n / 2, n + 64);  // more take memory, once
   if (own_.empty()) {
     own_.resize(n);
     touching_.reserve(usual_pairs);
