@@ -4,6 +4,7 @@
 //   foxglove_peer.mjs listen SECONDS VEHICLE...      counts the numbered odometry that comes
 //   foxglove_peer.mjs talk SECONDS RATE_HZ VEHICLE...  sends numbered odometry
 //   foxglove_peer.mjs words SECONDS TOPIC            the last text (std_msgs/String) of a topic
+//   foxglove_peer.mjs follow SECONDS TOPIC           the same, and each text on a line of its own when it comes
 //   foxglove_peer.mjs nodes SECONDS                  the nodes of the graph, with how many topics they read and write
 //   foxglove_peer.mjs steer SECONDS VEHICLE          orders 0.5 m/s ahead, and says how far the vehicle moved
 // Each prints a line of JSON at its end.
@@ -152,11 +153,11 @@ async function steer(seconds, vehicle) {
   return { heard, moved_m: moved };
 }
 
-async function words(seconds, topic) {
+async function words(seconds, topic, hear = () => {}) {
   const peer = new Peer();
   await peer.start();
   let last = null;
-  peer.subscribe(topic, "std_msgs/String", ({ data }) => (last = data));
+  peer.subscribe(topic, "std_msgs/String", ({ data }) => hear((last = data)));
   await wait(1000 * seconds);
   await peer.stop();
   return { words: last };
@@ -178,7 +179,8 @@ async function nodes(seconds) {
 
 const [what, seconds, ...rest] = process.argv.slice(2);
 const jobs = { listen: () => listen(Number(seconds), rest), talk: () => talk(Number(seconds), Number(rest[0]), rest.slice(1)),
-  steer: () => steer(Number(seconds), rest[0]), words: () => words(Number(seconds), rest[0]), nodes: () => nodes(Number(seconds)) };
+  steer: () => steer(Number(seconds), rest[0]), words: () => words(Number(seconds), rest[0]),
+  follow: () => words(Number(seconds), rest[0], console.log), nodes: () => nodes(Number(seconds)) };
 if (jobs[what] === undefined) {
   console.error("foxglove_peer: see the first lines of its source");
   process.exit(2);
