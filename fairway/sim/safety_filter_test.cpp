@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <limits>
 #include <string>
-#include <vector>
 
 #include "fairway/scenario/load.hpp"
 #include "fairway/sim/simulation.hpp"
@@ -25,9 +24,8 @@ struct FilteredVehicle {
   double speed;     ///< wanted, and at the start [m/s]
   double current;   ///< at most, along each axis [m/s]
   double duration;  ///< four times the straight way, or more [s]
-  double least;     ///< what is kept to every surface at least, where none is touched [m]; the margin is 0.5
+  double least;     ///< what is kept to every surface at least [m]; the margin is 0.5
   int arrived;      ///< of twenty seeds; nobody shows the others a way round
-  std::vector<std::uint64_t> touching;  ///< the seeds under which it touches after all
 };
 
 Scenario field_of(const FilteredVehicle& of, std::uint64_t seed) {
@@ -69,10 +67,9 @@ struct Passage final : FrameSink {
 
 class SafetyFilterOn : public testing::TestWithParam<FilteredVehicle> {};
 
-TEST_P(SafetyFilterOn, TouchesNothingButWhereItIsSaid) {
+TEST_P(SafetyFilterOn, TouchesNothing) {
   const FilteredVehicle& vehicle = GetParam();
   int arrived = 0;
-  std::vector<std::uint64_t> touching;
   double least = std::numeric_limits<double>::infinity();
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const Scenario scenario = field_of(vehicle, seed);
@@ -80,26 +77,20 @@ TEST_P(SafetyFilterOn, TouchesNothingButWhereItIsSaid) {
     const std::array<FrameSink*, 1> sinks{&passage};
     Simulation{scenario, builtin_catalogs()}.run(sinks);
     arrived += passage.arrived ? 1 : 0;
-    if (passage.clearance <= 0.0)
-      touching.push_back(seed);
-    else
-      least = std::min(least, passage.clearance);
+    least = std::min(least, passage.clearance);
   }
-  EXPECT_EQ(touching, vehicle.touching);
   EXPECT_GE(least, vehicle.least);
   EXPECT_EQ(arrived, vehicle.arrived);
 }
 
-// Measured: 0.506, 0.517, 0.594, 0.386 and 0.500 m. Under seed 18 zarco says that it is infeasible from 45 s
-// on, and touches by 0.23 m from 99 s on; not where it decides at every step, or is limited to what it can do
-// (README.md of safety_filter).
+// Measured: MEASURED and 0.500 m.
 INSTANTIATE_TEST_SUITE_P(
     EachOfFive, SafetyFilterOn,
-    testing::Values(FilteredVehicle{"zarco", 1.0, 0.75, 0, 1.2, 0.15, 170, 0.5, 19, {18}},
-                    FilteredVehicle{"otter_by_thrust", 1.2, 1.2, 0, 1.2, 0.15, 200, 0.5, 20, {}},
-                    FilteredVehicle{"remus100", 10.0, 1.0, 20, 1.5, 0.15, 1350, 0.55, 20, {}},
-                    FilteredVehicle{"sparus2", 1.0, 1.0, 5, 0.5, 0.0625, 400, 0.35, 20, {}},
-                    FilteredVehicle{"minerva_transport", 2.0, 2.7, 5, 0.5, 0.0625, 800, 0.49, 15, {}}),
+    testing::Values(FilteredVehicle{"zarco", 1.0, 0.75, 0, 1.2, 0.15, 170, 0.5, 20},
+                    FilteredVehicle{"otter_by_thrust", 1.2, 1.2, 0, 1.2, 0.15, 200, 0.5, 20},
+                    FilteredVehicle{"remus100", 10.0, 1.0, 20, 1.5, 0.15, 1350, 0.55, 20},
+                    FilteredVehicle{"sparus2", 1.0, 1.0, 5, 0.5, 0.0625, 400, 0.35, 19},
+                    FilteredVehicle{"minerva_transport", 2.0, 2.7, 5, 0.5, 0.0625, 800, 0.49, 15}),
     [](const auto& info) { return info.param.model; });
 
 }  // namespace

@@ -62,11 +62,9 @@ struct Begun {
 
   void begin_to_stop(const trackable::Fan &fan) {
     motion = motion_at<N>(fan.motion);
-    const bool turns = fan.standing_north != 0.0 || fan.standing_east != 0.0;
-    heading = turns ? trackable::Heading<Real>{fan.standing_north, fan.standing_east}
-                    : trackable::Heading<Real>{motion.ahead_north, motion.ahead_east};
-    motion.error = turns ? heading.error(motion) : Real{0.0};
     speed = 0.0;
+    heading = trackable::heading_for<Real>(*fan.response, motion.ahead_north, motion.ahead_east, speed);
+    motion.error = heading.error(motion);
   }
 
   void begin_circles(const trackable::Fan &fan) {
@@ -124,10 +122,15 @@ void roll_fan(trackable::Fan &fan) {
   clear_steps.to(fan.clear_steps);
   if (!fan.asks_room) return;
 
-  Real room{std::numeric_limits<double>::infinity()};
-  for (std::size_t i = 0; i < fan.hazard_count; ++i)
+  const double end = static_cast<double>(fan.steps) * can.step;
+  Real room{std::numeric_limits<double>::infinity()}, last_room = room;
+  for (std::size_t i = 0; i < fan.hazard_count; ++i) {
+    const Real last2 = trackable::distance2<Real>(fan.hazards[i], end, m.north, m.east);
     room = smaller<Real>(room, square_root(least2[i]) - fan.hazards[i].contact);
+    last_room = smaller<Real>(last_room, square_root(last2) - fan.hazards[i].contact);
+  }
   room.to(fan.room);
+  last_room.to(fan.last_room);
 }
 
 template <std::size_t N>

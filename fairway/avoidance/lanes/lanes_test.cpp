@@ -316,8 +316,8 @@ TEST(Lanes, PlansRolledOutSideBySideComeToTheBitsThatTheyComeToAlone) {
     given.now = &now;
     given.first = most_lanes;
     if (index % 2 == 0) {
-      given.standing_north = standing.x();
-      given.standing_east = standing.y();
+      response.standing_north = standing.x();
+      response.standing_east = standing.y();
     }
     std::array<trackable::Motion<double>, most_lanes> starts;
     for (std::size_t lane = 0; lane < most_lanes; ++lane) {
@@ -342,7 +342,7 @@ TEST(Lanes, PlansRolledOutSideBySideComeToTheBitsThatTheyComeToAlone) {
           m.error = heading.error(m);
         } else if (fan.plans == Fan::Plans::stop) {
           if (index % 2 == 0) heading = {standing.x(), standing.y()};
-          m.error = index % 2 == 0 ? heading.error(m) : 0.0;
+          m.error = heading.error(m);
         }
         const double circle = fan.side[lane] * trackable::greatest_turn_rate(response.law, m.speed);
         trackable::Motion<double> held = m;
@@ -374,9 +374,15 @@ TEST(Lanes, PlansRolledOutSideBySideComeToTheBitsThatTheyComeToAlone) {
         }
         ++(k == fan.steps ? kept_clear : touched);
         if (k < fan.steps) continue;
-        double room = std::numeric_limits<double>::infinity();
-        for (const double d2 : least2) room = std::min(room, std::sqrt(d2) - 2.0);
+        double room = std::numeric_limits<double>::infinity(), last_room = room;
+        for (std::size_t i = 0; i < hazards.size(); ++i) {
+          const double end = static_cast<double>(k) * response.step;
+          const double last2 = trackable::distance2(hazards[i], end, m.north, m.east);
+          room = std::min(room, std::sqrt(least2[i]) - 2.0);
+          last_room = std::min(last_room, std::sqrt(last2) - 2.0);
+        }
         EXPECT_EQ(fan.room[lane], room) << kernel->name << ' ' << index;
+        EXPECT_EQ(fan.last_room[lane], last_room) << kernel->name << ' ' << index;
       }
     }
   }

@@ -32,7 +32,7 @@ struct Fan {
   /// What they begin with.
   enum class Plans {
     courses,  ///< each of its own, from `first` on, from where the vehicle is
-    stop,     ///< the bow up into the drift, or as it is, from `motion`
+    stop,     ///< as who stands, from `motion`
     circle,   ///< keep their speed, and turn as fast as they can to their `side`, from `motion`
   };
 
@@ -51,7 +51,6 @@ struct Fan {
   const Courses* courses{};
   const Motion<double>* now{};  ///< of courses
   std::size_t first{};
-  double standing_north{}, standing_east{};  ///< where who stops turns its bow; zero: it does not
 
   alignas(64) Column motion[motion_columns];  ///< the members of Motion, in their order
   alignas(64) Column side;
@@ -59,6 +58,7 @@ struct Fan {
   alignas(64) Column held[motion_columns];
   alignas(64) Column clear_steps;  ///< until it comes too near, or `steps`
   alignas(64) Column room;  ///< least distance beyond contact, of who never comes too near, if asked for [m]
+  alignas(64) Column last_room;  ///< likewise, that after the last step [m]
 };
 
 }  // namespace fairway::trackable

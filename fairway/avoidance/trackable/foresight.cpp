@@ -13,7 +13,6 @@ namespace {
 
 constexpr double kept_of_lost = 0.9;   // of what is left of a margin
 constexpr double least_lag = 0.02;     // [s]
-constexpr double least_drift = 0.03;   // slower is none [m/s]
 constexpr double bounding = 1.001;     // beyond what directions of a length of nearly 1 add
 constexpr double most_plateau = 0.99;  // more is all
 constexpr double most_turn = 0.7;      // in a step, for directions to keep that length [rad]
@@ -21,17 +20,11 @@ constexpr double step_of_lag = 0.8;    // a step is no longer than that share of
 constexpr double most_sagitta = 0.02;  // of the arc of a step [m]
 constexpr double most_graze = 0.1;     // of two hulls between the ends of a step, unseen [m]
 constexpr double rounding = 1e-9;      // [m]
-constexpr std::size_t few = 4;         // plans
 constexpr std::size_t kept_tracks = most_hazards - most_hazards / 4;
 
 double squared(double x) { return x * x; }
 
 }  // namespace
-
-Plan standing_still(const Vec2& ahead, const Vec2& drift) noexcept {
-  const double speed = drift.norm();
-  return {.direction = speed > least_drift ? Vec2{-drift / speed} : ahead};
-}
 
 Foresight::Foresight(const TurnLaw& law, const Situation& s, const Vec2& ahead,
                      const Outlook& outlook) noexcept
@@ -40,6 +33,10 @@ Foresight::Foresight(const TurnLaw& law, const Situation& s, const Vec2& ahead,
       own_radius_{s.own.radius},
       response_{.law = law.law(), .drift_north = outlook.drift.x(), .drift_east = outlook.drift.y()},
       room_now_{std::numeric_limits<double>::infinity()} {
+  if (const double speed = outlook.drift.norm(); speed > least_drift) {
+    response_.standing_north = -outlook.drift.x() / speed;
+    response_.standing_east = -outlook.drift.y() / speed;
+  }
   divide_window();
   const Envelope& can = law.envelope();
   const double step = response_.step;
@@ -134,17 +131,17 @@ void Foresight::add(const Vec2& from, const Vec2& to, double radius, const Vec2&
 
 struct Foresight::Way {
   const Response& can;
-  const Plan& plan;
+  Plan plan;
   Heading<double> heading;
   Motion<double> m;
 
-  Way(const Foresight& in, const Plan& p)
-      : can{in.response_},
-        plan{p},
-        heading{heading_for(can, p.direction.x(), p.direction.y(), p.speed)},
-        m{in.now_} {
+  Way(const Foresight& in, const Plan& p) : can{in.response_}, m{in.now_} { follow_from_here(p); }
+  void follow_from_here(const Plan& p) {
+    plan = p;
+    heading = heading_for(can, p.direction.x(), p.direction.y(), p.speed);
     m.error = heading.error(m);
   }
+  void stop() { follow_from_here({.direction = {m.ahead_north, m.ahead_east}}); }
   void advance() {
     if (plan.turn_rate)
       trackable::advance(can, plan.speed, *plan.turn_rate, m);
@@ -152,6 +149,11 @@ struct Foresight::Way {
       follow(can, heading, plan.speed, m);
   }
 };
+
+Vec2 Foresight::bow(const Plan& plan) const noexcept {
+  const Heading<double> heading = Way{*this, plan}.heading;
+  return {heading.north, heading.east};
+}
 
 TurnOrder Foresight::order(const Plan& plan) const noexcept {
   if (plan.turn_rate) return {plan.speed, *plan.turn_rate};
@@ -208,11 +210,12 @@ Foresight::Bounds Foresight::bounds(double speed, double turn_rate) const noexce
   return all;
 }
 
-bool Foresight::is_clear(const Plan& plan, double quickest) const noexcept {
+bool Foresight::is_clear(const Plan& plan, double quickest, std::size_t stops_after) const noexcept {
   const Bounds of = bounds(quickest, std::abs(plan.turn_rate.value_or(0.0)));
   Way way{*this, plan};
   const std::size_t count = places_.count();
   for (std::size_t k = 0; k < steps_; ++k) {
+    if (k == stops_after) way.stop();
     const double before_north = way.m.north, before_east = way.m.east;
     way.advance();
     const double before = static_cast<double>(k) * response_.step;
@@ -228,7 +231,7 @@ bool Foresight::is_clear(const Plan& plan, double quickest) const noexcept {
   return true;
 }
 
-double Foresight::room_of(const Plan& plan) const noexcept {
+Foresight::Room Foresight::room_of(const Plan& plan) const noexcept {
   const Bounds of = bounds(std::abs(plan.speed), std::abs(plan.turn_rate.value_or(0.0)));
   const std::size_t count = places_.count();
   Way way{*this, plan};
@@ -247,8 +250,13 @@ double Foresight::room_of(const Plan& plan) const noexcept {
       if (within2 < of.within2[i]) least2[i] = std::min(least2[i], within2);
     }
   }
-  double room = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < count; ++i) room = std::min(room, std::sqrt(least2[i]) - hazards_[i].contact);
+  const double end = static_cast<double>(steps_) * response_.step;
+  Room room{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  for (std::size_t i = 0; i < count; ++i) {
+    const double last = std::sqrt(distance2(hazards_[i], end, way.m.north, way.m.east));
+    room.least = std::min(room.least, std::sqrt(least2[i]) - hazards_[i].contact);
+    room.last = std::min(room.last, last - hazards_[i].contact);
+  }
   return room;
 }
 
@@ -262,126 +270,6 @@ Foresight::Path Foresight::path(const Plan& plan) const noexcept {
     path.points[k] = Vec2{way.m.north, way.m.east} + time * outlook_.frame;
   }
   return path;
-}
-
-struct Foresight::Search {
-  struct Held {  // where a backup begins
-    Motion<double> motion;
-    std::size_t plan;
-  };
-  const Foresight& in;
-  const Courses& courses;
-  std::size_t count;
-  const lanes::Kernel& kernel;
-  Bounds bounds;
-  std::array<Held, most_courses> held;
-  std::size_t held_count = 0;
-
-  Search(const Foresight& foresight, const Courses& all, std::size_t number)
-      : in{foresight}, courses{all}, count{number}, kernel{lanes::kernel_for(lanes::most_lanes)} {
-    bounds = in.bounds(all.quickest, 0.0);
-  }
-
-  Fan fan() const {
-    Fan fan;
-    fan.response = &in.response_;
-    fan.hazards = in.hazards_.data();
-    fan.near2 = bounds.near2.data();
-    fan.first_steps = bounds.first_steps.data();
-    fan.within2 = bounds.any_within ? bounds.within2.data() : nullptr;
-    fan.hazard_count = in.places_.count();
-    fan.steps = in.steps_;
-    fan.hold_steps = in.hold_steps_;
-    fan.courses = &courses;
-    fan.now = &in.now_;
-    return fan;
-  }
-
-  static void put(Fan& fan, std::size_t lane, const Motion<double>& m) {
-    std::size_t column = 0;
-    for (const double value :
-         {m.north, m.east, m.ahead_north, m.ahead_east, m.turn_rate, m.speed, m.sway, m.error})
-      fan.motion[column++][lane] = value;
-  }
-  static Motion<double> held_at(const Fan& fan, std::size_t lane) {
-    const auto of = [&](std::size_t column) { return fan.held[column][lane]; };
-    return {of(0), of(1), of(2), of(3), of(4), of(5), of(6), of(7)};
-  }
-
-  /// The first course that is clear, or their number. Keeps in mind who may have a backup. What is asked is
-  /// clear most often, or little else: few are looked at first.
-  std::size_t first_clear() {
-    Fan fan = this->fan();
-    for (const lanes::Kernel* of = &lanes::kernel_for(few); fan.first < count; of = &kernel) {
-      of->roll(fan);
-      const std::size_t end = std::min(fan.first + of->lanes, count);
-      for (std::size_t i = fan.first; i < end; ++i) {
-        const auto clear = static_cast<std::size_t>(fan.clear_steps[i - fan.first]);
-        if (clear == in.steps_) return i;
-        if (clear < in.hold_steps_) continue;
-        held[held_count++] = {held_at(fan, i - fan.first), i};
-      }
-      fan.first = end;
-    }
-    return count;
-  }
-
-  /// The first course that has a backup, or their number. Lanes that there is none for repeat the last.
-  std::size_t first_backed_up() const {
-    Fan fan = this->fan();
-    fan.begin = in.hold_steps_;
-    const bool circles = in.response_.law.least > 0.0;
-    fan.plans = circles ? Fan::Plans::circle : Fan::Plans::stop;
-    const Vec2 standing = standing_still(Vec2::Zero(), in.outlook_.drift).direction;
-    fan.standing_north = standing.x();
-    fan.standing_east = standing.y();
-    const std::size_t sides = circles ? 2 : 1;
-    for (std::size_t begin = 0; begin < sides * held_count; begin += kernel.lanes) {
-      const std::size_t end = std::min(begin + kernel.lanes, sides * held_count);
-      for (std::size_t lane = 0; lane < kernel.lanes; ++lane) {
-        const std::size_t i = std::min(begin + lane, end - 1);
-        fan.side[lane] = i % sides == 0 ? 1.0 : -1.0;
-        put(fan, lane, held[i / sides].motion);
-      }
-      kernel.roll(fan);
-      for (std::size_t i = begin; i < end; ++i)
-        if (fan.clear_steps[i - begin] == static_cast<double>(in.steps_)) return held[i / sides].plan;
-    }
-    return count;
-  }
-
-  /// The first course that leaves most room, or their number if none leaves more than `most`.
-  std::size_t roomiest(double most) {
-    std::size_t best = count;
-    bounds.first_steps.fill(0);
-    Fan fan = this->fan();
-    fan.asks_room = true;
-    for (; fan.first < count; fan.first += kernel.lanes) {
-      // who comes so near leaves no more, whatever is rounded
-      for (std::size_t i = 0; i < in.places_.count(); ++i) {
-        const double contact = in.hazards_[i].contact;
-        bounds.near2[i] = squared(std::max(0.0, most + contact - 1e-12 * (1.0 + contact + std::abs(most))));
-      }
-      kernel.roll(fan);
-      for (std::size_t i = fan.first; i < std::min(fan.first + kernel.lanes, count); ++i) {
-        const std::size_t lane = i - fan.first;
-        if (fan.clear_steps[lane] < static_cast<double>(in.steps_) || !(fan.room[lane] > most)) continue;
-        best = i;
-        most = fan.room[lane];
-      }
-    }
-    return best;
-  }
-};
-
-Foresight::Pick Foresight::best_of(const Plan& asked, const Courses& courses,
-                                   std::size_t count) const noexcept {
-  if (asked.turn_rate && is_clear(asked, std::abs(asked.speed))) return {count, Prospect::clear};
-  Search search{*this, courses, count};
-  if (const std::size_t at = search.first_clear(); at < count) return {at, Prospect::clear};
-  if (const std::size_t at = search.first_backed_up(); at < count) return {at, Prospect::backed_up};
-  const double most = asked.turn_rate ? room_of(asked) : -std::numeric_limits<double>::infinity();
-  return {search.roomiest(most), Prospect::lost};
 }
 
 }  // namespace fairway::trackable

@@ -16,13 +16,13 @@ namespace fairway::trackable {
 
 /// A course and a speed to keep to, or a turn rate.
 struct Plan {
-  Vec2 direction = Vec2::UnitX();   ///< unit, to be made good [NED]
-  double speed{};                   ///< along the heading once that is reached [m/s]
+  Vec2 direction = Vec2::UnitX();  ///< unit, to be made good [NED]
+  double speed{};  ///< along the heading once that is reached; 0: to stand, the bow up into what sets it
+                   ///< aside [m/s]
   std::optional<double> turn_rate;  ///< instead of a course [rad/s]
 };
 
-/// To stand over ground: with the bow up into what sets it aside, since it cannot go sideways against that.
-Plan standing_still(const Vec2& ahead, const Vec2& drift) noexcept;
+inline constexpr double least_drift = 0.005;  ///< slower is none [m/s]
 
 /// Vertical speed that it may gain unasked, of the greatest speed ahead.
 inline constexpr double unasked_climb = 0.1;
@@ -32,7 +32,7 @@ struct Outlook {
   double hold{};              ///< how long a plan is kept until its backup begins [s]
   double window{};            ///< how far ahead all looks [s]
   double margin{};            ///< kept to every surface [m]
-  Vec2 drift = Vec2::Zero();  ///< of the water, as far as it sets across the heading [m/s, NED]
+  Vec2 drift = Vec2::Zero();  ///< what sets it aside [m/s, NED]
   Vec2 frame = Vec2::Zero();  ///< plans are of velocities relative to this one [m/s, NED]
   double climb{};             ///< greatest vertical speed that is commanded [m/s]
 };
@@ -50,8 +50,8 @@ enum class Prospect : std::uint8_t {
 /// through which that speed is. A plan is clear if nothing comes nearer than the margin, between steps
 /// either; where that is lost already, nothing comes nearer by more than a tenth of what is left of it, and
 /// nothing is met between steps. Where more is near than there is room for, the nearest tracks count, and
-/// what is nearest besides. The backup of a vehicle that can stop is to stop, its bow up into the drift; of
-/// one that cannot it is to go round in a circle, to either side.
+/// what is nearest besides. The backup of a vehicle that can stop is to stop, its bow up into what sets it
+/// aside; of one that cannot it is to go round in a circle, to either side.
 class Foresight {
  public:
   /// `law` must outlive it. The bow points `ahead`. O(solids).
@@ -73,21 +73,38 @@ class Foresight {
     return std::max(-most_rising_, std::min(most_sinking_, sinking));
   }
 
-  /// By the law or by `turn_rate`, whether nothing comes nearer than the margin on the whole window.
-  /// `quickest` [m/s] is the speed of the quickest plan among which it is chosen. O(steps x hazards).
-  bool is_clear(const Plan& plan, double quickest) const noexcept;
+  /// By the law or by `turn_rate`, whether nothing comes nearer than the margin on the whole window, or on
+  /// that of who stops after so many steps. `quickest` [m/s] is the speed of the quickest plan among which it
+  /// is chosen. O(steps x hazards).
+  bool is_clear(const Plan& plan, double quickest, std::size_t stops_after = most_steps) const noexcept;
+  /// Clear, and of who is set aside backed up besides: beyond the window it may be set on something.
+  bool is_safe(const Plan& plan) const noexcept {
+    return is_clear(plan, plan.speed) && (!is_set_aside() || is_clear(plan, plan.speed, hold_steps_));
+  }
 
   /// One of many plans.
   struct Pick {
     std::size_t at;  ///< as many as there are plans: the turn rate that was asked for
     Prospect prospect;
   };
-  /// What was asked for, if it is a turn rate and clear; else the first of `count` courses that is clear;
-  /// else the first that is backed up; else what leaves most room. O(courses x steps x hazards).
+  /// What was asked for, if it is a turn rate and clear; else the first of `count` courses that is clear, and
+  /// of who is set aside backed up besides; else the first that is backed up; else the first that is clear;
+  /// else, of what leaves nearly as much room as anything, what has most at the end. O(courses x steps x
+  /// hazards).
   Pick best_of(const Plan& asked, const Courses& courses, std::size_t count) const noexcept;
 
-  /// The least distance beyond contact after the steps. [m]
-  double room_of(const Plan& plan) const noexcept;
+  /// Distances beyond contact after the steps. [m]
+  struct Room {
+    double least;
+    double last{};  ///< at the end of the window
+
+    /// Whether it leaves three quarters of `most`, or of an overlap no more.
+    bool is_nearly(double most) const { return least >= (most > 0.0 ? 0.75 * most : most); }
+  };
+  Room room_of(const Plan& plan) const noexcept;
+
+  /// Where the bow has to point. [unit, NED]
+  Vec2 bow(const Plan& plan) const noexcept;
 
   /// What the autopilot is ordered now.
   TurnOrder order(const Plan& plan) const noexcept;
@@ -112,6 +129,10 @@ class Foresight {
   /// Several plans and what has been found out of them, in the order of the plans.
   struct Search;
 
+  /// Without a least speed, and in water that moves.
+  bool is_set_aside() const noexcept {
+    return !(response_.law.least > 0.0) && outlook_.drift.norm() > least_drift;
+  }
   void divide_window() noexcept;
   void add(const Vec2& from, const Vec2& to, double radius, const Vec2& velocity) noexcept;
   /// Of the way, for every plan of no more than `speed` and `turn_rate`. [m/s]

@@ -35,31 +35,31 @@ double window_of(const TurnLaw& law, const Situation& s, double hold) {
          speed / std::max(can.deceleration, 1e-3);
 }
 
-/// What sets the vehicle aside, as far as that shows across its heading: what is left of its motion there
-/// when its own sway is taken away.
+/// What sets the vehicle aside, relative to `frame`: the current as it is estimated, and what of that is left
+/// across its heading when its own sway is taken away.
 Vec2 observed_drift(const Situation& s, const Vec2& ahead, const Vec2& frame, double settling,
                     Course& course) {
   const Envelope& can = *s.envelope;
   const Vec2 starboard = starboard_of(ahead);
+  const Vec2 current = s.current.head<2>() - frame;
   const Vec2 velocity = s.own.velocity.head<2>() - frame;
-  const double across = starboard.dot(velocity);
+  const double across = starboard.dot(velocity - current);
   const double slip = can.steady_sway(ahead.dot(velocity), s.own.yaw_rate);
-  if (!course.drift) {
+  if (!course.unexplained) {
     course.sway = slip;
-    course.drift = (across - slip) * starboard;
+    course.unexplained = (across - slip) * starboard;
   }
   course.sway += (1.0 - math::exp(-s.period / std::max(can.sway_lag, 1e-3))) * (slip - course.sway);
-  const double error = across - course.sway - starboard.dot(*course.drift);
-  *course.drift += (1.0 - math::exp(-s.period / settling)) * error * starboard;
-  return *course.drift;
+  const double error = across - course.sway - starboard.dot(*course.unexplained);
+  *course.unexplained += (1.0 - math::exp(-s.period / settling)) * error * starboard;
+  return current + *course.unexplained;
 }
 
 /// What the inner avoider wants, as a course and a speed. One that stands without being told to wait has
 /// found no velocity: then a way is looked for round the preferred one.
-Plan plan_of(const Situation& s, const Vec2& ahead, const Command& asked, const Vec2& frame,
-             const Vec2& drift) {
+Plan plan_of(const Situation& s, const Vec2& ahead, const Command& asked, const Vec2& frame) {
   const Vec2 v = asked.velocity.head<2>() - frame;
-  if (asked.mode == Mode::hold) return standing_still(ahead, drift);
+  if (asked.mode == Mode::hold) return {.direction = ahead};
   if (asked.turn_rate) return {.direction = ahead, .speed = v.dot(ahead), .turn_rate = asked.turn_rate};
   if (asked.heading) {
     const Vec2 heading = unit_at(*asked.heading);
@@ -69,7 +69,7 @@ Plan plan_of(const Situation& s, const Vec2& ahead, const Command& asked, const 
   const bool stands = (v + frame).norm() < standing_share * (preferred + frame).norm();
   const Vec2& wanted = stands ? preferred : v;
   const double speed = wanted.norm();
-  if (speed <= standing) return standing_still(ahead, drift);
+  if (speed <= standing) return {.direction = ahead};
   return {.direction = wanted / speed, .speed = speed};
 }
 
@@ -172,15 +172,22 @@ void Keeper::draw(Sketch& sketch, const Plan& plan, const Command& asked) const 
 }
 
 Choice Keeper::settled(const Choice& chosen) noexcept {
+  const Vec2 wish = s_.preferred_velocity().head<2>();
   const bool is_as_asked = chosen.is_asked && chosen.prospect == Prospect::clear;
   Choice taken = chosen;
+  if (course_.instead && course_.wish.dot(wish) < 0.7 * course_.wish.norm() * wish.norm())
+    course_.instead.reset();
+  if (!course_.instead) course_.wish = wish;
   if (course_.instead && !is_as_asked) {
     const Plan& before = *course_.instead;
-    const bool changes_side = cross(ahead_, before.direction) * cross(ahead_, chosen.plan.direction) < 0.0;
+    const bool changes_side =
+        cross(ahead_, foresight_.bow(before)) * cross(ahead_, foresight_.bow(chosen.plan)) < 0.0;
     if (chosen.prospect == Prospect::lost) {
-      if (foresight_.room_of(before) > foresight_.room_of(chosen.plan) - more_room)
+      const Foresight::Room of_before = foresight_.room_of(before),
+                            of_chosen = foresight_.room_of(chosen.plan);
+      if (of_before.is_nearly(of_chosen.least) && Foresight::Room{of_before.last}.is_nearly(of_chosen.last))
         taken = {before, Prospect::lost, false};
-    } else if (changes_side && foresight_.is_clear(before, before.speed)) {
+    } else if (changes_side && foresight_.is_safe(before)) {
       taken = {before, Prospect::clear, false};
     }
   }
@@ -189,13 +196,13 @@ Choice Keeper::settled(const Choice& chosen) noexcept {
 }
 
 Command Keeper::keep(const Command& asked, const Deviations& deviations, Sketch* sketch) noexcept {
-  Plan plan = plan_of(s_, ahead_, asked, frame_, drift_);
+  Plan plan = plan_of(s_, ahead_, asked, frame_);
   Command command = asked;
   if (foresight_.is_open()) {
     course_.instead.reset();
   } else {
     Choice choice = choose(deviations, foresight_, plan, s_.goal.cruise_speed, course_.side);
-    if (law_.law().least > 0.0) choice = settled(choice);
+    choice = settled(choice);
     plan = choice.plan;
     if (choice.prospect == Prospect::lost) {
       command.mode = Mode::infeasible;

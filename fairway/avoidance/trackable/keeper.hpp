@@ -41,10 +41,11 @@ struct Keeping {
 
 /// What is remembered between decisions.
 struct Course {
-  std::optional<Vec2> drift;    ///< [m/s, NED]
-  double sway{};                ///< through the water, to starboard, as the envelope says [m/s]
-  double side = 1.0;            ///< to which it went last: 1 starboard, -1 port
-  std::optional<Plan> instead;  ///< of who cannot stop: what it took last, if not what was asked
+  std::optional<Vec2> unexplained;  ///< of what sets it aside, by the current [m/s, NED]
+  double sway{};                    ///< through the water, to starboard, as the envelope says [m/s]
+  double side = 1.0;                ///< to which it went last: 1 starboard, -1 port
+  Vec2 wish = Vec2::Zero();         ///< what it preferred when it took that [m/s, NED]
+  std::optional<Plan> instead;      ///< of who cannot stop: what it took last, if not what was asked
 };
 
 /// What is taken of the plans that were looked at.
