@@ -62,9 +62,12 @@ struct Begun {
 
   void begin_to_stop(const trackable::Fan &fan) {
     motion = motion_at<N>(fan.motion);
+    const trackable::Response &can = *fan.response;
+    const bool turns = can.standing_north != 0.0 || can.standing_east != 0.0;
+    heading = turns ? trackable::Heading<Real>{can.standing_north, can.standing_east}
+                    : trackable::Heading<Real>{motion.ahead_north, motion.ahead_east};
+    motion.error = turns ? heading.error(motion) : Real{0.0};
     speed = 0.0;
-    heading = trackable::heading_for<Real>(*fan.response, motion.ahead_north, motion.ahead_east, speed);
-    motion.error = heading.error(motion);
   }
 
   void begin_circles(const trackable::Fan &fan) {

@@ -342,7 +342,7 @@ TEST(Lanes, PlansRolledOutSideBySideComeToTheBitsThatTheyComeToAlone) {
           m.error = heading.error(m);
         } else if (fan.plans == Fan::Plans::stop) {
           if (index % 2 == 0) heading = {standing.x(), standing.y()};
-          m.error = heading.error(m);
+          m.error = index % 2 == 0 ? heading.error(m) : 0.0;
         }
         const double circle = fan.side[lane] * trackable::greatest_turn_rate(response.law, m.speed);
         trackable::Motion<double> held = m;

@@ -32,7 +32,7 @@ struct Fan {
   /// What they begin with.
   enum class Plans {
     courses,  ///< each of its own, from `first` on, from where the vehicle is
-    stop,     ///< as who stands, from `motion`
+    stop,     ///< the bow up into the drift, or as it is, from `motion`
     circle,   ///< keep their speed, and turn as fast as they can to their `side`, from `motion`
   };
 

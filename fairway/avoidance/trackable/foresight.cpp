@@ -141,7 +141,6 @@ struct Foresight::Way {
     heading = heading_for(can, p.direction.x(), p.direction.y(), p.speed);
     m.error = heading.error(m);
   }
-  void stop() { follow_from_here({.direction = {m.ahead_north, m.ahead_east}}); }
   void advance() {
     if (plan.turn_rate)
       trackable::advance(can, plan.speed, *plan.turn_rate, m);
@@ -149,6 +148,11 @@ struct Foresight::Way {
       follow(can, heading, plan.speed, m);
   }
 };
+
+Plan Foresight::standing(const Vec2& ahead) const noexcept {
+  const Vec2 up{response_.standing_north, response_.standing_east};
+  return {.direction = up == Vec2::Zero() ? ahead : up};
+}
 
 Vec2 Foresight::bow(const Plan& plan) const noexcept {
   const Heading<double> heading = Way{*this, plan}.heading;
@@ -215,7 +219,7 @@ bool Foresight::is_clear(const Plan& plan, double quickest, std::size_t stops_af
   Way way{*this, plan};
   const std::size_t count = places_.count();
   for (std::size_t k = 0; k < steps_; ++k) {
-    if (k == stops_after) way.stop();
+    if (k == stops_after) way.follow_from_here(standing({way.m.ahead_north, way.m.ahead_east}));
     const double before_north = way.m.north, before_east = way.m.east;
     way.advance();
     const double before = static_cast<double>(k) * response_.step;

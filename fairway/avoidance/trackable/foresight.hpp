@@ -16,9 +16,8 @@ namespace fairway::trackable {
 
 /// A course and a speed to keep to, or a turn rate.
 struct Plan {
-  Vec2 direction = Vec2::UnitX();  ///< unit, to be made good [NED]
-  double speed{};  ///< along the heading once that is reached; 0: to stand, the bow up into what sets it
-                   ///< aside [m/s]
+  Vec2 direction = Vec2::UnitX();   ///< unit, to be made good [NED]
+  double speed{};                   ///< along the heading once that is reached [m/s]
   std::optional<double> turn_rate;  ///< instead of a course [rad/s]
 };
 
@@ -103,6 +102,9 @@ class Foresight {
   };
   Room room_of(const Plan& plan) const noexcept;
 
+  /// To stand over ground: the bow up into what sets it aside, since it cannot go sideways against that, or
+  /// `ahead`.
+  Plan standing(const Vec2& ahead) const noexcept;
   /// Where the bow has to point. [unit, NED]
   Vec2 bow(const Plan& plan) const noexcept;
 

@@ -19,7 +19,7 @@ struct Choice {
 
 namespace {
 
-constexpr double standing = 1e-3;       // [m/s]
+constexpr double hardly = 1e-3;         // [m/s]
 constexpr double standing_share = 0.1;  // of the preferred speed: slower stands
 constexpr double turn_step = pi / 12;   // between plans
 constexpr double slack_s = 1.0;         // of the window, beyond the manoeuvres that it is to hold
@@ -57,9 +57,10 @@ Vec2 observed_drift(const Situation& s, const Vec2& ahead, const Vec2& frame, do
 
 /// What the inner avoider wants, as a course and a speed. One that stands without being told to wait has
 /// found no velocity: then a way is looked for round the preferred one.
-Plan plan_of(const Situation& s, const Vec2& ahead, const Command& asked, const Vec2& frame) {
+Plan plan_of(const Situation& s, const Vec2& ahead, const Plan& standing, const Command& asked,
+             const Vec2& frame) {
   const Vec2 v = asked.velocity.head<2>() - frame;
-  if (asked.mode == Mode::hold) return {.direction = ahead};
+  if (asked.mode == Mode::hold) return standing;
   if (asked.turn_rate) return {.direction = ahead, .speed = v.dot(ahead), .turn_rate = asked.turn_rate};
   if (asked.heading) {
     const Vec2 heading = unit_at(*asked.heading);
@@ -69,7 +70,7 @@ Plan plan_of(const Situation& s, const Vec2& ahead, const Command& asked, const 
   const bool stands = (v + frame).norm() < standing_share * (preferred + frame).norm();
   const Vec2& wanted = stands ? preferred : v;
   const double speed = wanted.norm();
-  if (speed <= standing) return {.direction = ahead};
+  if (speed <= hardly) return standing;
   return {.direction = wanted / speed, .speed = speed};
 }
 
@@ -89,6 +90,10 @@ Choice choose(const Deviations& deviations, const Foresight& foresight, const Pl
   courses.quickest = speed;
 
   const auto [at, prospect] = foresight.best_of(asked, courses, Deviations::count);
+  if (prospect == Prospect::lost) {
+    const Plan standing = foresight.standing(asked.direction);
+    if (foresight.is_clear(standing, standing.speed)) return {standing, Prospect::clear, false};
+  }
   if (at == Deviations::count) return {asked, prospect, true};
   if (at == 0 && !asked.turn_rate) return {asked, prospect, true};
   const double sine = side * deviations.sines[at];
@@ -128,7 +133,7 @@ Deviations::Deviations(double slow_cost_ratio) {
 }
 
 bool must_turn(const Situation& s) noexcept {
-  return s.envelope != nullptr && !(s.limits.sway && s.envelope->sideways > standing);
+  return s.envelope != nullptr && !(s.limits.sway && s.envelope->sideways > hardly);
 }
 
 std::string_view words_of_ignorance(const Situation& s) noexcept {
@@ -145,6 +150,7 @@ Keeper::Keeper(const Keeping& keeping, const Situation& s, Course& course) noexc
       hold_{std::max(keeping.hold, s.period)},
       window_{window_of(law_, s, hold_)},
       frame_{s.envelope->least > 0.0 ? Vec2{s.current.head<2>()} : Vec2{Vec2::Zero()}},
+      patience_{law_.envelope().turn_lag + 0.5 * pi / std::max(law_.greatest_turn_rate(0.0), 1e-3)},
       drift_{observed_drift(s, ahead_, frame_, keeping.drift_settling, course)},
       foresight_{law_,
                  s,
@@ -171,32 +177,36 @@ void Keeper::draw(Sketch& sketch, const Plan& plan, const Command& asked) const 
   }
 }
 
-Choice Keeper::settled(const Choice& chosen) noexcept {
-  const Vec2 wish = s_.preferred_velocity().head<2>();
-  const bool is_as_asked = chosen.is_asked && chosen.prospect == Prospect::clear;
-  Choice taken = chosen;
-  if (course_.instead && course_.wish.dot(wish) < 0.7 * course_.wish.norm() * wish.norm())
-    course_.instead.reset();
-  if (!course_.instead) course_.wish = wish;
-  if (course_.instead && !is_as_asked) {
-    const Plan& before = *course_.instead;
+bool Keeper::is_as_good(const Plan& before, const Choice& chosen) const noexcept {
+  if (chosen.prospect != Prospect::lost) {
     const bool changes_side =
         cross(ahead_, foresight_.bow(before)) * cross(ahead_, foresight_.bow(chosen.plan)) < 0.0;
-    if (chosen.prospect == Prospect::lost) {
-      const Foresight::Room of_before = foresight_.room_of(before),
-                            of_chosen = foresight_.room_of(chosen.plan);
-      if (of_before.is_nearly(of_chosen.least) && Foresight::Room{of_before.last}.is_nearly(of_chosen.last))
-        taken = {before, Prospect::lost, false};
-    } else if (changes_side && foresight_.is_safe(before)) {
-      taken = {before, Prospect::clear, false};
-    }
+    return changes_side && foresight_.is_safe(before);
   }
-  course_.instead = is_as_asked ? std::nullopt : std::optional{taken.plan};
-  return taken;
+  const Foresight::Room of_before = foresight_.room_of(before), of_chosen = foresight_.room_of(chosen.plan);
+  return of_before.is_nearly(of_chosen.least) && Foresight::Room{of_before.last}.is_nearly(of_chosen.last);
+}
+
+Choice Keeper::settled(const Choice& chosen) noexcept {
+  const bool is_as_asked = chosen.is_asked && chosen.prospect == Prospect::clear;
+  if (is_as_asked) course_.instead.reset();
+  if (!course_.instead || !is_as_good(*course_.instead, chosen)) {
+    course_.kept_since.reset();
+    if (!is_as_asked) course_.instead = chosen.plan;
+    return chosen;
+  }
+  if (!course_.kept_since) course_.kept_since = s_.time;
+  if (!(law_.law().least > 0.0) && s_.time - *course_.kept_since > patience_) {
+    course_.kept_since.reset();
+    course_.instead = chosen.plan;
+    return chosen;
+  }
+  const bool is_lost = chosen.prospect == Prospect::lost;
+  return {*course_.instead, is_lost ? Prospect::lost : Prospect::clear, false};
 }
 
 Command Keeper::keep(const Command& asked, const Deviations& deviations, Sketch* sketch) noexcept {
-  Plan plan = plan_of(s_, ahead_, asked, frame_);
+  Plan plan = plan_of(s_, ahead_, foresight_.standing(ahead_), asked, frame_);
   Command command = asked;
   if (foresight_.is_open()) {
     course_.instead.reset();

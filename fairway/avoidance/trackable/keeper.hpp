@@ -41,11 +41,11 @@ struct Keeping {
 
 /// What is remembered between decisions.
 struct Course {
-  std::optional<Vec2> unexplained;  ///< of what sets it aside, by the current [m/s, NED]
-  double sway{};                    ///< through the water, to starboard, as the envelope says [m/s]
-  double side = 1.0;                ///< to which it went last: 1 starboard, -1 port
-  Vec2 wish = Vec2::Zero();         ///< what it preferred when it took that [m/s, NED]
-  std::optional<Plan> instead;      ///< of who cannot stop: what it took last, if not what was asked
+  std::optional<Vec2> unexplained;   ///< of what sets it aside, by the current [m/s, NED]
+  double sway{};                     ///< through the water, to starboard, as the envelope says [m/s]
+  double side = 1.0;                 ///< to which it went last: 1 starboard, -1 port
+  std::optional<Plan> instead;       ///< what it took last, if not what was asked
+  std::optional<double> kept_since;  ///< against what was chosen anew [s]
 };
 
 /// What is taken of the plans that were looked at.
@@ -78,10 +78,11 @@ class Keeper {
   Command keep(const Command& asked, const Deviations& deviations, Sketch* sketch) noexcept;
 
  private:
-  /// Of who cannot stop: what it took last, rather than to turn to the other side, as long as that is clear,
-  /// or, where nothing is, as long as nothing leaves clearly more room. What it has turned is lost when it
-  /// turns back, and with that in the end all plans.
+  /// What it took last, rather than to turn to the other side, as long as that is as good; of who can stop,
+  /// no longer than a quarter of a turn takes. Who turns back loses what it has turned, a torpedo in the end
+  /// all plans, and a boat that turns to and fro on the spot is driven ahead by its thrusters.
   Choice settled(const Choice& chosen) noexcept;
+  bool is_as_good(const Plan& before, const Choice& chosen) const noexcept;
   void draw(Sketch& sketch, const Plan& plan, const Command& asked) const;
 
   const Situation& s_;
@@ -91,7 +92,8 @@ class Keeper {
   Margins margins_;
   double hold_;
   double window_;
-  Vec2 frame_;  // in which it plans, by its velocity over ground [m/s]
+  Vec2 frame_;       // in which it plans, by its velocity over ground [m/s]
+  double patience_;  // of who keeps to what it took last [s]
   Vec2 drift_;
   Foresight foresight_;
 };

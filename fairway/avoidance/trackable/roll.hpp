@@ -49,7 +49,7 @@ struct Response {
   double slip{};          ///< sideways in a steady turn, of turn rate and speed; Envelope::slip() [s]
   double slip_at_rest{};  ///< likewise, of the turn rate alone [m]
   double drift_north{}, drift_east{};        ///< what sets it aside [m/s]
-  double standing_north{}, standing_east{};  ///< where who stands turns its bow, unit; zero: it does not
+  double standing_north{}, standing_east{};  ///< where who stops turns its bow, unit; zero: it does not
 };
 
 /// Relative to where it is now. [m, m/s, rad, rad/s, NED]
@@ -150,19 +150,14 @@ struct Heading {
   }
 };
 
-/// Where the bow has to point for a direction to be made good at a speed: up into the drift. Who stands
-/// cannot go sideways against that, and points its bow there.
+/// Where the bow has to point for a direction to be made good at a speed: up into the drift.
 template <class Real>
 Heading<Real> heading_for(const Response& can, const Real& north, const Real& east, const Real& speed) {
   constexpr double most_sine = 0.7;
-  const MaskOf<Real> goes = speed > 0.0;
   const Real aside = (north * can.drift_east - east * can.drift_north) / speed;
-  const Real sine = select(goes, -clamped<Real>(aside, -most_sine, most_sine), Real{0.0});
+  const Real sine = select(speed > 0.0, -clamped<Real>(aside, -most_sine, most_sine), Real{0.0});
   const Real cosine = square_root(1.0 - sine * sine);
-  const Heading<Real> made_good{cosine * north - sine * east, sine * north + cosine * east};
-  if (can.standing_north == 0.0 && can.standing_east == 0.0) return made_good;
-  return {select(goes, made_good.north, Real{can.standing_north}),
-          select(goes, made_good.east, Real{can.standing_east})};
+  return {cosine * north - sine * east, sine * north + cosine * east};
 }
 
 template <class Real>

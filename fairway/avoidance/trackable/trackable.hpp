@@ -50,7 +50,8 @@ struct Trackable {
           field<&P::shown_margin_m>({0, 1000}, "by which the inner avoider is shown own sphere larger"),
           field<&P::hold_s>({0, 100}, "how long a command is kept before its backup must still be possible"),
           field<&P::slow_cost_ratio>({0, 10}, "cost of stopping; that of turning round is 2"),
-          field<&P::drift_settling_s>({0.1, 1000}, "time constant of learning what sets it aside"),
+          field<&P::drift_settling_s>({0.1, 1000},
+                                      "time constant of learning what sets it aside, beside the current"),
       };
     }
   };
