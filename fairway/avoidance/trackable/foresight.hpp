@@ -32,6 +32,7 @@ struct Outlook {
   double window{};            ///< how far ahead all looks [s]
   double margin{};            ///< kept to every surface [m]
   Vec2 drift = Vec2::Zero();  ///< what sets it aside [m/s, NED]
+  bool is_set_aside{};  ///< by that, on and on: what is clear to the end of the window may not be beyond
   Vec2 frame = Vec2::Zero();  ///< plans are of velocities relative to this one [m/s, NED]
   double climb{};             ///< greatest vertical speed that is commanded [m/s]
 };
@@ -78,7 +79,7 @@ class Foresight {
   bool is_clear(const Plan& plan, double quickest, std::size_t stops_after = most_steps) const noexcept;
   /// Clear, and of who is set aside backed up besides: beyond the window it may be set on something.
   bool is_safe(const Plan& plan) const noexcept {
-    return is_clear(plan, plan.speed) && (!is_set_aside() || is_clear(plan, plan.speed, hold_steps_));
+    return is_clear(plan, plan.speed) && (!outlook_.is_set_aside || is_clear(plan, plan.speed, hold_steps_));
   }
 
   /// One of many plans.
@@ -131,10 +132,6 @@ class Foresight {
   /// Several plans and what has been found out of them, in the order of the plans.
   struct Search;
 
-  /// Without a least speed, and in water that moves.
-  bool is_set_aside() const noexcept {
-    return !(response_.law.least > 0.0) && outlook_.drift.norm() > least_drift;
-  }
   void divide_window() noexcept;
   void add(const Vec2& from, const Vec2& to, double radius, const Vec2& velocity) noexcept;
   /// Of the way, for every plan of no more than `speed` and `turn_rate`. [m/s]

@@ -19,11 +19,12 @@ struct Choice {
 
 namespace {
 
-constexpr double hardly = 1e-3;         // [m/s]
-constexpr double standing_share = 0.1;  // of the preferred speed: slower stands
-constexpr double turn_step = pi / 12;   // between plans
-constexpr double slack_s = 1.0;         // of the window, beyond the manoeuvres that it is to hold
-constexpr double more_room = 0.05;      // is worth another plan where none is clear [m]
+constexpr double hardly = 1e-3;           // [m/s]
+constexpr double standing_share = 0.1;    // of the preferred speed: slower stands
+constexpr double most_unexplained = 0.1;  // [m/s]
+constexpr double turn_step = pi / 12;     // between plans
+constexpr double slack_s = 1.0;           // of the window, beyond the manoeuvres that it is to hold
+constexpr double more_room = 0.05;        // is worth another plan where none is clear [m]
 
 /// To turn a quarter and to stop; of who cannot stop, to go once round.
 double window_of(const TurnLaw& law, const Situation& s, double hold) {
@@ -53,6 +54,12 @@ Vec2 observed_drift(const Situation& s, const Vec2& ahead, const Vec2& frame, do
   const double error = across - course.sway - starboard.dot(*course.unexplained);
   *course.unexplained += (1.0 - math::exp(-s.period / settling)) * error * starboard;
   return current + *course.unexplained;
+}
+
+/// Of who can stop, whether the water moves, or more is unexplained than its own slip in turns may be.
+bool is_set_aside(const Situation& s, const Vec2& unexplained) {
+  if (s.envelope->least > 0.0) return false;
+  return s.current.head<2>().norm() > least_drift || unexplained.norm() > most_unexplained;
 }
 
 /// What the inner avoider wants, as a course and a speed. One that stands without being told to wait has
@@ -159,6 +166,7 @@ Keeper::Keeper(const Keeping& keeping, const Situation& s, Course& course) noexc
                   .window = window_,
                   .margin = margins_.total(window_),
                   .drift = drift_,
+                  .is_set_aside = is_set_aside(s, *course.unexplained),
                   .frame = frame_,
                   .climb = std::min(limit_or(s.limits.max_climb_rate, 1e9),
                                     std::abs(s.own.velocity.z()) + unasked_climb * s.envelope->ahead)}} {}
