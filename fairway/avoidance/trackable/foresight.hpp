@@ -23,6 +23,9 @@ struct Plan {
 
 inline constexpr double least_drift = 0.005;  ///< slower is none [m/s]
 
+/// Three quarters of `most`, or of an overlap no more. [m]
+inline bool is_nearly(double room, double most) { return room >= (most > 0.0 ? 0.75 * most : most); }
+
 /// Vertical speed that it may gain unasked, of the greatest speed ahead.
 inline constexpr double unasked_climb = 0.1;
 
@@ -93,13 +96,10 @@ class Foresight {
   /// hazards).
   Pick best_of(const Plan& asked, const Courses& courses, std::size_t count) const noexcept;
 
-  /// Distances beyond contact after the steps. [m]
+  /// Least distances beyond contact. [m]
   struct Room {
-    double least;
-    double last{};  ///< at the end of the window
-
-    /// Whether it leaves three quarters of `most`, or of an overlap no more.
-    bool is_nearly(double most) const { return least >= (most > 0.0 ? 0.75 * most : most); }
+    double least;  ///< after any of the steps
+    double last;   ///< at the end of the window
   };
   Room room_of(const Plan& plan) const noexcept;
 

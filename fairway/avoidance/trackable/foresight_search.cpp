@@ -66,22 +66,27 @@ struct Foresight::Search {
     const bool needs_backup = in.outlook_.is_set_aside;
     for (const lanes::Kernel* of = &lanes::kernel_for(few); fan.first < count; of = &kernel) {
       of->roll(fan);
-      const std::size_t end = std::min(fan.first + of->lanes, count), kept = held_count;
+      const std::size_t end = std::min(fan.first + of->lanes, count), before = held_count;
       for (std::size_t i = fan.first; i < end; ++i) {
-        const auto clear = static_cast<std::size_t>(fan.clear_steps[i - fan.first]);
-        const bool is_clear = clear == in.steps_;
-        if (is_clear && !needs_backup) return i;
-        if (clear >= in.hold_steps_) held[held_count++] = {held_at(fan, i - fan.first), i, is_clear};
+        if (fan.clear_steps[i - fan.first] != static_cast<double>(in.steps_)) continue;
+        if (!needs_backup) return i;
+        hold(fan, i, true);
       }
-      if (needs_backup) {
-        const auto is_clear = [](const Held& one) { return one.is_clear; };
-        Held* const first = held.data() + kept;
-        Held* const last = std::stable_partition(first, held.data() + held_count, is_clear);
-        if (const std::size_t at = first_backed_up({first, last}); at < count) return at;
+      if (const std::size_t at = first_backed_up(std::span{held}.subspan(before, held_count - before));
+          at < count)
+        return at;
+      for (std::size_t i = fan.first; i < end; ++i) {
+        const double clear = fan.clear_steps[i - fan.first];
+        if (clear >= static_cast<double>(in.hold_steps_) && clear != static_cast<double>(in.steps_))
+          hold(fan, i, false);
       }
       fan.first = end;
     }
     return count;
+  }
+
+  void hold(const Fan& fan, std::size_t plan, bool is_clear) {
+    held[held_count++] = {held_at(fan, plan - fan.first), plan, is_clear};
   }
 
   /// The first of all that has a backup, or their number.
@@ -136,8 +141,7 @@ struct Foresight::Search {
     if (!(best_room > most)) return count;
     std::size_t best = count;
     for (std::size_t i = 0; i < count; ++i)
-      if (Room{rooms[i]}.is_nearly(best_room) && (best == count || last_rooms[i] > last_rooms[best]))
-        best = i;
+      if (is_nearly(rooms[i], best_room) && (best == count || last_rooms[i] > last_rooms[best])) best = i;
     return best;
   }
 };

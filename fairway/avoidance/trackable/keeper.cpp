@@ -192,7 +192,7 @@ bool Keeper::is_as_good(const Plan& before, const Choice& chosen) const noexcept
     return changes_side && foresight_.is_safe(before);
   }
   const Foresight::Room of_before = foresight_.room_of(before), of_chosen = foresight_.room_of(chosen.plan);
-  return of_before.is_nearly(of_chosen.least) && Foresight::Room{of_before.last}.is_nearly(of_chosen.last);
+  return is_nearly(of_before.least, of_chosen.least) && is_nearly(of_before.last, of_chosen.last);
 }
 
 Choice Keeper::settled(const Choice& chosen) noexcept {
