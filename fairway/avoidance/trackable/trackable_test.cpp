@@ -315,6 +315,29 @@ TEST(Trackable, WhatDriftsAcrossIsNotMet) {
   EXPECT_GT(sail(e, around_direct_trackable(), 40.0).clearance, 0.25);
 }
 
+TEST(Trackable, WhoHasNoRoomToGoStandsWithItsBowUpIntoTheCurrent) {
+  // twelve buoys around it, and a current that sets it to starboard; how much room it needs
+  const Envelope boat = of_a_boat();
+  OwnedSituation e = under_way(boat);
+  e.situation.own.position = {0.0, 0.0, 50.0};
+  e.situation.current = {0.0, 0.1, 0.0};
+  e.situation.own.velocity = e.situation.current;
+  e.situation.goal = {.position = {60.0, 0.0, 50.0}, .cruise_speed = 1.0};
+  const auto asked_among = [&](double gap) {
+    e.obstacles.clear();
+    for (int i = 0; i < 12; ++i) {
+      const Vec2 at = (e.situation.own.radius + 3.0 + gap) * unit_at(pi / 6 * i);
+      e.obstacles.push_back(buoy(at.x(), at.y(), 3.0));
+    }
+    return around_direct_trackable().decide(e);
+  };
+  EXPECT_EQ(asked_among(0.56).mode, Mode::infeasible);
+  const Command command = asked_among(0.57);  // 0.58 if it went on for a while first
+  EXPECT_EQ(command.mode, Mode::avoid);
+  EXPECT_EQ(command.velocity.head<2>().norm(), 0.0);
+  EXPECT_LT(command.turn_rate.value(), 0.0);  // to port, up into it
+}
+
 TEST(Trackable, FieldsOfBuoysAreCrossedWithoutATouch) {
   const Envelope boat = of_a_boat();
   double clearance = 1e9;
