@@ -24,7 +24,6 @@ constexpr double standing_share = 0.1;    // of the preferred speed: slower stan
 constexpr double most_unexplained = 0.1;  // [m/s]
 constexpr double turn_step = pi / 12;     // between plans
 constexpr double slack_s = 1.0;           // of the window, beyond the manoeuvres that it is to hold
-constexpr double more_room = 0.05;        // is worth another plan where none is clear [m]
 
 /// To turn a quarter and to stop; of who cannot stop, to go once round.
 double window_of(const TurnLaw& law, const Situation& s, double hold) {
