@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fairway/avoidance/avoider.hpp"
 #include "fairway/avoidance/testing/encounters.hpp"
 
 /// Vehicles that must turn in order to go elsewhere, for tests of what follows for methods.

@@ -35,6 +35,11 @@ double window_of(const TurnLaw& law, const Situation& s, double hold) {
          speed / std::max(can.deceleration, 1e-3);
 }
 
+/// On the spot [s].
+double quarter_turn_time(const TurnLaw& law) {
+  return law.envelope().turn_lag + 0.5 * pi / std::max(law.greatest_turn_rate(0.0), 1e-3);
+}
+
 /// What sets the vehicle aside, relative to `frame`: the current as it is estimated, and what of that is left
 /// across its heading when its own sway is taken away.
 Vec2 observed_drift(const Situation& s, const Vec2& ahead, const Vec2& frame, double settling,
@@ -156,15 +161,13 @@ Keeper::Keeper(const Keeping& keeping, const Situation& s, Course& course) noexc
       hold_{std::max(keeping.hold, s.period)},
       window_{window_of(law_, s, hold_)},
       frame_{s.envelope->least > 0.0 ? Vec2{s.current.head<2>()} : Vec2{Vec2::Zero()}},
-      patience_{law_.envelope().turn_lag + 0.5 * pi / std::max(law_.greatest_turn_rate(0.0), 1e-3)},
-      drift_{observed_drift(s, ahead_, frame_, keeping.drift_settling, course)},
       foresight_{law_,
                  s,
                  ahead_,
                  {.hold = hold_,
                   .window = window_,
                   .margin = margins_.total(window_),
-                  .drift = drift_,
+                  .drift = observed_drift(s, ahead_, frame_, keeping.drift_settling, course),
                   .is_set_aside = is_set_aside(s, *course.unexplained),
                   .frame = frame_,
                   .climb = std::min(limit_or(s.limits.max_climb_rate, 1e9),
@@ -197,19 +200,17 @@ bool Keeper::is_as_good(const Plan& before, const Choice& chosen) const noexcept
 Choice Keeper::settled(const Choice& chosen) noexcept {
   const bool is_as_asked = chosen.is_asked && chosen.prospect == Prospect::clear;
   if (is_as_asked) course_.instead.reset();
-  if (!course_.instead || !is_as_good(*course_.instead, chosen)) {
-    course_.kept_since.reset();
-    if (!is_as_asked) course_.instead = chosen.plan;
-    return chosen;
+  const bool is_kept = course_.instead && is_as_good(*course_.instead, chosen);
+  const double since = is_kept ? course_.kept_since.value_or(s_.time) : s_.time;
+  const bool cannot_stop = law_.law().least > 0.0;
+  if (is_kept && (cannot_stop || s_.time - since <= quarter_turn_time(law_))) {
+    course_.kept_since = since;
+    const bool is_lost = chosen.prospect == Prospect::lost;
+    return {*course_.instead, is_lost ? Prospect::lost : Prospect::clear, false};
   }
-  if (!course_.kept_since) course_.kept_since = s_.time;
-  if (!(law_.law().least > 0.0) && s_.time - *course_.kept_since > patience_) {
-    course_.kept_since.reset();
-    course_.instead = chosen.plan;
-    return chosen;
-  }
-  const bool is_lost = chosen.prospect == Prospect::lost;
-  return {*course_.instead, is_lost ? Prospect::lost : Prospect::clear, false};
+  course_.kept_since.reset();
+  if (!is_as_asked) course_.instead = chosen.plan;
+  return chosen;
 }
 
 Command Keeper::keep(const Command& asked, const Deviations& deviations, Sketch* sketch) noexcept {
@@ -218,8 +219,7 @@ Command Keeper::keep(const Command& asked, const Deviations& deviations, Sketch*
   if (foresight_.is_open()) {
     course_.instead.reset();
   } else {
-    Choice choice = choose(deviations, foresight_, plan, s_.goal.cruise_speed, course_.side);
-    choice = settled(choice);
+    const Choice choice = settled(choose(deviations, foresight_, plan, s_.goal.cruise_speed, course_.side));
     plan = choice.plan;
     if (choice.prospect == Prospect::lost) {
       command.mode = Mode::infeasible;

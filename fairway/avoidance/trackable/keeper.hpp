@@ -92,9 +92,7 @@ class Keeper {
   Margins margins_;
   double hold_;
   double window_;
-  Vec2 frame_;       // in which it plans, by its velocity over ground [m/s]
-  double patience_;  // of who keeps to what it took last [s]
-  Vec2 drift_;
+  Vec2 frame_;  // in which it plans, by its velocity over ground [m/s]
   Foresight foresight_;
 };
 

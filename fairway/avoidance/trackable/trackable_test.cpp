@@ -10,6 +10,7 @@
 #include "fairway/avoidance/catalog.hpp"
 #include "fairway/avoidance/direct/direct.hpp"
 #include "fairway/avoidance/testing/boat.hpp"
+#include "fairway/avoidance/trackable/testing/plans.hpp"
 
 namespace fairway {
 namespace {
@@ -21,35 +22,12 @@ using encounters::OwnedSituation;
 using encounters::sail;
 using encounters::Sailed;
 using encounters::under_way;
-using trackable::Courses;
 using trackable::Foresight;
+using trackable::foresight_of;
 using trackable::Plan;
 using trackable::Prospect;
+using trackable::prospect_of;
 using trackable::TurnLaw;
-
-/// Plans as columns.
-struct Columns {
-  std::array<double, trackable::most_courses> cosines, sines;
-  Courses courses{.north = 1.0, .side = 1.0, .cosines = cosines.data(), .sines = sines.data(), .speeds = {}};
-
-  explicit Columns(const std::vector<Plan>& plans) {
-    for (std::size_t i = 0; i < cosines.size(); ++i) {
-      const Plan& plan = plans[std::min(i, plans.size() - 1)];
-      cosines[i] = plan.direction.x();
-      sines[i] = plan.direction.y();
-      courses.speeds[i] = plan.speed;
-      courses.quickest = std::max(courses.quickest, plan.speed);
-    }
-  }
-};
-
-Prospect prospect_of(const Foresight& foresight, const Plan& plan) {
-  return foresight.best_of(plan, Columns{{plan}}.courses, 1).prospect;
-}
-
-Foresight foresight_of(const TurnLaw& law, const Situation& s, const trackable::Outlook& outlook) {
-  return {law, s, unit_at(s.own.yaw), outlook};
-}
 
 Avoider around_direct_trackable() { return Avoider{Trackable{{}}, Avoider{Direct{{}}}}; }
 
@@ -88,93 +66,6 @@ TEST(Trackable, AForeseenStopNeedsItsWay) {
   EXPECT_EQ(comes_to(0.8), Prospect::lost);
   EXPECT_EQ(comes_to(2.0), Prospect::backed_up);
   EXPECT_EQ(comes_to(20.0), Prospect::clear);
-}
-
-/// How near a plan comes, by its path alone.
-struct Alone {
-  bool keeps_margin = true;      ///< between steps too, where it is not lost already
-  bool keeps_a_bit_more = true;  ///< by 0.15 m
-  double room = std::numeric_limits<double>::infinity();
-  double last_room = std::numeric_limits<double>::infinity();
-};
-
-Alone alone(const Foresight& foresight, const Situation& s, double margin, const Plan& plan) {
-  constexpr int parts = 16;
-  Alone found;
-  const Foresight::Path path = foresight.path(plan);
-  for (const Track& t : s.tracks) {
-    const Vec2 from = (t.position - s.own.position).head<2>();
-    const double contact = t.radius + s.own.radius, gap = from.norm() - contact;
-    const double left = gap > 0.0 ? 0.9 * gap : gap;
-    Vec2 before = Vec2::Zero();
-    for (std::size_t k = 0; k < path.count; ++k) {
-      for (int part = 1; part <= parts; ++part) {
-        const double share = static_cast<double>(part) / parts;
-        const double time = (static_cast<double>(k) + share) * foresight.step();
-        const Vec2 at = before + share * (path.points[k] - before);
-        const double room = (at - time * t.velocity.head<2>() - from).norm() - contact;
-        if (part == parts || left > margin + 0.15)
-          found.keeps_margin = found.keeps_margin && room >= std::min(margin, left) - 2e-9;
-        found.keeps_a_bit_more = found.keeps_a_bit_more && room >= std::min(margin + 0.15, left);
-        if (part == parts) found.room = std::min(found.room, room);
-        if (part == parts && k + 1 == path.count) found.last_room = std::min(found.last_room, room);
-      }
-      before = path.points[k];
-    }
-  }
-  return found;
-}
-
-TEST(Trackable, OfManyPlansSideBySideTheOneIsTakenThatOneAtATimeIsFound) {
-  constexpr double margin = 0.3;
-  const Envelope boat = of_a_boat(), torpedo = of_a_torpedo();
-  int clear = 0, backed_up = 0, lost = 0;
-  for (std::uint64_t i = 0; i < 400; ++i) {
-    Rng rng = Rng{3}.stream("plans", i);
-    OwnedSituation e = i % 2 == 0 ? encounters::crowd(12, rng) : encounters::congested(7, rng);
-    const Envelope& envelope = i % 3 == 0 ? torpedo : boat;
-    for (Track& t : e.tracks) t.position.z() = e.situation.own.position.z();
-    e.situation.envelope = &envelope;
-    const Situation s = e.sorted();
-    const TurnLaw law{envelope, Limits::none};
-    const Foresight foresight = foresight_of(law, s, {.hold = 1.0, .window = 8.0, .margin = margin});
-
-    std::vector<Plan> plans(i % 4 < 2 ? 1 + rng.index(3) : 70);
-    double quickest = 0.0;
-    for (Plan& plan : plans) {
-      plan = {.direction = unit_at(rng.uniform(-pi, pi)), .speed = rng.uniform(0.0, 1.5)};
-      quickest = std::max(quickest, plan.speed);
-    }
-    std::size_t first_clear = plans.size();
-    std::vector<Alone> all;
-    for (std::size_t k = 0; k < plans.size(); ++k) {
-      const Alone found = alone(foresight, s, margin, plans[k]);
-      const bool is_clear = foresight.is_clear(plans[k], quickest);
-      EXPECT_LE(is_clear, found.keeps_margin) << i << ' ' << k;
-      EXPECT_GE(is_clear, found.keeps_a_bit_more) << i << ' ' << k;
-      if (is_clear) first_clear = std::min(first_clear, k);
-      all.push_back(found);
-    }
-    const auto [at, prospect] = foresight.best_of(plans[0], Columns{plans}.courses, plans.size());
-    EXPECT_EQ(prospect == Prospect::clear, first_clear < plans.size()) << i;
-    if (prospect == Prospect::clear) {
-      EXPECT_EQ(at, first_clear) << i;
-    } else if (prospect == Prospect::backed_up) {
-      for (std::size_t k = 0; k < at; ++k)
-        EXPECT_EQ(foresight.best_of(plans[k], Columns{{plans[k]}}.courses, 1).prospect, Prospect::lost);
-    } else {
-      // it leaves nearly as much room as any, and of those most at the end
-      const double most = std::ranges::max(all, {}, &Alone::room).room;
-      const double enough = most > 0.0 ? 0.75 * most : most;
-      EXPECT_GE(all[at].room, enough - 1e-9) << i;
-      for (const Alone& other : all)
-        if (other.room > enough + 1e-9) EXPECT_LE(other.last_room, all[at].last_room + 1e-9) << i;
-    }
-    ++(prospect == Prospect::clear ? clear : prospect == Prospect::backed_up ? backed_up : lost);
-  }
-  EXPECT_GT(clear, 50);
-  EXPECT_GT(backed_up, 2);
-  EXPECT_GT(lost, 50);
 }
 
 TEST(Trackable, WhatPassesBetweenTwoStepsIsSeen) {
