@@ -46,6 +46,7 @@ struct AlgorithmInfo {
 
   bool follows = false;     ///< asks of a vehicle that must turn only what it can follow: sway is not needed
   bool shows_only = false;  ///< of a wrapper: changes what the inner avoider is shown, not what it answers
+  bool finds_way = false;   ///< goes round what stands by a way that it looks for to the goal
 };
 
 /// "ignores obstacles and whatever moves"; empty for whoever ignores nothing.

@@ -95,6 +95,14 @@ std::vector<std::string_view> Catalog::needs_of(std::string_view name) const {
   return words;
 }
 
+std::string Catalog::guided(std::string_view name) const {
+  constexpr std::string_view wrapper = "way_round";
+  if (!has(wrapper) || ignores(name, &AlgorithmInfo::ignores_obstacles) ||
+      needs(name, &AlgorithmInfo::finds_way))
+    return std::string(name);
+  return std::string(name) + "+" + std::string(wrapper);
+}
+
 std::string Catalog::tracked(std::string_view name) const {
   constexpr std::string_view wrapper = "trackable";
   const std::vector<const Entry*> stack = layers(name);

@@ -93,6 +93,10 @@ class Catalog {
   /// has no `trackable`. Likewise.
   std::string tracked(std::string_view name) const;
 
+  /// "inner+wrapper" with `way_round` outermost: the name itself where a layer `finds_way` already, where all
+  /// of it ignores obstacles, or where this catalog has no `way_round`. Likewise.
+  std::string guided(std::string_view name) const;
+
   /// Throws InputError with the nearest known name.
   const Entry& find(std::string_view name) const;
 

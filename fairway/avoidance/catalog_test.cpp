@@ -79,6 +79,17 @@ TEST(Catalog, LeavesWhoFollowsByItselfAndWhoAvoidsNobody) {
   EXPECT_EQ(Catalog{}.add<Orca2d>().tracked("orca2d"), "orca2d");  // there is no wrapper to take
 }
 
+TEST(Catalog, PutsWayRoundOutermostForWhoFindsNoWay) {
+  const Catalog catalog = builtin_avoiders();
+  EXPECT_EQ(catalog.guided("orca2d+trackable"), "orca2d+trackable+way_round");
+  EXPECT_EQ(catalog.guided("orca3d+trackable+inflate"), "orca3d+trackable+inflate+way_round");
+  EXPECT_EQ(catalog.guided("direct+safety_filter"), "direct+safety_filter+way_round");
+  for (const std::string_view name : {"direct", "avoa_improved", "avoa_improved+trackable", "pledge",
+                                      "orca2d+way_round", "orca2d+way_round+trackable"})
+    EXPECT_EQ(catalog.guided(name), name);
+  EXPECT_EQ(Catalog{}.add<Orca2d>().guided("orca2d"), "orca2d");  // there is no wrapper to take
+}
+
 TEST(Catalog, SaysWhatAMethodTakesForGranted) {
   using testing::ElementsAre;
   const Catalog catalog = builtin_avoiders();

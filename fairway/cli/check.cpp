@@ -21,12 +21,13 @@ std::string collision_rule(const Scenario& scenario) {
          " m (exam.safety_distance_m), whatever the radii";
 }
 
-/// The avoider of each vehicle, with the wrapper that its tracking asks for.
+/// The avoider of each vehicle, with the wrappers that its tracking asks for.
 std::vector<std::string> avoiders_of(const Scenario& scenario, const Simulation& simulation,
                                      const Catalog& avoiders) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < scenario.vehicles.size(); ++i)
-    names.push_back(avoider_in_force(scenario.vehicles[i], simulation.agents()[i].ship().limits, avoiders));
+    names.push_back(avoider_in_force(scenario.vehicles[i], simulation.agents()[i].ship().limits,
+                                     scenario.obstacles, avoiders));
   return names;
 }
 

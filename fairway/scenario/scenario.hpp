@@ -30,7 +30,8 @@ struct Choice {
 
 /// How what a method answers becomes what a vehicle is asked for.
 enum class Tracking : std::uint8_t {
-  automatic,  ///< as `trackable` where the vehicle cannot go sideways, unless the method follows by itself
+  automatic,  ///< as `trackable` where the vehicle cannot go sideways, unless the method follows by itself,
+              ///< and `way_round` besides where something stands, unless the method finds its way by itself
   raw,        ///< as printed: the steering makes of the answer what it can
   trackable,  ///< the wrapper `trackable` on any vehicle
 };

@@ -166,23 +166,28 @@ Vehicle make_vehicle(const VehicleSpec& spec, const VehicleCatalog& vehicles) {
   return made(spec.model, [&] { return vehicles.make(spec.model->name, spec.model->params); });
 }
 
-std::string avoider_in_force(const VehicleSpec& spec, const Limits& limits, const Catalog& avoiders) {
-  const bool is_tracked =
-      spec.tracking == Tracking::trackable || (spec.tracking == Tracking::automatic && !limits.sway);
-  if (!is_tracked) return spec.avoider->name;
-  return made(spec.avoider, [&] { return avoiders.tracked(spec.avoider->name); });
+std::string avoider_in_force(const VehicleSpec& spec, const Limits& limits,
+                             std::span<const ObstacleSpec> obstacles, const Catalog& avoiders) {
+  const std::string& name = spec.avoider->name;
+  const bool is_automatic = spec.tracking == Tracking::automatic && !limits.sway;
+  if (!is_automatic && spec.tracking != Tracking::trackable) return name;
+  const bool is_guided = is_automatic && !std::ranges::all_of(obstacles, &ObstacleSpec::moves);
+  return made(spec.avoider, [&] {
+    const std::string tracked = avoiders.tracked(name);
+    return is_guided ? avoiders.guided(tracked) : tracked;
+  });
 }
 
 Avoider make_avoider(const VehicleSpec& spec, const Limits& limits, const Scenario& scenario,
                      const Catalog& avoiders) {
-  const std::string name = avoider_in_force(spec, limits, avoiders);
+  const std::string name = avoider_in_force(spec, limits, scenario.obstacles, avoiders);
   return made(spec.avoider, [&] {
     return avoiders.make(name, avoider_params(spec, scenario, avoiders),
                          Rng{scenario.seed}.stream("avoider", spec.id));
   });
 }
 
-Particulars particulars_of(const VehicleSpec& spec, const Vehicle& vehicle, double step,
+Particulars particulars_of(const VehicleSpec& spec, const Vehicle& vehicle, const Scenario& scenario,
                            const Catalog& avoiders) {
   Particulars ship{.id = VehicleId{spec.id},
                    .name = spec.name,
@@ -191,10 +196,12 @@ Particulars particulars_of(const VehicleSpec& spec, const Vehicle& vehicle, doub
                    .limits = narrowed(spec.limits, vehicle),
                    .steering = steering_of(spec, vehicle),
                    .model = onboard_model(vehicle)};
-  const std::string avoider = avoider_in_force(spec, ship.limits, avoiders);
-  if (made(spec.avoider, [&] { return avoiders.needs(avoider, &AlgorithmInfo::needs_envelope); }))
-    ship.envelope = usable(known_envelope(spec, vehicle, make_autopilot(spec, vehicle), ship.limits, step),
-                           spec, ship.limits, avoider);
+  const std::string avoider = avoider_in_force(spec, ship.limits, scenario.obstacles, avoiders);
+  if (made(spec.avoider, [&] { return avoiders.needs(avoider, &AlgorithmInfo::needs_envelope); })) {
+    const Autopilot autopilot = make_autopilot(spec, vehicle);
+    ship.envelope = usable(known_envelope(spec, vehicle, autopilot, ship.limits, scenario.step_s), spec,
+                           ship.limits, avoider);
+  }
   return ship;
 }
 
@@ -227,7 +234,7 @@ Agent make_agent(const VehicleSpec& spec, const Scenario& scenario, const Catalo
   Navigation navigation = made(scenario.navigation, [&] {
     return Navigation{scenario.navigation.name, scenario.navigation.params, drawn_for("navigation")};
   });
-  Particulars ship = particulars_of(spec, vehicle, scenario.step_s, catalogs.avoiders);
+  Particulars ship = particulars_of(spec, vehicle, scenario, catalogs.avoiders);
   if (alike != nullptr) {
     share_if_same(ship.limits, alike->ship().limits);
     share_if_same(ship.steering, alike->ship().steering);

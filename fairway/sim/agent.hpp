@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -55,16 +56,18 @@ struct Agent {
   }
 };
 
-/// The name of the avoider that a vehicle with these limits has: that of its spec, with the wrapper that
-/// `VehicleSpec::tracking` asks for. Throws InputError for a name that the catalog does not know.
-std::string avoider_in_force(const VehicleSpec& spec, const Limits& limits, const Catalog& avoiders);
+/// The name of the avoider that a vehicle with these limits has among these obstacles: that of its spec, with
+/// the wrappers that `VehicleSpec::tracking` asks for. Throws InputError for a name that the catalog does not
+/// know. O(obstacles).
+std::string avoider_in_force(const VehicleSpec& spec, const Limits& limits,
+                             std::span<const ObstacleSpec> obstacles, const Catalog& avoiders);
 
-/// The vehicle, the avoider and the particulars of a spec, each alone. `limits` are the particulars', `step`
-/// is the control period [s]. They throw as `make_agent` does. The avoider's parameters are `avoider_params`.
+/// The vehicle, the avoider and the particulars of a spec, each alone. `limits` are the particulars'. They
+/// throw as `make_agent` does. The avoider's parameters are `avoider_params`.
 Vehicle make_vehicle(const VehicleSpec& spec, const VehicleCatalog& vehicles);
 Avoider make_avoider(const VehicleSpec& spec, const Limits& limits, const Scenario& scenario,
                      const Catalog& avoiders);
-Particulars particulars_of(const VehicleSpec& spec, const Vehicle& vehicle, double step,
+Particulars particulars_of(const VehicleSpec& spec, const Vehicle& vehicle, const Scenario& scenario,
                            const Catalog& avoiders);
 
 /// Whether two choices make the same, wherever they were written.

@@ -58,7 +58,8 @@ struct Ground {
 /// What is amiss with the team in which a vehicle's method agrees, as a clause about it; empty for nothing.
 std::string amiss_in_team(const VehicleSpec& spec, const Scenario& scenario, const Catalog& avoiders) {
   const std::optional<double> size = team_size(spec, scenario, avoiders);
-  if (!size || scenario.vehicles.size() < 2) return {};
+  if (!size) return {};
+  if (scenario.vehicles.size() < 2) return "agrees with others before it moves, and there are none";
   const std::string ids = fmt::format("the ids 0 to {} (team_count: {})", *size - 1.0, *size);
   if (spec.id >= *size)
     return fmt::format("agrees among {}, at most {}, and stays where it is with any other id", ids,
@@ -83,7 +84,7 @@ std::string amiss_in_range(const VehicleSpec& spec, const PerceptionSpec& percep
 /// What is amiss with one vehicle, each thing as a clause about its method.
 std::vector<std::string> amiss(const VehicleSpec& spec, const Limits& limits, const Scenario& scenario,
                                const Ground& ground, const Catalog& avoiders) {
-  const std::string name = avoider_in_force(spec, limits, avoiders);
+  const std::string name = avoider_in_force(spec, limits, scenario.obstacles, avoiders);
   const auto all = [&](bool AlgorithmInfo::*what) { return avoiders.ignores(name, what); };
   const auto any = [&](bool AlgorithmInfo::*what) { return avoiders.needs(name, what); };
   const bool speaks = any(&AlgorithmInfo::needs_link);
@@ -99,7 +100,7 @@ std::vector<std::string> amiss(const VehicleSpec& spec, const Limits& limits, co
                       " has to turn first");
   if (any(&AlgorithmInfo::needs_stopping) && limits.min_speed > 0.0)
     clauses.push_back("has to stop now and then, and " + spec.model->name + " cannot: it circles");
-  if (!foresees && is_blind != is_alone) {
+  if (!foresees && (is_blind != is_alone || speaks)) {
     if (is_blind && ground.has_obstacles) clauses.emplace_back("ignores obstacles, and there are some");
     if (is_alone && has_others) clauses.emplace_back("ignores whatever moves, and there are others");
     if (is_alone && !has_others && !ground.drifter.empty())

@@ -14,6 +14,7 @@ namespace {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
+using testing::UnorderedElementsAre;
 
 Scenario alone(const std::string& model, const std::string& avoider, const std::string& tracking = "raw",
                const std::string& rest = "") {
@@ -29,10 +30,11 @@ std::vector<std::string> told(const std::string& model, const std::string& avoid
   return misfits(alone(model, avoider, tracking, rest), builtin_catalogs());
 }
 
-std::string in_force(const std::string& model, const std::string& avoider, const std::string& tracking) {
-  const Scenario scenario = alone(model, avoider, tracking);
+std::string in_force(const std::string& model, const std::string& avoider, const std::string& tracking,
+                     const std::string& rest = "") {
+  const Scenario scenario = alone(model, avoider, tracking, rest);
   const std::vector<Shared<Limits>> limits = limits_in_force(scenario, builtin_vehicles());
-  return avoider_in_force(scenario.vehicles[0], limits[0], builtin_catalogs().avoiders);
+  return avoider_in_force(scenario.vehicles[0], limits[0], scenario.obstacles, builtin_catalogs().avoiders);
 }
 
 TEST(Tracking, WrapsWhoeverMustTurnUnlessTheScenarioSaysRaw) {
@@ -46,6 +48,20 @@ TEST(Tracking, WrapsWhoeverMustTurnUnlessTheScenarioSaysRaw) {
     EXPECT_EQ(in_force(model, "orca2d", "auto"), "orca2d") << model;
     EXPECT_EQ(in_force(model, "orca2d", "trackable"), "orca2d+trackable") << model;
   }
+}
+
+TEST(Tracking, ShowsAWayRoundWhatStandsToWhoFindsNone) {
+  const std::string buoy = ", obstacles: [{sphere: {position_m: [25, 0, 0], radius_m: 1}}]";
+  EXPECT_EQ(in_force("zarco", "orca2d", "auto", buoy), "orca2d+trackable+way_round");
+  EXPECT_EQ(in_force("zarco", "direct+safety_filter", "auto", buoy), "direct+safety_filter+way_round");
+  EXPECT_EQ(in_force("zarco", "avoa_improved", "auto", buoy), "avoa_improved+trackable");
+  EXPECT_EQ(in_force("zarco", "direct", "auto", buoy), "direct");
+  EXPECT_EQ(in_force("zarco", "orca2d", "trackable", buoy), "orca2d+trackable");
+  EXPECT_EQ(in_force("zarco", "orca2d", "raw", buoy), "orca2d");
+  EXPECT_EQ(in_force("minerva", "orca2d", "auto", buoy), "orca2d");
+  const std::string drifter =
+      ", obstacles: [{sphere: {position_m: [25, 0, 0], radius_m: 1, velocity_mps: [0, 0.1, 0]}}]";
+  EXPECT_EQ(in_force("zarco", "orca2d", "auto", drifter), "orca2d+trackable");
 }
 
 TEST(Tracking, IsAutomaticInAFileThatDoesNotSayIt) {
@@ -96,11 +112,15 @@ TEST(Misfits, TellOfGroundThatAMethodDoesNotSee) {
   EXPECT_THAT(told(transport, "direct", "raw", drifter), IsEmpty());   // it is there to avoid nobody
   EXPECT_THAT(told(transport, "stop_and_wait", "raw", buoy + "}}]"),
               ElementsAre("robot0: stop_and_wait ignores obstacles, and there are some"));
-  EXPECT_THAT(told("sparus2", "pledge", "auto", buoy + "}}], exchange: acoustic"), IsEmpty());
-  EXPECT_THAT(told("sparus2", "pledge", "auto", buoy + ", charted: false}}], exchange: acoustic"),
-              ElementsAre("robot0: pledge avoids only what is charted, and obstacles[0] is not"));
+  const std::string alone = "robot0: pledge agrees with others before it moves, and there are none";
+  EXPECT_THAT(told("sparus2", "pledge", "auto", buoy + "}}], exchange: acoustic"), ElementsAre(alone));
+  EXPECT_THAT(
+      told("sparus2", "pledge", "auto", buoy + ", charted: false}}], exchange: acoustic"),
+      UnorderedElementsAre("robot0: pledge avoids only what is charted, and obstacles[0] is not", alone));
   EXPECT_THAT(told("sparus2", "pledge", "auto", drifter + ", exchange: acoustic"),
-              ElementsAre("robot0: pledge ignores whatever moves, and obstacles[0] drifts"));
+              UnorderedElementsAre("robot0: pledge ignores whatever moves, and obstacles[0] drifts", alone));
+  EXPECT_THAT(told("sparus2", "delay_check", "auto", buoy + "}}], exchange: acoustic"),
+              ElementsAre("robot0: delay_check ignores obstacles, and there are some"));
   const std::string deep = ", obstacles: [{sphere: {position_m: [20, 0, 8], radius_m: 1}}]";
   EXPECT_THAT(
       told(transport, "orca2d", "raw", deep),

@@ -367,14 +367,14 @@ AvoiderSetup avoider_setup(const AvoiderOptions& options) {
   const VehicleSpec& own = draft.vehicle();
   const Catalog& avoiders = draft.catalogs.avoiders;
   Particulars ship =
-      particulars_of(own, make_vehicle(own, draft.catalogs.vehicles), draft.scenario.step_s, avoiders);
+      particulars_of(own, make_vehicle(own, draft.catalogs.vehicles), draft.scenario, avoiders);
   if (envelope) ship.envelope = envelope;
   const Limits limits = ship.limits;
-  AvoiderSetup setup{.obstacles = std::move(draft.scenario.obstacles),
-                     .algorithm = avoider_in_force(own, limits, avoiders),
+  AvoiderSetup setup{.algorithm = avoider_in_force(own, limits, draft.scenario.obstacles, avoiders),
                      .pilot = {std::move(ship), draft.period},
                      .helm = std::move(draft.helm),
                      .avoider = make_avoider(own, limits, draft.scenario, avoiders)};
+  setup.obstacles = std::move(draft.scenario.obstacles);
   for (const ObstacleSpec& obstacle : setup.obstacles) {
     if (obstacle.charted && !obstacle.moves()) setup.helm.chart.push_back(obstacle.view());
   }

@@ -32,15 +32,19 @@ PolarVelocity off_the_bow(const Vec3& v, double yaw) {
   return {speed, speed > 0.0 ? wrap_angle(math::atan2(v.y(), v.x()) - yaw) : 0.0};
 }
 
-avoa::KinematicZone kinematic_zone(const Avoa::Params& p, const Limits& limits, double max_speed) {
+/// The paper's vessel turns by two thrusters, which the speed leaves less for. One that only goes ahead turns
+/// by its rudder: where its envelope is known, whoever foresees by that sees to how fast.
+avoa::KinematicZone kinematic_zone(const Avoa::Params& p, const Situation& s, double max_speed) {
+  const bool only_ahead = only_goes_ahead(s.limits);
+  const bool turns_by_rudder = only_ahead && s.envelope;
   return {.alpha = p.alpha_ratio,
           .beta = p.beta_m,
           .turn_gain = p.turn_gain_hz,
-          .max_turn_rate = limit_or(limits.max_turn_rate, p.max_turn_rate_radps),
-          .thruster_speed = p.thruster_speed_mps,
+          .max_turn_rate = limit_or(s.limits.max_turn_rate, p.max_turn_rate_radps),
+          .thruster_speed = turns_by_rudder ? std::numeric_limits<double>::infinity() : p.thruster_speed_mps,
           .max_speed = max_speed,
-          .min_speed = limits.min_speed,
-          .only_ahead = only_goes_ahead(limits)};
+          .min_speed = s.limits.min_speed,
+          .only_ahead = only_ahead};
 }
 
 avoa::Swarm::Settings swarm_settings(const Avoa::Params& p) {
@@ -74,8 +78,7 @@ Command Avoa::decide(const Situation& s, Memory& memory, Context& context) const
 
   // what is forbidden, and how near to it the rest is
   avoa::VelocitySpace& space = memory.space;
-  space.begin({params.grid_count, max_speed}, kinematic_zone(params, s.limits, max_speed),
-              params.least_speed_mps);
+  space.begin({params.grid_count, max_speed}, kinematic_zone(params, s, max_speed), params.least_speed_mps);
   avoa::add_everyone(s,
                      {.margin = params.margin_m,
                       .spacing = params.circle_spacing_m,

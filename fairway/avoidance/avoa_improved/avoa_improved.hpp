@@ -28,6 +28,7 @@ struct AvoaImproved {
       .handed = true,
       .steers_by_heading = true,
       .needs_envelope = true,
+      .finds_way = true,
   };
 
   struct Params {

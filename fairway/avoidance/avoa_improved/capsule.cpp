@@ -56,18 +56,23 @@ Capsules movers(const Situation& s) noexcept {
   return found;
 }
 
-void Chart::enter(const Situation& s, bool remembers, double same_place) noexcept {
+void Chart::enter(const Situation& s, bool remembers, double same_place, const DepthRange& depths,
+                  double kept) noexcept {
   const Vec2 own = s.own.position.head<2>();
-  Capsules now;
+  Capsules now, elsewhere;
   for (const Obstacle& o : s.obstacles) {
-    for_each_solid(o, [&](const Capsule& solid) { now.add_near(solid, own); });
+    Capsules& into = depths.is_met_by(o, kept) ? now : elsewhere;
+    for_each_solid(o, [&](const Capsule& solid) { into.add_near(solid, own); });
   }
   if (remembers) {
-    const Capsules in_sight = now;
+    const Capsules in_the_way = now;
+    const auto is_seen = [&](const Capsule& old) {
+      const auto is_same = [&](const Capsule& solid) { return is_at(solid, old, same_place); };
+      return std::ranges::any_of(in_the_way.view(), is_same) ||
+             std::ranges::any_of(elsewhere.view(), is_same);
+    };
     for (const Capsule& old : known_.view()) {
-      const bool is_seen = std::ranges::any_of(
-          in_sight.view(), [&](const Capsule& solid) { return is_at(solid, old, same_place); });
-      if (!is_seen) now.add_near(old, own);
+      if (!is_seen(old)) now.add_near(old, own);
     }
   }
   known_ = now;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <span>
 
 #include "fairway/avoidance/situation.hpp"
@@ -66,12 +67,28 @@ void for_each_solid(const Obstacle& obstacle, Take take) noexcept {
 /// What moves, or might: the tracks nearest to own ship.
 Capsules movers(const Situation& s) noexcept;
 
+/// Depths between which a vehicle goes [m, NED].
+struct DepthRange {
+  double shallowest = -std::numeric_limits<double>::infinity();
+  double deepest = std::numeric_limits<double>::infinity();
+
+  /// Whether a sphere whose centre lies at `depth` comes within `distance` of it [m]. What has a corner
+  /// stands at all depths.
+  bool is_met_by(const Obstacle& obstacle, double distance) const noexcept {
+    if (obstacle.kind != Obstacle::Kind::sphere) return true;
+    const double depth = obstacle.position.z(), reach = obstacle.radius + distance;
+    return depth + reach >= shallowest && depth - reach <= deepest;
+  }
+};
+
 /// What does not move, as far as it has been seen.
 class Chart {
  public:
-  /// Enters what is in sight. What was in sight before is kept if `remembers`, unless something in sight now
-  /// lies within `same_place` of it and is taken to be it [m]. O(seen x known).
-  void enter(const Situation& s, bool remembers, double same_place) noexcept;
+  /// Enters what is in sight and comes within `kept` of these depths. What was in sight before is kept if
+  /// `remembers`, unless something in sight now lies within `same_place` of it and is taken to be it [m].
+  /// O(seen x known).
+  void enter(const Situation& s, bool remembers, double same_place, const DepthRange& depths = {},
+             double kept = 0.0) noexcept;
 
   std::span<const Capsule> view() const noexcept { return known_.view(); }
 

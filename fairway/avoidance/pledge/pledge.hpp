@@ -25,6 +25,7 @@ struct Pledge {
       .needs_chart = true,
       .needs_link = true,
       .follows = true,
+      .finds_way = true,
   };
 
   struct Params {

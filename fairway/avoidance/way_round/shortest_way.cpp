@@ -18,6 +18,14 @@ constexpr double wider = 2.0;          // than what the inner avoider keeps: who
 constexpr double narrow_share = 0.25;  // of the margin, where the whole leaves no way
 constexpr double leg_ahead_s = 20.0;   // to where a goal that is only a velocity leads
 
+/// The depths on the way to the goal; all of them for a method to which depth makes no difference.
+avoa_improved::DepthRange depths_on_the_way(const Situation& s, bool thinks_in_plane) {
+  if (thinks_in_plane) return {};
+  const double own = s.own.position.z();
+  const double goal = s.goal.velocity ? own + leg_ahead_s * s.goal.velocity->z() : s.goal.position.z();
+  return {std::min(own, goal), std::max(own, goal)};
+}
+
 /// The way with all solids wider by `kept` than they are.
 std::optional<avoa_improved::WayRound> way_with(const ShortestWay::Params& params, const Situation& s,
                                                 const ShortestWay::Memory& memory, double kept) {
@@ -41,8 +49,9 @@ std::optional<avoa_improved::WayRound> way_with(const ShortestWay::Params& param
 
 Command ShortestWay::decide(const Situation& s, Avoider& inner, Memory& memory,
                             Context& context) const noexcept {
-  memory.chart.enter(s, true, params.same_place_m);
   const double margin = std::max(params.way_margin_m, wider * inner.kept_margin()) + s.own.position_error();
+  memory.chart.enter(s, true, params.same_place_m, depths_on_the_way(s, inner.thinks_in_plane()),
+                     s.own.radius + margin);
   std::optional<avoa_improved::WayRound> way = way_with(params, s, memory, margin);
   if (!way) way = way_with(params, s, memory, narrow_share * margin);
   memory.committed.reset();

@@ -20,6 +20,7 @@ struct ShortestWay {
       .handed = true,
       .ignores_movers = true,
       .shows_only = true,
+      .finds_way = true,
   };
 
   struct Params {

@@ -5,6 +5,7 @@
 
 #include "fairway/avoidance/catalog.hpp"
 #include "fairway/avoidance/direct/direct.hpp"
+#include "fairway/avoidance/orca2d/orca2d.hpp"
 #include "fairway/avoidance/safety_filter/safety_filter.hpp"
 #include "fairway/avoidance/testing/encounters.hpp"
 
@@ -79,6 +80,21 @@ TEST(ShortestWay, WhatHasBeenSeenIsRemembered) {
   const Command seen = avoider.decide(e);
   e.obstacles.clear();
   EXPECT_EQ(avoider.decide(e), seen);
+}
+
+TEST(ShortestWay, WhatTheWayPassesOverIsNotGoneRoundButByWhoThinksInThePlane) {
+  OwnedSituation e = bound_north();
+  Avoider in_space = way_round_for_direct();
+  Avoider in_plane{ShortestWay{}, Avoider{Orca2d{{}}}};
+  const auto turns = [&](Avoider& avoider) { return std::abs(avoider.decide(e).velocity.y()) > 1e-3; };
+  // as seen from above it is in the way, and 2 + 1 + 0.6 m are just more, or less, than what lies between
+  e.obstacles = {{.kind = Obstacle::Kind::sphere, .position = {20.0, 0.5, 53.5}, .radius = 2.0}};
+  EXPECT_TRUE(turns(in_space));
+  e.obstacles = {{.kind = Obstacle::Kind::sphere, .position = {20.0, 0.5, 53.7}, .radius = 2.0}};
+  EXPECT_FALSE(turns(in_space)) << "it was in the way before";
+  EXPECT_TRUE(turns(in_plane));
+  e.situation.goal.position.z() = 55.0;
+  EXPECT_TRUE(turns(in_space)) << "it dives by it";
 }
 
 TEST(ShortestWay, WithoutAnyWayItIsTheStraightOne) {

@@ -38,6 +38,7 @@ struct Blend {
       .isotropic = false,
       .needs_sway = true,
       .needs_stopping = true,
+      .finds_way = true,
   };
 
   struct Params : PlanParams {

@@ -38,6 +38,7 @@ struct RrtStar {
       .needs_sway = true,
       .needs_stopping = true,
       .needs_chart = true,
+      .finds_way = true,
   };
 
   struct Params : PlanParams, TrackingParams {

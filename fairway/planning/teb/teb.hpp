@@ -27,6 +27,7 @@ struct Teb {
       .allocates = true,
       .isotropic = false,  // but for rounding, which the search for a minimum magnifies
       .steers_by_heading = true,
+      .finds_way = true,
   };
 
   using Params = TebParams;

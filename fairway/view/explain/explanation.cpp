@@ -277,7 +277,7 @@ Explanation explain(const Scenario& scenario, const FoundDecision& found, const 
   const VehicleSpec& vehicle = scenario.vehicles[found.instant.vehicle];
   Choice avoider = vehicle.avoider;
   avoider.params = avoider_params(vehicle, scenario, avoiders);
-  avoider.name = avoider_in_force(vehicle, decision.situation().limits, avoiders);
+  avoider.name = avoider_in_force(vehicle, decision.situation().limits, scenario.obstacles, avoiders);
   sections.push_back(method_section(avoider, avoiders));
   sections.push_back(found_section(found));
   return explanation;
