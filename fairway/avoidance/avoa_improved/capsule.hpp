@@ -72,8 +72,8 @@ struct DepthRange {
   double shallowest = -std::numeric_limits<double>::infinity();
   double deepest = std::numeric_limits<double>::infinity();
 
-  /// Whether a sphere whose centre lies at `depth` comes within `distance` of it [m]. What has a corner
-  /// stands at all depths.
+  /// Whether an obstacle comes within `distance` of it [m]. Segments and polygons count at all depths, as
+  /// they do for `trackable`.
   bool is_met_by(const Obstacle& obstacle, double distance) const noexcept {
     if (obstacle.kind != Obstacle::Kind::sphere) return true;
     const double depth = obstacle.position.z(), reach = obstacle.radius + distance;

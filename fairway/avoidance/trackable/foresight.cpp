@@ -214,8 +214,24 @@ Foresight::Bounds Foresight::bounds(double speed, double turn_rate) const noexce
   return all;
 }
 
+Foresight::Bounds Foresight::of_what_stays(Bounds all) const noexcept {
+  const double drift = outlook_.drift.norm();
+  for (std::size_t i = 0; i < places_.count(); ++i)
+    if (speeds_[i] > drift) all.first_steps[i] = most_steps;
+  return all;
+}
+
 bool Foresight::is_clear(const Plan& plan, double quickest, std::size_t stops_after) const noexcept {
-  const Bounds of = bounds(quickest, std::abs(plan.turn_rate.value_or(0.0)));
+  return is_clear(plan, bounds(quickest, std::abs(plan.turn_rate.value_or(0.0))), stops_after);
+}
+
+bool Foresight::is_safe(const Plan& plan) const noexcept {
+  const Bounds of = bounds(plan.speed, std::abs(plan.turn_rate.value_or(0.0)));
+  if (!is_clear(plan, of, most_steps)) return false;
+  return !outlook_.is_set_aside || is_clear(plan, of_what_stays(of), hold_steps_);
+}
+
+bool Foresight::is_clear(const Plan& plan, const Bounds& of, std::size_t stops_after) const noexcept {
   Way way{*this, plan};
   const std::size_t count = places_.count();
   for (std::size_t k = 0; k < steps_; ++k) {

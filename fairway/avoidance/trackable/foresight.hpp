@@ -23,9 +23,6 @@ struct Plan {
 
 inline constexpr double least_drift = 0.005;  ///< slower is none [m/s]
 
-/// Three quarters of `most`, or of an overlap no more. [m]
-inline bool is_nearly(double room, double most) { return room >= (most > 0.0 ? 0.75 * most : most); }
-
 /// Vertical speed that it may gain unasked, of the greatest speed ahead.
 inline constexpr double unasked_climb = 0.1;
 
@@ -80,10 +77,9 @@ class Foresight {
   /// that of who stops after so many steps. `quickest` [m/s] is the speed of the quickest plan among which it
   /// is chosen. O(steps x hazards).
   bool is_clear(const Plan& plan, double quickest, std::size_t stops_after = most_steps) const noexcept;
-  /// Clear, and of who is set aside backed up besides: beyond the window it may be set on something.
-  bool is_safe(const Plan& plan) const noexcept {
-    return is_clear(plan, plan.speed) && (!outlook_.is_set_aside || is_clear(plan, plan.speed, hold_steps_));
-  }
+  /// Clear, and of who is set aside backed up besides as far as concerns what it may be set on beyond the
+  /// window: what goes no faster than the drift. The rest passes by.
+  bool is_safe(const Plan& plan) const noexcept;
 
   /// One of many plans.
   struct Pick {
@@ -102,6 +98,12 @@ class Foresight {
     double last;   ///< at the end of the window
   };
   Room room_of(const Plan& plan) const noexcept;
+  /// Whether a room is at least three quarters of `most`, or of an overlap no larger [m]. Of who cannot stop
+  /// it is all of it: it passes what it gives way to, and would give away a quarter more at each decision.
+  bool is_nearly(double room, double most) const noexcept {
+    return room >= (most > 0.0 && !cannot_stop() ? 0.75 * most : most);
+  }
+  bool cannot_stop() const noexcept { return response_.law.least > 0.0; }
 
   /// To stand over ground: the bow up into what sets it aside, since it cannot go sideways against that, or
   /// `ahead`.
@@ -137,6 +139,9 @@ class Foresight {
   /// Of the way, for every plan of no more than `speed` and `turn_rate`. [m/s]
   double fastest_way(double speed, double turn_rate) const noexcept;
   Bounds bounds(double speed, double turn_rate) const noexcept;
+  /// The same without what passes by.
+  Bounds of_what_stays(Bounds all) const noexcept;
+  bool is_clear(const Plan& plan, const Bounds& of, std::size_t stops_after) const noexcept;
 
   const TurnLaw& law_;
   Outlook outlook_;

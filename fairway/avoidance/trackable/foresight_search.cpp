@@ -32,13 +32,15 @@ struct Foresight::Search {
     bounds = in.bounds(all.quickest, 0.0);
   }
 
-  Fan fan() const {
+  Fan fan() const { return fan_among(bounds); }
+
+  Fan fan_among(const Bounds& among) const {
     Fan fan;
     fan.response = &in.response_;
     fan.hazards = in.hazards_.data();
-    fan.near2 = bounds.near2.data();
-    fan.first_steps = bounds.first_steps.data();
-    fan.within2 = bounds.any_within ? bounds.within2.data() : nullptr;
+    fan.near2 = among.near2.data();
+    fan.first_steps = among.first_steps.data();
+    fan.within2 = among.any_within ? among.within2.data() : nullptr;
     fan.hazard_count = in.places_.count();
     fan.steps = in.steps_;
     fan.hold_steps = in.hold_steps_;
@@ -58,9 +60,9 @@ struct Foresight::Search {
     return {of(0), of(1), of(2), of(3), of(4), of(5), of(6), of(7)};
   }
 
-  /// The first course that is clear, or their number; of who is set aside, that has a backup besides, since
-  /// it may be set on something beyond the window. Keeps in mind who may have a backup. What is asked is
-  /// clear most often, or little else: few are looked at first.
+  /// The first course that is clear, or their number; of who is set aside, that has a backup besides among
+  /// what stays, on which it may be set beyond the window. Keeps in mind who may have a backup. What is asked
+  /// is clear most often, or little else: few are looked at first.
   std::size_t first_clear() {
     Fan fan = this->fan();
     const bool needs_backup = in.outlook_.is_set_aside;
@@ -72,9 +74,9 @@ struct Foresight::Search {
         if (!needs_backup) return i;
         hold(fan, i, true);
       }
-      if (const std::size_t at = first_backed_up(std::span{held}.subspan(before, held_count - before));
-          at < count)
-        return at;
+      const std::span<const Held> clear = std::span{held}.subspan(before, held_count - before);
+      if (!clear.empty())
+        if (const std::size_t at = first_backed_up(clear, in.of_what_stays(bounds)); at < count) return at;
       for (std::size_t i = fan.first; i < end; ++i) {
         const double clear = fan.clear_steps[i - fan.first];
         if (clear >= static_cast<double>(in.hold_steps_) && clear != static_cast<double>(in.steps_))
@@ -90,7 +92,7 @@ struct Foresight::Search {
   }
 
   /// The first of all that has a backup, or their number.
-  std::size_t first_backed_up() const { return first_backed_up({held.data(), held_count}); }
+  std::size_t first_backed_up() const { return first_backed_up({held.data(), held_count}, bounds); }
 
   /// The first that is clear, with a backup or without, or their number.
   std::size_t first_clear_so_far() const {
@@ -101,10 +103,10 @@ struct Foresight::Search {
   }
 
   /// The first of these. Lanes that there is none for repeat the last.
-  std::size_t first_backed_up(std::span<const Held> all) const {
-    Fan fan = this->fan();
+  std::size_t first_backed_up(std::span<const Held> all, const Bounds& among) const {
+    Fan fan = fan_among(among);
     fan.begin = in.hold_steps_;
-    const bool circles = in.response_.law.least > 0.0;
+    const bool circles = in.cannot_stop();
     fan.plans = circles ? Fan::Plans::circle : Fan::Plans::stop;
     const std::size_t sides = circles ? 2 : 1;
     for (std::size_t begin = 0; begin < sides * all.size(); begin += kernel.lanes) {
@@ -141,7 +143,7 @@ struct Foresight::Search {
     if (!(best_room > most)) return count;
     std::size_t best = count;
     for (std::size_t i = 0; i < count; ++i)
-      if (is_nearly(rooms[i], best_room) && (best == count || last_rooms[i] > last_rooms[best])) best = i;
+      if (in.is_nearly(rooms[i], best_room) && (best == count || last_rooms[i] > last_rooms[best])) best = i;
     return best;
   }
 };

@@ -88,9 +88,9 @@ TEST(ForesightSearch, OfManyPlansSideBySideTheOneIsTakenThatOneAtATimeIsFound) {
       for (std::size_t k = 0; k < at; ++k)
         EXPECT_EQ(foresight.best_of(plans[k], Columns{{plans[k]}}.courses, 1).prospect, Prospect::lost);
     } else {
-      // it leaves nearly as much room as any, and of those most at the end
+      // it leaves nearly as much room as any, and of those most at the end; who cannot stop as much
       const double most = std::ranges::max(all, {}, &Alone::room).room;
-      const double enough = most > 0.0 ? 0.75 * most : most;
+      const double enough = most > 0.0 && envelope.least == 0.0 ? 0.75 * most : most;
       EXPECT_GE(all[at].room, enough - 1e-9) << i;
       for (const Alone& other : all)
         if (other.room > enough + 1e-9) EXPECT_LE(other.last_room, all[at].last_room + 1e-9) << i;
@@ -100,6 +100,31 @@ TEST(ForesightSearch, OfManyPlansSideBySideTheOneIsTakenThatOneAtATimeIsFound) {
   EXPECT_GT(clear, 50);
   EXPECT_GT(backed_up, 2);
   EXPECT_GT(lost, 50);
+}
+
+TEST(ForesightSearch, WhoIsSetAsideNeedsABackupAmongWhatStaysAndNotAmongWhatPassesBy) {
+  const Envelope boat = of_a_boat();
+  OwnedSituation e = encounters::under_way(boat);
+  e.situation.own.position = {0.0, 0.0, 50.0};
+  const TurnLaw law{boat, Limits::none};
+  const std::vector<Plan> on_or_off{{.speed = 1.0}, {.direction = unit_at(-pi / 4), .speed = 1.0}};
+  const auto taken = [&](bool is_set_aside) {
+    const Situation s = e;
+    const Foresight foresight = foresight_of(
+        law, s,
+        {.hold = 1.0, .window = 10.0, .margin = 0.3, .drift = {0.0, 0.2}, .is_set_aside = is_set_aside});
+    EXPECT_EQ(foresight.is_clear(on_or_off[0], 1.0), true);
+    EXPECT_EQ(foresight.is_safe(on_or_off[0]), !is_set_aside || !e.tracks.empty());
+    return foresight.best_of(on_or_off[0], Columns{on_or_off}.courses, on_or_off.size()).at;
+  };
+  // it can go on past the buoy, but not stop there: what sets it aside would set it on that
+  e.obstacles = {encounters::buoy(2.25, 1.95)};
+  EXPECT_EQ(taken(false), 0u);
+  EXPECT_EQ(taken(true), 1u);
+  // nor can it stop before a boat that will pass behind it
+  e.obstacles.clear();
+  e.tracks = {encounters::track(1, {2.5, 5.0, 50.0}, {0.0, -0.8, 0.0}, 0.5)};
+  EXPECT_EQ(taken(true), 0u);
 }
 
 }  // namespace

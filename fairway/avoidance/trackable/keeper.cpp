@@ -23,6 +23,7 @@ constexpr double hardly = 1e-3;           // [m/s]
 constexpr double standing_share = 0.1;    // of the preferred speed: slower stands
 constexpr double most_unexplained = 0.1;  // [m/s]
 constexpr double turn_step = pi / 12;     // between plans
+constexpr double more_room = 0.05;        // is worth another plan to who cannot stop [m]
 constexpr double slack_s = 1.0;           // of the window, beyond the manoeuvres that it is to hold
 
 /// To turn a quarter and to stop; of who cannot stop, to go once round.
@@ -194,7 +195,9 @@ bool Keeper::is_as_good(const Plan& before, const Choice& chosen) const noexcept
     return changes_side && foresight_.is_safe(before);
   }
   const Foresight::Room of_before = foresight_.room_of(before), of_chosen = foresight_.room_of(chosen.plan);
-  return is_nearly(of_before.least, of_chosen.least) && is_nearly(of_before.last, of_chosen.last);
+  if (foresight_.cannot_stop()) return of_before.least > of_chosen.least - more_room;
+  return foresight_.is_nearly(of_before.least, of_chosen.least) &&
+         foresight_.is_nearly(of_before.last, of_chosen.last);
 }
 
 Choice Keeper::settled(const Choice& chosen) noexcept {
@@ -202,8 +205,7 @@ Choice Keeper::settled(const Choice& chosen) noexcept {
   if (is_as_asked) course_.instead.reset();
   const bool is_kept = course_.instead && is_as_good(*course_.instead, chosen);
   const double since = is_kept ? course_.kept_since.value_or(s_.time) : s_.time;
-  const bool cannot_stop = law_.law().least > 0.0;
-  if (is_kept && (cannot_stop || s_.time - since <= quarter_turn_time(law_))) {
+  if (is_kept && (foresight_.cannot_stop() || s_.time - since <= quarter_turn_time(law_))) {
     course_.kept_since = since;
     const bool is_lost = chosen.prospect == Prospect::lost;
     return {*course_.instead, is_lost ? Prospect::lost : Prospect::clear, false};
