@@ -57,15 +57,24 @@ void avoider(benchmark::State& bench, const char* name, Scene scene) {
   run(bench, scene, [&](const Situation& s) { return avoider.decide(s); });
 }
 
-/// The same on a boat that must turn, whose envelope is known.
-void on_a_boat(benchmark::State& bench, const char* name, Scene scene) {
+/// The same on a boat that must turn, whose envelope is known, in water that flows by `current` [m/s, NED].
+void on_a_boat_in(benchmark::State& bench, const char* name, Scene scene, const Vec3& current) {
   static const Envelope boat = encounters::of_a_boat();
   Avoider avoider = builtin_avoiders().make(name);
   run(bench, scene, [&](Situation s) {
     s.envelope = &boat;
     s.limits.sway = false;
+    s.current = current;
     return avoider.decide(s);
   });
+}
+
+void on_a_boat(benchmark::State& bench, const char* name, Scene scene) {
+  on_a_boat_in(bench, name, scene, Vec3::Zero());
+}
+
+void in_a_current(benchmark::State& bench, const char* name, Scene scene) {
+  on_a_boat_in(bench, name, scene, {0.1, 0.05, 0.0});
 }
 
 BENCHMARK_CAPTURE(orca3d, crowd, encounters::crowd)->Arg(7);
@@ -102,6 +111,10 @@ BENCHMARK_CAPTURE(on_a_boat, vo_crowd, "vo+trackable", encounters::crowd)->Arg(7
 BENCHMARK_CAPTURE(on_a_boat, rvo_crowd, "rvo+trackable", encounters::crowd)->Arg(7);
 BENCHMARK_CAPTURE(on_a_boat, hrvo_crowd, "hrvo+trackable", encounters::crowd)->Arg(7);
 BENCHMARK_CAPTURE(on_a_boat, hrvo_congested, "hrvo+trackable", encounters::congested)->Arg(7);
+BENCHMARK_CAPTURE(in_a_current, orca2d_crowd, "orca2d+trackable", encounters::crowd)->Arg(7);
+BENCHMARK_CAPTURE(in_a_current, orca2d_congested, "orca2d+trackable", encounters::congested)->Arg(7);
+BENCHMARK_CAPTURE(in_a_current, hrvo_crowd, "hrvo+trackable", encounters::crowd)->Arg(7);
+BENCHMARK_CAPTURE(in_a_current, hrvo_congested, "hrvo+trackable", encounters::congested)->Arg(7);
 
 /// The same swarms in the horizontal plane.
 template <Scene scene>

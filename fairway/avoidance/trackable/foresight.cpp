@@ -215,10 +215,16 @@ Foresight::Bounds Foresight::bounds(double speed, double turn_rate) const noexce
 }
 
 Foresight::Bounds Foresight::of_what_stays(Bounds all) const noexcept {
-  const double drift = outlook_.drift.norm();
   for (std::size_t i = 0; i < places_.count(); ++i)
-    if (speeds_[i] > drift) all.first_steps[i] = most_steps;
+    if (!stays(i)) all.first_steps[i] = most_steps;
   return all;
+}
+
+bool Foresight::needs_backup() const noexcept {
+  if (!outlook_.is_set_aside) return false;
+  for (std::size_t i = 0; i < places_.count(); ++i)
+    if (stays(i)) return true;
+  return false;
 }
 
 bool Foresight::is_clear(const Plan& plan, double quickest, std::size_t stops_after) const noexcept {
@@ -228,7 +234,7 @@ bool Foresight::is_clear(const Plan& plan, double quickest, std::size_t stops_af
 bool Foresight::is_safe(const Plan& plan) const noexcept {
   const Bounds of = bounds(plan.speed, std::abs(plan.turn_rate.value_or(0.0)));
   if (!is_clear(plan, of, most_steps)) return false;
-  return !outlook_.is_set_aside || is_clear(plan, of_what_stays(of), hold_steps_);
+  return !needs_backup() || is_clear(plan, of_what_stays(of), hold_steps_);
 }
 
 bool Foresight::is_clear(const Plan& plan, const Bounds& of, std::size_t stops_after) const noexcept {

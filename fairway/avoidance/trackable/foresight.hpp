@@ -139,7 +139,10 @@ class Foresight {
   /// Of the way, for every plan of no more than `speed` and `turn_rate`. [m/s]
   double fastest_way(double speed, double turn_rate) const noexcept;
   Bounds bounds(double speed, double turn_rate) const noexcept;
-  /// The same without what passes by.
+  /// What goes no faster than the drift does not pass by.
+  bool stays(std::size_t hazard) const noexcept { return speeds_[hazard] <= outlook_.drift.norm(); }
+  /// Whether it may be set on something beyond the window.
+  bool needs_backup() const noexcept;
   Bounds of_what_stays(Bounds all) const noexcept;
   bool is_clear(const Plan& plan, const Bounds& of, std::size_t stops_after) const noexcept;
 

@@ -65,7 +65,7 @@ struct Foresight::Search {
   /// is clear most often, or little else: few are looked at first.
   std::size_t first_clear() {
     Fan fan = this->fan();
-    const bool needs_backup = in.outlook_.is_set_aside;
+    const bool needs_backup = in.needs_backup();
     for (const lanes::Kernel* of = &lanes::kernel_for(few); fan.first < count; of = &kernel) {
       of->roll(fan);
       const std::size_t end = std::min(fan.first + of->lanes, count), before = held_count;
