@@ -5,6 +5,12 @@
 #include <ranges>
 
 namespace fairway {
+namespace {
+
+/// The wrapper by which a vehicle that must turn follows any method.
+constexpr std::string_view follower = "trackable";
+
+}  // namespace
 
 std::vector<std::string_view> layer_names(std::string_view name) {
   std::vector<std::string_view> layers;
@@ -95,24 +101,26 @@ std::vector<std::string_view> Catalog::needs_of(std::string_view name) const {
   return words;
 }
 
+bool Catalog::avoids_nobody(std::string_view name) const {
+  return ignores(name, &AlgorithmInfo::ignores_obstacles) && ignores(name, &AlgorithmInfo::ignores_movers);
+}
+
 std::string Catalog::guided(std::string_view name) const {
   constexpr std::string_view wrapper = "way_round";
-  if (!has(wrapper) || ignores(name, &AlgorithmInfo::ignores_obstacles) ||
-      needs(name, &AlgorithmInfo::finds_way))
+  const bool has_chosen =
+      std::ranges::any_of(layers(name), [](const Entry* layer) { return layer->info.name == follower; });
+  if (!has(wrapper) || has_chosen || avoids_nobody(name) || needs(name, &AlgorithmInfo::finds_way))
     return std::string(name);
   return std::string(name) + "+" + std::string(wrapper);
 }
 
 std::string Catalog::tracked(std::string_view name) const {
-  constexpr std::string_view wrapper = "trackable";
   const std::vector<const Entry*> stack = layers(name);
-  const bool avoids_nobody =
-      ignores(name, &AlgorithmInfo::ignores_obstacles) && ignores(name, &AlgorithmInfo::ignores_movers);
-  if (!has(wrapper) || avoids_nobody || needs(name, &AlgorithmInfo::follows)) return std::string(name);
+  if (!has(follower) || avoids_nobody(name) || needs(name, &AlgorithmInfo::follows)) return std::string(name);
   const auto last = std::ranges::find_if(stack | std::views::reverse,
                                          [](const Entry* layer) { return !layer->info.shows_only; });
   std::vector<std::string_view> names = layer_names(name);
-  names.insert(names.begin() + (stack.rend() - last), wrapper);
+  names.insert(names.begin() + (stack.rend() - last), follower);
   std::string all;
   for (const std::string_view layer : names) all += (all.empty() ? "" : "+") + std::string(layer);
   return all;

@@ -93,8 +93,9 @@ class Catalog {
   /// has no `trackable`. Likewise.
   std::string tracked(std::string_view name) const;
 
-  /// "inner+wrapper" with `way_round` outermost: the name itself where a layer `finds_way` already, where all
-  /// of it ignores obstacles, or where this catalog has no `way_round`. Likewise.
+  /// "inner+wrapper" with `way_round` outermost: the name itself where a layer `finds_way` already, where
+  /// `trackable` has been chosen by name, where all of it avoids nobody, or where this catalog has no
+  /// `way_round`. Likewise.
   std::string guided(std::string_view name) const;
 
   /// Throws InputError with the nearest known name.
@@ -116,6 +117,8 @@ class Catalog {
     if constexpr (requires { std::string{A::version}; }) return std::string{A::version};
     return {};
   }
+
+  bool avoids_nobody(std::string_view name) const;
 
   std::vector<Entry> entries_;
   /// Throws InputError for a name that nothing can be added by.

@@ -81,10 +81,11 @@ TEST(Catalog, LeavesWhoFollowsByItselfAndWhoAvoidsNobody) {
 
 TEST(Catalog, PutsWayRoundOutermostForWhoFindsNoWay) {
   const Catalog catalog = builtin_avoiders();
-  EXPECT_EQ(catalog.guided("orca2d+trackable"), "orca2d+trackable+way_round");
-  EXPECT_EQ(catalog.guided("orca3d+trackable+inflate"), "orca3d+trackable+inflate+way_round");
+  EXPECT_EQ(catalog.guided("orca2d"), "orca2d+way_round");
+  EXPECT_EQ(catalog.guided("orca3d+inflate"), "orca3d+inflate+way_round");
+  EXPECT_EQ(catalog.guided("stop_and_wait"), "stop_and_wait+way_round");
   EXPECT_EQ(catalog.guided("direct+safety_filter"), "direct+safety_filter+way_round");
-  for (const std::string_view name : {"direct", "avoa_improved", "avoa_improved+trackable", "pledge",
+  for (const std::string_view name : {"direct", "avoa_improved", "orca2d+trackable", "pledge", "inflate",
                                       "orca2d+way_round", "orca2d+way_round+trackable"})
     EXPECT_EQ(catalog.guided(name), name);
   EXPECT_EQ(Catalog{}.add<Orca2d>().guided("orca2d"), "orca2d");  // there is no wrapper to take

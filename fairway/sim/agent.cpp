@@ -138,6 +138,17 @@ std::optional<Envelope> usable(const std::optional<Envelope>& measured, const Ve
                    avoider + " cannot reckon with what it does within its limits: " + std::string(why));
 }
 
+/// Of a vehicle whose method foresees what it does: without a limit no faster than the fastest leg, with one
+/// no faster than twice that. What a hull can do at several times its speed says nothing of what it does.
+Limits limited_to(const std::vector<Leg>& mission, Limits limits) {
+  double fastest = 0.0;
+  for (const Leg& leg : mission)
+    if (leg.kind != LegKind::keep_position) fastest = math::fmax(fastest, leg.speed_mps);
+  if (fastest > 0.0)
+    limits.max_speed = limits.max_speed < Limits::none ? std::min(limits.max_speed, 2.0 * fastest) : fastest;
+  return limits;
+}
+
 Autopilot make_autopilot(const VehicleSpec& spec, const Vehicle& vehicle) {
   const AutopilotParams controller = autopilot_of(spec, vehicle);
   const AllocationMethod allocation = chosen(spec.allocation, "method", AllocationParams{}).method;
@@ -172,10 +183,7 @@ std::string avoider_in_force(const VehicleSpec& spec, const Limits& limits,
   const bool is_automatic = spec.tracking == Tracking::automatic && !limits.sway;
   if (!is_automatic && spec.tracking != Tracking::trackable) return name;
   const bool is_guided = is_automatic && !std::ranges::all_of(obstacles, &ObstacleSpec::moves);
-  return made(spec.avoider, [&] {
-    const std::string tracked = avoiders.tracked(name);
-    return is_guided ? avoiders.guided(tracked) : tracked;
-  });
+  return made(spec.avoider, [&] { return avoiders.tracked(is_guided ? avoiders.guided(name) : name); });
 }
 
 Avoider make_avoider(const VehicleSpec& spec, const Limits& limits, const Scenario& scenario,
@@ -197,7 +205,12 @@ Particulars particulars_of(const VehicleSpec& spec, const Vehicle& vehicle, cons
                    .steering = steering_of(spec, vehicle),
                    .model = onboard_model(vehicle)};
   const std::string avoider = avoider_in_force(spec, ship.limits, scenario.obstacles, avoiders);
-  if (made(spec.avoider, [&] { return avoiders.needs(avoider, &AlgorithmInfo::needs_envelope); })) {
+  const auto needs = [&](bool AlgorithmInfo::*what) {
+    return made(spec.avoider, [&] { return avoiders.needs(avoider, what); });
+  };
+  if (!ship.limits->sway && needs(&AlgorithmInfo::follows) && !needs(&AlgorithmInfo::needs_link))
+    ship.limits = limited_to(spec.mission, ship.limits);
+  if (needs(&AlgorithmInfo::needs_envelope)) {
     const Autopilot autopilot = make_autopilot(spec, vehicle);
     ship.envelope = usable(known_envelope(spec, vehicle, autopilot, ship.limits, scenario.step_s), spec,
                            ship.limits, avoider);

@@ -30,7 +30,7 @@ double known_speed() {
                       .avoider = Choice{.name = "orca3d"},
                       .tracking = Tracking::trackable,
                       .position = {0, 0, 5}};
-  vehicle.mission = {{.kind = LegKind::transit, .position = {20, 0, 5}}};
+  vehicle.mission = {{.kind = LegKind::transit, .position = {20, 0, 5}, .speed_mps = 9.0}};
   scenario.vehicles.push_back(vehicle);
   return Simulation{scenario, catalogs}.agents()[0].ship().envelope->ahead;
 }

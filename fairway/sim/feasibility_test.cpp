@@ -127,6 +127,15 @@ vehicles:
   EXPECT_EQ(refusal(yaml, {{"water", "{current_mps: [0.14, 0.124998658, 0]}"}}), "");
 }
 
+TEST(Feasibility, AHullThatWaterMeetsExactlyAbeamIsAccepted) {
+  for (const std::string current : {"[0, 0.3, 0]", "[0, -0.2, 0]", "[0.0001, 0.3, 0]", "[0.005, 0.3, 0]"})
+    EXPECT_EQ(refusal("{fairway: 1, name: abeam, water: {current_mps: " + current +
+                      "}, vehicles: [{model: remus100, avoider: direct, start: {position_m: [0, 0, 10]}, "
+                      "mission: [{transit: {position_m: [100, 0, 10], speed_mps: 1.5}}]}]}"),
+              "")
+        << current;
+}
+
 TEST(Stability, ADecayingModeIsCarriedByRungeKuttaUpToItsLimitOnTheRealAxis) {
   // |R(z)| = 1 at z = -2.7853 (Hairer and Wanner, table 2.1)
   const Vehicle vehicle = runaway(-10.0);

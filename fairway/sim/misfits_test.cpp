@@ -64,6 +64,24 @@ TEST(Tracking, ShowsAWayRoundWhatStandsToWhoFindsNone) {
   EXPECT_EQ(in_force("zarco", "orca2d", "auto", drifter), "orca2d+trackable");
 }
 
+TEST(Tracking, LimitsWhoIsForeseenByItsMission) {
+  const auto most_of = [](const std::string& avoider, const std::string& tracking, const std::string& rest) {
+    const Scenario scenario = parse_scenario(
+        "{fairway: 1, name: s, vehicles: [{model: sparus2, avoider: " + avoider + ", tracking: " + tracking +
+            ", start: {position_m: [0, 0, 0]}, mission: [{transit: {position_m: [9, 0, 0], speed_mps: 0.4}}, "
+            "{transit: {position_m: [0, 0, 0], speed_mps: 0.6}}]" +
+            rest + "}]}",
+        "s.yaml");
+    return make_agent(scenario.vehicles[0], scenario, builtin_catalogs()).ship().limits->max_speed;
+  };
+  EXPECT_EQ(most_of("orca2d", "auto", ""), 0.6);
+  EXPECT_EQ(most_of("orca2d", "auto", ", limits: {max_speed_mps: 1}"), 1.0);
+  EXPECT_EQ(most_of("orca2d", "auto", ", limits: {max_speed_mps: 3}"), 1.2);
+  EXPECT_EQ(most_of("orca2d+safety_filter", "raw", ", limits: {max_speed_mps: 3}"), 1.2);
+  EXPECT_EQ(most_of("orca2d", "raw", ", limits: {max_speed_mps: 3}"), 3.0);
+  EXPECT_EQ(most_of("orca2d", "raw", ""), Limits::none);
+}
+
 TEST(Tracking, IsAutomaticInAFileThatDoesNotSayIt) {
   const Scenario scenario = parse_scenario(
       "{fairway: 1, name: s, vehicles: [{model: zarco, avoider: orca2d, start: {position_m: [0, 0, 0]}}]}",

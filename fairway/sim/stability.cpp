@@ -35,6 +35,11 @@ VehicleState deviated(const VehicleState& x, const Deviation& by) {
 /// Of the changes to both sides of a state: more is a jump.
 constexpr double jump_ratio = 30.0;
 
+/// What a velocity does so near to a state alone, as the lift of a hull that water meets exactly abeam, goes
+/// no farther from it than that [m/s].
+constexpr double nearby = 0.02;
+constexpr double local_ratio = 10.0;  // of the slopes within a little and within that
+
 /// How fast a deviation from a state changes, in that state.
 class Linearisation {
  public:
@@ -65,6 +70,11 @@ class Linearisation {
       const double one = (after - here).norm(), other = (here - before).norm();
       if (one > jump_ratio * other) A.col(i) = (here - before) / small;
       if (other > jump_ratio * one) A.col(i) = (after - here) / small;
+      if (i >= 6 && i < 9) {
+        const Deviation wide = nearby * Deviation::Unit(i);
+        const Deviation slope = (rate(x, wide) - rate(x, -wide)) / (2.0 * nearby);
+        if (A.col(i).norm() > local_ratio * slope.norm()) A.col(i) = slope;
+      }
     }
     return A;
   }

@@ -56,12 +56,12 @@ Foresight::Foresight(const TurnLaw& law, const Situation& s, const Vec2& ahead,
   response_.slip = can.slip().by_speed;
   response_.slip_at_rest = can.slip().at_rest;
 
-  const Vec2 velocity = s.own.velocity.head<2>() - outlook.frame;
+  velocity_ = s.own.velocity.head<2>() - outlook.frame;
   now_ = {.ahead_north = ahead.x(),
           .ahead_east = ahead.y(),
           .turn_rate = s.own.yaw_rate,
-          .speed = ahead.dot(velocity),
-          .sway = starboard_of(ahead).dot(velocity - outlook.drift)};
+          .speed = ahead.dot(velocity_),
+          .sway = starboard_of(ahead).dot(velocity_ - outlook.drift)};
   const double fastest = std::max(std::min(law.envelope().ahead, s.limits.max_speed), std::abs(now_.speed));
   reach_ = fastest_way(fastest, response_.law.top_turn_rate) * outlook_.window;
 
@@ -214,16 +214,22 @@ Foresight::Bounds Foresight::bounds(double speed, double turn_rate) const noexce
   return all;
 }
 
-Foresight::Bounds Foresight::of_what_stays(Bounds all) const noexcept {
+bool Foresight::goes_along(std::size_t hazard) const noexcept {
+  const Vec2 of_hazard{hazards_[hazard].velocity_north, hazards_[hazard].velocity_east};
+  const double speed = speeds_[hazard];
+  return speed > outlook_.drift.norm() && (of_hazard - velocity_).norm() < speed;
+}
+
+Foresight::Bounds Foresight::without_what_goes_along(Bounds all) const noexcept {
   for (std::size_t i = 0; i < places_.count(); ++i)
-    if (!stays(i)) all.first_steps[i] = most_steps;
+    if (goes_along(i)) all.first_steps[i] = most_steps;
   return all;
 }
 
 bool Foresight::needs_backup() const noexcept {
   if (!outlook_.is_set_aside) return false;
   for (std::size_t i = 0; i < places_.count(); ++i)
-    if (stays(i)) return true;
+    if (!goes_along(i)) return true;
   return false;
 }
 
@@ -234,7 +240,7 @@ bool Foresight::is_clear(const Plan& plan, double quickest, std::size_t stops_af
 bool Foresight::is_safe(const Plan& plan) const noexcept {
   const Bounds of = bounds(plan.speed, std::abs(plan.turn_rate.value_or(0.0)));
   if (!is_clear(plan, of, most_steps)) return false;
-  return !needs_backup() || is_clear(plan, of_what_stays(of), hold_steps_);
+  return !needs_backup() || is_clear(plan, without_what_goes_along(of), hold_steps_);
 }
 
 bool Foresight::is_clear(const Plan& plan, const Bounds& of, std::size_t stops_after) const noexcept {

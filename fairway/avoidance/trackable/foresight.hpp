@@ -77,8 +77,8 @@ class Foresight {
   /// that of who stops after so many steps. `quickest` [m/s] is the speed of the quickest plan among which it
   /// is chosen. O(steps x hazards).
   bool is_clear(const Plan& plan, double quickest, std::size_t stops_after = most_steps) const noexcept;
-  /// Clear, and of who is set aside backed up besides as far as concerns what it may be set on beyond the
-  /// window: what goes no faster than the drift. The rest passes by.
+  /// Clear, and of who is set aside backed up besides, but for what goes along: beyond the window it may be
+  /// set on something.
   bool is_safe(const Plan& plan) const noexcept;
 
   /// One of many plans.
@@ -139,11 +139,12 @@ class Foresight {
   /// Of the way, for every plan of no more than `speed` and `turn_rate`. [m/s]
   double fastest_way(double speed, double turn_rate) const noexcept;
   Bounds bounds(double speed, double turn_rate) const noexcept;
-  /// What goes no faster than the drift does not pass by.
-  bool stays(std::size_t hazard) const noexcept { return speeds_[hazard] <= outlook_.drift.norm(); }
-  /// Whether it may be set on something beyond the window.
+  /// Whether a hazard goes faster than the drift, and own ship with it rather than against it: beside that
+  /// own ship could keep pace for ever.
+  bool goes_along(std::size_t hazard) const noexcept;
+  Bounds without_what_goes_along(Bounds all) const noexcept;
+  /// Whether it may be set on something else beyond the window.
   bool needs_backup() const noexcept;
-  Bounds of_what_stays(Bounds all) const noexcept;
   bool is_clear(const Plan& plan, const Bounds& of, std::size_t stops_after) const noexcept;
 
   const TurnLaw& law_;
@@ -156,6 +157,7 @@ class Foresight {
   double most_sinking_ = std::numeric_limits<double>::infinity();
   double most_rising_ = std::numeric_limits<double>::infinity();
   Motion<double> now_;
+  Vec2 velocity_;  // [m/s]
   std::array<Hazard, most_hazards> hazards_;
   std::array<double, most_hazards> distances_;  // from the middle line now [m]
   std::array<double, most_hazards> left_;       // what may be left of that at least, where the margin is lost

@@ -60,9 +60,9 @@ struct Foresight::Search {
     return {of(0), of(1), of(2), of(3), of(4), of(5), of(6), of(7)};
   }
 
-  /// The first course that is clear, or their number; of who is set aside, that has a backup besides among
-  /// what stays, on which it may be set beyond the window. Keeps in mind who may have a backup. What is asked
-  /// is clear most often, or little else: few are looked at first.
+  /// The first course that is clear, or their number; of who is set aside, that has a backup besides, but for
+  /// what goes along, since it may be set on something beyond the window. Keeps in mind who may have a
+  /// backup. What is asked is clear most often, or little else: few are looked at first.
   std::size_t first_clear() {
     Fan fan = this->fan();
     const bool needs_backup = in.needs_backup();
@@ -76,7 +76,8 @@ struct Foresight::Search {
       }
       const std::span<const Held> clear = std::span{held}.subspan(before, held_count - before);
       if (!clear.empty())
-        if (const std::size_t at = first_backed_up(clear, in.of_what_stays(bounds)); at < count) return at;
+        if (const std::size_t at = first_backed_up(clear, in.without_what_goes_along(bounds)); at < count)
+          return at;
       for (std::size_t i = fan.first; i < end; ++i) {
         const double clear = fan.clear_steps[i - fan.first];
         if (clear >= static_cast<double>(in.hold_steps_) && clear != static_cast<double>(in.steps_))

@@ -102,7 +102,7 @@ TEST(ForesightSearch, OfManyPlansSideBySideTheOneIsTakenThatOneAtATimeIsFound) {
   EXPECT_GT(lost, 50);
 }
 
-TEST(ForesightSearch, WhoIsSetAsideNeedsABackupAmongWhatStaysAndNotAmongWhatPassesBy) {
+TEST(ForesightSearch, WhoIsSetAsideNeedsABackupButForWhatGoesAlong) {
   const Envelope boat = of_a_boat();
   OwnedSituation e = encounters::under_way(boat);
   e.situation.own.position = {0.0, 0.0, 50.0};
@@ -121,9 +121,9 @@ TEST(ForesightSearch, WhoIsSetAsideNeedsABackupAmongWhatStaysAndNotAmongWhatPass
   e.obstacles = {encounters::buoy(2.25, 1.95)};
   EXPECT_EQ(taken(false), 0u);
   EXPECT_EQ(taken(true), 1u);
-  // nor can it stop before a boat that will pass behind it
+  // nor can it stop before a boat that comes up astern, which goes along
   e.obstacles.clear();
-  e.tracks = {encounters::track(1, {2.5, 5.0, 50.0}, {0.0, -0.8, 0.0}, 0.5)};
+  e.tracks = {encounters::track(1, {-3.0, 0.0, 50.0}, {0.9, 0.0, 0.0}, 0.5)};
   EXPECT_EQ(taken(true), 0u);
 }
 

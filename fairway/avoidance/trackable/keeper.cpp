@@ -67,10 +67,25 @@ bool is_set_aside(const Situation& s, const Vec2& unexplained) {
   return s.current.head<2>().norm() > least_drift || unexplained.norm() > most_unexplained;
 }
 
-/// What the inner avoider wants, as a course and a speed. One that stands without being told to wait has
+/// Whether who cannot stop would go round and round its goal: that lies in the circle on which it would turn
+/// for it, at the least speed, to which it slows there.
+bool would_circle(const TurnLaw& law, const Situation& s, const Vec2& ahead, const Vec2& wanted) {
+  constexpr double same = 0.9;  // cosine: else it wants to go elsewhere than to its goal
+  const Envelope& can = law.envelope();
+  const Vec2 to_goal = (s.goal.position - s.own.position).head<2>();
+  if (can.least == 0.0 || s.goal.velocity || wanted.dot(to_goal) < same * to_goal.norm()) return false;
+  const double radius = can.least / std::max(law.greatest_turn_rate(can.least), 1e-3);
+  const double before_it_turns = can.least * (can.turn_lag + can.turn_tail);
+  const Vec2 centre =
+      before_it_turns * ahead + std::copysign(radius, cross(ahead, to_goal)) * starboard_of(ahead);
+  return (to_goal - centre).norm() < radius - s.goal.arrival;
+}
+
+/// What the inner avoider wants, as a course and a speed. One that cannot stop goes on where it would circle
+/// its goal, until it can turn for it. One that stands without being told to wait has
 /// found no velocity: then a way is looked for round the preferred one.
-Plan plan_of(const Situation& s, const Vec2& ahead, const Plan& standing, const Command& asked,
-             const Vec2& frame) {
+Plan plan_of(const TurnLaw& law, const Situation& s, const Vec2& ahead, const Plan& standing,
+             const Command& asked, const Vec2& frame) {
   const Vec2 v = asked.velocity.head<2>() - frame;
   if (asked.mode == Mode::hold) return standing;
   if (asked.turn_rate) return {.direction = ahead, .speed = v.dot(ahead), .turn_rate = asked.turn_rate};
@@ -83,6 +98,7 @@ Plan plan_of(const Situation& s, const Vec2& ahead, const Plan& standing, const 
   const Vec2& wanted = stands ? preferred : v;
   const double speed = wanted.norm();
   if (speed <= hardly) return standing;
+  if (would_circle(law, s, ahead, wanted / speed)) return {.direction = ahead, .speed = speed};
   return {.direction = wanted / speed, .speed = speed};
 }
 
@@ -216,7 +232,7 @@ Choice Keeper::settled(const Choice& chosen) noexcept {
 }
 
 Command Keeper::keep(const Command& asked, const Deviations& deviations, Sketch* sketch) noexcept {
-  Plan plan = plan_of(s_, ahead_, foresight_.standing(ahead_), asked, frame_);
+  Plan plan = plan_of(law_, s_, ahead_, foresight_.standing(ahead_), asked, frame_);
   Command command = asked;
   if (foresight_.is_open()) {
     course_.instead.reset();

@@ -182,6 +182,21 @@ TEST(Trackable, WhoCannotStopKeepsToTheSideToWhichItTurned) {
   EXPECT_LT(turn_for(avoider, -40.0), 0.0);
 }
 
+TEST(Trackable, WhoCannotStopGoesOnUntilItCanTurnForItsGoal) {
+  // at 1 m/s and 0.45 rad/s it goes round a circle of 2.2 m
+  const Envelope torpedo = of_a_torpedo();
+  OwnedSituation e = under_way(torpedo);
+  e.situation.own.position = {0.0, 0.0, 50.0};
+  const auto turn_for = [&](double north, double east, double arrival) {
+    e.situation.goal = {.position = {north, east, 50.0}, .cruise_speed = 1.0, .arrival = arrival};
+    return around_direct_trackable().decide(e).turn_rate.value();
+  };
+  EXPECT_EQ(turn_for(0.5, 2.0, 0.5), 0.0);
+  EXPECT_GT(turn_for(0.5, 2.0, 2.0), 0.1);
+  EXPECT_GT(turn_for(-4.0, 4.0, 0.5), 0.1);
+  EXPECT_LT(turn_for(-4.0, -4.0, 0.5), -0.1);
+}
+
 TEST(Trackable, ABuoyStraightAheadIsPassedByWhoStopsAndByWhoCannot) {
   for (const Envelope& envelope : {of_a_boat(), of_a_torpedo()}) {
     OwnedSituation e = under_way(envelope);

@@ -278,6 +278,7 @@ Explanation explain(const Scenario& scenario, const FoundDecision& found, const 
   Choice avoider = vehicle.avoider;
   avoider.params = avoider_params(vehicle, scenario, avoiders);
   avoider.name = avoider_in_force(vehicle, decision.situation().limits, scenario.obstacles, avoiders);
+  explanation.avoider = avoider.name;
   sections.push_back(method_section(avoider, avoiders));
   sections.push_back(found_section(found));
   return explanation;

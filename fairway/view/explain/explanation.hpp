@@ -30,6 +30,7 @@ struct ExplanationSection {
 struct Explanation {
   std::size_t vehicle{};  ///< index
   double time{};          ///< of the frame asked about [s]
+  std::string avoider;    ///< in force; empty where nothing was decided
   std::string headline;
   std::vector<ExplanationSection> sections;
 };

@@ -187,7 +187,7 @@ json exact_json(const Scenario& scenario, const FoundDecision& found, const Expl
   return {{"scenario", scenario.name},
           {"seed", scenario.seed},
           {"vehicle", {{"index", found.instant.vehicle}, {"id", vehicle.id}, {"name", vehicle.name}}},
-          {"avoider", vehicle.avoider->name},
+          {"avoider", explanation.avoider.empty() ? vehicle.avoider->name : explanation.avoider},
           {"tick", count(found.tick)},
           {"time_s", exact(found.time)},
           {"phase", enum_name(found.phase)},
