@@ -234,16 +234,21 @@ bool Foresight::needs_backup() const noexcept {
 }
 
 bool Foresight::is_clear(const Plan& plan, double quickest, std::size_t stops_after) const noexcept {
-  return is_clear(plan, bounds(quickest, std::abs(plan.turn_rate.value_or(0.0))), stops_after);
+  return clear_steps(plan, bounds(quickest, std::abs(plan.turn_rate.value_or(0.0))), stops_after) == steps_;
+}
+
+std::size_t Foresight::clear_steps(const Plan& plan, double quickest) const noexcept {
+  return clear_steps(plan, bounds(quickest, std::abs(plan.turn_rate.value_or(0.0))), most_steps);
 }
 
 bool Foresight::is_safe(const Plan& plan) const noexcept {
   const Bounds of = bounds(plan.speed, std::abs(plan.turn_rate.value_or(0.0)));
-  if (!is_clear(plan, of, most_steps)) return false;
-  return !needs_backup() || is_clear(plan, without_what_goes_along(of), hold_steps_);
+  if (clear_steps(plan, of, most_steps) < steps_) return false;
+  return !needs_backup() || clear_steps(plan, without_what_goes_along(of), hold_steps_) == steps_;
 }
 
-bool Foresight::is_clear(const Plan& plan, const Bounds& of, std::size_t stops_after) const noexcept {
+std::size_t Foresight::clear_steps(const Plan& plan, const Bounds& of,
+                                   std::size_t stops_after) const noexcept {
   Way way{*this, plan};
   const std::size_t count = places_.count();
   for (std::size_t k = 0; k < steps_; ++k) {
@@ -254,13 +259,13 @@ bool Foresight::is_clear(const Plan& plan, const Bounds& of, std::size_t stops_a
     const double time = static_cast<double>(k + 1) * response_.step;
     for (std::size_t i = 0; i < count; ++i) {
       if (k < of.first_steps[i]) continue;
-      if (distance2(hazards_[i], time, way.m.north, way.m.east) < of.near2[i]) return false;
+      if (distance2(hazards_[i], time, way.m.north, way.m.east) < of.near2[i]) return k;
       if (of.within2[i] > 0.0 && distance2_within(hazards_[i], before, before_north, before_east, time,
                                                   way.m.north, way.m.east) < of.within2[i])
-        return false;
+        return k;
     }
   }
-  return true;
+  return steps_;
 }
 
 Foresight::Room Foresight::room_of(const Plan& plan) const noexcept {

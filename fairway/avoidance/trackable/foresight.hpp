@@ -77,6 +77,8 @@ class Foresight {
   /// that of who stops after so many steps. `quickest` [m/s] is the speed of the quickest plan among which it
   /// is chosen. O(steps x hazards).
   bool is_clear(const Plan& plan, double quickest, std::size_t stops_after = most_steps) const noexcept;
+  /// For how many steps nothing comes nearer than the margin. Likewise.
+  std::size_t clear_steps(const Plan& plan, double quickest) const noexcept;
   /// Clear, and of who is set aside backed up besides, but for what goes along: beyond the window it may be
   /// set on something.
   bool is_safe(const Plan& plan) const noexcept;
@@ -145,7 +147,7 @@ class Foresight {
   Bounds without_what_goes_along(Bounds all) const noexcept;
   /// Whether it may be set on something else beyond the window.
   bool needs_backup() const noexcept;
-  bool is_clear(const Plan& plan, const Bounds& of, std::size_t stops_after) const noexcept;
+  std::size_t clear_steps(const Plan& plan, const Bounds& of, std::size_t stops_after) const noexcept;
 
   const TurnLaw& law_;
   Outlook outlook_;

@@ -24,6 +24,7 @@ struct Foresight::Search {
   std::size_t count;
   const lanes::Kernel& kernel;
   Bounds bounds;
+  std::array<double, most_courses> clear_steps;
   std::array<Held, most_courses> held;
   std::size_t held_count = 0;
 
@@ -69,6 +70,7 @@ struct Foresight::Search {
     for (const lanes::Kernel* of = &lanes::kernel_for(few); fan.first < count; of = &kernel) {
       of->roll(fan);
       const std::size_t end = std::min(fan.first + of->lanes, count), before = held_count;
+      std::copy_n(fan.clear_steps, end - fan.first, clear_steps.begin() + fan.first);
       for (std::size_t i = fan.first; i < end; ++i) {
         if (fan.clear_steps[i - fan.first] != static_cast<double>(in.steps_)) continue;
         if (!needs_backup) return i;
@@ -125,9 +127,12 @@ struct Foresight::Search {
   }
 
   /// Where nothing is clear: of the courses that leave nearly as much room as any, the first that has most of
-  /// it at the end, since what all lose alike on the way says nothing of who gets out. Their number if none
-  /// leaves more than `most`.
+  /// it at the end, since what all lose alike on the way says nothing of who gets out. Of who cannot stop,
+  /// and looks ahead by all of a circle, only those count that are clear for longest: later there may be
+  /// others. Their number if none leaves more than `most`.
   std::size_t roomiest(double most) {
+    const double longest =
+        in.cannot_stop() ? *std::max_element(clear_steps.begin(), clear_steps.begin() + count) : 0.0;
     std::array<double, most_courses> rooms, last_rooms;
     bounds.first_steps.fill(0);
     bounds.near2.fill(0.0);
@@ -136,7 +141,8 @@ struct Foresight::Search {
     for (; fan.first < count; fan.first += kernel.lanes) {
       kernel.roll(fan);
       for (std::size_t i = fan.first; i < std::min(fan.first + kernel.lanes, count); ++i) {
-        rooms[i] = fan.room[i - fan.first];
+        rooms[i] =
+            clear_steps[i] >= longest ? fan.room[i - fan.first] : -std::numeric_limits<double>::infinity();
         last_rooms[i] = fan.last_room[i - fan.first];
       }
     }

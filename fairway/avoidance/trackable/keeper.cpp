@@ -211,7 +211,10 @@ bool Keeper::is_as_good(const Plan& before, const Choice& chosen) const noexcept
     return changes_side && foresight_.is_safe(before);
   }
   const Foresight::Room of_before = foresight_.room_of(before), of_chosen = foresight_.room_of(chosen.plan);
-  if (foresight_.cannot_stop()) return of_before.least > of_chosen.least - more_room;
+  if (foresight_.cannot_stop())
+    return foresight_.clear_steps(before, before.speed) >=
+               foresight_.clear_steps(chosen.plan, chosen.plan.speed) &&
+           of_before.least > of_chosen.least - more_room;
   return foresight_.is_nearly(of_before.least, of_chosen.least) &&
          foresight_.is_nearly(of_before.last, of_chosen.last);
 }
