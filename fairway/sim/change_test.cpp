@@ -28,6 +28,21 @@ TEST(Change, AHoldThatIsToBeLongerIsLonger) {
   EXPECT_NEAR(run.time(), 30.0, 0.1);
 }
 
+TEST(Change, AFasterLegIsGoneFasterByWhoIsLimitedByItsMission) {
+  Scenario before = holding(1);
+  before.vehicles[0].avoider = Choice{.name = "orca2d+trackable"};
+  before.vehicles[0].limits.max_speed = Limits::none;
+  before.vehicles[0].mission[1] = {.kind = LegKind::transit, .position = {90, 0, 5}, .speed_mps = 0.3};
+  Scenario changed = before;
+  changed.vehicles[0].mission[1].speed_mps = 0.45;
+  Simulation run{before, builtin_catalogs()};
+  while (run.time() < 20.0) run.step({});
+  EXPECT_NEAR(run.agents()[0].vehicle.state().v_b.x(), 0.3, 0.01);
+  run.change(before, changed, builtin_catalogs());
+  while (run.time() < 40.0) run.step({});
+  EXPECT_NEAR(run.agents()[0].vehicle.state().v_b.x(), 0.45, 0.01);
+}
+
 TEST(Change, ARendezvousThatIsToWaitForTheMethodDoes) {
   Scenario before = holding(10);
   before.vehicles[0].mission[0] = {.kind = LegKind::rendezvous};

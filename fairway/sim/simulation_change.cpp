@@ -59,7 +59,8 @@ void Simulation::change(const Scenario& before, const Scenario& changed, const C
   for (std::size_t i = 0; i < agents_.size(); ++i) {
     Agent& agent = agents_[i];
     const VehicleSpec &was = before.vehicles[i], &is = changed.vehicles[i];
-    if (!is_same_method(was, is)) {
+    // where nothing else limits it, a mission limits who is foreseen
+    if (!is_same_method(was, is) || agent.ship().limits != fresh.agents_[i].ship().limits) {
       agent.avoider = std::move(fresh.agents_[i].avoider);
       agent.pilot = std::move(fresh.agents_[i].pilot);
       agent.agrees = false;

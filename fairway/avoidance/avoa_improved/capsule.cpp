@@ -2,6 +2,7 @@
 #include "fairway/avoidance/avoa_improved/capsule.hpp"
 
 #include <algorithm>
+#include <ranges>
 
 #include "fairway/core/segments.hpp"
 
@@ -59,20 +60,24 @@ Capsules movers(const Situation& s) noexcept {
 void Chart::enter(const Situation& s, bool remembers, double same_place, const DepthRange& depths,
                   double kept) noexcept {
   const Vec2 own = s.own.position.head<2>();
-  Capsules now, elsewhere;
-  for (const Obstacle& o : s.obstacles) {
-    Capsules& into = depths.is_met_by(o, kept) ? now : elsewhere;
-    for_each_solid(o, [&](const Capsule& solid) { into.add_near(solid, own); });
-  }
+  Capsules now;
+  const auto is_in_the_way = [&](const Obstacle& o) { return depths.is_met_by(o, kept); };
+  for (const Obstacle& o : s.obstacles | std::views::filter(is_in_the_way))
+    for_each_solid(o, [&](const Capsule& solid) { now.add_near(solid, own); });
   if (remembers) {
-    const Capsules in_the_way = now;
+    const Capsules in_sight = now;
     const auto is_seen = [&](const Capsule& old) {
-      const auto is_same = [&](const Capsule& solid) { return is_at(solid, old, same_place); };
-      return std::ranges::any_of(in_the_way.view(), is_same) ||
-             std::ranges::any_of(elsewhere.view(), is_same);
+      return std::ranges::any_of(in_sight.view(),
+                                 [&](const Capsule& solid) { return is_at(solid, old, same_place); });
+    };
+    const auto is_passed = [&](const Capsule& old) {
+      return std::ranges::any_of(s.obstacles, [&](const Obstacle& o) {
+        const Vec2 place = o.position.head<2>();
+        return !is_in_the_way(o) && is_at({place, place}, old, same_place);
+      });
     };
     for (const Capsule& old : known_.view()) {
-      if (!is_seen(old)) now.add_near(old, own);
+      if (!is_seen(old) && !is_passed(old)) now.add_near(old, own);
     }
   }
   known_ = now;

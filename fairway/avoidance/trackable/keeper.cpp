@@ -82,8 +82,8 @@ bool would_circle(const TurnLaw& law, const Situation& s, const Vec2& ahead, con
 }
 
 /// What the inner avoider wants, as a course and a speed. One that cannot stop goes on where it would circle
-/// its goal, until it can turn for it. One that stands without being told to wait has
-/// found no velocity: then a way is looked for round the preferred one.
+/// its goal, until it can turn for it. One that stands without being told to wait has found no velocity: then
+/// a way is looked for round the preferred one.
 Plan plan_of(const TurnLaw& law, const Situation& s, const Vec2& ahead, const Plan& standing,
              const Command& asked, const Vec2& frame) {
   const Vec2 v = asked.velocity.head<2>() - frame;
