@@ -76,7 +76,7 @@ class Avoider {
   /// Whether any of its layers thinks in the horizontal plane.
   bool thinks_in_plane() const noexcept { return self_->thinks_in_plane(); }
 
-  /// What it keeps between own sphere and every surface, as far as its wrappers say [m].
+  /// What it keeps between own sphere and every surface, as far as its layers say [m].
   double kept_margin() const { return self_->kept_margin(); }
 
   /// So many of `decide_many` are asked at once: the lanes of the widest registers.
@@ -140,6 +140,10 @@ class Avoider {
     std::size_t most_tracks() const override {
       if constexpr (requires { algorithm.most_tracks(); }) return algorithm.most_tracks();
       return Interface::most_tracks();
+    }
+    double kept_margin() const override {
+      if constexpr (requires { algorithm.kept_margin(); }) return algorithm.kept_margin();
+      return Interface::kept_margin();
     }
     bool speaks() const override { return Speaks<A>; }
     Speech speech() const override {

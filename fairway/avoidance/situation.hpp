@@ -134,6 +134,7 @@ struct Situation {
   std::span<const Track> tracks;        ///< nearest first; equal ranges by id
   std::span<const Obstacle> obstacles;  ///< what does not move
   Attendance attendance{};
+  bool is_led{false};  ///< the goal's velocity, or where it has none the straight way, leads past what stands
 
   /// The velocity that ignores everyone: as the mission wants it, or straight to the goal, slowing
   /// down to stop on it; never above the speed limit. [m/s, NED]

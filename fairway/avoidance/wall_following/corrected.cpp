@@ -19,10 +19,21 @@ using Round = WallFollowing::Round;
 /// Directions this near to the edge of what is allowed are allowed [rad].
 constexpr double edge = 1e-9;
 
+/// Closing speed allowed per metre beyond the standoff [1/s]. Who is led past what stands leaves the way only
+/// for what is close by, and what foresees the vehicle brakes for it; who is not comes slowly, to have turned
+/// in time.
+double approach_gain(const WallFollowing::Params& params, const Situation& s) {
+  constexpr double led = 1.0;
+  constexpr double alone = 0.3;
+  if (params.approach_gain_hz > 0.0) return params.approach_gain_hz;
+  return s.is_led && s.envelope ? led : alone;
+}
+
 /// The half-planes of one decision, on the stack.
 class HalfPlanes {
  public:
-  HalfPlanes(const WallFollowing::Params& params, const Situation& s, const Vec3& preferred) {
+  HalfPlanes(const WallFollowing::Params& params, const Situation& s, const Vec3& preferred)
+      : gain_{approach_gain(params, s)} {
     find_hazards_near(s, params.sensor_range_m, hazards_);
     for (const Hazard& hazard : hazards_.view()) add(params, s, hazard, preferred);
   }
@@ -58,7 +69,7 @@ class HalfPlanes {
            const Vec3& preferred) {
     const Vec3 from = s.own.position - hazard.centre;
     const double level = horizontal_norm(from);
-    const double opening = params.approach_gain_hz * (params.standoff_m - hazard.gap(s.own));
+    const double opening = gain_ * (params.standoff_m - hazard.gap(s.own));
     if (level <= 0.0) {
       all_[count_++] = {hazard.parting.head<2>(), opening};
       return;
@@ -67,6 +78,7 @@ class HalfPlanes {
     all_[count_++] = {from.head<2>() / level, opening * from.norm() / level + opening_by_others};
   }
 
+  double gain_;
   Hazards hazards_;
   std::array<HalfPlane, max_hazards> all_;
   std::size_t count_ = 0;

@@ -66,7 +66,7 @@ struct WallFollowing {
     double wall_yaw_ki_nmpradps = 0.0;
     double wall_yaw_kd_kgm2ps = 1.0;
     double standoff_m = 1.0;
-    double approach_gain_hz = 0.3;
+    double approach_gain_hz = 0.0;
 
     static consteval auto fields() {
       using P = Params;
@@ -101,8 +101,10 @@ struct WallFollowing {
           field<&P::wall_yaw_ki_nmpradps>(gain, "printed, avoid-obstacle: K_Ipsi"),
           field<&P::wall_yaw_kd_kgm2ps>(gain, "printed, avoid-obstacle: K_Dpsi"),
           field<&P::standoff_m>({0, 1000}, "corrected: kept between own sphere and every surface"),
-          field<&P::approach_gain_hz>({0.001, 100},
-                                      "corrected: closing speed allowed per metre beyond the standoff"),
+          field<&P::approach_gain_hz>(
+              {0, 100},
+              "corrected: closing speed allowed per metre beyond the standoff; 0: 0.3, "
+              "or 1 where way_round shows a way that trackable keeps to"),
       };
     }
   };
@@ -129,6 +131,9 @@ struct WallFollowing {
   };
 
   Params params;
+
+  /// The corrected form's standoff; the printed one keeps nothing for certain.
+  double kept_margin() const { return params.form == WallFollowingForm::corrected ? params.standoff_m : 0.0; }
 
   /// Mode::cruise while going to the goal, Mode::avoid while following, Mode::infeasible if `corrected` finds
   /// no velocity that keeps the standoff, with the one that violates it least.

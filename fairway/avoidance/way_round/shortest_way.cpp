@@ -55,12 +55,14 @@ Command ShortestWay::decide(const Situation& s, Avoider& inner, Memory& memory,
   std::optional<avoa_improved::WayRound> way = way_with(params, s, memory, margin);
   if (!way) way = way_with(params, s, memory, narrow_share * margin);
   memory.committed.reset();
-  if (!way || way->is_straight) return inner.decide_usable(s, context.sketch);
+  if (!way) return inner.decide_usable(s, context.sketch);
+  Situation shown = s;
+  shown.is_led = true;
+  if (way->is_straight) return inner.decide_usable(shown, context.sketch);
 
   memory.committed = way->direction;
   const Vec3 preferred = s.preferred_velocity();
   const Vec2 along = horizontal_norm(preferred) * way->direction;
-  Situation shown = s;
   shown.goal.velocity = Vec3{along.x(), along.y(), preferred.z()};
   if (context.sketch) {
     std::array<Vec3, avoa_improved::WayRound::most_points> points;
