@@ -36,6 +36,8 @@ struct AlgorithmInfo {
   bool ignores_obstacles = false;  ///< spheres, walls and polygons
   bool ignores_movers = false;     ///< tracks: vehicles and what drifts
 
+  bool commands_forces = false;  ///< it may answer with a wrench, which its own gains hold to the vehicle
+
   bool needs_envelope = false;  ///< reads Situation::envelope, which takes some milliseconds to find
 
   // what it takes for granted of the vehicle and of what is about; where that is not so, the user is told

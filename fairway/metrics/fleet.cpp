@@ -60,8 +60,10 @@ void FleetMetric::begin(const Frame& frame, std::size_t hands) {
     apart_.reserve(usual_pairs);
   }
   while (hands_.size() < hands) hands_.emplace_back().touch.reserve(usual_pairs);
-  if (started_) return;
-  started_ = std::ranges::any_of(frame.vehicles, [](const VehicleFrame& v) { return is_avoiding(v.phase); });
+  started_ = started_ || std::ranges::any_of(frame.vehicles, takes_part);
+  if (somebody_went_) return;
+  somebody_went_ =
+      std::ranges::any_of(frame.vehicles, [](const VehicleFrame& v) { return is_avoiding(v.phase); });
   start_time_ = frame.time;
 }
 
@@ -196,7 +198,7 @@ void FleetMetric::report(std::vector<Measure>& measures) const {
       {"pair_collision_count", Measure::fleet, static_cast<double>(pair_events_), first_pair_event_});
   measures.push_back({"min_separation_m", Measure::fleet, std::sqrt(nearest2), nearest_at});
   measures.push_back(
-      {"makespan_s", Measure::fleet, started_ ? last_arrival_ - start_time_ : 0.0, not_arrived()});
+      {"makespan_s", Measure::fleet, somebody_went_ ? last_arrival_ - start_time_ : 0.0, not_arrived()});
   measures.push_back({"arrived_ratio", Measure::fleet,
                       own_.empty() ? 0.0 : arrived / static_cast<double>(own_.size()), not_arrived()});
   for (std::size_t i = 0; i < own_.size(); ++i) {

@@ -90,7 +90,8 @@ class FleetMetric final : public Metric {
 
   double safety_distance_;
   std::shared_ptr<const Surroundings> surroundings_;
-  bool started_{false};
+  bool started_{false};  ///< somebody takes part
+  bool somebody_went_{false};
   double start_time_{};
   double last_arrival_{};
   int pair_events_{};

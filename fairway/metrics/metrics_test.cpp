@@ -153,6 +153,14 @@ TEST(FleetMetric, EnergyIsPowerOverTimeUnderWay) {
   EXPECT_NEAR(s.value("energy_j", 0), 20.0, 1e-12);
 }
 
+TEST(FleetMetric, WhoeverIsThereFromTheBeginningCounts) {
+  const Script s = Script{}.pair(2, Phase::arrived, Phase::arrived).pair(2, Phase::arrived, Phase::arrived);
+  EXPECT_EQ(s.value("pair_collision_count"), 1);
+  EXPECT_EQ(s.value("min_separation_m"), 2);
+  EXPECT_EQ(s.value("arrived_ratio"), 1);
+  EXPECT_EQ(s.value("makespan_s"), 0);
+}
+
 TEST(FleetMetric, MakespanEndsWithTheLastArrival) {
   Script s;
   s.pair(20).pair(20, Phase::arrived).pair(20, Phase::arrived).pair(20, Phase::arrived, Phase::arrived);

@@ -81,9 +81,30 @@ std::string amiss_in_range(const VehicleSpec& spec, const PerceptionSpec& percep
                      perception.range_m, touching);
 }
 
+/// That a method of velocities leaves no room for the inertia of a vehicle that goes sideways, as a clause
+/// about it; empty where something is around it, or nothing is met, or the scenario says what is to be in
+/// force.
+std::string amiss_sideways(const VehicleSpec& spec, const Limits& limits, const Ground& ground,
+                           const Catalogs& catalogs) {
+  const auto needs = [&](bool AlgorithmInfo::*what) {
+    return catalogs.avoiders.needs(spec.avoider->name, what);
+  };
+  const bool meets_something = ground.has_obstacles || !ground.drifter.empty();
+  const bool is_alone = catalogs.avoiders.layers(spec.avoider->name).size() == 1;
+  if (!limits.sway || spec.tracking != Tracking::automatic || !meets_something || !is_alone) return {};
+  if (!needs(&AlgorithmInfo::needs_sway) || needs(&AlgorithmInfo::commands_forces) ||
+      needs(&AlgorithmInfo::finds_way))
+    return {};
+  if (!onboard_model(make_vehicle(spec, catalogs.vehicles))) return {};
+  return "leaves no room for the time that " + spec.model->name +
+         " takes to follow, and something stands or drifts: " + spec.avoider->name +
+         "+safety_filter+way_round does";
+}
+
 /// What is amiss with one vehicle, each thing as a clause about its method.
 std::vector<std::string> amiss(const VehicleSpec& spec, const Limits& limits, const Scenario& scenario,
-                               const Ground& ground, const Catalog& avoiders) {
+                               const Ground& ground, const Catalogs& catalogs) {
+  const Catalog& avoiders = catalogs.avoiders;
   const std::string name = avoider_in_force(spec, limits, scenario.obstacles, avoiders);
   const auto all = [&](bool AlgorithmInfo::*what) { return avoiders.ignores(name, what); };
   const auto any = [&](bool AlgorithmInfo::*what) { return avoiders.needs(name, what); };
@@ -98,6 +119,8 @@ std::vector<std::string> amiss(const VehicleSpec& spec, const Limits& limits, co
   if (any(&AlgorithmInfo::needs_sway) && !limits.sway && !foresees)
     clauses.push_back("moves a point that goes any way at once, and " + spec.model->name +
                       " has to turn first");
+  if (std::string clause = amiss_sideways(spec, limits, ground, catalogs); !clause.empty())
+    clauses.push_back(std::move(clause));
   if (any(&AlgorithmInfo::needs_stopping) && limits.min_speed > 0.0)
     clauses.push_back("has to stop now and then, and " + spec.model->name + " cannot: it circles");
   if (!foresees && (is_blind != is_alone || speaks)) {
@@ -138,7 +161,7 @@ std::vector<std::string> misfits(const Scenario& scenario, const Catalogs& catal
   for (std::size_t i = 0; i < scenario.vehicles.size(); ++i) {
     const VehicleSpec& spec = scenario.vehicles[i];
     try {
-      for (std::string& clause : amiss(spec, limits[i], scenario, ground, catalogs.avoiders)) {
+      for (std::string& clause : amiss(spec, limits[i], scenario, ground, catalogs)) {
         const auto known = std::ranges::find(troubles, clause, &Trouble::clause);
         if (known != troubles.end()) {
           ++known->count;

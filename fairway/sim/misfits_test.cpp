@@ -12,8 +12,10 @@
 namespace fairway {
 namespace {
 
+using testing::Contains;
 using testing::ElementsAre;
 using testing::IsEmpty;
+using testing::Not;
 using testing::UnorderedElementsAre;
 
 Scenario alone(const std::string& model, const std::string& avoider, const std::string& tracking = "raw",
@@ -226,6 +228,18 @@ TEST(Tracking, OfAVehicleThatCannotTurnIsRefused) {
   EXPECT_EQ(refused("{name: kinematic, max_turn_rate_radps: 0, max_sway_mps: 0.5}", "orca2d+safety_filter"),
             "accepted");
   EXPECT_EQ(refused("kinematic", "orca2d"), "accepted");
+}
+
+TEST(Misfits, WhatGoesSidewaysWithInertiaNeedsRoomAmongWhatStandsOrDrifts) {
+  const std::string buoy = ", obstacles: [{sphere: {position_m: [20, 0, 0], radius_m: 1}}]";
+  const std::string wanted =
+      "robot0: orca2d leaves no room for the time that minerva takes to follow, and something stands or "
+      "drifts: "
+      "orca2d+safety_filter+way_round does";
+  EXPECT_THAT(told("minerva", "orca2d", "auto", buoy), Contains(wanted));
+  EXPECT_THAT(told("minerva", "orca2d", "raw", buoy), Not(Contains(wanted)));
+  EXPECT_THAT(told("minerva", "orca2d", "auto"), Not(Contains(wanted)));
+  EXPECT_THAT(told("minerva", "orca2d+safety_filter+way_round", "auto", buoy), IsEmpty());
 }
 
 }  // namespace

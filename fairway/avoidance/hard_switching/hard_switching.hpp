@@ -23,6 +23,7 @@ struct HardSwitching {
       .title = "Hard switching between go-to-goal and avoid-obstacle controllers",
       .source = "rehman2021, section III-A-1, eqs. 9-11, Table 1",
       .planar = true,
+      .commands_forces = true,
       .needs_sway = true,
   };
 

@@ -67,13 +67,16 @@ bool is_set_aside(const Situation& s, const Vec2& unexplained) {
   return s.current.head<2>().norm() > least_drift || unexplained.norm() > most_unexplained;
 }
 
+/// Whether it wants to go straight to its goal, and not to where a leg or a way round leads.
+bool makes_for_goal(const Situation& s, const Vec2& to_goal, const Vec2& wanted) {
+  constexpr double same = 0.9;  // cosine
+  return !s.goal.velocity && wanted.dot(to_goal) >= same * to_goal.norm();
+}
+
 /// Whether who cannot stop would go round and round its goal: that lies in the circle on which it would turn
 /// for it, at the least speed, to which it slows there.
-bool would_circle(const TurnLaw& law, const Situation& s, const Vec2& ahead, const Vec2& wanted) {
-  constexpr double same = 0.9;  // cosine: else it wants to go elsewhere than to its goal
+bool would_circle(const TurnLaw& law, const Situation& s, const Vec2& ahead, const Vec2& to_goal) {
   const Envelope& can = law.envelope();
-  const Vec2 to_goal = (s.goal.position - s.own.position).head<2>();
-  if (can.least == 0.0 || s.goal.velocity || wanted.dot(to_goal) < same * to_goal.norm()) return false;
   const double radius = can.least / std::max(law.greatest_turn_rate(can.least), 1e-3);
   const double before_it_turns = can.least * (can.turn_lag + can.turn_tail);
   const Vec2 centre =
@@ -81,9 +84,19 @@ bool would_circle(const TurnLaw& law, const Situation& s, const Vec2& ahead, con
   return (to_goal - centre).norm() < radius - s.goal.arrival;
 }
 
+/// The greatest speed at which who can stop turns for its goal as fast as that goes by: faster it would go
+/// round and round it, its own slip setting it outwards.
+double speed_to_turn_in(const TurnLaw& law, const Vec2& ahead, const Vec2& to_goal) {
+  constexpr double share = 0.7;  // the rest is for the slip
+  const double aside = std::abs(cross(ahead, to_goal));
+  if (aside <= 0.0) return Limits::none;
+  const double error = math::atan2(aside, ahead.dot(to_goal));
+  return share * law.order(0.0, error, 0.0).turn_rate * to_goal.squaredNorm() / aside;
+}
+
 /// What the inner avoider wants, as a course and a speed. One that cannot stop goes on where it would circle
-/// its goal, until it can turn for it. One that stands without being told to wait has found no velocity: then
-/// a way is looked for round the preferred one.
+/// its goal, until it can turn for it, and one that can slows until it turns in. One that stands without
+/// being told to wait has found no velocity: then a way is looked for round the preferred one.
 Plan plan_of(const TurnLaw& law, const Situation& s, const Vec2& ahead, const Plan& standing,
              const Command& asked, const Vec2& frame) {
   const Vec2 v = asked.velocity.head<2>() - frame;
@@ -98,8 +111,12 @@ Plan plan_of(const TurnLaw& law, const Situation& s, const Vec2& ahead, const Pl
   const Vec2& wanted = stands ? preferred : v;
   const double speed = wanted.norm();
   if (speed <= hardly) return standing;
-  if (would_circle(law, s, ahead, wanted / speed)) return {.direction = ahead, .speed = speed};
-  return {.direction = wanted / speed, .speed = speed};
+  const Plan plan{.direction = wanted / speed, .speed = speed};
+  const Vec2 to_goal = (s.goal.position - s.own.position).head<2>();
+  if (!makes_for_goal(s, to_goal, plan.direction)) return plan;
+  if (law.envelope().least == 0.0)
+    return {.direction = plan.direction, .speed = std::min(speed, speed_to_turn_in(law, ahead, to_goal))};
+  return would_circle(law, s, ahead, to_goal) ? Plan{.direction = ahead, .speed = speed} : plan;
 }
 
 /// What is asked, if it is clear; else the cheapest deviation that is, else the cheapest that has a backup,

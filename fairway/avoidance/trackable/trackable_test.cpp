@@ -197,6 +197,20 @@ TEST(Trackable, WhoCannotStopGoesOnUntilItCanTurnForItsGoal) {
   EXPECT_LT(turn_for(-4.0, -4.0, 0.5), -0.1);
 }
 
+TEST(Trackable, WhoCanStopSlowsForAGoalThatItWouldGoRound) {
+  const Envelope boat = of_a_boat();
+  OwnedSituation e = under_way(boat);
+  e.situation.own.position = {0.0, 0.0, 50.0};
+  const auto speed_for = [&](double north, double east) {
+    e.situation.goal = {.position = {north, east, 50.0}, .cruise_speed = 1.0};
+    return around_direct_trackable().decide(e).velocity.norm();
+  };
+  // 45 degrees off the heading the law makes half of what is asked
+  EXPECT_NEAR(speed_for(30.0, 30.0), 0.5, 1e-9);
+  EXPECT_LT(speed_for(0.5, 0.5), 0.3);
+  EXPECT_NEAR(speed_for(0.5, 0.0), 1.0, 1e-9);
+}
+
 TEST(Trackable, ABuoyStraightAheadIsPassedByWhoStopsAndByWhoCannot) {
   for (const Envelope& envelope : {of_a_boat(), of_a_torpedo()}) {
     OwnedSituation e = under_way(envelope);

@@ -5,6 +5,7 @@
 
 #include <array>
 
+#include "fairway/avoidance/testing/boat.hpp"
 #include "fairway/avoidance/testing/passage.hpp"
 #include "fairway/core/testing/allocations.hpp"
 
@@ -49,6 +50,18 @@ TEST(WallFollowingCorrected, GoesRoundASphereAtTheStandoff) {
   EXPECT_EQ(p.changes, 2);  // into following and out of it
   EXPECT_LT(p.fastest, 1.0 + 1e-12);
   expect_passed(passage(e, 100, 1.0), 46.0);  // measured 44.6 s and 1.41 m with a lag of 1 s
+}
+
+TEST(WallFollowingCorrected, WhoIsLedAndForeseenIsNotTurnedAsideByWhatItPasses) {
+  OwnedSituation e = northbound();
+  e.obstacles = {sphere(3.0, 5.0, 2.5)};  // closing at 0.51 m/s, 2.3 m off
+  const Envelope envelope = encounters::of_a_boat();
+  e.situation.is_led = true;
+  EXPECT_EQ(follower().decide(e).mode, Mode::avoid);
+  e.situation.envelope = &envelope;
+  EXPECT_EQ(follower().decide(e).mode, Mode::cruise);
+  e.situation.is_led = false;
+  EXPECT_EQ(follower().decide(e).mode, Mode::avoid);
 }
 
 TEST(WallFollowingCorrected, AvoidsWhatIsExactlyOnTheDiagonal) {

@@ -35,6 +35,7 @@ struct WallFollowing {
       .source = "rehman2021, section III-A-2, eqs. 12-18, Table 2; corrected form: fairway",
       .planar = true,
       .isotropic = false,  // the printed form holds a heading,
+      .commands_forces = true,
       .needs_sway = true,
   };
 

@@ -8,6 +8,7 @@
 #include "fairway/avoidance/orca2d/orca2d.hpp"
 #include "fairway/avoidance/safety_filter/safety_filter.hpp"
 #include "fairway/avoidance/testing/encounters.hpp"
+#include "fairway/avoidance/wall_following/wall_following.hpp"
 
 namespace fairway {
 namespace {
@@ -51,6 +52,32 @@ TEST(ShortestWay, ItKeepsTwiceTheMarginOfWhoeverHoldsItToSurfaces) {
   const Vec3 v = held.decide(e).velocity;
   const double angle = std::asin(4.8 / std::hypot(20.0, 0.5)) - std::atan2(0.5, 20.0);
   EXPECT_NEAR(std::atan2(v.y(), v.x()), -angle, 1e-9);
+}
+
+TEST(ShortestWay, ItKeepsTwiceTheStandoffOfAWallFollower) {
+  OwnedSituation e = bound_north();
+  e.obstacles = {{.kind = Obstacle::Kind::sphere, .position = {20.0, 0.5, 50.0}, .radius = 2.0}};
+  const WallFollowing follower{.params = {.form = WallFollowingForm::corrected, .standoff_m = 0.9}};
+  const Vec3 v = Avoider{ShortestWay{}, Avoider{follower}}.decide(e).velocity;
+  const double angle = std::asin(4.8 / std::hypot(20.0, 0.5)) - std::atan2(0.5, 20.0);
+  EXPECT_NEAR(std::atan2(v.y(), v.x()), -angle, 1e-9);
+}
+
+struct Watches {
+  static constexpr AlgorithmInfo info{.name = "watches", .title = "Says whether it is led", .source = "test"};
+  struct Params {
+    static consteval auto fields() { return std::tuple{}; }
+  };
+  struct Memory {};
+  Params params;
+  Command decide(const Situation& s, Memory& /*memory*/, Context& /*context*/) const noexcept {
+    return {.velocity = s.preferred_velocity(), .note = s.is_led ? "led" : "alone"};
+  }
+};
+
+TEST(ShortestWay, ItSaysThatItLeadsWhereTheWayIsStraightToo) {
+  EXPECT_EQ(Avoider(ShortestWay{}, Avoider{Watches{}}).decide(bound_north()).note, "led");
+  EXPECT_EQ(Avoider{Watches{}}.decide(bound_north()).note, "alone");
 }
 
 TEST(ShortestWay, ItKeepsWhatItsNavigationStatesToo) {
