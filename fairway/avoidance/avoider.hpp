@@ -48,6 +48,11 @@ class Avoider {
   /// unless the algorithm says otherwise (`most_tracks()`).
   std::size_t most_tracks() const { return self_->most_tracks(); }
 
+  /// How far from the own position it looks for obstacles, to their surface [m]: any others change no command
+  /// of it, nor what it draws. Infinite unless the algorithm says otherwise (`farthest_obstacle()`, of a
+  /// wrapper `farthest_obstacle(inner)`); minus infinity where it ignores them.
+  double farthest_obstacle() const { return self_->farthest_obstacle(); }
+
   /// Whether it has something to say of its own, and what it would say now; see `Speaks`.
   bool speaks() const { return self_->speaks(); }
   Speech speech() const { return self_->speech(); }
@@ -118,6 +123,7 @@ class Avoider {
     virtual void restore(const Interface& clone) = 0;  ///< to what the clone of this remembers
     virtual const AlgorithmInfo& info() const = 0;
     virtual std::size_t most_tracks() const { return std::numeric_limits<std::size_t>::max(); }
+    virtual double farthest_obstacle() const { return std::numeric_limits<double>::infinity(); }
     virtual bool thinks_in_plane() const noexcept = 0;
     virtual double kept_margin() const { return 0.0; }
     virtual bool speaks() const { return false; }
@@ -140,6 +146,10 @@ class Avoider {
     std::size_t most_tracks() const override {
       if constexpr (requires { algorithm.most_tracks(); }) return algorithm.most_tracks();
       return Interface::most_tracks();
+    }
+    double farthest_obstacle() const override {
+      if constexpr (requires { algorithm.farthest_obstacle(); }) return algorithm.farthest_obstacle();
+      return A::info.ignores_obstacles ? -Interface::farthest_obstacle() : Interface::farthest_obstacle();
     }
     double kept_margin() const override {
       if constexpr (requires { algorithm.kept_margin(); }) return algorithm.kept_margin();
@@ -195,6 +205,10 @@ struct Avoider::Wrapped final : Avoider::Interface {
   }
   const AlgorithmInfo& info() const override { return W::info; }
   bool thinks_in_plane() const noexcept override { return W::info.planar || inner.thinks_in_plane(); }
+  double farthest_obstacle() const override {
+    if constexpr (requires { wrapper.farthest_obstacle(inner); }) return wrapper.farthest_obstacle(inner);
+    return Interface::farthest_obstacle();
+  }
   double kept_margin() const override {
     double own = 0.0;
     if constexpr (requires { wrapper.kept_margin(); }) own = wrapper.kept_margin();

@@ -124,16 +124,37 @@ bool FleetMetric::see_vehicle(const Frame& frame, std::size_t index) {
   return !rests;
 }
 
+void FleetMetric::sort_obstacles() {
+  const std::vector<DriftingObstacle>& all = surroundings_->obstacles;
+  const auto drifts = [&](std::size_t k) { return !all[k].velocity.isZero(0.0); };
+  if (all.size() > ObstacleIndex::handful)
+    standing_ = {all.size(), [&](std::size_t k) { return drifts(k) ? nullptr : &all[k].start; }};
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    if (standing_.size() == 0 || drifts(k)) one_by_one_.push_back(static_cast<std::uint32_t>(k));
+  }
+}
+
+/// Only what is nearer than anything before can change the least clearance, so no others are looked for; of
+/// those that are equally near the first counts.
 void FleetMetric::see_obstacles(const Frame& frame, std::size_t index) {
   Own& own = own_[index];
-  for (std::size_t k = 0; k < surroundings_->obstacles.size(); ++k) {
-    const Obstacle obstacle = surroundings_->obstacles[k].at(frame.time);
-    const double clearance = nearest_point(obstacle, frame.vehicles[index].state.p_n).distance;
-    if (!(clearance < own.clearance)) continue;
-    own.clearance = clearance;
-    own.nearest_obstacle = static_cast<int>(k);
-    own.clearance_time = frame.time;
-  }
+  const Vec3& here = frame.vehicles[index].state.p_n;
+  double least = own.clearance;
+  std::size_t which = surroundings_->obstacles.size();
+  const auto compare = [&](std::size_t k, const Obstacle& obstacle) {
+    const double clearance = nearest_point(obstacle, here).distance;
+    if (clearance < least || (clearance == least && k < which && least < own.clearance)) {
+      least = clearance;
+      which = k;
+    }
+    return least;
+  };
+  for (const std::uint32_t k : one_by_one_) compare(k, surroundings_->obstacles[k].at(frame.time));
+  standing_.visit(here, least, [&](std::size_t k) { return compare(k, surroundings_->obstacles[k].start); });
+  if (!(least < own.clearance)) return;
+  own.clearance = least;
+  own.nearest_obstacle = static_cast<int>(which);
+  own.clearance_time = frame.time;
 }
 
 void FleetMetric::see_others(const Frame& frame, std::span<const Neighbour> near, std::size_t index,

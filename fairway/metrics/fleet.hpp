@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "fairway/core/limits.hpp"
+#include "fairway/core/obstacle_index.hpp"
 #include "fairway/core/shapes.hpp"
 #include "fairway/core/shared.hpp"
 #include "fairway/metrics/metric.hpp"
@@ -36,7 +37,9 @@ class FleetMetric final : public Metric {
   FleetMetric(double safety_distance_m, std::shared_ptr<const Surroundings> surroundings)
       : safety_distance_{safety_distance_m},
         surroundings_{std::move(surroundings)},
-        neighbours_{safety_distance_m} {}
+        neighbours_{safety_distance_m} {
+    sort_obstacles();
+  }
   void see(const Frame& frame) override;
   void begin(const Frame& frame, std::size_t hands);
   double reach(const Frame& frame, const Neighbours& near, std::size_t index) const;
@@ -81,6 +84,7 @@ class FleetMetric final : public Metric {
     bool somebody_goes{};  // or has just arrived
   };
 
+  void sort_obstacles();
   bool see_vehicle(const Frame& frame, std::size_t index);
   void see_obstacles(const Frame& frame, std::size_t index);
   void see_others(const Frame& frame, std::span<const Neighbour> near, std::size_t index,
@@ -90,7 +94,9 @@ class FleetMetric final : public Metric {
 
   double safety_distance_;
   std::shared_ptr<const Surroundings> surroundings_;
-  bool started_{false};  ///< somebody takes part
+  ObstacleIndex standing_;                 ///< obstacles that stand still, where they are many
+  std::vector<std::uint32_t> one_by_one_;  ///< the others
+  bool started_{false};                    ///< somebody takes part
   bool somebody_went_{false};
   double start_time_{};
   double last_arrival_{};

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/perception/lookout.hpp"
 
-#include <algorithm>
-#include <iterator>
+#include <limits>
 
 namespace fairway {
 
@@ -26,12 +25,12 @@ void Lookout::report(const Scene& scene, const Viewpoint& own, std::vector<Near>
                      std::vector<Track>& tracks, std::vector<Obstacle>& obstacles) {
   if (sonar_) {
     sonar_->report(scene, own, reach_, tracks);
-    obstacles.clear();
-    std::ranges::copy_if(scene.obstacles, std::back_inserter(obstacles), &Obstacle::charted);
+    constexpr double none = -std::numeric_limits<double>::infinity();
+    perceive_obstacles(scene, own, {.vehicles = none, .obstacles = none}, near, obstacles);
     return;
   }
   perceive_movers(scene, own, reach_, near, tracks);
-  perceive_obstacles(scene.obstacles, own.estimate.p_n, own.radius, reach_, obstacles);
+  perceive_obstacles(scene, own, reach_, near, obstacles);
 }
 
 std::span<const Echo> Lookout::echoes() const { return sonar_ ? sonar_->echoes() : std::span<const Echo>{}; }

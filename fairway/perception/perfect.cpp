@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/perception/perfect.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 
 #include "fairway/core/math.hpp"
 
@@ -100,6 +103,33 @@ void add_seen(const Scene& scene, const Viewpoint& own, const Reach& reach, std:
   }
 }
 
+constexpr double endless = std::numeric_limits<double>::infinity();
+
+/// Makes `near` the indices of the obstacles of which `is_known` is true, ascending. False where nobody has
+/// sorted them or there are many of these.
+template <class IsKnown>
+bool pick_out(const Scene& scene, const Viewpoint& own, const Reach& reach, const IsKnown& is_known,
+              std::vector<Near>& near) {
+  if (scene.indexes == nullptr) return false;
+  const std::size_t most = most_picked_out(scene.obstacles.size());
+  bool all_found = true;
+  near.clear();
+  const auto add = [&](const ObstacleIndex& index, double farthest) {
+    index.visit(own.estimate.p_n, farthest, [&](std::size_t i) {
+      if (all_found && is_known(scene.obstacles[i])) {
+        all_found = near.size() < most;
+        if (all_found) near.push_back({0.0, {}, i});
+      }
+      return all_found ? farthest : -1.0;
+    });
+  };
+  add(scene.indexes->charted, own.farthest_obstacle);
+  if (all_found)
+    add(scene.indexes->uncharted, math::fmin(own.farthest_obstacle, reach.obstacles + own.radius));
+  std::ranges::sort(near, {}, &Near::index);
+  return all_found;
+}
+
 }  // namespace
 
 Track track_of(const Message& message, const Scene& scene) {
@@ -128,13 +158,20 @@ Track track_of(const Message& message, const Scene& scene) {
   }
 }
 
-void perceive_obstacles(std::span<const Obstacle> obstacles, const Vec3& position, double radius,
-                        const Reach& reach, std::vector<Obstacle>& known) {
+void perceive_obstacles(const Scene& scene, const Viewpoint& own, const Reach& reach, std::vector<Near>& near,
+                        std::vector<Obstacle>& known) {
   known.clear();
-  for (const Obstacle& obstacle : obstacles) {
-    const bool seen =
-        obstacle.charted || nearest_point(obstacle, position).distance - radius <= reach.obstacles;
-    if (seen) known.push_back(obstacle);
+  if (own.farthest_obstacle == -endless) return;
+  const auto is_known = [&](const Obstacle& obstacle) {
+    if (obstacle.charted && own.farthest_obstacle == endless) return true;
+    const double distance = nearest_point(obstacle, own.estimate.p_n).distance;
+    return distance <= own.farthest_obstacle &&
+           (obstacle.charted || distance - own.radius <= reach.obstacles);
+  };
+  if (pick_out(scene, own, reach, is_known, near)) {
+    for (const Near& each : near) known.push_back(scene.obstacles[each.index]);
+  } else {
+    std::ranges::copy_if(scene.obstacles, std::back_inserter(known), is_known);
   }
 }
 

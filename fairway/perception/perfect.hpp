@@ -21,9 +21,15 @@ void perceive_movers(const Scene& scene, const Viewpoint& own, const Reach& reac
 /// The track of a vehicle that was heard of, predicted from its last message to the time of the scene.
 Track track_of(const Message& message, const Scene& scene);
 
-/// The obstacles that a vehicle at `position` with a sphere of `radius` knows of: those charted, and those
-/// within reach. Does not allocate once `known` has the capacity.
-void perceive_obstacles(std::span<const Obstacle> obstacles, const Vec3& position, double radius,
-                        const Reach& reach, std::vector<Obstacle>& known);
+/// The obstacles that the vehicle knows of, those charted and those within reach, in the order of the scene;
+/// none that is farther than `own.farthest_obstacle`. `near` is memory to work in, and holds no more than
+/// `most_picked_out` of the scene. Does not allocate once both have the capacity. With `scene.indexes` it
+/// costs what is known and near; O(obstacles) without, and where much is known.
+void perceive_obstacles(const Scene& scene, const Viewpoint& own, const Reach& reach, std::vector<Near>& near,
+                        std::vector<Obstacle>& known);
+
+/// Where more of so many obstacles are known, all are gone through one by one, which is sooner than to put
+/// what is found in order.
+constexpr std::size_t most_picked_out(std::size_t obstacle_count) { return obstacle_count / 8 + 1; }
 
 }  // namespace fairway

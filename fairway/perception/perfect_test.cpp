@@ -3,7 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+#include <tuple>
+
 #include "fairway/core/rng.hpp"
+#include "fairway/core/testing/random_obstacles.hpp"
 
 namespace fairway {
 namespace {
@@ -34,6 +38,25 @@ std::vector<Track> perceived(const Scene& scene, const Reach& reach = {.vehicles
   std::vector<Track> tracks;
   perceive_movers(scene, {x, x, 1.0}, reach, near, tracks);
   return tracks;
+}
+
+constexpr double endless = std::numeric_limits<double>::infinity();
+
+/// What an obstacle is known by.
+using Mark = std::tuple<double, double, const Vec3*, bool>;
+
+/// The obstacles that somebody at `place` with a sphere of 3 m knows of.
+std::vector<Mark> known_from(const Vec3& place, const Scene& scene, const Reach& reach,
+                             double farthest = endless) {
+  const VehicleState x{.p_n = place};
+  std::vector<Near> near;
+  std::vector<Obstacle> known;
+  perceive_obstacles(scene, {.truth = x, .estimate = x, .radius = 3.0, .farthest_obstacle = farthest}, reach,
+                     near, known);
+  std::vector<Mark> marks;
+  for (const Obstacle& o : known)
+    marks.emplace_back(o.position.sum(), o.from.sum(), o.vertices.data(), o.charted);
+  return marks;
 }
 
 TEST(PerfectPerception, DriftersAreTracksAmongTheOthersNearestFirst) {
@@ -103,12 +126,44 @@ TEST(PerfectPerception, WhatIsChartedIsKnownAndTheRestOnceNear) {
   Obstacle uncharted = charted;
   uncharted.charted = false;
   const std::vector<Obstacle> all{charted, uncharted};
-  std::vector<Obstacle> known;
-  perceive_obstacles(all, {0, 0, 0}, 3.0, {.obstacles = 10}, known);
+  const std::vector<Mark> known = known_from({0, 0, 0}, {.obstacles = all}, {.obstacles = 10});
   ASSERT_EQ(known.size(), 1U);
-  EXPECT_TRUE(known[0].charted);
-  perceive_obstacles(all, {86, 0, 0}, 3.0, {.obstacles = 10}, known);
-  EXPECT_EQ(known.size(), 2U);
+  EXPECT_TRUE(std::get<bool>(known[0]));
+  EXPECT_EQ(known_from({86, 0, 0}, {.obstacles = all}, {.obstacles = 10}).size(), 2U);
+}
+
+TEST(PerfectPerception, WhoLooksNoFartherIsShownNoObstacleThatIs) {
+  const Obstacle charted{.kind = Obstacle::Kind::sphere, .position = {100, 0, 0}, .radius = 1};
+  const std::vector<Obstacle> all{charted};
+  EXPECT_EQ(known_from({0, 0, 0}, {.obstacles = all}, {}, 99.0).size(), 1U);
+  EXPECT_EQ(known_from({0, 0, 0}, {.obstacles = all}, {}, 98.9).size(), 0U);
+  EXPECT_EQ(known_from({100, 0, 0}, {.obstacles = all}, {}, -endless).size(), 0U);
+}
+
+TEST(PerfectPerception, FoundByIndexesTheSameObstaclesAreKnownInTheSameOrder) {
+  Rng rng{11};
+  for (const std::size_t count : {20U, 100U, 1000U}) {
+    const RandomObstacles scene{count, 1000.0, Rng{count}};
+    const auto index_where = [&](bool charted) {
+      return ObstacleIndex{
+          count, [&](std::size_t i) { return scene.all[i].charted == charted ? &scene.all[i] : nullptr; }};
+    };
+    const FixedIndexes indexes{index_where(true), index_where(false)};
+    std::size_t seen = 0;
+    for (int look = 0; look < 50; ++look) {
+      const Vec3 place = RandomObstacles::place(1200.0, rng);
+      for (const double range : {-endless, 0.0, 30.0, 300.0, endless}) {
+        for (const double farthest : {-endless, 5.0, 40.0, 1e4, endless}) {
+          const Reach reach{.obstacles = range};
+          const auto known = known_from(place, {.obstacles = scene.all}, reach, farthest);
+          ASSERT_EQ(known_from(place, {.obstacles = scene.all, .indexes = &indexes}, reach, farthest), known)
+              << count << ", range " << range << ", farthest " << farthest;
+          seen += known.size();
+        }
+      }
+    }
+    EXPECT_GT(seen, 0U);
+  }
 }
 
 /// A crowd in which some are silent, some at one place and many equally far, and two things drift.

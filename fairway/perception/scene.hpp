@@ -11,6 +11,7 @@
 #include "fairway/core/shapes.hpp"
 #include "fairway/core/state.hpp"
 #include "fairway/core/vicinity.hpp"
+#include "fairway/world/obstacle_field.hpp"
 
 namespace fairway {
 
@@ -43,6 +44,8 @@ struct Scene {
   const Vicinity* places{nullptr};
   bool heard_at_once{false};         ///< `heard` is by index of the vehicles, sent now, the same for everyone
   double unforeseen_acceleration{};  ///< of those who sent them [m/s2]
+
+  const FixedIndexes* indexes{nullptr};  ///< of `obstacles`; null: they are gone through one by one
 };
 
 /// The vehicle that looks.
@@ -53,6 +56,8 @@ struct Viewpoint {
 
   /// Of the tracks the method looks at no more than these, the nearest.
   std::size_t most_tracks{std::numeric_limits<std::size_t>::max()};
+  /// Of the obstacles at none that is farther, to its surface [m].
+  double farthest_obstacle{std::numeric_limits<double>::infinity()};
 };
 
 /// How far perception reaches.

@@ -14,9 +14,12 @@
 namespace fairway {
 namespace {
 
+constexpr double endless = std::numeric_limits<double>::infinity();
+
 /// Of one vehicle, where they are kept, and how many are near: whoever has more takes memory for them.
 constexpr std::size_t usual_tracks = 32;
 constexpr std::size_t usual_near = 128;
+constexpr std::size_t usual_obstacles = 32;  // likewise, of a method that does not look far
 
 /// Apart from the ids of vehicles, which count from 0.
 TrackId id_of(const Drifter& drifter) { return TrackId{first_drifter_id + drifter.number}; }
@@ -79,10 +82,6 @@ void write(const Agent& agent, Tick now, bool is_told, Message& message) {
              .told = is_told};
 }
 
-Viewpoint viewpoint_of(const Agent& agent) {
-  return {agent.vehicle.state(), agent.estimate(), agent.ship().radius, agent.avoider.most_tracks()};
-}
-
 /// Of a large fleet hardly anyone is in the cache: what a vehicle points to, once it has come itself.
 void fetch_beyond(const Agent& agent) {
   if (const Leg* leg = agent.mission.leg()) prefetch(leg, sizeof *leg);
@@ -128,11 +127,15 @@ Simulation::Simulation(const Scenario& scenario, const Catalogs& catalogs)
 }
 
 void Simulation::step(std::span<FrameSink* const> sinks) {
+  showing_all_ = observer_ != nullptr;
   look(std::ranges::any_of(sinks, [](const FrameSink* sink) { return sink->wants_tracks(); }));
   act(sinks);
 }
 
-void Simulation::look() { look(true); }
+void Simulation::look() {
+  showing_all_ = true;
+  look(true);
+}
 
 void Simulation::share_out(std::size_t threads) {
   crew_ = {};
@@ -158,9 +161,10 @@ StageTimes Simulation::stage_times() const {
 void Simulation::make_room(bool keeping) {
   keeping_ = keeping;
   const std::size_t others = std::max<std::size_t>(agents_.size(), 1) - 1 + obstacles_.drifters().size();
-  const auto make = [&](Sight& sight, std::size_t most_tracks) {
+  const std::size_t fixed = obstacles_.fixed().size();
+  const auto make = [&](Sight& sight, std::size_t most_tracks, std::size_t most_obstacles) {
     sight.tracks.reserve(std::min(most_tracks, others));
-    sight.obstacles.reserve(obstacles_.fixed().size());
+    sight.obstacles.reserve(std::min(most_obstacles, fixed));
   };
   for (Hand& hand : hands_) {
     if (hand.near.capacity() > 0) continue;
@@ -170,15 +174,18 @@ void Simulation::make_room(bool keeping) {
       std::size_t& most = agent.avoider.decides_for_many() ? most_together : most_alone;
       most = std::max(most, agent.avoider.most_tracks());
     }
-    make(hand.passing, std::max(most_alone, most_together));
+    make(hand.passing, std::max(most_alone, most_together), fixed);
     if (!keeping)
-      for (Sight& sight : hand.company.sights) make(sight, most_together);
-    hand.near.reserve(std::min(usual_near, others + 1));
+      for (Sight& sight : hand.company.sights) make(sight, most_together, fixed);
+    hand.near.reserve(std::max(std::min(usual_near, others + 1), most_picked_out(fixed)));
   }
   if (!keeping || !kept_.empty()) return;
   kept_.resize(agents_.size());
-  for (std::size_t i = 0; i < agents_.size(); ++i)
-    make(kept_[i], std::min(usual_tracks, agents_[i].avoider.most_tracks()));
+  for (std::size_t i = 0; i < agents_.size(); ++i) {
+    const Avoider& avoider = agents_[i].avoider;
+    const bool sees_all = viewpoint_of(agents_[i]).farthest_obstacle == endless;
+    make(kept_[i], std::min(usual_tracks, avoider.most_tracks()), sees_all ? fixed : usual_obstacles);
+  }
 }
 
 /// The stages that a vehicle goes through by itself, for a part of the fleet at a time, so that what one
@@ -333,7 +340,13 @@ Scene Simulation::scene_of(std::size_t index) const {
           .heard = exchange_.heard_by(index, mailbox_),
           .places = &found_at_,
           .heard_at_once = exchange_.carries_at_once(),
-          .unforeseen_acceleration = exchange_.unforeseen_acceleration()};
+          .unforeseen_acceleration = exchange_.unforeseen_acceleration(),
+          .indexes = obstacles_.indexes()};
+}
+
+Viewpoint Simulation::viewpoint_of(const Agent& agent) const {
+  return {agent.vehicle.state(), agent.estimate(), agent.ship().radius, agent.avoider.most_tracks(),
+          showing_all_ ? endless : agent.avoider.farthest_obstacle()};
 }
 
 void Simulation::perceive(std::size_t index, Hand& hand) {

@@ -61,7 +61,8 @@ class Simulation {
     std::vector<Track> tracks;
     std::vector<Obstacle> obstacles;
   };
-  /// What vehicle `index` saw when it last was to decide. Valid after look(), for as long as it is called.
+  /// What vehicle `index` saw when it last was to decide, all obstacles that it knows of, and of tracks as
+  /// many as its method looks at. Valid after look(), for as long as it is called.
   const Sight& sight(std::size_t index) const { return kept_[index]; }
 
   /// What its avoider is shown then. Only of a vehicle that is to decide; valid between look() and act().
@@ -209,6 +210,7 @@ class Simulation {
   void obey(Agent& agent, const Command& command);
   const Order* order_of(std::size_t index) const;
   Scene scene_of(std::size_t index) const;
+  Viewpoint viewpoint_of(const Agent& agent) const;
   Situation situation(std::size_t index, const Sight& sight) const;
   Command decided(std::size_t index, Hand& hand);
   Command ask(std::size_t index, Hand& hand);
@@ -240,7 +242,8 @@ class Simulation {
   bool stop_when_done_;
   bool looked_at_{false};  // by sensors, so that it matters where those are who tell
   bool keeping_{false};
-  bool watched_{false};  // by sinks
+  bool showing_all_{false};  // obstacles, also those that the method does not look at: somebody else may
+  bool watched_{false};      // by sinks
   bool showing_{false};
   bool timing_{false};
   bool timing_stages_{false};

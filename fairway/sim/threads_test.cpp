@@ -131,12 +131,19 @@ TEST(Threads, OfTwoThatBreakTheFirstOneIsNamed) {
   }
 }
 
+RunMetrics metrics_of(const Scenario& scenario) {
+  Surroundings surroundings;
+  for (const ObstacleSpec& spec : scenario.obstacles)
+    surroundings.obstacles.push_back({spec.view(), spec.velocity});
+  return RunMetrics{{6.0, 3.0}, std::move(surroundings)};
+}
+
 /// In so many steps after the first `first_steps`.
 long allocations_in(int steps, const Scenario& scenario, std::size_t threads, int first_steps = 3,
                     bool measured = true) {
   Simulation simulation{scenario, builtin_catalogs()};
   simulation.share_out(threads);
-  RunMetrics metrics{{6.0, 3.0}};
+  RunMetrics metrics = metrics_of(scenario);
   metrics.share_out(threads);
   const std::array<FrameSink*, 1> metrics_alone{&metrics};
   const std::span<FrameSink* const> sinks{metrics_alone.data(), measured ? 1U : 0U};
@@ -152,6 +159,56 @@ TEST(Threads, NothingAllocatesAfterTheFirstSteps) {
       for (const std::size_t threads : {1U, 3U})
         EXPECT_EQ(allocations_in(50, crowd(count, "orca3d"), threads, 3, measured), 0)
             << count << " on " << threads << (measured ? ", measured" : "");
+}
+
+/// A crowd among so many obstacles, some of them charted, some drifting, which it meets within 20 m.
+Scenario among(std::size_t obstacles, const std::string& algorithm) {
+  Scenario scenario = crowd(150, algorithm);
+  scenario.perception.obstacle_range_m = 20.0;
+  Rng rng{8};
+  const auto anywhere = [&] {
+    return Vec3{rng.uniform(-100, 160), rng.uniform(-100, 160), rng.uniform(0, 40)};
+  };
+  for (std::size_t i = 0; i < obstacles; ++i) {
+    ObstacleSpec spec{.charted = i % 2 == 0, .position = anywhere(), .radius = 1.0};
+    if (i % 10 == 1) spec.velocity = {0.1, 0.2, 0.0};
+    if (i % 3 == 1 && !spec.moves()) {
+      spec.kind = Obstacle::Kind::segment;
+      spec.from = spec.position;
+      spec.to = spec.position + Vec3{3, 5, 1};
+    }
+    scenario.obstacles.push_back(spec);
+  }
+  return scenario;
+}
+
+TEST(Threads, NothingAllocatesAmongManyObstacles) {
+  for (const char* algorithm : {"orca3d", "apf+stop_and_wait", "rvo", "direct"})
+    for (const std::size_t threads : {1U, 3U})
+      EXPECT_EQ(allocations_in(24, among(2000, algorithm), threads), 0) << algorithm << " on " << threads;
+}
+
+TEST(Threads, AmongManyObstaclesWhoIsShownAllOfThemDecidesTheSame) {
+  for (const char* algorithm : {"orca3d", "apf+stop_and_wait", "bvc", "rvo", "direct"}) {
+    const Scenario scenario = among(300, algorithm);
+    std::vector<std::uint64_t> hashes;
+    std::vector<std::vector<Measure>> measures;
+    for (const std::size_t threads : {0U, 1U, 2U, 3U}) {
+      Simulation simulation{scenario, builtin_catalogs()};
+      Onlooker onlooker;
+      if (threads == 0) simulation.observe(&onlooker);  // and is shown all
+      simulation.share_out(threads);
+      Hash hash{threads == 2};
+      RunMetrics metrics = metrics_of(scenario);
+      metrics.share_out(threads);
+      const std::array<FrameSink*, 2> sinks{&hash, &metrics};
+      simulation.run(sinks);
+      if (!hash.with_tracks) hashes.push_back(hash.value);
+      measures.push_back(metrics.measures());
+    }
+    EXPECT_EQ(hashes, std::vector(hashes.size(), hashes[0])) << algorithm;
+    EXPECT_EQ(measures, std::vector(measures.size(), measures[0])) << algorithm;
+  }
 }
 
 TEST(Threads, NothingAllocatesUnderModemsOnceEveryoneHasSpoken) {

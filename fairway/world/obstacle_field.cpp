@@ -14,11 +14,18 @@ ObstacleField::ObstacleField(std::vector<ObstacleSpec> specs) : specs_{std::move
       fixed_.push_back(spec.view());
     }
   }
+  if (indexes() == nullptr) return;
+  const auto index_where = [&](bool charted) {
+    return ObstacleIndex{fixed_.size(),
+                         [&](std::size_t i) { return fixed_[i].charted == charted ? &fixed_[i] : nullptr; }};
+  };
+  indexes_ = {index_where(true), index_where(false)};
 }
 
 ObstacleField& ObstacleField::operator=(ObstacleField other) noexcept {
   std::swap(specs_, other.specs_);
   std::swap(fixed_, other.fixed_);
+  std::swap(indexes_, other.indexes_);
   std::swap(drifters_, other.drifters_);
   return *this;
 }

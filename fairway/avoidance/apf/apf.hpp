@@ -58,6 +58,8 @@ struct Apf {
 
   /// Alone, the preferred velocity with Mode::cruise; otherwise Mode::avoid, and stern first is allowed.
   Command decide(const Situation& s, Memory& memory, Context& context) const noexcept;
+
+  double farthest_obstacle() const noexcept { return params.crit_dist_m; }
 };
 
 static_assert(AvoidanceAlgorithm<Apf>);

@@ -49,6 +49,8 @@ struct Bvc {
   /// Mode::cruise if nobody is in range, Mode::avoid if somebody is; Mode::infeasible if own ship is outside
   /// its cell and cannot be back in time.
   Command decide(const Situation& s, Memory& memory, Context& context) const noexcept;
+
+  double farthest_obstacle() const noexcept { return params.crit_dist_m; }
 };
 
 static_assert(AvoidanceAlgorithm<Bvc>);

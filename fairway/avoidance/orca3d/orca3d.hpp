@@ -55,6 +55,8 @@ struct Orca3d {
     return asks_all ? std::numeric_limits<std::size_t>::max()
                     : static_cast<std::size_t>(params.max_neighbours_count);
   }
+
+  double farthest_obstacle() const noexcept { return params.crit_dist_m; }
 };
 
 static_assert(AvoidanceAlgorithm<Orca3d>);

@@ -36,6 +36,8 @@ struct StopAndWait {
   /// The inner avoider is asked on every call, waiting or not, so that its memory never falls behind.
   Command decide(const Situation& s, Avoider& inner, Memory& memory, Context& context) const noexcept;
 
+  double farthest_obstacle(const Avoider& inner) const noexcept { return inner.farthest_obstacle(); }
+
   /// Whoever is nearest of those within `crit_dist_m` that have the right of way: a smaller priority number,
   /// or the same number and a smaller id. Null if nobody has.
   const Track* waits_for(const Situation& s) const noexcept;
