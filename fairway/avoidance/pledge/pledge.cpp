@@ -126,10 +126,10 @@ Command Pledge::decide(const Situation& given, Memory& memory, Context& context)
   return command;
 }
 
-/// Who cannot take part keeps the place at which it came to rest, or, if it cannot stop, comes back to it
+/// Who cannot take part keeps the place at which that was found, or, if it cannot stop, comes back to it
 /// again and again.
 Command Pledge::refused(const Situation& s, std::string_view why, Memory& memory) const noexcept {
-  if (s.attendance != Attendance::under_way || !memory.refused_at) memory.refused_at = resting_place(s);
+  if (s.attendance != Attendance::under_way || !memory.refused_at) memory.refused_at = s.own.position;
   Command command = held(s, *memory.refused_at, why);
   command.mode = Mode::infeasible;
   return command;
