@@ -61,17 +61,36 @@ TEST(PledgeRuns, TwoWhoStartTooNearEachOtherPart) {
   }
 }
 
-TEST(PledgeRuns, OfNineWhoHasTwoLegsArrivesToo) {
-  std::string all =
-      "{start: {position_m: [0, 0, 8]}, mission: [{transit: {position_m: [10, 0, 8], arrival_m: 2}}, "
-      "{transit: {position_m: [20, 0, 8], arrival_m: 2}}]}";
+/// Nine beside each other, eight of whom go straight on.
+Scenario nine(const std::string& first) {
+  std::string all = first;
   for (int i = 1; i < 9; ++i) {
     const std::string east = std::to_string(10 * i);
     all += ", " + vehicle("[0, " + east + ", 8]", "[20, " + east + ", 8]");
   }
-  const Watched run{agreeing(all)};
+  return agreeing(all);
+}
+
+TEST(PledgeRuns, OfNineWhoHasTwoLegsArrivesToo) {
+  const Watched run{
+      nine("{start: {position_m: [0, 0, 8]}, mission: [{transit: {position_m: [10, 0, 8], arrival_m: 2}}, "
+           "{transit: {position_m: [20, 0, 8], arrival_m: 2}}]}")};
   EXPECT_TRUE(run.all_arrived());
   EXPECT_LT(run.simulation.time(), 300.0);
+}
+
+TEST(PledgeRuns, OfNineWhoseGoalChangesOnItsWayGoesThere) {
+  const Scenario before = nine(vehicle("[0, 0, 8]", "[20, 0, 8]"));
+  Scenario changed = before;
+  changed.vehicles[0].mission[0].position = {15, -20, 8};
+  Simulation simulation{before, builtin_catalogs()};
+  const auto place = [&] { return simulation.agents()[0].vehicle.state().p_n; };
+  while (place().x() < 5.0 && simulation.time() < 100.0) simulation.step({});
+  ASSERT_GT(place().x(), 4.9) << "it is on its way";
+  simulation.change(before, changed, builtin_catalogs());
+  while (!simulation.is_done()) simulation.step({});
+  EXPECT_LT((place() - Vec3{15, -20, 8}).norm(), 2.5);
+  EXPECT_LT(simulation.time(), 400.0);
 }
 
 TEST(PledgeRuns, WhoseFloorLeavesNoRoomForLevelsKeepsItsOwn) {
