@@ -40,7 +40,7 @@ struct Agent {
   // this tick's values
   Vec3 current = Vec3::Zero();  ///< of the water round it [m/s, NED]
   Ownship own;
-  std::string_view note;   ///< of the last command that had one
+  std::string_view note;   ///< of the last command that had one, or of the last one of a method that speaks
   Eigen::VectorXd demand;  ///< of the actuators
 
   const Particulars& ship() const { return pilot.ship(); }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -12,6 +13,7 @@
 
 #include "fairway/core/math.hpp"
 #include "fairway/sim/agent.hpp"
+#include "fairway/sim/speakers.hpp"
 #include "fairway/sim/team.hpp"
 
 namespace fairway {
@@ -135,6 +137,13 @@ std::vector<std::string> amiss(const VehicleSpec& spec, const Limits& limits, co
     clauses.push_back(std::move(clause));
   if (std::string clause = amiss_in_team(spec, scenario, avoiders); !clause.empty())
     clauses.push_back(std::move(clause));
+  if (speaks) {
+    const VehicleSpec* stranger = is_alone ? first_stranger(spec, scenario, avoiders) : nullptr;
+    if (stranger != nullptr)
+      clauses.push_back("avoids nobody but those with whom it agrees, and " + stranger->name +
+                        " does not speak its words");
+    std::ranges::move(amiss_in_words(spec, scenario, avoiders), std::back_inserter(clauses));
+  }
   const auto sees_no_more = [](const Catalog::Entry* layer) {
     return layer->info.needs_chart || layer->info.ignores_obstacles;
   };

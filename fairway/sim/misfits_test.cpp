@@ -154,7 +154,7 @@ TEST(Misfits, TellWhoIsInNoTeamAndWhoseTeamIsNotThere) {
         parse_scenario("{fairway: 1, name: s, exchange: acoustic, defaults: {model: sparus2, avoider: "
                        "{algorithm: pledge" +
                            team + "}}, fleet: {count: " + std::to_string(count) +
-                           ", places: {lattice: {spacing_m: 11}}}}",
+                           ", places: {lattice: {spacing_m: 11, centre_m: [0, 0, 50]}}}}",
                        "s.yaml"),
         builtin_catalogs());
   };
@@ -172,6 +172,35 @@ TEST(Misfits, TellWhoIsInNoTeamAndWhoseTeamIsNotThere) {
       told_of(7, ", team_count: 8"),
       ElementsAre("robot0 and 6 others: pledge waits for words of the ids 0 to 7 (team_count: 8), and "
                   "not all of these are there and say such"));
+}
+
+TEST(Misfits, TellOfWhatKeepsThoseWhoAgreeByWordsFromIt) {
+  const auto told_of = [](const std::string& first, const std::string& second) {
+    return misfits(parse_scenario("{fairway: 1, name: s, exchange: acoustic, defaults: {model: sparus2, "
+                                  "avoider: pledge}, vehicles: [{start: {position_m: [0, 0, 0]}, mission: "
+                                  "[{transit: {position_m: " +
+                                      first + "}}]}, {" + second + "}]}",
+                                  "s.yaml"),
+                   builtin_catalogs());
+  };
+  const std::string goal = "[50, 0, 0]", start = "start: {position_m: [0, 20, 0]}, ";
+  EXPECT_THAT(told_of(goal, start + "avoider: pledge"), IsEmpty());
+  EXPECT_THAT(told_of(goal, start + "avoider: {algorithm: pledge, headway_s: 5}"), IsEmpty())
+      << "that is its own choice";
+  EXPECT_THAT(told_of(goal, start + "avoider: direct"),
+              testing::Contains("robot0: pledge avoids nobody but those with whom it agrees, and robot1 does "
+                                "not speak its words"));
+  const std::string same = ", and all have to have the same for its claims to hold";
+  EXPECT_THAT(told_of(goal, start + "avoider: {algorithm: pledge, datum_north_m: 20}"),
+              ElementsAre("robot1: pledge has another datum_north_m (20) than robot0 (0)" + same));
+  EXPECT_THAT(told_of(goal, start + "avoider: {algorithm: pledge, tube_m: 2}"),
+              ElementsAre("robot1: pledge has another tube_m (2) than robot0 (1)" + same));
+  const std::string reach =
+      "pledge tells places within 163 m of its datum, from the surface down to 327 m, and ";
+  EXPECT_THAT(told_of("[170, 0, 0]", start + "avoider: pledge"),
+              ElementsAre("robot0: " + reach + "a place of its mission lies beyond"));
+  EXPECT_THAT(told_of(goal, "start: {position_m: [0, 400, 0]}"),
+              ElementsAre("robot1: " + reach + "its start lies beyond: it stays there"));
 }
 
 /// A vehicle of `radius_m` to each, on one course at 90 m from the next.

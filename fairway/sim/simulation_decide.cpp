@@ -198,8 +198,10 @@ void Simulation::timed(std::size_t count, Hand& hand, const Decide& decide) {
            math::fmax(times.worst_s, took / static_cast<double>(count))};
 }
 
-/// Who is beyond control goes on as it went when that began.
+/// Who is beyond control goes on as it went when that began, and says what its method still says. What a
+/// method that speaks waits for is over once it does not say so any more.
 void Simulation::obey(Agent& agent, const Command& command) {
+  if (!command.note.empty() || agent.avoider.speaks()) agent.note = command.note;
   if (agent.beyond_control) return;
   agent.beyond_control = agent.has_failed(FailureKind::leaves, time());
   const Command carried_out = agent.beyond_control ? Command{.velocity = agent.own.velocity} : command;

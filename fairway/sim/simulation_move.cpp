@@ -22,7 +22,6 @@ void Simulation::control(std::size_t index, Hand& hand) {
   Agent& agent = agents_[index];
   const Command& command = agent.pilot.command();
   notice(index, why_impossible(command), tick_, hand);
-  if (!command.note.empty()) agent.note = command.note;
   const ActuatorValues demand = demanded(index, hand);
   notice(index, why_impossible(demand), tick_, hand);
   agent.demand = demand;

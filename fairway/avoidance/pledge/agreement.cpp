@@ -14,6 +14,7 @@ constexpr double no_way = 1.0;            // from its destination a member has n
 constexpr double idle_turns = 4.0;        // after so many without use a group lets the next one move
 constexpr double idle_decisions = 160.0;  // and so many, for a search about one centre
 constexpr int most_plans = 8;             // in a round, of which some came to nothing
+constexpr double hair = 0.002;            // of rounding, where somebody begins too near [m]
 constexpr double most_late = 2.0;         // who looks at its clock so long after a start has missed it [s]
 
 /// Turns before a plan's start after which nobody acknowledges it any more: one in which to say so, and half
@@ -90,12 +91,17 @@ bool Agreement::meets_lost(const Reference& own, double now, double time) const 
   return false;
 }
 
+/// Up to its next gate, at which it stops anyway. Where it set out nearer to an anchor, as a plan lets it
+/// that comes no nearer, it is enough that it does not.
 bool Agreement::meets_held(const Reference& own, double now, double time) const noexcept {
+  const double until = std::min(time, next_gate());
   for (std::size_t i = 0; i < count_; ++i) {
     const bool is_there =
         i != self_ && statuses_[i] == Status::held && (!left_[i] || last_heard_[i] > started_);
+    if (!is_there) continue;
     const Knot anchor{now, members_[i].anchor};
-    if (is_there && least_distance(own, {&anchor, 1}, now, time, clear_of(i)) < clear_of(i)) return true;
+    const double least = std::min(clear_of(i), (own.at(started_) - anchor.position).norm() - hair);
+    if (least_distance(own, {&anchor, 1}, now, until, least) < least) return true;
   }
   return false;
 }

@@ -78,8 +78,8 @@ class Agreement {
 
   /// Whether somebody who is lost comes too near to own ship by `time`, if that goes so.
   bool meets_lost(const Reference& own, double now, double time) const noexcept;
-  /// Whether own ship comes too near by `time` to somebody who is held, as nobody does who only keeps to
-  /// plans.
+  /// Whether own ship, which is on its way `own`, comes too near by `time` to somebody who is held, as nobody
+  /// does who only keeps to plans.
   bool meets_held(const Reference& own, double now, double time) const noexcept;
 
   /// Whether somebody comes too near to own ship by `time` who goes as it has promised.
@@ -103,6 +103,7 @@ class Agreement {
   bool has_promised(double now) const noexcept {
     return is_pending(now) && acknowledged_epoch_ == plan_.epoch && plan_.participants[self_];
   }
+  bool is_aside() const { return aside_; }  ///< it is to go, or has gone, elsewhere than its mission leads
   const Member& member(std::size_t i) const { return members_[i]; }
   const Member& own() const { return members_[self_]; }
   std::size_t vehicle() const { return vehicle_; }  ///< its number among all

@@ -29,6 +29,11 @@ struct Scale {
   }
   /// The value that fits and is nearest above, but for a hair that is rounded off; the greatest at most.
   double at_least(double given) const noexcept { return value(code(given + (0.5 - 1e-6) * step)); }
+  /// The value that fits and is nearest, or, where that is more than `most`, the one below it.
+  double nearest(double given, double most) const noexcept {
+    const std::uint32_t told = code(given);
+    return told > 0 && value(told) > most + 1e-6 * step ? value(told - 1) : value(told);
+  }
   double value(std::uint32_t code) const noexcept { return lowest + step * code; }
 };
 

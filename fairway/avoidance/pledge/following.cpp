@@ -18,6 +18,8 @@ constexpr double same_level = 0.5;       // within it a destination needs no cli
 constexpr double stopping = 2.0;         // from a member's speed, with its lag [s]
 constexpr double return_gain = 0.3;      // to its anchor [1/s]
 constexpr double still = 0.075;  // who would go slower than this through the water does not turn [m/s]
+constexpr double halting =
+    0.015;  // whose reference goes no faster halts or turns; a step is told as 0.02 [m/s]
 constexpr double most_drift_share = 0.5;  // of what a member is to go, that its course makes up for
 constexpr double least_astern = 0.1;      // with which a member that is held goes back astern [m/s]
 constexpr double aside_for_good = 1.5;    // who is held and farther off than this turns to its anchor [m]
@@ -51,6 +53,41 @@ Vec3 within_limits(const Situation& s, const Vec3& v) noexcept {
   return {horizontal.x(), horizontal.y(), vertical};
 }
 
+/// What it goes in one direction alone, of which it plans for a share.
+double alone(const Situation& s, double Envelope::*direction, double share) noexcept {
+  const double all = share * std::min(s.goal.cruise_speed, s.limits.max_speed);
+  return s.envelope != nullptr ? math::fmin(share * s.envelope->*direction, all) : all;
+}
+
+/// At which it climbs or dives on its way to its goal.
+double vertical_of(const Situation& s, double up, double down) noexcept {
+  const double deeper = s.goal.position.z() - s.own.position.z();
+  return std::fabs(deeper) < same_level ? 0.0 : deeper > 0.0 ? down : up;
+}
+
+/// What it goes along its way beside that.
+double along_beside(const Situation& s, double vertical, double share) noexcept {
+  const double all = share * std::min(s.goal.cruise_speed, s.limits.max_speed);
+  const bool is_at_its_most = s.envelope != nullptr && s.envelope->ahead < 0.98 * s.limits.max_speed;
+  const double ahead = is_at_its_most
+                           ? math::fmin(share * s.envelope->ahead - horizontal_norm(s.current), all)
+                           : alone(s, &Envelope::ahead, share);
+  return math::fmin(ahead, std::sqrt(math::fmax(all * all - vertical * vertical, 0.0)));
+}
+
+/// Its speeds as they are told: rounded up only where that leaves half of what it has to spare, since it has
+/// to come back to its way when it is off it.
+void round_speeds(const Situation& s, Member& member) noexcept {
+  const auto climb = [&](double planned, double Envelope::*direction) {
+    const double most = math::fmin(alone(s, direction, 1.0), s.limits.max_climb_rate);
+    return climb_as_told(planned, 0.5 * (planned + most));
+  };
+  member.climb = climb(member.climb, &Envelope::up);
+  member.descent = climb(member.descent, &Envelope::down);
+  const double most = along_beside(s, vertical_of(s, member.climb, member.descent), 1.0);
+  member.speed = speed_as_told(member.speed, 0.5 * (member.speed + most));
+}
+
 /// For all levels, if its way may be told to be level.
 bool has_room_below(const Member& member, double floor) noexcept {
   const double from = member.anchor.z(), to = member.destination.z();
@@ -77,25 +114,16 @@ bool is_in_current(const Situation& s) noexcept { return horizontal_norm(s.curre
 
 Member member_of(const Situation& s, double speed_ratio) noexcept {
   const double all = speed_ratio * std::min(s.goal.cruise_speed, s.limits.max_speed);
-  const bool is_known = s.envelope != nullptr;
   const double steepest = std::min(steepest_share * all, s.limits.max_climb_rate);
-  const double up = math::fmin(is_known ? speed_ratio * s.envelope->up : all, steepest);
-  const double down = math::fmin(is_known ? speed_ratio * s.envelope->down : all, steepest);
-  const double deeper = s.goal.position.z() - s.own.position.z();
-  const double vertical = std::fabs(deeper) < same_level ? 0.0 : deeper > 0.0 ? down : up;
-  const bool is_at_its_most = is_known && s.envelope->ahead < 0.98 * s.limits.max_speed;
-  const double ahead = !is_known ? all
-                       : is_at_its_most
-                           ? math::fmin(speed_ratio * s.envelope->ahead - horizontal_norm(s.current), all)
-                           : math::fmin(speed_ratio * s.envelope->ahead, all);
-  const double beside = std::sqrt(all * all - vertical * vertical);
-  const double turn_rate =
-      is_known && s.envelope->turn_rates[0] > 0.0 ? std::min(s.envelope->turn_rates[0], fastest_turn) : 0.3;
+  const double up = math::fmin(alone(s, &Envelope::up, speed_ratio), steepest);
+  const double down = math::fmin(alone(s, &Envelope::down, speed_ratio), steepest);
+  const bool can_turn = s.envelope != nullptr && s.envelope->turn_rates[0] > 0.0;
+  const double turn_rate = can_turn ? std::min(s.envelope->turn_rates[0], fastest_turn) : 0.3;
   return {.anchor = s.own.position,
           .destination = s.goal.position,
           .arrival = s.goal.arrival,
           .radius = s.own.radius,
-          .speed = math::fmin(ahead, beside),
+          .speed = along_beside(s, vertical_of(s, up, down), speed_ratio),
           .climb = up,
           .descent = down,
           .turn = 1.5 + std::numbers::pi / turn_rate};
@@ -104,6 +132,7 @@ Member member_of(const Situation& s, double speed_ratio) noexcept {
 Member member_of(const Situation& s, double speed_ratio, const Vec3& anchor,
                  const Vec3& destination) noexcept {
   Member member = member_of(s, speed_ratio);
+  round_speeds(s, member);
   member.anchor = anchor;
   member.destination = destination;
   if (!has_room_below(member, s.limits.max_depth)) member.descent = std::min(member.descent, level_keeping);
@@ -123,7 +152,7 @@ Vec3 resting_place(const Situation& s) noexcept {
 std::optional<double> next_course(const Situation& s, const Reference& way, double turn) noexcept {
   for (int ahead = 0; ahead <= longest_wait; ++ahead) {
     const Vec3 v = way.velocity(s.time + ahead);
-    if (horizontal_norm(v) <= 0.02) continue;
+    if (horizontal_norm(v) <= halting) continue;
     const double course = course_of(s, v);
     const double takes = turn * (0.3 + 0.7 * std::fabs(wrap_angle(course - s.own.yaw)) / std::numbers::pi);
     return is_in_current(s) && ahead > takes ? std::nullopt : std::optional{course};
@@ -157,8 +186,11 @@ Command followed(const Situation& s, const Reference& way, double turn, const Fo
   const Vec3 ahead = is_to_stop ? Vec3::Zero() : way.velocity(s.time + look_ahead);
   const Vec3 velocity = within_limits(s, ahead + following.gain * off);
   // while the reference turns on the spot, so does the vehicle
-  const bool turns = !is_to_stop && horizontal_norm(ahead) <= 0.02;
-  const auto course = turns ? next_course(s, way, turn) : std::nullopt;
+  const double along = horizontal_norm(ahead);
+  const bool turns = !is_to_stop && along <= halting;
+  auto course = turns ? next_course(s, way, turn) : std::nullopt;
+  // who is to go slowly turns all the same
+  if (along > halting && horizontal_norm(velocity - s.current) > 0.5 * along) course = course_of(s, velocity);
   const bool keeps_tube = off.norm() <= following.tube;
   return driven(s, velocity, course, keeps_tube ? Mode::avoid : Mode::infeasible,
                 keeps_tube ? "" : "is farther from its promised place than its tube");

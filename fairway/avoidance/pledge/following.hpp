@@ -14,8 +14,9 @@ namespace fairway::pledge {
 /// reaches no more by itself has what the current leaves of it. `speed_ratio` is of its greatest speed.
 Member member_of(const Situation& s, double speed_ratio) noexcept;
 
-/// The same held at `anchor` and with another destination [m, NED]. Where its floor leaves no room for all
-/// levels below its way it tells that it dives no faster than who keeps to its own (has_levels).
+/// The same held at `anchor` and with another destination [m, NED], with the speeds that it tells. Where its
+/// floor leaves no room for all levels below its way it tells that it dives no faster than who keeps to its
+/// own (has_levels).
 Member member_of(const Situation& s, double speed_ratio, const Vec3& anchor,
                  const Vec3& destination) noexcept;
 

@@ -69,6 +69,25 @@ TEST(Following, WhoseFloorLeavesNoRoomForAllLevelsTellsThatItKeepsItsOwn) {
   EXPECT_GT(member_of(s, 0.9, here, below).descent, 0.2) << "to a place that is deeper it dives as ever";
 }
 
+TEST(Following, WhoIsSlowPromisesNoMoreThanItCanKeepAndOthersTheNearestThatCanBeTold) {
+  const auto promised = [](double most) {
+    Situation s{.period = 0.1};
+    s.limits = {.max_speed = most, .max_climb_rate = 0.3};
+    s.goal = {.position = {40.0, 0.0, 0.0}, .cruise_speed = 2.0};
+    return as_told(member_of(s, 0.95, Vec3::Zero(), s.goal.position), Vec2::Zero());
+  };
+  for (double most = 0.022; most < 1.2; most += 0.001) {
+    const Member told = promised(most);
+    EXPECT_LE(told.speed, 0.98 * most) << most;
+    EXPECT_GE(told.speed, 0.95 * most - 0.02) << most;
+    EXPECT_LE(told.climb, most) << most;
+  }
+  for (const auto& [most, speed] :
+       {std::pair{0.3, 0.28}, {0.4, 0.38}, {0.5, 0.48}, {0.8, 0.76}, {1.0, 0.96}, {1.2, 1.14}})
+    EXPECT_NEAR(promised(most).speed, speed, 1e-12) << "0.95 of it, to the nearest step";
+  EXPECT_EQ(promised(0.5).climb, 0.3);
+}
+
 // Who learns only at a gate that it has to stop there has come a length too far by the time it does.
 TEST(Following, WhoMayHaveToStopAtAGateSlowsDownBeforeIt) {
   Reference way;

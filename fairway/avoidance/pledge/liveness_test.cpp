@@ -32,6 +32,7 @@ TEST(PledgeLiveness, OfThreeAllArriveWhateverWasLostInTheTurnsThatDecideAndWhoev
       beside_another += moved_first > 0 && moved_at_once > moved_first ? 1 : 0;
       ASSERT_TRUE(fleet.is_done()) << pattern;
       ASSERT_GE(fleet.least, 3.0 + 2.0) << pattern;
+      ASSERT_EQ(fleet.beside_plans, 0) << "a gate is all that stops anybody, pattern " << pattern;
       ASSERT_LT(fleet.time, begins.time + 250.0) << pattern;
     }
   }
@@ -40,7 +41,7 @@ TEST(PledgeLiveness, OfThreeAllArriveWhateverWasLostInTheTurnsThatDecideAndWhoev
 }
 
 TEST(PledgeLiveness, OfTwoToEightNobodyIsLeftAfterHalfAnHourThoughHalfIsLostInRuns) {
-  int divided = 0;
+  int divided = 0, beside_plans = 0;
   for (std::uint64_t seed = 1; seed <= 480; ++seed) {
     Rng rng = Rng{seed}.stream("fleet");
     std::vector<Member> all = cube(rng);
@@ -54,9 +55,11 @@ TEST(PledgeLiveness, OfTwoToEightNobodyIsLeftAfterHalfAnHourThoughHalfIsLostInRu
     }
     EXPECT_TRUE(fleet.is_done()) << "seed " << seed;
     EXPECT_GE(fleet.least, 3.0 + 2.0) << "seed " << seed;
+    beside_plans += fleet.beside_plans;
     divided += was_divided ? 1 : 0;
   }
   EXPECT_GT(divided, 20) << "or little was tried";
+  EXPECT_LE(beside_plans, 5) << "it is a gate that stops nearly all";
 }
 
 TEST(PledgeLiveness, AfterAnyNumberOfPlansThatCameToNothingTheNextOneCounts) {
@@ -84,6 +87,7 @@ TEST(PledgeLiveness, TwoWhoLieTooNearGoWithoutComingNearer) {
     while (!fleet.is_done() && fleet.time < 300.0) fleet.go_on(always);
     EXPECT_TRUE(fleet.is_done()) << lie << " m apart";
     EXPECT_GE(fleet.least, lie - 0.03);
+    EXPECT_EQ(fleet.beside_plans, 0) << lie << " m apart";
   }
 }
 

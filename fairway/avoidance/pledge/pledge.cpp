@@ -106,13 +106,12 @@ Command Pledge::decide(const Situation& given, Memory& memory, Context& context)
   const double unsure = pledge::beyond_tube(given.own, params.tube_m);
   Situation s = given;
   s.own.radius += unsure;
-  const auto refused = [](std::string_view why) { return Command{.mode = Mode::infeasible, .note = why}; };
-  if (s.link == nullptr) return refused("pledge hears nobody: it needs an exchange");
+  if (s.link == nullptr) return refused(s, "pledge hears nobody: it needs an exchange", memory);
   if (number(s.own.id) >= static_cast<std::uint32_t>(params.team_count))
-    return refused("its id is beyond those of the group (team_count)");
+    return refused(s, "its id is beyond those of the group (team_count)", memory);
   if (!memory.begun) {
     const std::string_view misfit = begin(s, memory);
-    if (!misfit.empty()) return refused(misfit);
+    if (!misfit.empty()) return refused(s, misfit, memory);
   }
   const std::string_view unheard = hear(s, memory);
   const bool alone = memory.agreement.rounds().groups().count() == 1;
@@ -121,9 +120,18 @@ Command Pledge::decide(const Situation& given, Memory& memory, Context& context)
   Command command = decided(s, chart, memory, context);
   memory.datum.look(memory.agreement, s.link->ranges, rests(s, memory), unsure);
   if (!unheard.empty()) command.note = unheard;
-  if (memory.is_beyond) command.note = "its goal is too far from the datum for its words";
+  if (!memory.misfit.empty()) command.note = memory.misfit;
   if (memory.datum.doubted().any())
     command.note = "measures a distance that does not fit: it or another is not where it says";
+  return command;
+}
+
+/// Who cannot take part keeps the place at which that was found, or, if it cannot stop, comes back to it
+/// again and again.
+Command Pledge::refused(const Situation& s, std::string_view why, Memory& memory) const noexcept {
+  if (s.attendance != Attendance::under_way || !memory.refused_at) memory.refused_at = s.own.position;
+  Command command = held(s, *memory.refused_at, why);
+  command.mode = Mode::infeasible;
   return command;
 }
 
@@ -220,19 +228,22 @@ bool Pledge::rests(const Situation& s, const Memory& memory) const noexcept {
 }
 
 /// Whose goal is another than it has told tells that: from where it is held, or once it has come to the end
-/// of what it has promised. Where there are several groups, `aim` does.
+/// of what it has promised. Where there are several groups, `aim` does it for who is held, and who goes aside
+/// does so first.
 void Pledge::retarget(const Situation& s, Memory& memory) const noexcept {
   Agreement& agreement = memory.agreement;
   const pledge::Status status = agreement.status();
-  memory.is_beyond = false;
+  memory.misfit = {};
   if ((agreement.own().destination - s.goal.position).norm() <= same_place || status == pledge::Status::lost)
     return;
-  if (agreement.rounds().groups().count() > 1 && status != pledge::Status::arrived) return;
   const Reference* way = agreement.way();
   const Vec3 anchor = way != nullptr ? way->knots().back().position : agreement.own().anchor;
   const Member member = pledge::member_of(s, params.speed_ratio, anchor, s.goal.position);
-  memory.is_beyond = !pledge::fits(member, agreement.terms().datum);
-  if (!memory.is_beyond && (way == nullptr || s.time >= way->end())) agreement.hold(member);
+  memory.misfit = pledge::misfit_of(member, agreement.terms().datum);
+  const bool is_for_aim =
+      agreement.rounds().groups().count() > 1 && (status == pledge::Status::held || agreement.is_aside());
+  const bool has_come = way == nullptr || s.time >= way->end();
+  if (memory.misfit.empty() && has_come && !is_for_aim) agreement.hold(member);
 }
 
 /// Who is kept has nowhere to go, and stops where it is if it was on its way. So it goes on hearing the
@@ -250,7 +261,8 @@ void Pledge::aim(const Situation& s, const pledge::Chart& chart, Memory& memory)
   Agreement& agreement = memory.agreement;
   const pledge::Rounds& rounds = agreement.rounds();
   const bool can_choose = rounds.groups().count() > 1 && agreement.others().may_depart() &&
-                          rounds.round() > memory.aimed_round && agreement.status() == pledge::Status::held;
+                          rounds.round() > memory.aimed_round && agreement.status() == pledge::Status::held &&
+                          memory.misfit.empty();
   if (!can_choose) return;
   memory.aimed_round = rounds.round();
   const Vec3& anchor = agreement.own().anchor;

@@ -64,14 +64,15 @@ struct Pledge {
 
   struct Memory {
     bool begun{false};
-    std::int64_t aimed_round{-1};    ///< the last one in which it chose where to go
-    Vec3 aimed_from = Vec3::Zero();  ///< where it lay then [m, NED]
-    int idle_rounds{};               ///< of its own, since it lay elsewhere
-    std::size_t asides{};            ///< how often it went aside, since no plan led it on
-    bool waits{false};               ///< it has chosen to stay for this round
-    bool is_beyond{false};           ///< its goal is too far from the datum to be told
-    double moved{};                  ///< when it was not at rest, since it was lost [s]
-    Vec3 drift = Vec3::Zero();       ///< its velocity since then without the waves [m/s, NED]
+    std::int64_t aimed_round{-1};      ///< the last one in which it chose where to go
+    Vec3 aimed_from = Vec3::Zero();    ///< where it lay then [m, NED]
+    int idle_rounds{};                 ///< of its own, since it lay elsewhere
+    std::size_t asides{};              ///< how often it went aside, since no plan led it on
+    bool waits{false};                 ///< it has chosen to stay for this round
+    std::optional<Vec3> refused_at{};  ///< where it stays that cannot take part [m, NED]
+    std::string_view misfit{};         ///< why its goal cannot be told, if that is so
+    double moved{};                    ///< when it was not at rest, since it was lost [s]
+    Vec3 drift = Vec3::Zero();         ///< its velocity since then without the waves [m/s, NED]
     double turn_period{};
     double time{};
     Vec3 stay = Vec3::Zero();  ///< where a lost member holds [m, NED]
@@ -94,6 +95,7 @@ struct Pledge {
   pledge::Tubes tubes() const noexcept { return {.radius = params.tube_m, .told = 0.1}; }
   Command decided(const Situation& s, const pledge::Chart& chart, Memory& memory,
                   Context& context) const noexcept;
+  Command refused(const Situation& s, std::string_view why, Memory& memory) const noexcept;
   Command stayed(const Situation& s, const Memory& memory, Context& context) const noexcept;
   std::string_view begin(const Situation& s, Memory& memory) const noexcept;
   std::string_view hear(const Situation& s, Memory& memory) const noexcept;

@@ -124,6 +124,17 @@ TEST(Pledge, WhoCannotBeToldSaysWhy) {
   EXPECT_EQ(why({0, 0, 5}, 20.0, {40, 0, 5}), "its sphere is too large for its words");
 }
 
+TEST(Pledge, WhoCannotTakePartGoesBackToWhereItWas) {
+  Alone member;
+  member.radius = 20.0;
+  EXPECT_LT(member.decide(0.0).velocity.norm(), 1e-9);
+  member.position = {-2.0, 0.0, 5.0};
+  const Command back = member.decide(10.0);
+  EXPECT_GT(back.velocity.x(), 0.1);
+  EXPECT_EQ(back.mode, Mode::infeasible);
+  EXPECT_TRUE(back.turn_rate.has_value());
+}
+
 TEST(Pledge, WhoLiesOrIsToGoTooNearToWhatStandsSaysSo) {
   const auto note = [](const Vec3& rock) {
     Alone member;

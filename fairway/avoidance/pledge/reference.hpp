@@ -16,9 +16,10 @@ inline constexpr std::array<double, 8> ring_radius{0.0, 3.6, 4.2, 5.0, 6.0, 7.0,
 inline constexpr std::array<double, 4> ring_scale{1.0, 1.5, 2.5, 4.0};    ///< of all rings of a plan
 inline constexpr double never = std::numeric_limits<double>::infinity();  ///< as a time [s]
 inline constexpr double delay_step = 3.0;                                 ///< [s]
-inline constexpr int most_levels = 3;           ///< below a member's own way, if that is level
-inline constexpr double level_within = 1.0;     ///< a way is level whose ends differ by less in depth [m]
-inline constexpr double level_keeping = 0.055;  ///< who tells that it dives no faster stays on its way [m/s]
+inline constexpr int most_levels = 3;        ///< below a member's own way, if that is level
+inline constexpr double level_within = 1.0;  ///< a way is level whose ends differ by less in depth [m]
+/// Who tells that it dives no faster stays on its way; a step of what is told [m/s].
+inline constexpr double level_keeping = 0.05;
 
 struct Knot {
   double time{};                 ///< [s]

@@ -88,6 +88,7 @@ TEST(Reference, GoesBelowTheOthersAndUpAgainWithinItsSpeed) {
       EXPECT_LT(std::fabs(knot.position.z() - member.anchor.z()), level_within);
     member.descent = level_keeping;
     EXPECT_FALSE(has_levels(member));
+    EXPECT_FALSE(has_levels(as_told(member, Vec2::Zero()))) << "as others hear it too";
   }
 }
 

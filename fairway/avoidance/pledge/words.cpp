@@ -18,6 +18,8 @@ constexpr Scale centre_across{10, 0.32, -163.84};
 constexpr Scale radius{6, 0.25, 0.0}, arrival{5, 0.25, 0.0};
 constexpr Scale speed{6, 0.02, 0.0}, climb{6, 0.01, 0.0}, turn{4, 1.0, 0.0};
 
+constexpr double steep = 1.0;  // by more in depth nobody comes to its goal who does not climb or dive [m]
+
 void put_members(BitWriter& bits, const Members& members) {
   bits.put(static_cast<std::uint32_t>(members.to_ulong()), static_cast<int>(most_members));
 }
@@ -150,18 +152,32 @@ Member as_told(const Member& member, const Vec2& datum) noexcept {
   return std::get<StateWord>(*word).member;
 }
 
+double speed_as_told(double wanted, double most) noexcept { return speed.nearest(wanted, most); }
+double climb_as_told(double wanted, double most) noexcept { return climb.nearest(wanted, most); }
+
 Vec2 centre_as_told(const Vec2& centre, const Vec2& datum) noexcept {
   const auto told = [](double value) { return centre_across.value(centre_across.code(value)); };
   return datum + Vec2{told(centre.x() - datum.x()), told(centre.y() - datum.y())};
 }
 
+bool can_be_told(const Vec3& place, const Vec2& datum) noexcept {
+  const auto is_near = [](const Scale& scale, double value) {
+    return std::fabs(scale.value(scale.code(value)) - value) < 0.04;
+  };
+  return is_near(across, place.x() - datum.x()) && is_near(across, place.y() - datum.y()) &&
+         is_near(depth, place.z());
+}
+
 std::string_view misfit_of(const Member& member, const Vec2& datum) noexcept {
   const Member told = as_told(member, datum);
-  if (!((told.anchor - member.anchor).norm() < 0.05)) return "it is too far from the datum for its words";
-  if (!((told.destination - member.destination).norm() < 0.2))
-    return "its goal is too far from the datum for its words";
+  if (!can_be_told(member.anchor, datum)) return "it is too far from the datum for its words";
+  if (!can_be_told(member.destination, datum)) return "its goal is too far from the datum for its words";
   if (!(told.radius > member.radius - 1e-6)) return "its sphere is too large for its words";
-  return told.turn > member.turn - 1.0 ? "" : "it turns too slowly for its words";
+  if (!(told.turn > member.turn - 1.0)) return "it turns too slowly for its words";
+  const double down = member.destination.z() - member.anchor.z();
+  const bool is_level = std::fabs(down) < steep;
+  const bool goes = told.speed > 0.0 && (is_level || (down > 0.0 ? told.descent : told.climb) > 0.0);
+  return goes ? "" : "it goes too slowly for its words";
 }
 
 std::uint32_t digest_of(const std::array<Member, most_members>& members, const Members& participants,

@@ -136,11 +136,20 @@ std::optional<Word> decode(const Speech& speech, const Vec2& datum, double now) 
 /// The member as everybody comes to know it: encoded and decoded.
 Member as_told(const Member& member, const Vec2& datum) noexcept;
 
+/// The nearest speed that can be told, along a way and up or down, or, where that is more than `most`, the
+/// next lower one [m/s].
+double speed_as_told(double speed, double most) noexcept;
+double climb_as_told(double speed, double most) noexcept;
+
 /// The nearest centre of rings that can be told.
 Vec2 centre_as_told(const Vec2& centre, const Vec2& datum) noexcept;
 
-/// Why a member cannot be told, empty if it can: its places are too far from the datum, its sphere, in steps
-/// of 25 cm upwards, is larger than 15.75 m, or it takes longer than 16 s to turn before it gets under way.
+/// Whether a place can be told at which somebody is held. O(1).
+bool can_be_told(const Vec3& place, const Vec2& datum) noexcept;
+
+/// Why a member cannot be told, empty if it can: its places, at either of which it may be held, are too far
+/// from the datum, its sphere, in steps of 25 cm upwards, is larger than 15.75 m, it takes longer than 16 s
+/// to turn before it gets under way, or it goes so slowly that it is told not to go at all.
 std::string_view misfit_of(const Member& member, const Vec2& datum) noexcept;
 inline bool fits(const Member& member, const Vec2& datum) noexcept {
   return misfit_of(member, datum).empty();

@@ -67,6 +67,21 @@ TEST(Words, AStateComesOutAsItWentInUpToItsSteps) {
   }
 }
 
+TEST(Words, ASpeedIsToldAsTheNearestUnlessThatIsMoreThanMayBe) {
+  for (const double speed : {0.02, 0.06, 0.3, 0.5, 0.58, 1.0, 1.2}) {
+    EXPECT_NEAR(speed_as_told(speed, speed), speed, 1e-12);
+    EXPECT_NEAR(speed_as_told(speed + 0.0099, 2.0), speed, 1e-12);
+    EXPECT_NEAR(speed_as_told(speed - 0.0099, speed), speed, 1e-12);
+    EXPECT_NEAR(speed_as_told(speed - 0.0099, speed - 0.005), speed - 0.02, 1e-12);
+  }
+  for (const double rate : {0.03, 0.07, 0.29, 0.57}) {
+    EXPECT_NEAR(climb_as_told(rate, rate), rate, 1e-12);
+    EXPECT_NEAR(climb_as_told(rate - 0.004, rate - 0.001), rate - 0.01, 1e-12);
+  }
+  EXPECT_EQ(speed_as_told(0.015, 0.015), 0.0);
+  EXPECT_EQ(speed_as_told(-0.1, 0.0), 0.0);
+}
+
 TEST(Words, APlanComesOutAsItWentIn) {
   Rng rng = Rng{2}.stream("words");
   for (int i = 0; i < 1000; ++i) {
@@ -137,8 +152,9 @@ TEST(Words, WhatWasDamagedOrIsNoneIsRefused) {
       << "of bytes at random, 1 in 4 is of this version and of them 1 in 256 has the right sum";
 }
 
-TEST(Words, TooFarFromTheDatumTooLargeOrTooSlowToTurnDoesNotFit) {
-  Member member{.anchor = {datum.x(), datum.y(), 10}, .destination = {datum.x() + 50, datum.y(), 10}};
+TEST(Words, TooFarFromTheDatumTooLargeOrTooSlowDoesNotFit) {
+  Member member{
+      .anchor = {datum.x(), datum.y(), 10}, .destination = {datum.x() + 50, datum.y(), 10}, .speed = 0.3};
   EXPECT_TRUE(fits(member, datum));
   member.radius = 15.75;
   EXPECT_TRUE(fits(member, datum));
@@ -150,6 +166,18 @@ TEST(Words, TooFarFromTheDatumTooLargeOrTooSlowToTurnDoesNotFit) {
   member.turn = 32.9;
   EXPECT_FALSE(fits(member, datum));
   member.turn = 8.0;
+  member.destination.z() = 12;
+  EXPECT_FALSE(fits(member, datum)) << "it cannot dive";
+  member.descent = 0.1;
+  EXPECT_TRUE(fits(member, datum));
+  member.speed = 0.0;
+  EXPECT_FALSE(fits(member, datum));
+  member.speed = 0.3;
+  member.destination.x() = datum.x() + 163;
+  EXPECT_TRUE(fits(member, datum));
+  member.destination.x() = datum.x() + 170;
+  EXPECT_FALSE(fits(member, datum)) << "it will be held there";
+  member.destination.x() = datum.x() + 50;
   member.anchor.x() += 200;
   EXPECT_FALSE(fits(member, datum));
 }

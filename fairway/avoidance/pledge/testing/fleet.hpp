@@ -21,8 +21,8 @@ struct Spoken {
   double heard;  ///< when [s]
 };
 
-/// A model of all groups: members that keep to their references exactly, and a modem that loses what a test
-/// has it lose.
+/// A model of all groups: members that keep to their references exactly, or stop before somebody who is held
+/// in their way, and a modem that loses what a test has it lose.
 struct Fleet {
   std::vector<Spoken> said;
   std::vector<Agreement> members;
@@ -36,6 +36,7 @@ struct Fleet {
   double period{step};     ///< that members are told to decide at [s]
   double time{0.0};
   double least{never};  ///< between two of them, so far
+  int beside_plans{0};  ///< how often somebody stopped since it would have come near to somebody who is held
 
   Fleet(const std::vector<Member>& all, double period) : turn_period{period} {
     const Terms terms{.count = all.size(), .tubes = {.radius = 1.0, .told = 0.1}};
@@ -79,6 +80,13 @@ struct Fleet {
         }
       } else if (members[i].status() == Status::arrived && !last_ways[i].empty()) {
         places[i] = last_ways[i].at(time);
+      }
+      if (const Reference* way = members[i].way();
+          way != nullptr && members[i].meets_held(*way, time, time + 8.0)) {
+        Member stopped = members[i].own();
+        stopped.anchor = places[i];
+        members[i].hold(stopped);
+        ++beside_plans;
       }
       const bool rests = (places[i] - members[i].own().anchor).norm() <= 1.0;
       members[i].take_turns(time, period, turn_period, true, rests);
