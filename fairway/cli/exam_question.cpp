@@ -31,8 +31,7 @@ ExamQuestion question_of(const ExamFlags& flags, const ExamFile& exam, const Cat
       std::cerr << "fairway: --methods " << candidate.file
                 << ": was tuned, and no tuning.json beside it says on which seeds; they may be test seeds\n";
   if (flags.tuned.empty()) return question;
-  const std::vector<Candidate> named = question.by_name ? question.candidates : std::vector<Candidate>{};
-  for (Candidate& candidate : tuned_candidates(flags.tuned, question.families, methods, named))
+  for (Candidate& candidate : tuned_candidates(flags.tuned, exam, question, methods))
     question.candidates.push_back(std::move(candidate));
   return question;
 }

@@ -28,8 +28,8 @@ CLI::Option* add_word_list(CLI::App& verb, const std::string& flag, std::vector<
       for (std::string part : parts_of(text)) {
         if (const std::string fault = each(part); !fault.empty()) throw CLI::ValidationError(flag, fault);
         if (part.empty())
-          throw CLI::ValidationError(flag,
-                                     "\"" + text + "\" has an empty part; expected commas between alone");
+          throw CLI::ValidationError(
+              flag, "\"" + text + "\" has an empty part; expected names with a comma between them");
         if (std::ranges::find(words, part) != words.end())
           throw CLI::ValidationError(flag, part + " is given twice; expected each once");
         words.push_back(std::move(part));

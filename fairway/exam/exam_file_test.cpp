@@ -184,9 +184,9 @@ TEST(ExamFile, ACopyOfAGroundIsKnownUnderAnotherName) {
 
 TEST(ExamFile, TunedParametersAreForTheFamilyOfAFolderAtMostAsHighAsTheOneThatIsGiven) {
   SmallExam exam;
-  const std::vector<ExamFamily> families = exam.load().families;
+  const ExamFile read = exam.load();
   const auto families_of = [&](const std::string& path) {
-    return tuned_candidates(exam.folder.file(path), families, methods()).front().families;
+    return tuned_candidates(exam.folder.file(path), read, {}, methods()).front().families;
   };
   std::filesystem::create_directories(exam.folder.file("meeting/one/meeting/two"));
   exam.write("meeting/one/best.yaml", "algorithm: orca3d\n");
@@ -211,10 +211,11 @@ TEST(ExamFile, OfAFolderOfTunedParametersThoseOfTheNamedMethodsAreTaken) {
     small.write(std::string{"tuned/"} + method + "/best.yaml", std::string{"algorithm: "} + method + "\n");
   }
   const auto taken = [&](const std::string& path, const std::vector<std::string>& names) {
-    std::vector<Candidate> named;
-    for (const std::string& name : names) named.push_back(candidate_of(name, exam, methods(), "--methods"));
+    ExamQuestion question{.families = exam.families, .by_name = !names.empty()};
+    for (const std::string& name : names)
+      question.candidates.push_back(candidate_of(name, exam, methods(), "--methods"));
     std::vector<std::string> labels;
-    for (const Candidate& each : tuned_candidates(small.folder.file(path), exam.families, methods(), named))
+    for (const Candidate& each : tuned_candidates(small.folder.file(path), exam, question, methods()))
       labels.push_back(each.method.label);
     return labels;
   };

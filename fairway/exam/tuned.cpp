@@ -38,13 +38,18 @@ std::vector<std::string> avoider_files(const std::string& path) {
   return files;
 }
 
+/// A path as it is told from others, without a slash at its end; nothing is asked of the disk.
+fs::path plain(const fs::path& path) {
+  const fs::path whole = fs::absolute(path).lexically_normal();
+  return whole.has_filename() ? whole : whole.parent_path();
+}
+
 /// The family that the folder of a file is named after, or one above that as far as `top`; empty: none is.
 std::string family_of(const fs::path& file, const fs::path& top, const std::vector<ExamFamily>& families) {
-  const fs::path last = fs::weakly_canonical(top);
-  for (fs::path folder = fs::weakly_canonical(file).parent_path();; folder = folder.parent_path()) {
+  for (fs::path folder = plain(file).parent_path();; folder = folder.parent_path()) {
     for (const ExamFamily& family : families)
       if (folder.filename() == family.name) return family.name;
-    if (folder == last || !folder.has_relative_path()) return {};
+    if (folder == top || !folder.has_relative_path()) return {};
   }
 }
 
@@ -124,14 +129,15 @@ Candidate candidate_of(const std::string& name, const ExamFile& exam, const Cata
   return {.method = {.label = name, .avoider = name}, .tuned = false, .families = {}};
 }
 
-std::vector<Candidate> tuned_candidates(const std::string& path, const std::vector<ExamFamily>& families,
-                                        const Catalog& methods, const std::vector<Candidate>& named) {
+std::vector<Candidate> tuned_candidates(const std::string& path, const ExamFile& exam,
+                                        const ExamQuestion& question, const Catalog& methods) {
   const bool is_folder = fs::is_directory(path);
-  const fs::path top = is_folder ? fs::path(path) : fs::path(path).parent_path();
+  const fs::path top = is_folder ? plain(path) : plain(path).parent_path();
   const auto is_asked = [&](const Candidate& tuned) {
-    return !is_folder || named.empty() || std::ranges::any_of(named, [&](const Candidate& candidate) {
-      return algorithm_of(candidate.method) == tuned.method.label;
-    });
+    const auto is_of = [&](const Candidate& named) {
+      return algorithm_of(named.method) == tuned.method.label;
+    };
+    return !is_folder || !question.by_name || std::ranges::any_of(question.candidates, is_of);
   };
   std::vector<Candidate> candidates;
   std::set<std::string> others;
@@ -143,9 +149,9 @@ std::vector<Candidate> tuned_candidates(const std::string& path, const std::vect
       others.insert(candidate.method.label);
       continue;
     }
-    if (std::string family = family_of(file, top, families); !family.empty())
+    if (std::string family = family_of(file, top, exam.families); !family.empty())
       candidate.families.push_back(std::move(family));
-    if (!is_search_told("--tuned", file, families))
+    if (!is_search_told("--tuned", file, question.families))
       throw InputError("--tuned " + file + ": was tuned, and no tuning.json beside it says on which seeds");
     for (const Candidate& other : candidates) refuse_second("--tuned " + file, candidate, other);
     candidates.push_back(std::move(candidate));

@@ -20,12 +20,12 @@ Candidate candidate_of(const std::string& name, const ExamFile& exam, const Cata
 bool is_search_told(const std::string& flag, const std::string& file,
                     const std::vector<ExamFamily>& families);
 
-/// What `fairway tune` left: a file of an avoider, or of a folder and those below it every one, where
-/// somebody is `named` those of the same methods. One is for a family alone whose name the folder has that it
-/// lies in, or one above that up to the one that is given. What was searched on stands in tuning.json beside
-/// it. Throws InputError where there is none, where two are of one method and family, and where a search saw
-/// a test seed of a ground of these families, or may have seen any.
-std::vector<Candidate> tuned_candidates(const std::string& path, const std::vector<ExamFamily>& families,
-                                        const Catalog& methods, const std::vector<Candidate>& named = {});
+/// What `fairway tune` left: a file of an avoider, or of a folder and those below it every one, where methods
+/// were asked for by name those of the same methods. One is for a family alone whose name the folder has that
+/// it lies in, or one above that up to the one that is given. What was searched on stands in tuning.json
+/// beside it. Throws InputError where there is none, where two are of one method and family, and where a
+/// search saw a test seed of a ground of the families that are asked, or may have seen any.
+std::vector<Candidate> tuned_candidates(const std::string& path, const ExamFile& exam,
+                                        const ExamQuestion& question, const Catalog& methods);
 
 }  // namespace fairway
