@@ -149,7 +149,7 @@ TEST(Fleet, WhatCannotBeIsRefusedInOneLine) {
               HasSubstr("fleet: no room was found for 900 vehicles 5 m apart"));
   EXPECT_EQ(
       refused_fleet("{count: 8, places: {lattice: {spacing_m: 5}, box: {size_m: [9, 9, 0]}}}"),
-      "f.yaml:4:20: fleet.places: expected a mapping with one key of lattice, sphere, box, draw, got one "
+      "f.yaml:4:27: fleet.places: expected a mapping with one key of lattice, sphere, box, draw, got one "
       "with 2, such as lattice and box");
   EXPECT_EQ(
       refused_fleet("{count: 6, places: {lattice: {spacing_m: 9}}}",

@@ -185,7 +185,8 @@ TEST(RefusalTest, VehiclesMustBeAbleToStart) {
       refusal(with("", "name: robot1")),
       "f.yaml:8:5: vehicles[1].name: robot1 is the name of vehicles[0], too; expected another name there, "
       "since this one follows from an id");
-  EXPECT_THAT(refusal("{fairway: 1, name: a, vehicles: [&v {name: me, model: m, avoider: a}, *v]}"),
+  EXPECT_THAT(refusal("{fairway: 1, name: a, vehicles: [&v {name: me, model: m, avoider: a, start: "
+                      "{position_m: [1, 2, 3]}}, *v]}"),
               HasSubstr("vehicles[1].name: me is the name of vehicles[0], too; expected a name of its own"));
   const std::string together =
       "{fairway: 1, name: a, vehicles: [&v {model: m, avoider: a, start: {position_m: [1, 2, 3]}}, *v]}";
