@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/experiment/ground_digest.hpp"
 
+#include <cstdint>
+
 #include "fairway/experiment/campaign.hpp"
 #include "fairway/experiment/digest.hpp"
 #include "fairway/scenario/load.hpp"
