@@ -12,6 +12,7 @@
 #include "fairway/cli/bench_fleet.hpp"
 #include "fairway/cli/numbers.hpp"
 #include "fairway/cli/program.hpp"
+#include "fairway/cli/word_list.hpp"
 #include "fairway/core/angles.hpp"
 #include "fairway/core/math.hpp"
 #include "fairway/sim/simulation.hpp"
@@ -125,24 +126,28 @@ void add_bench(CLI::App& app, Program& program) {
   auto budget = std::make_shared<double>(0.5);
   auto algorithms = std::make_shared<std::vector<std::string>>(
       std::vector<std::string>{"orca3d", "apf", "orca3d+stop_and_wait"});
-  auto fleets = std::make_shared<std::vector<std::size_t>>();
+  auto fleets = std::make_shared<std::vector<std::string>>();
   auto threads = std::make_shared<std::size_t>(1);
   auto as_json = std::make_shared<bool>(false);
-  verb->add_option("--algorithm", *algorithms, "whose decisions are timed")->capture_default_str();
+  CLI::Option* algorithm =
+      verb->add_option("--algorithm", *algorithms, "whose decisions are timed")->capture_default_str();
   verb->add_option("--seconds", *budget, "per figure; each is the median of its repetitions")
       ->capture_default_str()
       ->transform(finite_number(0.01, 60.0));
-  CLI::Option* fleet = verb->add_option("--fleet", *fleets,
-                                        "instead: what a step of fleets of so many vehicles costs, by stage")
-                           ->delimiter(',')
-                           ->transform(whole_number<std::size_t>(1, 1'000'000));
+  CLI::Option* fleet =
+      add_word_list(*verb, "--fleet", *fleets,
+                    "instead: what a step of fleets of so many vehicles costs, by stage, under orca3d",
+                    whole_number<std::size_t>(1, 1'000'000));
+  fleet->type_name("UINT")->excludes(algorithm);
   verb->add_option("--threads", *threads, "that share a step of a fleet")
       ->capture_default_str()
       ->transform(whole_number<std::size_t>(1, max_jobs))
       ->needs(fleet);
   verb->add_flag("--json", *as_json, "print JSON");
   program.on(*verb, [=, &program] {
-    if (!fleets->empty()) return bench_fleets(*fleets, *budget, *threads, *as_json, program.catalogs);
+    std::vector<std::size_t> counts;
+    for (const std::string& count : *fleets) counts.push_back(std::stoul(count));
+    if (!counts.empty()) return bench_fleets(counts, *budget, *threads, *as_json, program.catalogs);
     return bench(*algorithms, *budget, *as_json, program.catalogs);
   });
 }

@@ -13,18 +13,21 @@
 
 #include "fairway/cli/decision_clock.hpp"
 #include "fairway/cli/exam_playbacks.hpp"
+#include "fairway/cli/exam_question.hpp"
 #include "fairway/cli/listing.hpp"
 #include "fairway/cli/numbers.hpp"
 #include "fairway/cli/outputs.hpp"
 #include "fairway/cli/own_methods.hpp"
 #include "fairway/cli/paths.hpp"
 #include "fairway/cli/program.hpp"
+#include "fairway/cli/word_list.hpp"
+#include "fairway/core/csv_field.hpp"
 #include "fairway/exam/against.hpp"
 #include "fairway/exam/entrance.hpp"
 #include "fairway/exam/exam_page.hpp"
 #include "fairway/exam/exam_text.hpp"
+#include "fairway/exam/labels.hpp"
 #include "fairway/exam/reference.hpp"
-#include "fairway/exam/tuned.hpp"
 #include "fairway/experiment/measure_run.hpp"
 #include "fairway/experiment/version.hpp"
 #include "fairway/record/output_file.hpp"
@@ -33,22 +36,6 @@
 
 namespace fairway::cli {
 namespace {
-
-struct ExamFlags {
-  std::string grounds = shipped("campaigns/exam/exam.yaml");
-  std::vector<std::string> methods;
-  std::vector<std::string> families;
-  std::vector<std::string> conditions;
-  std::optional<std::size_t> seeds;
-  std::string against;
-  std::string tuned;
-  std::string out;
-  unsigned jobs{0};
-  bool add{false};
-  bool as_it_is{false};
-  bool playbacks{false};
-  bool json{false};
-};
 
 /// What an exam leaves in its folder.
 struct ExamFiles {
@@ -65,8 +52,8 @@ ExamFiles exam_files_in(const std::string& folder) {
 std::string decisions_csv(const std::vector<DecisionTime>& times) {
   std::string text{decision_times_file.holds};
   for (const DecisionTime& each : times)
-    text += fmt::format("{},{},{},{},{:.4g},{:.4g}\n", each.family, each.method, each.tuned, each.decisions,
-                        each.mean_us, each.worst_us);
+    text += fmt::format("{},{},{},{},{:.4g},{:.4g}\n", csv_field(each.family), csv_field(each.method),
+                        each.tuned, each.decisions, each.mean_us, each.worst_us);
   return text;
 }
 
@@ -84,90 +71,6 @@ std::vector<Measure> examined(const Scenario& scenario, const Labels& labels, co
   simulation.refuse_divergence();
   clock.add(labels, simulation.decision_times());
   return measures_of(exam_outcome(metrics.measures(), scenario));
-}
-
-/// Stored results that newcomers are held against; none if there is no such flag. Unless families are named,
-/// those that it has are left, and with --add all of them.
-std::optional<ExamReference> reference_for(const ExamFlags& flags, const ExamFile& exam,
-                                           std::vector<ExamFamily>& families) {
-  if (flags.against.empty()) return {};
-  ExamReference reference = parse_reference(read_maybe_compressed(flags.against), flags.against);
-  if (flags.families.empty() && !flags.add)
-    std::erase_if(families,
-                  [&](const ExamFamily& family) { return !reference.grounds.contains(family.name); });
-  for (const ExamFamily& family : families) {
-    const auto known = reference.grounds.find(family.name);
-    if (known == reference.grounds.end() && flags.add) continue;
-    if (known == reference.grounds.end())
-      throw InputError("--against " + flags.against + ": has no runs of the family " + family.name);
-    if (known->second != digest_of(family, exam.conditions))
-      throw InputError("--against " + flags.against + ": its runs of " + family.name +
-                       " are of other scenarios than " + family.file + " has now");
-  }
-  return reference;
-}
-
-/// Says of stored runs how each is made, where this program knows their methods.
-void add_commands(std::vector<ExamRun>& runs, const ExamFile& exam, ExamQuestion question,
-                  const Program& program) {
-  std::set<std::string> known;
-  for (const ExamRun& run : runs)
-    if (!run.tuned && run.method != exam.baseline.label) known.insert(run.method);
-  question.candidates.clear();
-  for (const std::string& method : known) {
-    try {
-      question.candidates.push_back(candidate_of(method, exam, program.catalogs.avoiders, ""));
-    } catch (const InputError&) {  // somebody else's: its runs are shown without
-    }
-  }
-  std::size_t most = 1;
-  for (const ExamFamily& family : question.families) most = std::max(most, family.grounds.size());
-  question.seeds = most;
-  question.by_name = false;
-  const ExamPlan plan = plan_exam(exam, question, program.catalogs.avoiders, {}, 1, own_methods(program));
-  using Key = std::tuple<std::string, std::string, std::string, std::string>;
-  std::map<Key, std::string> commands;
-  for (const RunSpec& spec : plan.campaign.specs) {
-    const auto label = [&](const char* name) { return *find_label(spec.labels, name); };
-    commands[{label("family"), label("condition"), label("method"), label("case")}] = spec.command;
-  }
-  for (ExamRun& run : runs)
-    if (const auto found = commands.find({run.family, run.condition, run.method, run.ground});
-        !run.tuned && found != commands.end())
-      run.command = found->second;
-}
-
-ExamQuestion question_of(const ExamFlags& flags, const ExamFile& exam, const Catalog& methods) {
-  ExamQuestion question{.families = chosen_by_name(exam.families, flags.families, "--families"),
-                        .conditions = chosen_by_name(exam.conditions, flags.conditions, "--conditions"),
-                        .candidates = {},
-                        .by_name = !flags.methods.empty()};
-  expect_known(exam.baseline, methods);
-  for (const std::string& name : flags.methods) {
-    question.candidates.push_back(candidate_of(name, exam, methods, "--methods"));
-    if (name.ends_with(".yaml") && !is_search_told("--methods", name, question.families))
-      std::cerr << "fairway: --methods " << name
-                << ": was tuned, and no tuning.json beside it says on which seeds; they may be test seeds\n";
-  }
-  if (flags.methods.empty() && (flags.against.empty() || flags.add))
-    for (const CampaignAlgorithm& method : exam.methods)
-      question.candidates.push_back(candidate_of(method.label, exam, methods, "methods:"));
-  if (!flags.tuned.empty())
-    for (Candidate& candidate : tuned_candidates(flags.tuned, question.families, methods))
-      question.candidates.push_back(std::move(candidate));
-  return question;
-}
-
-std::vector<std::string> exam_inputs(const ExamFlags& flags, const ExamFile& exam) {
-  std::vector<std::string> inputs{flags.grounds};
-  for (const ExamFamily& family : exam.families) {
-    inputs.push_back(family.file);
-    for (const ExamGround& ground : family.grounds) inputs.push_back(ground.file);
-  }
-  for (const std::string& method : flags.methods)
-    if (method.ends_with(".yaml")) inputs.push_back(method);
-  if (!flags.against.empty()) inputs.push_back(flags.against);
-  return inputs;
 }
 
 ExamOrder order_of(const ExamFile& exam, const ExamQuestion& question, const std::vector<ExamRun>& runs) {
@@ -199,13 +102,15 @@ int told_interrupted() {
 
 int write_exam(const ExamFlags& flags, const ExamFile& exam, const ExamQuestion& question,
                const ExamPlan& plan, const std::vector<ExamRun>& runs, const std::string& maker,
-               const std::vector<DecisionTime>& times, const Program& program) {
+               const std::map<std::string, std::string>& avoiders, const std::vector<DecisionTime>& times,
+               const Program& program) {
   const ExamFiles files = exam_files_in(flags.out);
   const ExamTable table = exam_table(runs, order_of(exam, question, runs));
   const std::optional<ExamPlaybacks> playbacks =
       exam_playbacks(table, plan, flags.out, flags.playbacks, flags.jobs, program);
   if (!playbacks) return told_interrupted();
-  ExamReference reference{.epoch = results_epoch, .maker = maker, .grounds = {}, .runs = runs};
+  ExamReference reference{
+      .epoch = results_epoch, .maker = maker, .grounds = {}, .avoiders = avoiders, .runs = runs};
   for (const ExamFamily& family : question.families)
     if (std::ranges::find(runs, family.name, &ExamRun::family) != runs.end())
       reference.grounds[family.name] = digest_of(family, exam.conditions);
@@ -257,29 +162,13 @@ Store open_store(const ExamFlags& flags, const ExamFile& exam, const ExamPlan& p
                      " with its runs; expected another folder, or --force to replace it");
   make_folder(flags.out, "--out");
   Store store = Store::open(files.store, outputs.force() ? Store::Foreign::replace : Store::Foreign::refuse);
+  store.refuse_other_epoch();
   Origin origin{.campaign = exam.name, .summary = exam.summary};
   for (const CampaignCell& cell : plan.campaign.cells) add_values(origin.order, cell.labels);
   store.note(origin);
   store.claim(plan.campaign.specs);
   if (!plan.campaign.specs.empty()) store.note(this_maker(false));
   return store;
-}
-
-/// Says where a method that is named costs what the exam would have spared.
-void tell_what_is_not_left_out(const ExamFile& exam, const ExamQuestion& question) {
-  if (!question.by_name) return;
-  for (const ExamOmission& omission : exam.omissions) {
-    std::string families;
-    for (const ExamFamily& family : question.families)
-      if (std::ranges::find(omission.families, family.name) != omission.families.end())
-        families += (families.empty() ? "" : ",") + family.name;
-    const auto is_named = [&](const Candidate& candidate) {
-      return !candidate.tuned && candidate.method.label == omission.method;
-    };
-    if (families.empty() || std::ranges::none_of(question.candidates, is_named)) continue;
-    std::cerr << "fairway: " << omission.method << " is named, so that " << families << " is not left out ("
-              << omission.why << "); --families takes others\n";
-  }
 }
 
 ExamPlan listed_plan(const ExamFlags& flags, const ExamFile& exam, const ExamQuestion& question,
@@ -294,7 +183,7 @@ int hold_exam(const ExamFlags& flags, const Outputs& outputs, const Program& pro
   const Catalogs& catalogs = program.catalogs;
   const ExamFile exam = load_exam(flags.grounds);
   ExamQuestion question = question_of(flags, exam, catalogs.avoiders);
-  const std::optional<ExamReference> reference = reference_for(flags, exam, question.families);
+  const std::optional<ExamReference> reference = reference_for(flags, exam, question);
   question.seeds = flags.seeds.value_or(20);
   if (reference && !flags.add) {
     const std::size_t stored = seeds_in(*reference, question.families);
@@ -335,7 +224,9 @@ int hold_exam(const ExamFlags& flags, const Outputs& outputs, const Program& pro
   }
   std::string maker = makers_of(store);
   if (reference) maker += (maker.empty() ? "" : "; held against runs by ") + reference->maker;
-  return write_exam(flags, exam, question, plan, runs, maker, clock.all(), program);
+  std::map<std::string, std::string> avoiders = avoiders_of(question);
+  if (reference) avoiders.insert(reference->avoiders.begin(), reference->avoiders.end());
+  return write_exam(flags, exam, question, plan, runs, maker, avoiders, clock.all(), program);
 }
 
 }  // namespace
@@ -346,17 +237,10 @@ void add_exam(CLI::App& app, Program& program) {
   verb->footer("Example: fairway exam --methods orca3d,apf --families cubes,spheres --seeds 20 --out exam");
   auto flags = std::make_shared<ExamFlags>();
   auto outputs = std::make_shared<Outputs>(*verb);
-  verb->add_option("--methods", flags->methods,
-                   "names, or files such as mine.yaml; default: those of the exam")
-      ->check(not_empty())
-      ->delimiter(',')
-      ->type_name("NAMES");
-  verb->add_option("--families", flags->families, "of the exam's; default: all")
-      ->delimiter(',')
-      ->type_name("NAMES");
-  verb->add_option("--conditions", flags->conditions, "of the exam's; default: all")
-      ->delimiter(',')
-      ->type_name("NAMES");
+  add_word_list(*verb, "--methods", flags->methods,
+                "names, or files such as mine.yaml; default: those of the exam");
+  add_word_list(*verb, "--families", flags->families, "of the exam's; default: all");
+  add_word_list(*verb, "--conditions", flags->conditions, "of the exam's; default: all");
   verb->add_option("--seeds", flags->seeds, "test seeds of each family; default 20, or as --against has")
       ->transform(whole_number<std::size_t>(1, 1'000'000));
   verb->add_option(

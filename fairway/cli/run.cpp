@@ -51,7 +51,7 @@ int run(const RunOptions& options, const Outputs& outputs, const Program& progra
   const Overrides overrides = overrides_of(options.settings, options.seed);
   refuse_two_algorithms(options, overrides);
   Scenario scenario = load_scenario(options.file, overrides, options.seed);
-  if (!options.algorithm.empty()) set_algorithm(scenario, options.algorithm);
+  if (!options.algorithm.empty()) set_algorithm(scenario, options.algorithm, program.catalogs.avoiders);
   check_expectations(scenario);
   const RunOutcome outcome =
       options.live.asked

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <iostream>
 #include <limits>
 #include <memory>
@@ -72,6 +73,18 @@ std::string occasion_text(const Judgement& judgement) {
   if (judgement.time)
     append(fmt::format("at {:.10g} s", *judgement.time));  // without the last digits of tick * period
   return text.empty() ? text : " (" + text + ")";
+}
+
+/// Whoever names a folder that is no method's name means a file in it.
+void refuse_folder(const std::string& name, const Catalog& methods) {
+  if (!std::filesystem::is_directory(name)) return;
+  try {
+    methods.params(name);
+  } catch (const InputError&) {
+    throw InputError("--algorithm " + name +
+                     ": is a folder; expected a method, or a file of an avoider such as " +
+                     (std::filesystem::path(name) / "best.yaml").string());
+  }
 }
 
 }  // namespace
@@ -181,12 +194,13 @@ void warn_of_misfits(const Scenario& scenario, const Program& program) {
     std::cerr << "fairway: warning: " << line << "\n";
 }
 
-void set_algorithm(Scenario& scenario, const std::string& name) {
+void set_algorithm(Scenario& scenario, const std::string& name, const Catalog& methods) {
   if (is_algorithm_file(name)) {
     const Choice avoider = load_algorithm(name);
     for (VehicleSpec& vehicle : scenario.vehicles) vehicle.avoider = avoider;
     return;
   }
+  refuse_folder(name, methods);
   for (VehicleSpec& vehicle : scenario.vehicles) {
     if (vehicle.avoider->name == name) continue;
     vehicle.avoider =

@@ -85,7 +85,8 @@ std::string text_of(const Judgement& judgement);
 /// Tells on standard error where a method is not meant for its vehicle or for what it meets.
 void warn_of_misfits(const Scenario& scenario, const Program& program);
 
-/// All runs of a scenario share the same algorithm: `name`, or "name" with parameters kept if the same.
-void set_algorithm(Scenario& scenario, const std::string& name);
+/// All vehicles of a scenario get the same algorithm, by its name or from a file `name.yaml`; whoever has it
+/// already keeps its parameters. Throws InputError for a file that cannot be read, and for a folder.
+void set_algorithm(Scenario& scenario, const std::string& name, const Catalog& methods);
 
 }  // namespace fairway::cli

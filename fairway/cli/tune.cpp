@@ -10,6 +10,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "fairway/cli/numbers.hpp"
@@ -17,7 +18,9 @@
 #include "fairway/cli/own_methods.hpp"
 #include "fairway/cli/paths.hpp"
 #include "fairway/cli/program.hpp"
+#include "fairway/cli/word_list.hpp"
 #include "fairway/core/names.hpp"
+#include "fairway/core/text.hpp"
 #include "fairway/experiment/digest.hpp"
 #include "fairway/experiment/measure_run.hpp"
 #include "fairway/record/output_file.hpp"
@@ -131,6 +134,14 @@ RunMaker maker_for(const Program& program) {
       .simulate = [&](const Scenario& scenario) { return measure_run(scenario, catalogs, program.stop); }};
 }
 
+/// What lies in the folder would go on with numbers that mean something else now.
+void refuse_other_epoch(const std::string& store) {
+  std::error_code none;
+  if (std::filesystem::exists(store, none) && std::filesystem::file_size(store, none) > 0 &&
+      is_of_kind(store, store_file))
+    Store::open_existing(store).refuse_other_epoch();
+}
+
 /// Everything that can be wrong is said before anything is run.
 void refuse_mistakes(const TuneFlags& flags, const Task& task, const Outputs& outputs,
                      const Program& program) {
@@ -143,6 +154,7 @@ void refuse_mistakes(const TuneFlags& flags, const Task& task, const Outputs& ou
                                              {"--out", task.files.avoider, tuned_file},
                                              {"--out", task.files.document, tuning_document}});
   if (!outputs.force()) refuse_result_of_another(flags, task);
+  refuse_other_epoch(task.files.store);
 }
 
 TuningResult search(const TuneFlags& flags, const Task& task, const Shard& shard, Store::Foreign foreign,
@@ -167,11 +179,22 @@ TuningResult search(const TuneFlags& flags, const Task& task, const Shard& shard
   return tune(tuning, runs, how);
 }
 
+/// The command that comes to the same result: without what changes nothing about it, such as the number of
+/// threads, the folder and how the methods of one specification were shared out.
+std::string command_of(const TuneFlags& flags, const Task& task, const Program& program) {
+  const auto& [tuning, files] = task;
+  std::string command = program.name + " tune " + shell_word(flags.specification);
+  if (files.folder != flags.out) command += " --methods " + shell_word(tuning.method.label);
+  command += " --budget " + std::to_string(flags.budget);
+  if (flags.seed != TuneFlags{}.seed) command += " --seed " + std::to_string(flags.seed);
+  return command + " --out FOLDER";
+}
+
 /// Writes a result, and says it unless all are said as JSON in the end.
 nlohmann::json write_result(const TuneFlags& flags, const Task& task, const TuningResult& result,
                             const Program& program) {
   const auto& [tuning, files] = task;
-  write_file(files.avoider, tuned_avoider(tuning, result, program.typed));
+  write_file(files.avoider, tuned_avoider(tuning, result, command_of(flags, task, program)));
   nlohmann::json document = to_json(tuning, result);
   document["search"] = search_of(flags, tuning);
   write_file(files.document, document.dump(2) + "\n");
@@ -212,9 +235,7 @@ void add_tune(CLI::App& app, Program& program) {
   verb->add_option("specification", flags->specification, "what to tune, on what, and on what to judge it")
       ->check(not_empty())
       ->required();
-  verb->add_option("--methods", flags->methods, "of a specification with several, those to tune")
-      ->delimiter(',')
-      ->type_name("NAMES");
+  add_word_list(*verb, "--methods", flags->methods, "of a specification with several, those to tune");
   verb->add_option("--budget", flags->budget,
                    "runs to search with, for each method; those to judge by come on top")
       ->transform(whole_number<std::size_t>(1, max_campaign_runs))

@@ -220,6 +220,11 @@ ExamFile load_exam(const std::string& file) {
     const std::string path = (folder / name).lexically_normal().string();
     exam.families.push_back(parse_family(text_of_file(path), path));
   }
+  for (std::size_t i = 0; i < exam.methods.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (exam.methods[i].label == exam.methods[j].label)
+        throw InputError({file, 0, 0}, "methods",
+                         "a second one named " + exam.methods[i].label + "; give it a label of its own");
   if (exam.conditions.empty()) throw InputError({file, 0, 0}, "conditions", "the list is empty");
   if (exam.families.empty()) throw InputError({file, 0, 0}, "families", "the list is empty");
   refuse_twice(exam.conditions, file, "conditions");

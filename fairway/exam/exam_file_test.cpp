@@ -12,6 +12,7 @@
 #include "fairway/exam/entrance.hpp"
 #include "fairway/exam/exam_plan.hpp"
 #include "fairway/exam/tuned.hpp"
+#include "fairway/experiment/ground_digest.hpp"
 #include "fairway/planning/builtin.hpp"
 #include "fairway/scenario/load.hpp"
 
@@ -160,6 +161,83 @@ TEST(ExamFile, WhatASearchSawIsAskedOfTheFileBesideIt) {
                                   ": its train has the seed 201 of a, which is a test seed of meeting");
 }
 
+TEST(ExamFile, ACopyOfAGroundIsKnownUnderAnotherName) {
+  SmallExam exam;
+  const ExamFile read = exam.load();
+  exam.write("best.yaml", "# Tuned by fairway 0.2.0\nalgorithm: orca3d\n");
+  const auto told = [&](const std::string& ground) {
+    exam.write("tuning.json",
+               R"({"seen": {"train": {"first_seed": 201, "seed_count": 5, "scenarios": ["copy"],)"
+               R"( "digests": [")" +
+                   ground_digest(ground, "copy.yaml") + R"("]}}})");
+    return refusal_by([&] { is_search_told("--flag", exam.folder.file("best.yaml"), read.families); });
+  };
+  std::string copy = "# another comment\n" + std::string{pair};
+  copy.replace(copy.find("name: pair"), 10, "name: copy");
+  copy.replace(copy.find("avoider: orca3d"), 15, "avoider: apf");
+  EXPECT_EQ(told(copy),
+            "--flag " + exam.folder.file("best.yaml") +
+                ": its train has the seed 201 of copy, which is a, and that is a test seed of meeting");
+  copy.replace(copy.find("duration_s: 10"), 14, "duration_s: 11");
+  EXPECT_EQ(told(copy), "accepted") << "another ground";
+}
+
+TEST(ExamFile, TunedParametersAreForTheFamilyOfAFolderAtMostAsHighAsTheOneThatIsGiven) {
+  SmallExam exam;
+  const ExamFile read = exam.load();
+  const auto families_of = [&](const std::string& path) {
+    return tuned_candidates(exam.folder.file(path), read, {}, methods()).front().families;
+  };
+  std::filesystem::create_directories(exam.folder.file("meeting/one/meeting/two"));
+  exam.write("meeting/one/best.yaml", "algorithm: orca3d\n");
+  EXPECT_EQ(families_of("meeting/one"), std::vector<std::string>{}) << "what lies above says nothing";
+  EXPECT_EQ(families_of("meeting/one/best.yaml"), std::vector<std::string>{});
+  EXPECT_EQ(families_of("meeting"), std::vector<std::string>{"meeting"});
+  exam.write("meeting/one/meeting/two/best.yaml", "algorithm: apf\n");
+  EXPECT_EQ(families_of("meeting/one/meeting/two"), std::vector<std::string>{});
+  EXPECT_EQ(families_of("meeting/one/meeting"), std::vector<std::string>{"meeting"});
+  exam.write("meeting/one/meeting/two/best.yaml", "algorithm: orca3d\n");
+  EXPECT_EQ(refusal_by([&] { families_of("meeting/one"); }),
+            "--tuned " + exam.folder.file("meeting/one/meeting/two/best.yaml") +
+                ": a second one of orca3d for meeting")
+      << "the first is for all families";
+}
+
+TEST(ExamFile, OfAFolderOfTunedParametersThoseOfTheNamedMethodsAreTaken) {
+  SmallExam small;
+  const ExamFile exam = small.load();
+  for (const char* method : {"apf", "orca3d", "avoa"}) {
+    std::filesystem::create_directories(small.folder.file(std::string{"tuned/"} + method));
+    small.write(std::string{"tuned/"} + method + "/best.yaml", std::string{"algorithm: "} + method + "\n");
+  }
+  const auto taken = [&](const std::string& path, const std::vector<std::string>& names) {
+    ExamQuestion question{.families = exam.families, .by_name = !names.empty()};
+    for (const std::string& name : names)
+      question.candidates.push_back(candidate_of(name, exam, methods(), "--methods"));
+    std::vector<std::string> labels;
+    for (const Candidate& each : tuned_candidates(small.folder.file(path), exam, question, methods()))
+      labels.push_back(each.method.label);
+    return labels;
+  };
+  EXPECT_EQ(taken("tuned", {}).size(), 3U);
+  EXPECT_EQ(taken("tuned", {"orca3d", "vo"}), std::vector<std::string>{"orca3d"});
+  EXPECT_EQ(taken("tuned/apf/best.yaml", {"orca3d"}), std::vector<std::string>{"apf"})
+      << "it was named itself";
+  EXPECT_EQ(
+      refusal_by([&] { taken("tuned", {"vo"}); }),
+      "--tuned " + small.folder.file("tuned") +
+          ": has parameters of none of the methods that --methods names; it has those of apf, avoa, orca3d");
+}
+
+TEST(ExamFile, TwoMethodsOfOneLabelAreRefused) {
+  SmallExam exam;
+  exam.write("exam.yaml",
+             "fairway_exam: 1\nname: small\nbaseline: direct\nmethods: [vo, {algorithm: apf, label: vo}]\n"
+             "conditions: [{name: known, meaning: m}]\nfamilies: [meeting.yaml]\n");
+  EXPECT_EQ(refusal_by([&] { exam.load(); }),
+            exam.folder.file("exam.yaml") + ": methods: a second one named vo; give it a label of its own");
+}
+
 TEST(ExamFile, NamesAreChosenInTheOrderOfTheExam) {
   const std::vector<ExamCondition> known{{.name = "a"}, {.name = "sonar"}, {.name = "c"}};
   const auto chosen = chosen_by_name(known, {"c", "a"}, "--conditions");
@@ -246,6 +324,22 @@ TEST(ExamPlan, WhoMayEnterNothingIsToldOrRefusedWhereItWasNamed) {
       refusal_by([&] { planned(exam.load(), {"rrt_star"}, 2, true); }),
       "--methods rrt_star may enter none of the families; meeting: rrt_star ignores whatever moves, and "
       "something does");
+}
+
+TEST(ExamPlan, TunedParametersThatMayEnterNothingAreToldWhoeverWasNamed) {
+  const SmallExam small;
+  const ExamFile exam = small.load();
+  ExamQuestion question{
+      .families = exam.families, .conditions = exam.conditions, .seeds = 2, .by_name = true};
+  question.candidates = {
+      {.method = {.label = "orca3d", .avoider = "orca3d"}, .families = {}},
+      {.method = {.label = "rrt_star", .avoider = "rrt_star"}, .tuned = true, .families = {}},
+      {.method = {.label = "apf", .avoider = "apf"}, .tuned = true, .families = {"elsewhere"}}};
+  const ExamPlan plan = plan_exam(exam, question, methods(), {}, 1, {});
+  ASSERT_EQ(plan.absences.size(), 2U);
+  EXPECT_EQ(plan.absences[0].method + " " + plan.absences[0].why, "apf was tuned for elsewhere alone");
+  EXPECT_EQ(plan.absences[1].method + " " + plan.absences[1].why,
+            "rrt_star ignores whatever moves, and something does");
 }
 
 TEST(ExamPlan, AConditionThatChangesNothingIsLeftOutAndTold) {

@@ -37,8 +37,9 @@ class Planner {
   }
 
  private:
-  /// Whoever was named has something to do.
-  void refuse_outsider(const Candidate& candidate) const {
+  /// Whoever was named has something to do; of parameters that a folder has it is told where they are for
+  /// other families than are asked.
+  void refuse_outsider(const Candidate& candidate) {
     std::string first;
     for (const ExamFamily& family : question_.families) {
       if (!candidate.families.empty() && !has(candidate.families, family.name)) continue;
@@ -46,9 +47,15 @@ class Planner {
       if (why.empty()) return;
       if (first.empty()) first = family.name + ": " + candidate.method.label + " " + why;
     }
-    if (question_.by_name)
-      throw InputError("--methods " + candidate.method.label + " may enter none of the families; " +
-                       (first.empty() ? "its parameters are for others" : first));
+    if (question_.by_name && !candidate.tuned)
+      throw InputError("--methods " + candidate.method.label + " may enter none of the families; " + first);
+    if (first.empty())
+      for (const ExamFamily& family : question_.families)
+        plan_.absences.push_back({.family = family.name,
+                                  .condition = {},
+                                  .method = candidate.method.label,
+                                  .tuned = true,
+                                  .why = "was tuned for " + candidate.families.front() + " alone"});
   }
 
   void add_family(const ExamFamily& family) {

@@ -17,6 +17,7 @@ struct Candidate {
   CampaignAlgorithm method;           ///< its label is what results call it by
   bool tuned{};                       ///< has parameters that somebody searched for
   std::vector<std::string> families;  ///< that these parameters are for; empty: all
+  std::string file{};  ///< of its avoider, where somebody gave one; its label is then the file's
 };
 
 /// What is to be asked of whom.
@@ -43,8 +44,8 @@ struct ExamPlan {
 };
 
 /// The runs of an exam: of each family, condition and candidate that may meet, one for each of the first
-/// test seeds, and the baseline's beside them. Throws InputError for a candidate that may enter none of the
-/// families, for more seeds than a family has, and as resolve_runs().
+/// test seeds, and the baseline's beside them. Throws InputError for one who was named and may enter none of
+/// the families, for more seeds than a family has, and as resolve_runs().
 ExamPlan plan_exam(const ExamFile& exam, const ExamQuestion& question, const Catalog& methods,
                    const CheckScenario& check, unsigned jobs, const OwnMethods& own,
                    const WatchListing& watch = {});

@@ -215,6 +215,21 @@ TEST(ExamTexts, TheTableIsCsvAndLatexWithoutWhatIsNotKnown) {
   EXPECT_NE(latex_of(table).find("cubes & known & careful & 40 & 40 & 1.24 & first"), std::string::npos);
 }
 
+TEST(ExamTexts, WhateverIsInANameIsTextOfLatexAndAFieldOfCsv) {
+  const std::string odd = "a,\"b\"_50% & #1 {x} $ ~ ^ \\";
+  std::vector<ExamRun> runs;
+  add(runs, "direct", "known", [](std::uint64_t) { return outcome(false, 50.0); });
+  add(runs, odd, "known", [](std::uint64_t) { return outcome(true, 60.0); });
+  const ExamTable table = exam_table(runs, order);
+  EXPECT_NE(latex_of(table).find("cubes & known & a,\"b\"\\_50\\% \\& \\#1 \\{x\\} \\$ \\textasciitilde{} "
+                                 "\\textasciicircum{} \\textbackslash{} & 40"),
+            std::string::npos)
+      << latex_of(table);
+  EXPECT_NE(rows_csv(table).find("cubes,known,\"a,\"\"b\"\"_50% & #1 {x} $ ~ ^ \\\",false,"),
+            std::string::npos)
+      << rows_csv(table);
+}
+
 TEST(ExamPage, HasACellForEveryoneWhoEnteredAndLeadsToItsRuns) {
   const std::vector<ExamRun> runs = sample();
   const std::vector<ExamCondition> conditions{{.name = "known", .meaning = "m"}};

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fairway/core/csv_field.hpp"
 #include "fairway/experiment/version.hpp"
 
 namespace fairway {
@@ -90,10 +91,21 @@ json placing_json(const Contest& contest, const Placing& placing) {
           {"on_front", placing.on_front}};
 }
 
-std::string escaped(std::string text) {
-  for (std::size_t i = text.find('_'); i != std::string::npos; i = text.find('_', i + 2))
-    text.insert(i, "\\");
-  return text;
+/// As text of LaTeX, whatever is in a name.
+std::string escaped(std::string_view text) {
+  std::string latex;
+  for (const char c : text) {
+    if (c == '\\')
+      latex += "\\textbackslash{}";
+    else if (c == '~')
+      latex += "\\textasciitilde{}";
+    else if (c == '^')
+      latex += "\\textasciicircum{}";
+    else
+      latex +=
+          (std::string_view{"&%$#_{}"}.find(c) != std::string_view::npos ? "\\" : "") + std::string(1, c);
+  }
+  return latex;
 }
 
 }  // namespace
@@ -157,8 +169,9 @@ json to_json(const ExamTable& table, const std::vector<Absence>& absences) {
 std::string rows_csv(const ExamTable& table) {
   std::string text{exam_rows_file.holds};
   for (const ExamRow& row : table.rows)
-    text += fmt::format("{},{},{},{},{},{},{},{},{}\n", row.family, row.condition, row.method, row.tuned,
-                        row.quantity, cell_text(row.mean), cell_text(row.low), cell_text(row.high), row.runs);
+    text += fmt::format("{},{},{},{},{},{},{},{},{}\n", csv_field(row.family), csv_field(row.condition),
+                        csv_field(row.method), row.tuned, row.quantity, cell_text(row.mean),
+                        cell_text(row.low), cell_text(row.high), row.runs);
   return text;
 }
 

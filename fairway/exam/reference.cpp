@@ -111,6 +111,7 @@ std::string reference_text(const ExamReference& reference) {
   std::string text = "# fairway exam\n# epoch " + std::to_string(reference.epoch) + "\n";
   text += "# made by " + reference.maker + "\n";
   for (const auto& [family, digest] : reference.grounds) text += "# grounds " + family + " " + digest + "\n";
+  for (const auto& [label, digest] : reference.avoiders) text += "# avoider " + digest + " " + label + "\n";
   return text + "# table " + Digest::of(table) + "\n" + table;
 }
 
@@ -130,10 +131,12 @@ ExamReference parse_reference(std::string_view text, const std::string& file) {
                    std::to_string(results_epoch) + ": the same scenarios come to other numbers");
     if (key == "made") reference.maker = value.substr(value.find(' ') + 1);
     if (key == "table") digest = value;
-    if (key != "grounds") continue;
+    if (key != "grounds" && key != "avoider") continue;
     const std::size_t end = value.find(' ');
-    if (end == std::string_view::npos) lines.refuse("grounds without a digest");
-    reference.grounds[std::string(value.substr(0, end))] = value.substr(end + 1);
+    if (end == std::string_view::npos) lines.refuse(std::string(key) + " without a digest");
+    const std::string first{value.substr(0, end)}, rest{value.substr(end + 1)};
+    if (key == "grounds") reference.grounds[first] = rest;
+    if (key == "avoider") reference.avoiders[rest] = first;
   }
   if (Digest::of(lines.rest()) != digest) lines.refuse("the table is not the one that its digest is of");
   if (std::string{lines.next()} + "\n" != header()) lines.refuse("has other columns: " + header());

@@ -16,7 +16,9 @@ struct ExamReference {
   int epoch{};
   std::string maker;                           ///< what made them: version, commit, compiler, machine
   std::map<std::string, std::string> grounds;  ///< digest_of() each family
-  std::vector<ExamRun> runs;                   ///< without their commands
+  /// Of methods that a file had, by label: digest_of() its avoider, by which the file is known again.
+  std::map<std::string, std::string> avoiders;
+  std::vector<ExamRun> runs;  ///< without their commands
 };
 
 /// As write_reference() gives it, before it is compressed.

@@ -109,8 +109,9 @@ class KeptCommands {
 /// What of a run cannot be as it was stored, or empty; `digest` is that of what was, if it is known.
 std::string damage_of(const RunRecord& record, const std::string& digest) {
   if (const std::string fault = fault_of(record); !fault.empty()) return yaml::shown(fault);
-  if (digest.empty() || !record.failure.empty() || digest == digest_of(record)) return "";
-  return "other values than were stored of the run " + yaml::shown(labels_text(record.spec.labels)) +
+  if (digest.empty() || (record.failure.empty() && digest == digest_of(record))) return "";
+  return (record.failure.empty() ? "other values than were stored" : "a failure that was not stored") +
+         (" of the run " + yaml::shown(labels_text(record.spec.labels))) +
          " seed=" + std::to_string(record.spec.seed);
 }
 

@@ -4,20 +4,13 @@
 #include <string>
 #include <vector>
 
+#include "fairway/core/csv_field.hpp"
 #include "fairway/core/text.hpp"
 #include "fairway/experiment/labels.hpp"
 #include "fairway/experiment/store.hpp"
 
 namespace fairway {
 namespace {
-
-/// A cell as RFC 4180 has it.
-std::string cell(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted + "\"";
-}
 
 /// Every label's name, in order of first appearance.
 std::vector<std::string> columns_of(std::span<const RunRecord> records) {
@@ -34,20 +27,20 @@ std::vector<std::string> columns_of(std::span<const RunRecord> records) {
 
 void write_csv(std::ostream& out, std::span<const RunRecord> records) {
   const std::vector<std::string> columns = columns_of(records);
-  for (const std::string& column : columns) out << cell(column) << ',';
+  for (const std::string& column : columns) out << csv_field(column) << ',';
   out << "seed,vehicle,quantity,value\n";
 
   for (const RunRecord& record : records) {
     std::string run;
     for (const std::string& column : columns) {
       const std::string* value = find_label(record.spec.labels, column);
-      run += (value == nullptr ? "" : cell(*value)) + ",";
+      run += (value == nullptr ? "" : csv_field(*value)) + ",";
     }
     run += std::to_string(record.spec.seed) + ",";
     if (!record.failure.empty()) out << run << ",failure_count,1\n";
     for (const Measure& m : record.measures) {
       const std::string vehicle = m.vehicle == Measure::fleet ? "" : std::to_string(m.vehicle);
-      out << run << vehicle << ',' << cell(m.quantity) << ',' << number_text(m.value) << '\n';
+      out << run << vehicle << ',' << csv_field(m.quantity) << ',' << number_text(m.value) << '\n';
     }
   }
 }

@@ -295,6 +295,19 @@ TEST(StoreTest, SeveralAreReadAlikeInAnyOrder) {
   EXPECT_EQ(read({one, keep("failed.db", {})}), "accepted | accepted");
 }
 
+TEST(StoreTest, AFailureThatWasNotStoredIsDamage) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("results.db");
+  std::vector<RunRecord> records = sample::records(2);
+  records[0].measures.clear();
+  records[0].failure = "out of battery";
+  Store::open(file).put(records);
+  EXPECT_EQ(Store::open_existing(file).all().size(), 2U);
+  Database{file, Database::Access::existing, 0}.execute("UPDATE runs SET failure = 'x' WHERE failure = ''");
+  EXPECT_THAT(refusal_by([&] { Store::open_existing(file).all(); }),
+              HasSubstr("a failure that was not stored of the run "));
+}
+
 TEST(StoreTest, OfAnotherResultsEpochIsReadButNotContinuedByACampaign) {
   const TemporaryFolder folder;
   const std::string file = folder.file("results.db");

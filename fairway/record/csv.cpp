@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "fairway/core/csv_field.hpp"
 #include "fairway/core/error.hpp"
 #include "fairway/core/text.hpp"
 #include "fairway/record/quantities.hpp"
@@ -14,14 +15,6 @@
 namespace fairway {
 
 namespace {
-
-// as RFC 4180 has it
-std::string quoted(std::string_view text) {
-  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
-  std::string result = "\"";
-  for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return result + '"';
-}
 
 std::string instant_of(const Frame& frame) {
   return std::to_string(count(frame.tick)) + ',' + number_text(frame.time) + ',';
@@ -40,7 +33,7 @@ void export_perceived(const Recording& recording, std::span<const R> VehicleFram
   for (std::size_t i = 0; i < recording.size(); ++i) {
     const Frame frame = recording.frame(i);
     for (std::size_t v = 0; v < frame.vehicles.size(); ++v) {
-      const std::string begin = instant_of(frame) + quoted(recording.info().vehicles[v].name);
+      const std::string begin = instant_of(frame) + csv_field(recording.info().vehicles[v].name);
       for (const R& record : frame.vehicles[v].*list) write(begin, record_texts(record));
     }
   }
@@ -65,7 +58,7 @@ void export_csv(const Recording& recording, std::ostream& out) {
     const std::string instant = instant_of(frame);
     for (std::size_t v = 0; v < frame.vehicles.size(); ++v) {
       const VehicleFrame& vehicle = frame.vehicles[v];
-      line = instant + quoted(recording.info().vehicles[v].name);
+      line = instant + csv_field(recording.info().vehicles[v].name);
       for (const Quantity& quantity : quantities()) line.append(",").append(quantity.of(vehicle));
       for (const double a : vehicle.actuators) line.append(",").append(number_text(a));
       line.append(actuators - vehicle.actuators.size(), ',');

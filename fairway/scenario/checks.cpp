@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <string_view>
 #include <tuple>
 
 #include "fairway/core/text.hpp"
@@ -76,6 +77,16 @@ void check_vehicles(const Value& list, const Scenario& scenario) {
       [&](std::size_t a, std::size_t b) {
         refuse_at(written(trees[b], "id").where, vehicle_path(b) + ".id",
                   fmt::format("id {} is that of {}", vehicles[b].id, vehicle_path(a)));
+      });
+
+  refuse_equal(
+      vehicles.size(), [&](std::size_t i) { return std::tuple{std::string_view{vehicles[i].name}}; },
+      [&](std::size_t a, std::size_t b) {
+        const bool is_written = trees[b].find("name") != nullptr;
+        refuse_at(written(trees[b], "name").where, vehicle_path(b) + ".name",
+                  fmt::format("{} is the name of {}, too; expected {}", vehicles[b].name, vehicle_path(a),
+                              is_written ? "a name of its own"
+                                         : "another name there, since this one follows from an id"));
       });
 
   const auto start_of = [&](std::size_t i) -> const Tree& {

@@ -99,25 +99,21 @@ FleetSpec fleet_of(const Value& value) {
 /// How many cells there are along n, e and d.
 using Cells = std::array<std::size_t, 3>;
 
-/// Where the first `count` cells are, from the middle of all, in cells.
-std::vector<Vec3> cells(std::size_t count, const Cells& n) {
-  std::vector<Vec3> all;
-  const auto from_middle = [](std::size_t i, std::size_t of) {
-    return static_cast<double>(i) - 0.5 * static_cast<double>(of - 1);
+/// Where a cell is, from the middle of all, in cells.
+Vec3 cell(std::size_t i, const Cells& n) {
+  const auto from_middle = [](std::size_t place, std::size_t of) {
+    return static_cast<double>(place) - 0.5 * static_cast<double>(of - 1);
   };
-  for (std::size_t i = 0; i < count; ++i) {
-    all.emplace_back(from_middle(i % n[0], n[0]), from_middle(i / n[0] % n[1], n[1]),
-                     from_middle(i / (n[0] * n[1]), n[2]));
-  }
-  return all;
+  return {from_middle(i % n[0], n[0]), from_middle(i / n[0] % n[1], n[1]),
+          from_middle(i / (n[0] * n[1]), n[2])};
 }
 
 std::vector<Vec3> lattice(std::size_t count, double spacing) {
   std::size_t side = 1;
   while (side * side * side < count) ++side;
-  std::vector<Vec3> all = cells(
-      count, {side, std::min(side, (count + side - 1) / side), (count + side * side - 1) / (side * side)});
-  for (Vec3& place : all) place *= spacing;
+  const Cells n{side, std::min(side, (count + side - 1) / side), (count + side * side - 1) / (side * side)};
+  std::vector<Vec3> all;
+  for (std::size_t i = 0; i < count; ++i) all.push_back(spacing * cell(i, n));
   return all;
 }
 
@@ -134,19 +130,22 @@ std::vector<Vec3> sphere(std::size_t count, double radius) {
   return all;
 }
 
-/// On the widest lattice that the box has room for.
+/// On the widest lattice that the box has room for. Where that has more cells than are needed, those that are
+/// left empty are spread over all of it, and one for one they face each other across the middle.
 std::vector<Vec3> box(std::size_t count, const Vec3& size) {
   Cells n{1, 1, 1};
   for (double spacing = size.maxCoeff(); spacing > 0.0 && n[0] * n[1] * n[2] < count; spacing *= 0.995) {
     for (std::size_t axis = 0; axis < 3; ++axis)
       n[axis] = 1 + static_cast<std::size_t>(size[static_cast<Eigen::Index>(axis)] / spacing * (1.0 + 1e-12));
   }
-  std::vector<Vec3> all = cells(count, n);
-  for (Vec3& place : all) {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      place[static_cast<Eigen::Index>(axis)] *=
-          size[static_cast<Eigen::Index>(axis)] / static_cast<double>(std::max<std::size_t>(n[axis] - 1, 1));
-  }
+  Vec3 spacings;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    spacings[static_cast<Eigen::Index>(axis)] =
+        size[static_cast<Eigen::Index>(axis)] / static_cast<double>(std::max<std::size_t>(n[axis] - 1, 1));
+  const std::size_t of = n[0] * n[1] * n[2];
+  std::vector<Vec3> all;
+  for (std::size_t i = 0; i < count; ++i)
+    all.push_back(cell((2 * i + 1) * of / (2 * count), n).cwiseProduct(spacings));
   return all;
 }
 

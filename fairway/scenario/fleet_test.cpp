@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <map>
 #include <set>
 
 #include "fairway/scenario/load.hpp"
@@ -73,6 +75,21 @@ TEST(Fleet, ABoxIsFilledEvenly) {
   for (const VehicleSpec& vehicle : scenario.vehicles) EXPECT_EQ(vehicle.position.z(), 0.0);
 }
 
+TEST(Fleet, ABoxWithRoomToSpareIsFilledFromTopToBottomAndEachFacesAnother) {
+  const Scenario scenario =
+      loaded_fleet("{count: 10, places: {box: {size_m: [100, 100, 100], centre_m: [0, 0, 60]}}}");
+  std::map<double, int> at_depth;  // 27 places for ten
+  for (const VehicleSpec& vehicle : scenario.vehicles) {
+    ++at_depth[vehicle.position.z()];
+    const Vec3 opposite = Vec3{0, 0, 120} - vehicle.position;
+    EXPECT_TRUE(std::ranges::any_of(scenario.vehicles, [&](const VehicleSpec& other) {
+      return (other.position - opposite).norm() < 1e-9;
+    })) << vehicle.name;
+  }
+  EXPECT_EQ(at_depth, (std::map<double, int>{{10.0, 3}, {60.0, 4}, {110.0, 3}}));
+  EXPECT_GE(least_distance(scenario), 50.0 - 1e-9);
+}
+
 TEST(Fleet, PlacesAreDrawnBySeedAndKeepTheirDistance) {
   const std::string fleet =
       "{count: 200, places: {draw: {size_m: [100, 100, 20], spacing_m: 6}}, goals: shuffled}";
@@ -130,6 +147,15 @@ TEST(Fleet, WhatCannotBeIsRefusedInOneLine) {
             "f.yaml:4:8: fleet: a box without any size has one place");
   EXPECT_THAT(refused_fleet("{count: 900, places: {draw: {size_m: [10, 10, 10], spacing_m: 5}}}"),
               HasSubstr("fleet: no room was found for 900 vehicles 5 m apart"));
+  EXPECT_EQ(
+      refused_fleet("{count: 8, places: {lattice: {spacing_m: 5}, box: {size_m: [9, 9, 0]}}}"),
+      "f.yaml:4:27: fleet.places: expected a mapping with one key of lattice, sphere, box, draw, got one "
+      "with 2, such as lattice and box");
+  EXPECT_EQ(
+      refused_fleet("{count: 6, places: {lattice: {spacing_m: 9}}}",
+                    "vehicles: [{name: robot5, start: {position_m: [0, 50, 0]}}]"),
+      "f.yaml:4:8: vehicles[5].name: robot5 is the name of vehicles[0], too; expected another name there, "
+      "since this one follows from an id");
   EXPECT_THAT(refused_fleet("{count: 8, places: {lattice: {spacing_m: 9}}, goals: there}"),
               HasSubstr("fleet.goals: expected opposite or shuffled"));
   EXPECT_THAT(refused_fleet("{count: 99999, places: {lattice: {spacing_m: 9}}}",

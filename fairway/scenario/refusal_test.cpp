@@ -181,6 +181,13 @@ TEST(RefusalTest, VehiclesMustBeAbleToStart) {
   EXPECT_THAT(refusal("{fairway: 1, name: a, vehicles: []}"),
               HasSubstr("vehicles: zero vehicles; a scenario has 1 to 100000"));
   EXPECT_EQ(refusal(with("", "id: 1")), "f.yaml:8:5: vehicles[1].id: id 1 is that of vehicles[0]");
+  EXPECT_EQ(
+      refusal(with("", "name: robot1")),
+      "f.yaml:8:5: vehicles[1].name: robot1 is the name of vehicles[0], too; expected another name there, "
+      "since this one follows from an id");
+  EXPECT_THAT(refusal("{fairway: 1, name: a, vehicles: [&v {name: me, model: m, avoider: a, start: "
+                      "{position_m: [1, 2, 3]}}, *v]}"),
+              HasSubstr("vehicles[1].name: me is the name of vehicles[0], too; expected a name of its own"));
   const std::string together =
       "{fairway: 1, name: a, vehicles: [&v {model: m, avoider: a, start: {position_m: [1, 2, 3]}}, *v]}";
   EXPECT_THAT(

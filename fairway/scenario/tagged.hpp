@@ -26,6 +26,10 @@ T read_tagged(const Value& value, const Kinds<T>& kinds) {
   const Tree& tree = value.tree();
   std::string list;
   for (const std::string_view name : names) list += (list.empty() ? "" : ", ") + std::string(name);
+  if (tree.is_map() && tree.items.size() > 1)
+    value.refuse("expected a mapping with one key of " + list + ", got one with " +
+                 std::to_string(tree.items.size()) + ", such as " + shown(tree.keys[0]) + " and " +
+                 shown(tree.keys[1]));
   if (!tree.is_map() || tree.items.size() != 1) value.expected("a mapping with one key of " + list);
 
   for (std::size_t i = 0; i < kinds.size(); ++i) {

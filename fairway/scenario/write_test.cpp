@@ -112,7 +112,7 @@ ObstacleSpec obstacle(Rng& rng) {
 
 VehicleSpec vehicle(Rng& rng, std::uint32_t id) {
   VehicleSpec made{.id = id,
-                   .name = named(rng),
+                   .name = named(rng) + std::to_string(id),  // its own, as its id is
                    .model = choice(rng, false),
                    .avoider = choice(rng, false),
                    .steering = choice(rng, true)};

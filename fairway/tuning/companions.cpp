@@ -23,6 +23,7 @@ Companions::Companions(std::string folder, Shard shard, const Origin& search, St
       local_{file_of(shard.index), foreign},
       read_(shard.count) {
   refuse_another_search(store(), shard.index);
+  store().refuse_other_epoch();
   store().note(search);
 }
 
@@ -46,6 +47,7 @@ std::vector<RunRecord> Companions::news() {
     if (part == shard_.index || missing || written == read_[part]) continue;
     const Store store = Store::open_existing(file_of(part));
     refuse_another_search(store, part);
+    store.refuse_other_epoch();
     std::vector<RunRecord> runs = store.all();
     all.insert(all.end(), std::make_move_iterator(runs.begin()), std::make_move_iterator(runs.end()));
     if (std::filesystem::file_time_type::clock::now() - written > same_instant) read_[part] = written;

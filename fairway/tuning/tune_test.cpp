@@ -13,6 +13,7 @@
 
 #include "fairway/core/testing/refusal.hpp"
 #include "fairway/core/testing/temporary_folder.hpp"
+#include "fairway/experiment/ground_digest.hpp"
 #include "fairway/sim/catalogs.hpp"
 #include "fairway/tuning/tuning_text.hpp"
 
@@ -138,6 +139,14 @@ TEST_F(Tuning, ItsResultIsKnownAgainHoweverLongTheCurve) {
   std::ofstream{folder_.file("tuning.json")} << to_json(parsed(), result).dump(2);
   EXPECT_TRUE(is_of_kind(folder_.file("tuning.json"), tuning_document));
   EXPECT_TRUE(is_of_kind(FAIRWAY_SOURCE_DIR "/campaigns/exam/tuned/vo/tuning.json", tuning_document));
+}
+
+TEST_F(Tuning, WhatItSawIsKnownByNameAndByWhatIsInIt) {
+  Store store = Store::in_memory();
+  const nlohmann::json seen = to_json(parsed(), tuned(store, 2))["seen"];
+  EXPECT_EQ(seen["train"]["scenarios"], nlohmann::json::array({"meeting"}));
+  EXPECT_EQ(seen["train"]["digests"], nlohmann::json::array({ground_digest(scenario_text, "copy.yaml")}));
+  EXPECT_EQ(seen["validation"]["digests"], seen["train"]["digests"]);
 }
 
 TEST_F(Tuning, IsTheSameOnAnyNumberOfThreadsAndGoesOnWhereItWasStopped) {

@@ -7,9 +7,12 @@
 #include <array>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <utility>
 
+#include "fairway/experiment/ground_digest.hpp"
 #include "fairway/experiment/version.hpp"
+#include "fairway/scenario/tree.hpp"
 
 namespace fairway {
 namespace {
@@ -113,6 +116,14 @@ std::string setting_text(const TuningFile& tuning, const Setting& setting) {
   return text;
 }
 
+/// By which a copy of a scenario is known under another name; empty where the file is gone meanwhile.
+std::string digest_of(const CampaignScenarioFile& scenario) {
+  const std::string file =
+      (std::filesystem::path(scenario.where.file).parent_path() / scenario.path).string();
+  const std::optional<std::string> text = yaml::document_in(file);
+  return text ? ground_digest(*text, file) : "";
+}
+
 }  // namespace
 
 std::string tuning_text(const TuningFile& tuning, const TuningResult& result) {
@@ -165,8 +176,10 @@ json to_json(const TuningFile& tuning, const TuningResult& result) {
        {std::pair{"train", &tuning.train}, std::pair{"validation", &tuning.validation}}) {
     json& seen = document["seen"][name];
     seen = {{"first_seed", set->first_seed}, {"seed_count", set->seed_count}};
-    for (const CampaignScenarioFile& scenario : set->scenarios)
+    for (const CampaignScenarioFile& scenario : set->scenarios) {
       seen["scenarios"].push_back(std::filesystem::path(scenario.path).stem().string());
+      seen["digests"].push_back(digest_of(scenario));
+    }
   }
   for (const NamedSet& set : sets_of(result)) {
     document[set.name] = appraisal_json(*set.found);
