@@ -14,7 +14,7 @@ constexpr double no_way = 1.0;            // from its destination a member has n
 constexpr double idle_turns = 4.0;        // after so many without use a group lets the next one move
 constexpr double idle_decisions = 160.0;  // and so many, for a search about one centre
 constexpr int most_plans = 8;             // in a round, of which some came to nothing
-constexpr double hair = 0.002;            // of rounding, where somebody begins too near [m]
+constexpr double start_slack = 0.002;     // of rounding, where somebody begins too near [m]
 constexpr double most_late = 2.0;         // who looks at its clock so long after a start has missed it [s]
 
 /// Turns before a plan's start after which nobody acknowledges it any more: one in which to say so, and half
@@ -100,7 +100,7 @@ bool Agreement::meets_held(const Reference& own, double now, double time) const 
         i != self_ && statuses_[i] == Status::held && (!left_[i] || last_heard_[i] > started_);
     if (!is_there) continue;
     const Knot anchor{now, members_[i].anchor};
-    const double least = std::min(clear_of(i), (own.at(started_) - anchor.position).norm() - hair);
+    const double least = std::min(clear_of(i), (own.at(started_) - anchor.position).norm() - start_slack);
     if (least_distance(own, {&anchor, 1}, now, until, least) < least) return true;
   }
   return false;

@@ -111,12 +111,15 @@ Plan plan_of(const TurnLaw& law, const Situation& s, const Vec2& ahead, const Pl
   const Vec2& wanted = stands ? preferred : v;
   const double speed = wanted.norm();
   if (speed <= hardly) return standing;
-  const Plan plan{.direction = wanted / speed, .speed = speed};
+  Plan plan{.direction = wanted / speed, .speed = speed};
   const Vec2 to_goal = (s.goal.position - s.own.position).head<2>();
   if (!makes_for_goal(s, to_goal, plan.direction)) return plan;
-  if (law.envelope().least == 0.0)
-    return {.direction = plan.direction, .speed = std::min(speed, speed_to_turn_in(law, ahead, to_goal))};
-  return would_circle(law, s, ahead, to_goal) ? Plan{.direction = ahead, .speed = speed} : plan;
+  if (law.envelope().least == 0.0) {
+    plan.speed = std::min(speed, speed_to_turn_in(law, ahead, to_goal));
+  } else if (would_circle(law, s, ahead, to_goal)) {
+    plan.direction = ahead;
+  }
+  return plan;
 }
 
 /// What is asked, if it is clear; else the cheapest deviation that is, else the cheapest that has a backup,
