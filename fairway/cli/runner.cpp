@@ -77,14 +77,11 @@ std::string occasion_text(const Judgement& judgement) {
 
 /// Whoever names a folder that is no method's name means a file in it.
 void refuse_folder(const std::string& name, const Catalog& methods) {
-  if (!std::filesystem::is_directory(name)) return;
-  try {
-    methods.params(name);
-  } catch (const InputError&) {
-    throw InputError("--algorithm " + name +
-                     ": is a folder; expected a method, or a file of an avoider such as " +
-                     (std::filesystem::path(name) / "best.yaml").string());
-  }
+  const auto is_known = [&](std::string_view layer) { return methods.has(layer); };
+  if (!std::filesystem::is_directory(name) || std::ranges::all_of(layer_names(name), is_known)) return;
+  throw InputError("--algorithm " + name +
+                   ": is a folder; expected a method, or a file of an avoider such as " +
+                   (std::filesystem::path(name) / "best.yaml").string());
 }
 
 }  // namespace

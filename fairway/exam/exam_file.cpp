@@ -149,11 +149,12 @@ const Block<ExamFile>& exam_block() {
 }
 
 template <class T>
-void refuse_twice(const std::vector<T>& all, const std::string& file, const char* what) {
+void refuse_twice(const std::vector<T>& all, const std::string& file, const char* what,
+                  std::string T::*name = &T::name, const char* advice = "") {
   for (std::size_t i = 0; i < all.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
-      if (all[i].name == all[j].name)
-        throw InputError({file, 0, 0}, what, "a second one named " + all[i].name);
+      if (all[i].*name == all[j].*name)
+        throw InputError({file, 0, 0}, what, "a second one named " + all[i].*name + advice);
 }
 
 void refuse_common_seeds(const ExamFamily& family) {
@@ -220,11 +221,7 @@ ExamFile load_exam(const std::string& file) {
     const std::string path = (folder / name).lexically_normal().string();
     exam.families.push_back(parse_family(text_of_file(path), path));
   }
-  for (std::size_t i = 0; i < exam.methods.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j)
-      if (exam.methods[i].label == exam.methods[j].label)
-        throw InputError({file, 0, 0}, "methods",
-                         "a second one named " + exam.methods[i].label + "; give it a label of its own");
+  refuse_twice(exam.methods, file, "methods", &CampaignAlgorithm::label, "; give it a label of its own");
   if (exam.conditions.empty()) throw InputError({file, 0, 0}, "conditions", "the list is empty");
   if (exam.families.empty()) throw InputError({file, 0, 0}, "families", "the list is empty");
   refuse_twice(exam.conditions, file, "conditions");

@@ -31,31 +31,41 @@ class Planner {
   }
 
   ExamPlan made() {
-    for (const Candidate& candidate : question_.candidates) refuse_outsider(candidate);
+    for (const Candidate& candidate : question_.candidates) {
+      refuse_outsider(candidate);
+      tell_for_others(candidate);
+    }
     for (const ExamFamily& family : question_.families) add_family(family);
     return std::move(plan_);
   }
 
  private:
-  /// Whoever was named has something to do; of parameters that a folder has it is told where they are for
-  /// other families than are asked.
-  void refuse_outsider(const Candidate& candidate) {
+  /// Whoever was named has something to do.
+  void refuse_outsider(const Candidate& candidate) const {
+    if (!question_.by_name || candidate.tuned) return;
     std::string first;
     for (const ExamFamily& family : question_.families) {
-      if (!candidate.families.empty() && !has(candidate.families, family.name)) continue;
       const std::string why = why_not(methods_, algorithm_of(candidate.method), family);
       if (why.empty()) return;
       if (first.empty()) first = family.name + ": " + candidate.method.label + " " + why;
     }
-    if (question_.by_name && !candidate.tuned)
-      throw InputError("--methods " + candidate.method.label + " may enter none of the families; " + first);
-    if (first.empty())
-      for (const ExamFamily& family : question_.families)
-        plan_.absences.push_back({.family = family.name,
-                                  .condition = {},
-                                  .method = candidate.method.label,
-                                  .tuned = true,
-                                  .why = "was tuned for " + candidate.families.front() + " alone"});
+    throw InputError("--methods " + candidate.method.label + " may enter none of the families; " + first);
+  }
+
+  static bool is_for(const Candidate& candidate, const ExamFamily& family) {
+    return candidate.families.empty() || has(candidate.families, family.name);
+  }
+
+  /// Parameters that are for none of the families that are asked are told of.
+  void tell_for_others(const Candidate& candidate) {
+    const auto is_wanted = [&](const ExamFamily& family) { return is_for(candidate, family); };
+    if (std::ranges::any_of(question_.families, is_wanted)) return;
+    for (const ExamFamily& family : question_.families)
+      plan_.absences.push_back({.family = family.name,
+                                .condition = {},
+                                .method = candidate.method.label,
+                                .tuned = true,
+                                .why = "was tuned for " + candidate.families.front() + " alone"});
   }
 
   void add_family(const ExamFamily& family) {
@@ -89,7 +99,7 @@ class Planner {
 
   bool is_entrant(const Candidate& candidate, const ExamFamily& family) {
     if (candidate.method.label == exam_.baseline.label && !candidate.tuned) return false;  // is there anyhow
-    if (!candidate.families.empty() && !has(candidate.families, family.name)) return false;
+    if (!is_for(candidate, family)) return false;
     std::string why = why_not(methods_, algorithm_of(candidate.method), family);
     if (why.empty() && !question_.by_name)
       for (const ExamOmission& omission : exam_.omissions)

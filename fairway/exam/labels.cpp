@@ -8,21 +8,13 @@
 namespace fairway {
 namespace {
 
-bool is_in(const Catalog& methods, const std::string& name) {
-  try {
-    methods.params(name);
-    return true;
-  } catch (const InputError&) {
-    return false;
-  }
-}
-
 /// Who has a label whatever is asked; empty: nobody.
 std::string owner_of(const std::string& label, const ExamFile& exam, const Catalog& methods) {
   if (label == exam.baseline.label) return "the exam's baseline";
   if (std::ranges::find(exam.methods, label, &CampaignAlgorithm::label) != exam.methods.end())
     return "a method of the exam";
-  return is_in(methods, label) ? "a method that fairway has" : "";
+  const auto is_known = [&](std::string_view layer) { return methods.has(layer); };
+  return std::ranges::all_of(layer_names(label), is_known) ? "a method that fairway has" : "";
 }
 
 [[noreturn]] void refuse(const Candidate& candidate, const std::string& whose) {
@@ -54,17 +46,17 @@ void refuse_stored_labels(const ExamQuestion& question, const ExamReference& ref
                           const std::string& file) {
   for (const Candidate& candidate : question.candidates) {
     if (candidate.tuned) continue;
-    const std::string& label = candidate.method.label;
-    const auto stored = reference.avoiders.find(label);
-    const bool is_known = stored != reference.avoiders.end();
-    const bool is_there =
-        is_known || (!candidate.file.empty() && std::ranges::any_of(reference.runs, [&](const ExamRun& run) {
-          return run.method == label && !run.tuned;
-        }));
-    if (!is_there || (is_known && !candidate.file.empty() && stored->second == digest_of(candidate)))
-      continue;
-    refuse(candidate,
-           (is_known ? "another avoider in " : "a method that is not known to be this one in ") + file);
+    const bool is_file = !candidate.file.empty();
+    const auto has_run = [&](const ExamRun& run) {
+      return run.method == candidate.method.label && !run.tuned;
+    };
+    const auto stored = reference.avoiders.find(candidate.method.label);
+    if (stored == reference.avoiders.end()) {
+      if (is_file && std::ranges::any_of(reference.runs, has_run))
+        refuse(candidate, "a method that is not known to be this one in " + file);
+    } else if (!is_file || stored->second != digest_of(candidate)) {
+      refuse(candidate, "another avoider in " + file);
+    }
   }
 }
 

@@ -33,8 +33,8 @@ class Lookout {
 
   /// All that the vehicle knows now: tracks nearest first, ties by id, up to `own.most_tracks`, and
   /// obstacles in the order of the scene, up to `own.farthest_obstacle`; with a sonar, of these only the
-  /// charted ones, for others are tracks. `near` is memory to work
-  /// in. Does not allocate once the vectors have the capacity.
+  /// charted ones, for others are tracks. `near` is memory to work in. Does not allocate once the vectors
+  /// have the capacity.
   void report(const Scene& scene, const Viewpoint& own, std::vector<Near>& near, std::vector<Track>& tracks,
               std::vector<Obstacle>& obstacles);
 

@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <string_view>
 #include <variant>
 
+#include "fairway/avoidance/pledge/bits.hpp"
 #include "fairway/avoidance/pledge/words.hpp"
 
 namespace fairway {
@@ -31,7 +33,7 @@ const VehicleSpec& first_with_it(const VehicleSpec& spec, const Scenario& scenar
       scenario.vehicles, [&](const VehicleSpec& other) { return other.avoider->name == spec.avoider->name; });
 }
 
-/// From where on its method has the helm, and to where.
+/// Whether its method has the helm from its start on, and tells that.
 bool tells_start(const VehicleSpec& spec) {
   return spec.mission.empty() || spec.mission.front().kind == LegKind::transit;
 }
@@ -53,8 +55,9 @@ std::vector<std::string> amiss_in_words(const VehicleSpec& spec, const Scenario&
                               east = value_of(spec, avoiders, "datum_east_m");
   if (!north || !east) return clauses;
   const auto is_beyond = [&](const Vec3& place) { return !pledge::can_be_told(place, {*north, *east}); };
-  constexpr std::string_view reach =
-      "tells places within 163 m of its datum, from the surface down to 327 m, and ";
+  const std::string reach =
+      fmt::format("tells places within {:g} m of its datum, from the surface down to {:g} m, and ",
+                  std::floor(-pledge::across.lowest), std::floor(pledge::depth.value(pledge::depth.last())));
   if (tells_start(spec) && is_beyond(spec.position))
     clauses.push_back(fmt::format("{}its start lies beyond: it stays there", reach));
   if (std::ranges::any_of(spec.mission, [&](const Leg& leg) {

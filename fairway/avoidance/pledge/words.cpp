@@ -18,8 +18,6 @@ constexpr Scale centre_across{10, 0.32, -163.84};
 constexpr Scale radius{6, 0.25, 0.0}, arrival{5, 0.25, 0.0};
 constexpr Scale speed{6, 0.02, 0.0}, climb{6, 0.01, 0.0}, turn{4, 1.0, 0.0};
 
-constexpr double steep = 1.0;  // by more in depth nobody comes to its goal who does not climb or dive [m]
-
 void put_members(BitWriter& bits, const Members& members) {
   bits.put(static_cast<std::uint32_t>(members.to_ulong()), static_cast<int>(most_members));
 }
@@ -175,7 +173,7 @@ std::string_view misfit_of(const Member& member, const Vec2& datum) noexcept {
   if (!(told.radius > member.radius - 1e-6)) return "its sphere is too large for its words";
   if (!(told.turn > member.turn - 1.0)) return "it turns too slowly for its words";
   const double down = member.destination.z() - member.anchor.z();
-  const bool is_level = std::fabs(down) < steep;
+  const bool is_level = std::fabs(down) < level_within;
   const bool goes = told.speed > 0.0 && (is_level || (down > 0.0 ? told.descent : told.climb) > 0.0);
   return goes ? "" : "it goes too slowly for its words";
 }
