@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is changed in out/play.html, in a real browser from file://: on the way, in the picture, in the sea, in links. tests/play/changes.mjs
 // [--screenshots DIR]; as page.mjs.
-import { choose, commanded, complaint, desk, ended, keep, look_at, packed, phone, playback } from './visitor.mjs';
+import { choose, commanded, complaint, desk, ended, is_at, keep, look_at, packed, phone, playback, stand_at } from './visitor.mjs';
 
-const stand_at = (frame, time) => frame.evaluate((at) => { window.fairway.pause(); window.fairway.seek(at); }, time);
-const is_at = (frame, time) => frame.waitForFunction((at) => Math.abs(window.fairway.state().time - at) < 0.06, time);
 const result_text = (page) => page.locator('.results').textContent();
 
 /** Of frame `i` of the film: all positions. */

@@ -4,7 +4,7 @@
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { root } from '../web/browser.mjs';
-import { browser, choose, commanded, complaint, desk, ended, look_at, packed, playback } from './visitor.mjs';
+import { browser, choose, commanded, complaint, desk, ended, look_at, packed, playback, stand_at } from './visitor.mjs';
 
 const head_on = readFileSync(join(root, 'scenarios/head_on.yaml'), 'utf8');
 const type_seed = async (page, seed) => {
@@ -44,7 +44,7 @@ async function refused_while_running(page, expect) {
 async function refused_at_the_end(page, expect) {
   const frame = await playback(page);
   await ended(page);
-  await frame.evaluate(() => { window.fairway.pause(); window.fairway.seek(30); });
+  await stand_at(frame, 30);
   await type_seed(page, '-3');
   await complaint(page);
   await page.getByText('Why it did so').click();

@@ -2,7 +2,7 @@
 // out/play.html in a real browser from file://, driven as a visitor would. tests/play/page.mjs [--screenshots DIR]
 // Ends with 0 when every check held, else with 1 and a list of those that did not.
 import { join } from 'node:path';
-import { browser, choose, commanded, complaint, desk, ended, keep, look_at, measure, packed, phone, playback } from './visitor.mjs';
+import { browser, choose, commanded, complaint, desk, ended, is_at, keep, look_at, measure, packed, phone, playback, stand_at } from './visitor.mjs';
 
 async function first_minute(page, expect) {
   const frame = await playback(page);
@@ -11,8 +11,7 @@ async function first_minute(page, expect) {
   await ended(page);
   expect(Number(await measure(page, 'arrived_ratio')) === 1, 'all eight vehicles of swap_8 arrive');
   await frame.waitForFunction(() => window.fairway.state().time > 1);
-  await frame.evaluate(() => { window.fairway.pause(); window.fairway.seek(40); });
-  expect(Math.abs(await frame.evaluate(() => window.fairway.state().time) - 40) < 0.06, 'it goes to an instant');
+  await stand_at(frame, 40);
   await keep(page, 'desk');
 }
 
@@ -40,8 +39,8 @@ async function beside(page, expect) {
   await page.waitForFunction(() => document.querySelector('.results').textContent.includes('They part at'));
   expect(/They part at \d+\.\d{3} s/.test(await page.locator('.results').textContent()), 'it says when they part');
   const [first, second] = [await playback(page, 0), await playback(page, 1)];
-  await first.evaluate(() => { window.fairway.pause(); window.fairway.seek(30); });
-  await second.waitForFunction(() => Math.abs(window.fairway.state().time - 30) < 0.06);
+  await stand_at(first, 30);
+  await is_at(second, 30);
   await keep(page, 'beside');
 }
 
@@ -78,7 +77,7 @@ async function recordings(page, expect) {
 async function why(page, expect) {
   const frame = await playback(page);
   await ended(page);
-  await frame.evaluate(() => { window.fairway.pause(); window.fairway.seek(30); });
+  await stand_at(frame, 30);
   await frame.locator('#vehicles').getByText('robot3', { exact: true }).click();
   await frame.waitForFunction(() => window.fairway.state().chosen.includes(3));
   await page.getByText('Why it did so').click();

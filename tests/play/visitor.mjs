@@ -26,6 +26,12 @@ export async function playback(page, index = 0) {
     }
   }
 }
+export const is_at = (frame, time) => frame.waitForFunction((at) => Math.abs(window.fairway.state().time - at) < 0.06, time);
+/** Stands at this time, once so much of the run is there. */
+export async function stand_at(frame, time) {
+  await frame.evaluate((at) => { window.fairway.pause(); window.fairway.seek(at); }, time);
+  await is_at(frame, time);
+}
 export const choose = (page, label, value) => page.getByLabel(label, { exact: true }).first().selectOption(value);
 export const ended = (page) => page.waitForSelector('.measures');
 export const measure = (page, name, column = 1) => page.locator('.measures tr', { hasText: name }).locator('td').nth(column).textContent();

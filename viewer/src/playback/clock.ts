@@ -30,6 +30,8 @@ export class Clock {
   /** On a live page: shows the newest frame as it comes. */
   following = false;
   private time = 0;
+  /** On a live page: where it goes as soon as the film is there [s]; null: nowhere. */
+  private awaited: number | null = null;
   private running = false;
   private picture = 0;
 
@@ -48,7 +50,7 @@ export class Clock {
   play(): void {
     if (this.playing) return;
     if (this.time >= this.film.end) {
-      if (this.live) return this.follow();
+      if (this.live) return this.keep_to_newest();
       this.time = this.film.time(0);
     }
     this.running = true;
@@ -66,6 +68,7 @@ export class Clock {
   /** Stops on the frame that is shown. */
   pause(): void {
     this.halt();
+    this.awaited = null;
     this.time = this.film.time(this.moment.index);
     this.changed();
   }
@@ -75,13 +78,15 @@ export class Clock {
     else this.play();
   }
 
-  /** Goes to the nearest frame; playing goes on from there. */
+  /** Goes to the nearest frame; playing goes on from there. On a live page it goes to what is not there yet once it is. */
   seek(time: number): void {
     this.seek_frame(nearest_frame(this.film, time));
+    if (this.live && time > this.film.end) this.awaited = time;
   }
 
   seek_frame(index: number): void {
     this.following = false;
+    this.awaited = null;
     this.time = this.film.time(Math.min(Math.max(0, index), this.film.count - 1));
     this.changed();
   }
@@ -95,10 +100,8 @@ export class Clock {
 
   /** Keeps to the newest frame of a live run. */
   follow(): void {
-    this.halt();
-    this.following = true;
-    this.time = this.film.end;
-    this.changed();
+    this.awaited = null;
+    this.keep_to_newest();
   }
 
   faster(steps: number): void {
@@ -109,7 +112,19 @@ export class Clock {
 
   /** More frames have come in, or all were replaced. */
   grown(): void {
+    const { awaited, playing } = this;
+    if (awaited !== null && awaited <= this.film.end) {
+      this.seek(awaited);
+      if (playing) this.play();
+    }
     if (this.following || this.time > this.film.end) this.time = this.film.end;
+    this.changed();
+  }
+
+  private keep_to_newest(): void {
+    this.halt();
+    this.following = true;
+    this.time = this.film.end;
     this.changed();
   }
 
@@ -122,7 +137,7 @@ export class Clock {
   private advance(seconds: number): void {
     this.time += seconds * this.speed;
     if (this.time >= this.film.end) {
-      if (this.live) return this.follow();
+      if (this.live) return this.keep_to_newest();
       this.time = this.loop ? this.film.time(0) : this.film.end;
       this.running = this.loop;
     }
