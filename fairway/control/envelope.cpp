@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fairway/avoidance/trackable/turn_law.hpp"
+#include "fairway/avoidance/situation.hpp"
+#include "fairway/avoidance/trackable/foresight.hpp"
 #include "fairway/core/angles.hpp"
 #include "fairway/core/math.hpp"
 
@@ -24,7 +25,8 @@ constexpr double stopped_share = 0.05;    // of the speed from which it stops
 constexpr double read_allowance = 1.02;   // of a turn rate that is read from the table
 constexpr double lags_of_plateau = 3.0;   // after which what is left of a turn rate is its tail
 constexpr double least_tail_share = 0.5;  // of the lag of a turn: a shorter tail is none
-constexpr double error_allowance = 1.1;   // for what the trials do not show: steps, other speeds before
+constexpr double stop_hold = 0.8, stop_window = 8.0;  // of the foresight of a stop [s]
+constexpr double error_allowance = 1.1;  // for what the trials do not show: steps, other speeds before
 
 /// A vehicle that obeys body requests in still water.
 struct Craft {
@@ -93,6 +95,7 @@ class Trials {
     measure_turns();
     measure_stop_in_a_turn();
     measure_following();
+    if (!(envelope_.least > 0.0)) measure_stops();
     return envelope_;
   }
 
@@ -313,6 +316,48 @@ class Trials {
       if ((made_good - velocity).norm() < steady_error * speed) break;
     }
     return greatest;
+  }
+
+  /// Told to stop, straight on or with the bow turned, from two speeds and after turns of various lengths.
+  void measure_stops() {
+    const trackable::TurnLaw law{envelope_, turn_};
+    for (const double share : {0.5, 1.0}) {
+      const double speed = share * envelope_.ahead;
+      Craft steady = *under_way_;
+      steady.settle({.surge_mps = speed}, surge_of);
+      for (const double lags : {0.0, 0.5, 1.0, 2.0}) {
+        Craft turning = steady;
+        const BodyRequest turn{.surge_mps = speed, .yaw_rate_radps = law.greatest_turn_rate(speed)};
+        for (double time = 0.0; time < lags * envelope_.turn_lag; time += turning.step) turning.obey(turn);
+        for (const double bow : {0.0, 0.5 * pi, 0.95 * pi})
+          envelope_.stop_error = std::max(envelope_.stop_error, stop_error_of(turning, law, bow));
+      }
+    }
+  }
+
+  /// How much farther ahead than foreseen it gets that stops, its bow turned by `bow` [rad].
+  static double stop_error_of(Craft craft, const trackable::TurnLaw& law, double bow) {
+    const Vec2 from = craft.place(), ahead = unit_at(craft.yaw());
+    const trackable::Plan stop{.direction = unit_at(craft.yaw() + bow)};
+    const auto foresight = [&] {
+      const VehicleState& x = craft.vehicle.state();
+      Situation s;
+      s.own.velocity = x.v_n();
+      s.own.yaw = craft.yaw();
+      s.own.yaw_rate = craft.turn_rate();
+      return trackable::Foresight{law, s, unit_at(s.own.yaw), {.hold = stop_hold, .window = stop_window}};
+    };
+    const trackable::Foresight at_first = foresight();
+    const trackable::Foresight::Path path = at_first.path(stop);
+    double farthest = 0.0, time = 0.0;
+    for (std::size_t k = 0; k < path.count; ++k) {
+      for (; time < static_cast<double>(k + 1) * at_first.step(); time += craft.step) {
+        const trackable::TurnOrder order = foresight().order(stop);
+        craft.obey({.surge_mps = order.surge, .yaw_rate_radps = order.turn_rate});
+      }
+      farthest = std::max(farthest, ahead.dot(craft.place() - from - path.points[k]));
+    }
+    return farthest;
   }
 
   Craft at_rest_;

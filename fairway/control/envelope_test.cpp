@@ -132,16 +132,16 @@ TEST(Envelope, TellsHowMuchOfTheBrakingATurnTakes) {
   EXPECT_LT(kinematic.deceleration_lost, 0.02 * kinematic.deceleration);
 }
 
-/// How far sparus2, which goes north at 0.43 m/s, gets while it is told to stop with its bow to the east, and
+/// How far a vehicle that goes north gets while it is told to stop with its bow to the east, and
 /// how far it is foreseen to get. [m]
 struct Stop {
   double way;
   double foreseen;
 };
 
-Stop stop_of_sparus2(const Envelope& envelope) {
-  constexpr double speed = 0.43, window = 8.0;
-  Vehicle vehicle = builtin_vehicles().make("sparus2");
+Stop stop_of(const char* name, double speed, const Envelope& envelope) {
+  constexpr double window = 8.0;
+  Vehicle vehicle = builtin_vehicles().make(name);
   Autopilot autopilot{vehicle};
   const auto obey = [&](const BodyRequest& request) {
     const VehicleState& x = vehicle.state();
@@ -173,13 +173,33 @@ Stop stop_of_sparus2(const Envelope& envelope) {
 
 TEST(Envelope, WhoTurnsAndBrakesByTheSameThrustersStopsOnTheWayThatIsForeseen) {
   Envelope envelope = envelope_of("sparus2", {.max_speed = 0.5});
-  const Stop brakes_first = stop_of_sparus2(envelope);
+  const Stop brakes_first = stop_of("sparus2", 0.43, envelope);
   EXPECT_LT(brakes_first.way, brakes_first.foreseen);
   EXPECT_GT(brakes_first.way, brakes_first.foreseen - 0.3);
   envelope.deceleration_lost = 0.0;  // as if the turn took nothing: it turns at once
-  const Stop turns_at_once = stop_of_sparus2(envelope);
+  const Stop turns_at_once = stop_of("sparus2", 0.43, envelope);
   EXPECT_GT(turns_at_once.way, brakes_first.way + 0.3);  // more than the usual margin
   EXPECT_GT(turns_at_once.way, turns_at_once.foreseen + 0.3);
+}
+
+TEST(Envelope, ZarcoBrakesBeforeItTurns) {
+  Envelope envelope = envelope_of("zarco", {.max_speed = 1.5});
+  const Stop brakes_first = stop_of("zarco", 0.75, envelope);
+  EXPECT_LT(brakes_first.way, brakes_first.foreseen + 0.2);
+  envelope.deceleration_lost = 0.4 * envelope.deceleration;  // as if the turn took less: it turns at once
+  const Stop turns_at_once = stop_of("zarco", 0.75, envelope);
+  EXPECT_GT(turns_at_once.way, brakes_first.way + 0.3);
+  EXPECT_GT(turns_at_once.way, turns_at_once.foreseen + 0.3);
+}
+
+TEST(Envelope, TellsHowMuchFartherAStopGoesThanItForesees) {
+  EXPECT_LT(envelope_of("kinematic").stop_error, 0.05);
+  const Envelope slow = envelope_of("sparus2", {.max_speed = 0.5});
+  const Envelope fast = envelope_of("sparus2", {.max_speed = 2.0});
+  EXPECT_LT(slow.stop_error, 0.5);
+  EXPECT_GT(fast.stop_error, 0.7);
+  EXPECT_LT(fast.stop_error, 1.0);
+  EXPECT_EQ(envelope_of("remus100").stop_error, 0.0);  // it never stops
 }
 
 /// How much farther ahead remus100, which has a least speed, gets than foreseen, on half a circle as tight as

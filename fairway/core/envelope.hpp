@@ -37,6 +37,7 @@ struct Envelope {
   double turn_tail{};
   double pivot_slow{};
   double turn_plateau{1.0};
+  double stop_error{};
 
   static consteval auto members() {
     using R = Envelope;
@@ -62,6 +63,8 @@ struct Envelope {
             .not_negative(),
         member<&R::turn_plateau>("ratio",
                                  "of a turn rate, to which it comes by the lag; to the rest by the tail")
+            .not_negative(),
+        member<&R::stop_error>("m", "by which it gets farther than these numbers foresee, while it stops")
             .not_negative(),
         member<&R::pivot>(
             "m",

@@ -105,7 +105,8 @@ To same_numbers(const From& envelope) {
           .deceleration_lost = envelope.deceleration_lost,
           .turn_tail = envelope.turn_tail,
           .pivot_slow = envelope.pivot_slow,
-          .turn_plateau = envelope.turn_plateau};
+          .turn_plateau = envelope.turn_plateau,
+          .stop_error = envelope.stop_error};
 }
 
 Command converted(const fairway::Command& command, std::size_t left_out) {

@@ -129,6 +129,7 @@ struct Envelope {
   double turn_tail{};        ///< by which the heading in a long turn is later than the lag alone makes it [s]
   double pivot_slow{};       ///< as pivot, at its least speed; 0: in proportion to the speed [m]
   double turn_plateau{1.0};  ///< of a turn rate, to which it comes by the lag; to the rest by the tail
+  double stop_error{};       ///< by which it gets farther than these numbers foresee, while it stops [m]
 };
 
 /// Of numbers by the names that `fairway describe VEHICLE` shows: "ahead_mps=1.6", "turn_rates_radps=0.2 0.3

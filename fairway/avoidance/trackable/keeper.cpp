@@ -19,12 +19,13 @@ struct Choice {
 
 namespace {
 
-constexpr double hardly = 1e-3;           // [m/s]
-constexpr double standing_share = 0.1;    // of the preferred speed: slower stands
-constexpr double most_unexplained = 0.1;  // [m/s]
-constexpr double turn_step = pi / 12;     // between plans
-constexpr double more_room = 0.05;        // is worth another plan to who cannot stop [m]
-constexpr double slack_s = 1.0;           // of the window, beyond the manoeuvres that it is to hold
+constexpr double hardly = 1e-3;              // [m/s]
+constexpr double standing_share = 0.1;       // of the preferred speed: slower stands
+constexpr double most_unexplained = 0.1;     // [m/s]
+constexpr double turn_step = pi / 12;        // between plans
+constexpr double more_room = 0.05;           // is worth another plan to who cannot stop [m]
+constexpr double stop_error_of_extra = 0.5;  // so much of it the extra margin holds: shown by runs [m]
+constexpr double slack_s = 1.0;              // of the window, beyond the manoeuvres that it is to hold
 
 /// To turn a quarter and to stop; of who cannot stop, to go once round.
 double window_of(const TurnLaw& law, const Situation& s, double hold) {
@@ -153,6 +154,12 @@ Choice choose(const Deviations& deviations, const Foresight& foresight, const Pl
           false};
 }
 
+/// The vehicle's own stops bound what is declared of tracking from below.
+Margins beside_measured(Margins margins, const Envelope& can) noexcept {
+  margins.tracking = std::max(margins.tracking, can.stop_error - stop_error_of_extra);
+  return margins;
+}
+
 }  // namespace
 
 Deviations::Deviations(double slow_cost_ratio) {
@@ -194,7 +201,7 @@ Keeper::Keeper(const Keeping& keeping, const Situation& s, Course& course) noexc
       course_{course},
       ahead_{unit_at(s.own.yaw)},
       law_{*s.envelope, s.limits.max_turn_rate},
-      margins_{keeping.margins},
+      margins_{beside_measured(keeping.margins, *s.envelope)},
       hold_{std::max(keeping.hold, s.period)},
       window_{window_of(law_, s, hold_)},
       frame_{s.envelope->least > 0.0 ? Vec2{s.current.head<2>()} : Vec2{Vec2::Zero()}},

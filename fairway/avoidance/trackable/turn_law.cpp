@@ -10,7 +10,7 @@ constexpr double loop_gain = 0.4;              // k T_r
 constexpr double least_lag_s = 0.2;            // so that the gain stays finite
 constexpr double share_of_turn_rate = 0.9;     // the rest is left to the autopilot
 constexpr double below_rounding = 1.0 - 1e-9;  // of the table's straight lines
-constexpr double shared_braking = 0.6;         // who loses more of the deceleration in a turn brakes first
+constexpr double shared_braking = 0.45;        // who loses more of the deceleration in a turn brakes first
 constexpr double has_braked = 0.1;             // of the greatest speed: slower has
 
 static_assert(Law::rates == Envelope::turn_rate_count);

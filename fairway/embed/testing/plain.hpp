@@ -36,7 +36,8 @@ inline Envelope plain(const fairway::Envelope& e) {
           e.deceleration_lost,
           e.turn_tail,
           e.pivot_slow,
-          e.turn_plateau};
+          e.turn_plateau,
+          e.stop_error};
 }
 
 /// A situation of the C++20 library as a host would put it, with what it points to.
