@@ -25,8 +25,9 @@ constexpr double stopped_share = 0.05;    // of the speed from which it stops
 constexpr double read_allowance = 1.02;   // of a turn rate that is read from the table
 constexpr double lags_of_plateau = 3.0;   // after which what is left of a turn rate is its tail
 constexpr double least_tail_share = 0.5;  // of the lag of a turn: a shorter tail is none
-constexpr double stop_hold = 0.8, stop_window = 8.0;  // of the foresight of a stop [s]
-constexpr double error_allowance = 1.1;  // for what the trials do not show: steps, other speeds before
+constexpr double stop_hold = 0.8;         // of the foresight of a stop [s]
+constexpr double stop_window = 8.0;       // likewise [s]
+constexpr double error_allowance = 1.1;   // for what the trials do not show: steps, other speeds before
 
 /// A vehicle that obeys body requests in still water.
 struct Craft {
@@ -328,7 +329,11 @@ class Trials {
       for (const double lags : {0.0, 0.5, 1.0, 2.0}) {
         Craft turning = steady;
         const BodyRequest turn{.surge_mps = speed, .yaw_rate_radps = law.greatest_turn_rate(speed)};
-        for (double time = 0.0; time < lags * envelope_.turn_lag; time += turning.step) turning.obey(turn);
+        double turned = 0.0;
+        while (turned < lags * envelope_.turn_lag) {
+          turning.obey(turn);
+          turned += turning.step;
+        }
         for (const double bow : {0.0, 0.5 * pi, 0.95 * pi})
           envelope_.stop_error = std::max(envelope_.stop_error, stop_error_of(turning, law, bow));
       }
@@ -351,9 +356,10 @@ class Trials {
     const trackable::Foresight::Path path = at_first.path(stop);
     double farthest = 0.0, time = 0.0;
     for (std::size_t k = 0; k < path.count; ++k) {
-      for (; time < static_cast<double>(k + 1) * at_first.step(); time += craft.step) {
+      while (time < static_cast<double>(k + 1) * at_first.step()) {
         const trackable::TurnOrder order = foresight().order(stop);
         craft.obey({.surge_mps = order.surge, .yaw_rate_radps = order.turn_rate});
+        time += craft.step;
       }
       farthest = std::max(farthest, ahead.dot(craft.place() - from - path.points[k]));
     }
