@@ -185,7 +185,7 @@ TEST(Envelope, WhoTurnsAndBrakesByTheSameThrustersStopsOnTheWayThatIsForeseen) {
 TEST(Envelope, ZarcoBrakesBeforeItTurns) {
   Envelope envelope = envelope_of("zarco", {.max_speed = 1.5});
   const Stop brakes_first = stop_of("zarco", 0.75, envelope);
-  EXPECT_LT(brakes_first.way, brakes_first.foreseen + 0.2);
+  EXPECT_LT(brakes_first.way, brakes_first.foreseen + 0.3);  // the usual margin
   envelope.deceleration_lost = 0.4 * envelope.deceleration;  // as if the turn took less: it turns at once
   const Stop turns_at_once = stop_of("zarco", 0.75, envelope);
   EXPECT_GT(turns_at_once.way, brakes_first.way + 0.3);

@@ -198,7 +198,7 @@ TEST(Trackable, WhoCannotStopGoesOnUntilItCanTurnForItsGoal) {
 }
 
 TEST(Trackable, WhoCanStopSlowsForAGoalThatItWouldGoRound) {
-  Envelope boat = of_a_boat();
+  const Envelope boat = of_a_boat();
   OwnedSituation e = under_way(boat);
   e.situation.own.position = {0.0, 0.0, 50.0};
   const auto speed_for = [&](double north, double east) {
@@ -300,7 +300,7 @@ TEST(Trackable, ItsMarginsAddUpAndAreDrawn) {
       .tracking = 0.1, .perception = 0.2, .navigation = 0.3, .current = 0.05, .extra = 0.4};
   EXPECT_DOUBLE_EQ(margins.total(10.0), 0.1 + 0.2 + 0.3 + 0.5 + 0.4);
   // a buoy that is passed with 1 m to spare is gone round where the parts ask for more
-  const Envelope boat = of_a_boat();
+  Envelope boat = of_a_boat();
   OwnedSituation e = under_way(boat);
   e.situation.own.position = {0.0, 0.0, 50.0};
   e.situation.goal = {.position = {60.0, 0.0, 50.0}, .cruise_speed = 1.0};
