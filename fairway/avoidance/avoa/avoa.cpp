@@ -32,19 +32,15 @@ PolarVelocity off_the_bow(const Vec3& v, double yaw) {
   return {speed, speed > 0.0 ? wrap_angle(math::atan2(v.y(), v.x()) - yaw) : 0.0};
 }
 
-/// The paper's vessel turns by two thrusters, which the speed leaves less for. One that only goes ahead turns
-/// by its rudder: where its envelope is known, whoever foresees by that sees to how fast.
 avoa::KinematicZone kinematic_zone(const Avoa::Params& p, const Situation& s, double max_speed) {
-  const bool only_ahead = only_goes_ahead(s.limits);
-  const bool turns_by_rudder = only_ahead && s.envelope;
   return {.alpha = p.alpha_ratio,
           .beta = p.beta_m,
           .turn_gain = p.turn_gain_hz,
           .max_turn_rate = limit_or(s.limits.max_turn_rate, p.max_turn_rate_radps),
-          .thruster_speed = turns_by_rudder ? std::numeric_limits<double>::infinity() : p.thruster_speed_mps,
+          .thruster_speed = p.thruster_speed_mps,
           .max_speed = max_speed,
           .min_speed = s.limits.min_speed,
-          .only_ahead = only_ahead};
+          .only_ahead = only_goes_ahead(s.limits)};
 }
 
 avoa::Swarm::Settings swarm_settings(const Avoa::Params& p) {
@@ -58,11 +54,14 @@ avoa::Swarm::Settings swarm_settings(const Avoa::Params& p) {
           .start = {p.start_mps, p.start_rad}};
 }
 
-/// The desired velocity and its cost, infinite if it is not feasible. It may be slower than others.
-Candidate desired_candidate(const avoa::VelocitySpace& space, const avoa::VelocityMetric& metric) {
+/// The desired velocity and its cost, infinite if it is not feasible. It may be slower than others. Where
+/// somebody foresees what the vehicle makes of it, the vehicle slows to turn for it, and no thruster forbids
+/// it.
+Candidate desired_candidate(const avoa::VelocitySpace& space, const avoa::VelocityMetric& metric,
+                            bool is_foreseen) {
   const PolarVelocity& desired = metric.desired();
-  const int cell = space.kinematics().contains(desired) ? avoa::VelocityGrid::outside
-                                                        : space.grid().cell_at(desired.cartesian());
+  const bool may_be_asked = is_foreseen || !space.kinematics().contains(desired);
+  const int cell = may_be_asked ? space.grid().cell_at(desired.cartesian()) : avoa::VelocityGrid::outside;
   const bool feasible =
       cell != avoa::VelocityGrid::outside && space.zones().forbidden()[static_cast<std::size_t>(cell)] == 0;
   return {desired, feasible ? metric(desired, space.danger(cell)) : std::numeric_limits<double>::infinity()};
@@ -90,7 +89,7 @@ Command Avoa::decide(const Situation& s, Memory& memory, Context& context) const
   // the best of the rest, the desired velocity first
   const avoa::VelocityMetric metric{off_the_bow(preferred, s.own.yaw), max_speed, params.speed_weight_ratio,
                                     params.heading_weight_ratio, params.danger_weight_ratio};
-  const Candidate desired = desired_candidate(space, metric);
+  const Candidate desired = desired_candidate(space, metric, s.envelope != nullptr);
   const Candidate best =
       params.search == VelocitySearch::swarm
           ? memory.swarm.search(space, metric, desired, swarm_settings(params), context.rng)

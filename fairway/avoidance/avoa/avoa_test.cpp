@@ -8,6 +8,7 @@
 #include <string>
 
 #include "fairway/avoidance/drawing.hpp"
+#include "fairway/avoidance/testing/boat.hpp"
 #include "fairway/avoidance/testing/encounters.hpp"
 
 namespace fairway {
@@ -49,6 +50,18 @@ TEST(Avoa, WithTheGoalAbeamTurnsAsFastAsItsThrustersAllow) {
   const double theta = course(command) + 0.5;
   EXPECT_GT(theta, 0.2);
   EXPECT_LE(command.velocity.norm() + 3.0 * 0.5 * theta, 1.5 + 1e-12);
+}
+
+TEST(Avoa, WhereTheEnvelopeIsKnownNoThrusterForbidsWhatIsDesired) {
+  const Envelope boat = encounters::of_a_boat();
+  OwnedSituation e = zarco();
+  e.situation.goal.position = {0, 25, 0};
+  e.obstacles = {buoy(-4.0, 0.0)};  // forbids going astern
+  EXPECT_LT(std::abs(course(decide<Avoa>(e))), 0.3);
+  e.situation.envelope = &boat;
+  EXPECT_LT((decide<Avoa>(e).velocity - Vec3(0.0, 1.2, 0.0)).norm(), 1e-12);
+  e.obstacles = {buoy(0.0, 4.0)};  // what an obstacle forbids it does not ask for
+  EXPECT_LT(std::abs(course(decide<Avoa>(e))), 0.5);
 }
 
 TEST(Avoa, AnObstacleAsternIsNoReasonToTurn) {

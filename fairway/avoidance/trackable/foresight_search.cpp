@@ -157,10 +157,11 @@ struct Foresight::Search {
 
 Foresight::Pick Foresight::best_of(const Plan& asked, const Courses& courses,
                                    std::size_t count) const noexcept {
-  if (asked.turn_rate && is_clear(asked, std::abs(asked.speed))) return {count, Prospect::clear};
+  if (asked.turn_rate && is_safe(asked)) return {count, Prospect::clear};
   Search search{*this, courses, count};
   if (const std::size_t at = search.first_clear(); at < count) return {at, Prospect::clear};
   if (const std::size_t at = search.first_backed_up(); at < count) return {at, Prospect::backed_up};
+  if (asked.turn_rate && is_clear(asked, std::abs(asked.speed))) return {count, Prospect::clear};
   if (const std::size_t at = search.first_clear_so_far(); at < count) return {at, Prospect::clear};
   const double most = asked.turn_rate ? room_of(asked).least : -std::numeric_limits<double>::infinity();
   return {search.roomiest(most), Prospect::lost};

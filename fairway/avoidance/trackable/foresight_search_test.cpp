@@ -116,6 +116,7 @@ TEST(ForesightSearch, WhoIsSetAsideNeedsABackupButForWhatGoesAlong) {
   e.situation.own.position = {0.0, 0.0, 50.0};
   const TurnLaw law{boat, Limits::none};
   const std::vector<Plan> on_or_off{{.speed = 1.0}, {.direction = unit_at(-pi / 4), .speed = 1.0}};
+  const Plan turns_away{.speed = 1.0, .turn_rate = -0.13};
   const auto taken = [&](bool is_set_aside) {
     const Situation s = e;
     const Foresight foresight = foresight_of(
@@ -123,7 +124,12 @@ TEST(ForesightSearch, WhoIsSetAsideNeedsABackupButForWhatGoesAlong) {
         {.hold = 1.0, .window = 10.0, .margin = 0.3, .drift = {0.0, 0.2}, .is_set_aside = is_set_aside});
     EXPECT_EQ(foresight.is_clear(on_or_off[0], 1.0), true);
     EXPECT_EQ(foresight.is_safe(on_or_off[0]), !is_set_aside || !e.tracks.empty());
-    return foresight.best_of(on_or_off[0], Columns{on_or_off}.courses, on_or_off.size()).at;
+    const auto pick_for = [&](const Plan& asked) {
+      return foresight.best_of(asked, Columns{on_or_off}.courses, on_or_off.size()).at;
+    };
+    const std::size_t at = pick_for(on_or_off[0]);
+    EXPECT_EQ(pick_for(turns_away), at == 0 ? on_or_off.size() : at);  // a turn rate needs one, too
+    return at;
   };
   // it can go on past the buoy, but not stop there: what sets it aside would set it on that
   e.obstacles = {encounters::buoy(2.25, 1.95)};

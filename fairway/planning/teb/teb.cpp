@@ -35,6 +35,7 @@ struct Task {
   std::vector<Vec2> way;  ///< from the start to the end
   double speed{};         ///< along the heading [m/s]
   double yaw_rate{};      ///< [rad/s]
+  bool is_foreseen{};     ///< by a wrapper, what the vehicle makes of the answer
 };
 
 /// Where the mission wants to be; far ahead where it wants a velocity.
@@ -87,7 +88,7 @@ TebParams within(const Envelope& can, const Situation& s, TebParams params) {
   const Limits& limits = s.limits;
   const double speed = std::max(least, std::min({can.ahead, limits.max_speed, s.goal.cruise_speed}));
   params.max_vel_x_mps = speed;
-  params.max_vel_x_backwards_mps = std::max(least, std::min(speed, can.astern));
+  params.max_vel_x_backwards_mps = limits.sway ? std::max(least, std::min(speed, can.astern)) : 0.0;
   params.max_vel_theta_radps = std::max(least, std::min(can.turn_rate(speed), limits.max_turn_rate));
   params.acc_lim_x_mps2 = std::max(least, std::min(can.acceleration, can.deceleration));
   params.acc_lim_theta_radps2 = std::max(least, can.turn_acceleration);
@@ -123,7 +124,8 @@ Task task_of(const TebParams& params, const Situation& s, std::span<const Vec2> 
           .end = ahead.end,
           .way = std::move(ahead.points),
           .speed = unit_at(s.own.yaw).dot(s.own.velocity.head<2>()),
-          .yaw_rate = s.own.yaw_rate};
+          .yaw_rate = s.own.yaw_rate,
+          .is_foreseen = s.envelope != nullptr};
 }
 
 /// The bands of the decision before, warm; none if they lead elsewhere.
@@ -154,15 +156,18 @@ Planned along_the_way(const Task& task) {
   return {std::move(band), std::move(turns)};
 }
 
-/// Bands of classes that there are none of yet: of the planned way's, then of others.
+/// Bands of classes that there are none of yet: of the planned way's, then of others. Of who goes ahead alone
+/// the planned way begins another band where the one that it follows takes longer, since what winds in that
+/// one would go on ahead of it.
 void explore(const Task& task, const Planned& planned, std::vector<Band>& bands, Rng& rng) {
   std::vector<Signature> classes = drop_duplicates(task, bands);
   const auto most = static_cast<std::size_t>(task.params.max_number_classes_count);
   if (bands.size() > most) bands.resize(most);
 
   const bool known = teb::is_among(task.params, planned.turns, classes);
-  if (!known && bands.size() < most) {
-    classes.push_back(planned.turns);
+  const bool winds = task.is_foreseen && !bands.empty() && bands.front().duration() > planned.band.duration();
+  if ((!known || winds) && bands.size() < most) {
+    if (!known) classes.push_back(planned.turns);
     bands.push_back(planned.band);
   }
   const auto ways = ways_of_new_classes(task.params, task.barriers, task.start.position, task.end.position,

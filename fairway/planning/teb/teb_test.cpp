@@ -167,6 +167,34 @@ TEST(Teb, WhereTheEnvelopeIsKnownItPlansItsWayOutOfTheUUnlessToldNotTo) {
   EXPECT_GT(left_to_go(TebGlobalPlan::straight), 10.0);
 }
 
+TEST(Teb, WhereTheEnvelopeIsKnownNothingWindsAndNothingGoesAstern) {
+  const Envelope boat = encounters::of_a_boat();
+  encounters::OwnedSituation e = encounters::under_way(boat);
+  e.situation.period = 0.2;
+  e.situation.goal = {.position = {30, 0, 50}, .cruise_speed = 1.0, .arrival = 1.0};
+  const Teb teb;
+  Teb::Memory memory;
+  Rng rng{1};
+  Context context{rng};
+  (void)teb.decide(e, memory, context);
+  teb::Band& band = memory.bands.front();
+  const teb::Band straight = band;
+  std::vector<teb::Knot> loop;  // to starboard, once round
+  for (int i = 1; i < 12; ++i) {
+    const double turned = 2.0 * pi * i / 12;
+    loop.push_back({1.0 + std::sin(turned), 1.0 - std::cos(turned), wrap_angle(turned), 0.5});
+  }
+  band.knots.insert(band.knots.begin() + 1, loop.begin(), loop.end());
+  (void)teb.decide(e, memory, context);
+  EXPECT_LT(memory.bands.front().duration(), 1.1 * straight.duration());
+
+  e.situation.goal.position.x() = -30;
+  for (int i = 0; i < 5; ++i) (void)teb.decide(e, memory, context);
+  const teb::Band& round = memory.bands.front();
+  for (std::size_t i = 0; i + 1 < round.size(); ++i)
+    EXPECT_GT((round.position(i + 1) - round.position(i)).dot(unit_at(round.pose(i).heading)), -0.05) << i;
+}
+
 TEST(Teb, PlansAnewWhatIsBlockedAndAtMostOnceASecond) {
   Voyage v = voyage({});
   v.teb.params.global_plan = TebGlobalPlan::rrt_star;
