@@ -132,9 +132,11 @@ AcousticChannel::AcousticChannel(const AcousticParams& params, std::size_t vehic
   const double count = static_cast<double>(vehicle_count);
   for (std::size_t i = 0; i < vehicle_count; ++i) {
     Rng clock = rng.stream("clock", i);
-    transmitters_.push_back({.backoff = rng.stream("backoff", i),
-                             .clock_ahead = params.clock_offset_s * clock.normal() / period,
-                             .clock_drift = params.clock_drift_ratio * clock.normal()});
+    transmitters_.push_back({.backoff = rng.stream("backoff", i), .clock = {}});
+    transmitters_[i].clock = {.ahead = params.clock_offset_s * clock.normal() / period,
+                              .drift = params.clock_drift_ratio * clock.normal(),
+                              .jump = params.clock_jump_s * clock.normal() / period,
+                              .jumps_at = clock.uniform(0.0, params.clock_jump_within_s / period)};
     if (!params.slots)
       transmitters_[i].due = std::floor(interval_ * static_cast<double>(i) / count + instant);
     const Rng sender = rng.stream("sender", i);
@@ -180,14 +182,17 @@ double AcousticChannel::next_turn(std::size_t vehicle, Tick now) const {
 }
 
 double AcousticChannel::clock_ahead(std::size_t vehicle, Tick now) const {
-  const Transmitter& its = transmitters_[vehicle];
-  return (its.clock_ahead + its.clock_drift * static_cast<double>(count(now))) * period_;
+  if (clocks_are_right()) return 0.0;
+  return transmitters_[vehicle].clock.ahead_at(static_cast<double>(count(now))) * period_;
+}
+
+bool AcousticChannel::clocks_are_right() const {
+  return params_.clock_offset_s == 0.0 && params_.clock_drift_ratio == 0.0 && params_.clock_jump_s == 0.0;
 }
 
 /// What its clock shows at a true time [ticks] between two ticks [s].
 double AcousticChannel::clock(std::size_t vehicle, double ticks) const {
-  const Transmitter& its = transmitters_[vehicle];
-  return (ticks + its.clock_ahead + its.clock_drift * ticks) * period_;
+  return transmitters_[vehicle].clock.shown_at(ticks) * period_;
 }
 
 void AcousticChannel::add_under_way(std::vector<MessageFlight>& flights) const {
@@ -373,8 +378,7 @@ void AcousticChannel::hand_over(Tick now) {
 Message AcousticChannel::as_read(const Flight& flight, Tick now) const {
   Message read = flight.message;
   // who speaks tells the time itself
-  if (!read.speech.empty() || (params_.clock_offset_s == 0.0 && params_.clock_drift_ratio == 0.0))
-    return read;
+  if (!read.speech.empty() || clocks_are_right()) return read;
   const double wrong = (clock_ahead(flight.from, read.sent) - clock_ahead(flight.to, now)) / period_;
   read.sent =
       std::min(now, Tick{count(read.sent) + std::llround(wrong)});  // nothing is taken to be of the future

@@ -57,6 +57,8 @@ struct AcousticParams {
   bool carrier_sense = false;
   double clock_offset_s = 0.0;
   double clock_drift_ratio = 0.0;
+  double clock_jump_s = 0.0;
+  double clock_jump_within_s = 100.0;
   RangingKind ranging = RangingKind::none;
   double range_deviation_m = 0.2;
   double sound_speed_mps = 1500.0;
@@ -105,6 +107,9 @@ struct AcousticParams {
         field<&P::clock_offset_s>({0, 1000}, "standard deviation of the vehicles' clocks as a run begins"),
         field<&P::clock_drift_ratio>({0, 0.1},
                                      "standard deviation of how much too fast they go; 1e-6 is 1 ppm"),
+        field<&P::clock_jump_s>({0, 1000}, "standard deviation of one jump of each vehicle's clock"),
+        field<&P::clock_jump_within_s>({0, 1e6},
+                                       "which comes at a time drawn evenly from the first so many seconds"),
         field<&P::ranging>(
             "none; one_way: of each word how long it took, by the sender's clock and the receiver's; "
             "two_way: "
@@ -187,13 +192,24 @@ class AcousticChannel {
   double slot_time() const { return static_cast<double>(slot_ticks_) * period_; }
 
  private:
+  /// All in ticks.
+  struct Clock {
+    double ahead{};  // as the run begins
+    double drift{};  // by which it goes too fast
+    double jump{};
+    double jumps_at{};
+
+    double jumped(double time) const { return time < jumps_at ? 0.0 : jump; }
+    double ahead_at(double time) const { return ahead + drift * time + jumped(time); }
+    double shown_at(double time) const { return time + ahead + drift * time + jumped(time); }
+  };
+
   struct Transmitter {
     double due{};                 // [ticks]
     std::optional<double> began;  // to transmit, last [ticks]
     Rng backoff;
-    int waits{};           // in a row, for others to be silent
-    double clock_ahead{};  // as the run begins [ticks]
-    double clock_drift{};  // by which it goes too fast
+    int waits{};  // in a row, for others to be silent
+    Clock clock;
   };
 
   struct Link {
@@ -231,6 +247,7 @@ class AcousticChannel {
   };
 
   static Ray ray_of(const AcousticParams& params);
+  bool clocks_are_right() const;
   double clock(std::size_t vehicle, double ticks) const;
   bool waits_for_silence(std::size_t vehicle, Tick now);
   void transmit(std::size_t from, Tick now, const Mailbox& said, std::span<const Vec3> places,

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "fairway/comms/sound.hpp"
@@ -179,6 +180,27 @@ TEST(AcousticSea, AClockThatIsWrongMakesAMessageLookOlderButNeverOfTheFuture) {
     return count(drifting.now) - 1 - count(drifting.heard(to, from).sent);
   };
   EXPECT_GT(age(0, 1) + age(1, 0), 2);
+}
+
+TEST(AcousticSea, AClockJumpsOnceWithinTheTime) {
+  AcousticParams params = at_once();
+  params.clock_jump_s = 2.0;
+  params.clock_jump_within_s = 50.0;
+  Sea sea{params, pair(10)};
+  std::array<double, 2> shown{};
+  std::array<int, 2> jumps{};
+  while (seconds(sea.now, tick_s) < 60.0) {
+    for (std::size_t i = 0; i < 2; ++i) {
+      const double ahead = sea.channel.clock_ahead(i, sea.now);
+      if (ahead != shown[i]) ++jumps[i];
+      shown[i] = ahead;
+    }
+    sea.now = next(sea.now);
+  }
+  EXPECT_EQ(jumps, (std::array{1, 1}));
+  EXPECT_NE(shown[0], shown[1]);
+  sea.run(100);
+  EXPECT_NE(count(sea.heard(1, 0).sent), count(sea.now) - 1);
 }
 
 }  // namespace
