@@ -238,7 +238,9 @@ Command first_command(const Task& task, const Band& band) {
   return command;
 }
 
-/// Towards where the band is when the vehicle has taken the command up, as fast as the band goes there.
+/// Towards where the band is when the vehicle has taken the command up, as fast as the band goes there. Where
+/// nothing is near it is straight on along the way: the vehicle turns later than the band, and would go round
+/// a goal to which that winds.
 Command command_ahead(const Task& task, const Band& band, const Envelope& can) {
   double time = 0.0, length = 0.0;
   std::size_t i = 0;
@@ -247,7 +249,7 @@ Command command_ahead(const Task& task, const Band& band, const Envelope& can) {
     length += (band.position(i + 1) - band.position(i)).norm();
     ++i;
   } while (i + 1 < band.size() && time < taking_up(can));
-  const Vec2 way = band.position(i) - band.position(0);
+  const Vec2 way = (task.barriers.empty() ? task.way[1] : band.position(i)) - band.position(0);
   const double speed = std::min(length / time, task.params.max_vel_x_mps);
   const Vec2 velocity = way.norm() > 0.0 ? Vec2{speed * way.normalized()} : Vec2{Vec2::Zero()};
   return {.velocity = {velocity.x(), velocity.y(), 0.0},

@@ -193,6 +193,14 @@ TEST(Teb, WhereTheEnvelopeIsKnownNothingWindsAndNothingGoesAstern) {
   const teb::Band& round = memory.bands.front();
   for (std::size_t i = 0; i + 1 < round.size(); ++i)
     EXPECT_GT((round.position(i + 1) - round.position(i)).dot(unit_at(round.pose(i).heading)), -0.05) << i;
+
+  // where nothing is near it asks for the way, not for the arc of a band that turns at once
+  e.situation.goal.position = {0, 20, 50};
+  const Command abeam = teb.decide(e, memory, context);
+  EXPECT_GT(abeam.velocity.y(), 0.999 * abeam.velocity.norm());
+  e.obstacles = {encounters::buoy(3, 3)};
+  const Command past_a_buoy = teb.decide(e, memory, context);
+  EXPECT_LT(past_a_buoy.velocity.y(), 0.999 * past_a_buoy.velocity.norm());
 }
 
 TEST(Teb, PlansAnewWhatIsBlockedAndAtMostOnceASecond) {
