@@ -156,9 +156,9 @@ Planned along_the_way(const Task& task) {
   return {std::move(band), std::move(turns)};
 }
 
-/// Bands of classes that there are none of yet: of the planned way's, then of others. Of who goes ahead alone
-/// the planned way begins another band where the one that it follows takes longer, since what winds in that
-/// one would go on ahead of it.
+/// Bands of classes that there are none of yet: of the planned way's, then of others. A wrapper that foresees
+/// does not follow a band where that winds, and would push the loop on ahead of the vehicle: as long as the
+/// band takes longer than the way at the greatest speed, the way begins another one.
 void explore(const Task& task, const Planned& planned, std::vector<Band>& bands, Rng& rng) {
   std::vector<Signature> classes = drop_duplicates(task, bands);
   const auto most = static_cast<std::size_t>(task.params.max_number_classes_count);
