@@ -89,10 +89,10 @@ class Foresight {
     Prospect prospect;
   };
   /// What was asked for, if it is a turn rate, or else the first of `count` courses that is clear, and of who
-  /// is set aside backed up besides, but for what goes along; else the first that is backed up; else that turn
-  /// rate, or the first course, if it is clear; else, of what leaves nearly as much room as anything, what has most at the end,
-  /// and of who cannot stop, of what is clear for longest, what leaves most room. O(courses x steps x
-  /// hazards).
+  /// is set aside backed up besides, but for what goes along; else the first that is backed up; else that
+  /// turn rate, or the first course, if it is clear; else, of what leaves nearly as much room as anything,
+  /// what has most at the end, and of who cannot stop, of what is clear for longest, what leaves most room.
+  /// O(courses x steps x hazards).
   Pick best_of(const Plan& asked, const Courses& courses, std::size_t count) const noexcept;
 
   /// Least distances beyond contact. [m]
