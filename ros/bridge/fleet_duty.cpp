@@ -182,6 +182,12 @@ void FleetDuty::await_clock() {
   }
 }
 
+double FleetDuty::behind() const {
+  if (paused_ || fleet_.is_done() || settings_.speed <= 0.0) return behind_s_;
+  const double due = (fleet_.time() - anchor_time_) / settings_.speed;
+  return behind_s_ + std::max(0.0, seconds_between(anchor_, Steady::now()) - due);
+}
+
 std::string FleetDuty::state_json() const {
   nlohmann::json vehicles = nlohmann::json::array();
   for (std::size_t i = 0; i < ports_.size(); ++i) {
@@ -195,7 +201,7 @@ std::string FleetDuty::state_json() const {
   return nlohmann::json{{"scenario", fleet_.name()},
                         {"time_s", fleet_.time()},
                         {"wall_s", seconds_between(begin_, Steady::now())},
-                        {"behind_s", behind_s_},
+                        {"behind_s", behind()},
                         {"frame", settings_.frame == Frame::enu ? "enu" : "ned"},
                         {"paused", paused_},
                         {"done", fleet_.is_done()},

@@ -76,6 +76,8 @@ class FleetDuty {
   std::string missing() const;
   void spin(double seconds);
   void tend();
+  /// Wall time that it could not keep up with, what it may yet make up for included [s].
+  double behind() const;
   std::string state_json() const;
 
   FleetNodeSettings settings_;
@@ -87,7 +89,7 @@ class FleetDuty {
   Steady::time_point begin_;  // of the run, on the wall
   Steady::time_point anchor_;
   double anchor_time_{};  // of the run, at anchor_ [s]
-  double behind_s_{};     // wall time that it could not keep up with
+  double behind_s_{};     // wall time that is not made up for
   Steady::time_point tended_, drawn_;
   std::uint64_t missed_{};    // instants of lockstep that went on without a command
   std::uint64_t refused_{};   // commands that were not finite, or of another time
