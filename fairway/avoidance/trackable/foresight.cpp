@@ -242,7 +242,7 @@ std::size_t Foresight::clear_steps(const Plan& plan, double quickest) const noex
 }
 
 bool Foresight::is_safe(const Plan& plan) const noexcept {
-  const Bounds of = bounds(plan.speed, std::abs(plan.turn_rate.value_or(0.0)));
+  const Bounds of = bounds(std::abs(plan.speed), std::abs(plan.turn_rate.value_or(0.0)));
   if (clear_steps(plan, of, most_steps) < steps_) return false;
   return !needs_backup() || clear_steps(plan, without_what_goes_along(of), hold_steps_) == steps_;
 }

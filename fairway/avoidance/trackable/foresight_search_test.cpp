@@ -141,5 +141,19 @@ TEST(ForesightSearch, WhoIsSetAsideNeedsABackupButForWhatGoesAlong) {
   EXPECT_EQ(taken(true), 0u);
 }
 
+TEST(ForesightSearch, WhoIsAskedToGoAsternLooksAstern) {
+  const Envelope boat = of_a_boat();
+  OwnedSituation e = encounters::under_way(boat);
+  e.situation.own.velocity = Vec3::Zero();
+  e.obstacles = {encounters::buoy(-4.0, 0.0)};
+  const TurnLaw law{boat, Limits::none};
+  const Situation s = e;
+  const Foresight foresight = foresight_of(law, s, {.hold = 1.0, .window = 10.0, .margin = 0.3});
+  const Plan astern{.speed = -1.0, .turn_rate = 0.0};
+  const std::vector<Plan> ahead{{.speed = 1.0}};
+  EXPECT_FALSE(foresight.is_safe(astern));
+  EXPECT_EQ(foresight.best_of(astern, Columns{ahead}.courses, ahead.size()).at, 0u);
+}
+
 }  // namespace
 }  // namespace fairway::trackable

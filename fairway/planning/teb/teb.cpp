@@ -6,6 +6,7 @@
 #include <exception>
 
 #include "fairway/avoidance/label.hpp"
+#include "fairway/avoidance/trackable/keeper.hpp"
 #include "fairway/core/angles.hpp"
 #include "fairway/planning/planar_map.hpp"
 #include "fairway/planning/teb/homotopy.hpp"
@@ -35,7 +36,7 @@ struct Task {
   std::vector<Vec2> way;  ///< from the start to the end
   double speed{};         ///< along the heading [m/s]
   double yaw_rate{};      ///< [rad/s]
-  bool is_foreseen{};     ///< by a wrapper, what the vehicle makes of the answer
+  const Envelope* can{};  ///< by which a wrapper foresees what the vehicle makes of the answer; or null
 };
 
 /// Where the mission wants to be; far ahead where it wants a velocity.
@@ -88,7 +89,8 @@ TebParams within(const Envelope& can, const Situation& s, TebParams params) {
   const Limits& limits = s.limits;
   const double speed = std::max(least, std::min({can.ahead, limits.max_speed, s.goal.cruise_speed}));
   params.max_vel_x_mps = speed;
-  params.max_vel_x_backwards_mps = limits.sway ? std::max(least, std::min(speed, can.astern)) : 0.0;
+  params.max_vel_x_backwards_mps =
+      trackable::must_turn(s) ? 0.0 : std::max(least, std::min(speed, can.astern));
   params.max_vel_theta_radps = std::max(least, std::min(can.turn_rate(speed), limits.max_turn_rate));
   params.acc_lim_x_mps2 = std::max(least, std::min(can.acceleration, can.deceleration));
   params.acc_lim_theta_radps2 = std::max(least, can.turn_acceleration);
@@ -125,7 +127,7 @@ Task task_of(const TebParams& params, const Situation& s, std::span<const Vec2> 
           .way = std::move(ahead.points),
           .speed = unit_at(s.own.yaw).dot(s.own.velocity.head<2>()),
           .yaw_rate = s.own.yaw_rate,
-          .is_foreseen = s.envelope != nullptr};
+          .can = s.envelope};
 }
 
 /// The bands of the decision before, warm; none if they lead elsewhere.
@@ -165,7 +167,8 @@ void explore(const Task& task, const Planned& planned, std::vector<Band>& bands,
   if (bands.size() > most) bands.resize(most);
 
   const bool known = teb::is_among(task.params, planned.turns, classes);
-  const bool winds = task.is_foreseen && !bands.empty() && bands.front().duration() > planned.band.duration();
+  const bool winds =
+      task.can != nullptr && !bands.empty() && bands.front().duration() > planned.band.duration();
   if ((!known || winds) && bands.size() < most) {
     if (!known) classes.push_back(planned.turns);
     bands.push_back(planned.band);
@@ -241,14 +244,14 @@ Command first_command(const Task& task, const Band& band) {
 /// Towards where the band is when the vehicle has taken the command up, as fast as the band goes there. Where
 /// nothing is near it is straight on along the way: the vehicle turns later than the band, and would go round
 /// a goal to which that winds.
-Command command_ahead(const Task& task, const Band& band, const Envelope& can) {
+Command command_ahead(const Task& task, const Band& band) {
   double time = 0.0, length = 0.0;
   std::size_t i = 0;
   do {
     time += band.time(i);
     length += (band.position(i + 1) - band.position(i)).norm();
     ++i;
-  } while (i + 1 < band.size() && time < taking_up(can));
+  } while (i + 1 < band.size() && time < taking_up(*task.can));
   const Vec2 way = (task.barriers.empty() ? task.way[1] : band.position(i)) - band.position(0);
   const double speed = std::min(length / time, task.params.max_vel_x_mps);
   const Vec2 velocity = way.norm() > 0.0 ? Vec2{speed * way.normalized()} : Vec2{Vec2::Zero()};
@@ -296,8 +299,7 @@ Command Teb::decide(const Situation& s, Memory& memory, Context& context) const 
     }
     const Band& band = memory.bands.front();
     if (is_feasible(task, band)) {
-      Command command =
-          s.envelope != nullptr ? command_ahead(task, band, *s.envelope) : first_command(task, band);
+      Command command = task.can != nullptr ? command_ahead(task, band) : first_command(task, band);
       if (context.sketch != nullptr) context.sketch->velocity(command.velocity, "chosen");
       return command;
     }
