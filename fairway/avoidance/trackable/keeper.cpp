@@ -43,9 +43,7 @@ double quarter_turn_time(const TurnLaw& law) {
 }
 
 /// What sets the vehicle aside, relative to `frame`: the current as it is estimated, and what of that is left
-/// across its heading when its own sway is taken away. What was learnt of it is forgotten along the heading,
-/// where nothing is seen of it, as fast as it is learnt across: in a long turn an unknown slip would else add
-/// up to a drift along the heading.
+/// across its heading when its own sway is taken away.
 Vec2 observed_drift(const Situation& s, const Vec2& ahead, const Vec2& frame, double settling,
                     Course& course) {
   const Envelope& can = *s.envelope;
@@ -60,8 +58,7 @@ Vec2 observed_drift(const Situation& s, const Vec2& ahead, const Vec2& frame, do
   }
   course.sway += (1.0 - math::exp(-s.period / std::max(can.sway_lag, 1e-3))) * (slip - course.sway);
   const double error = across - course.sway - starboard.dot(*course.unexplained);
-  const Vec2 unseen = ahead.dot(*course.unexplained) * ahead;
-  *course.unexplained += (1.0 - math::exp(-s.period / settling)) * (error * starboard - unseen);
+  *course.unexplained += (1.0 - math::exp(-s.period / settling)) * error * starboard;
   return current + *course.unexplained;
 }
 

@@ -11,7 +11,6 @@
 #include "fairway/avoidance/direct/direct.hpp"
 #include "fairway/avoidance/testing/boat.hpp"
 #include "fairway/avoidance/trackable/testing/plans.hpp"
-#include "fairway/core/angles.hpp"
 
 namespace fairway {
 namespace {
@@ -234,27 +233,6 @@ TEST(Trackable, WhatDriftsAcrossIsNotMet) {
   e.tracks[0].reacts = false;
   EXPECT_LT(sail(e, Avoider{Direct{{}}}, 40.0).clearance, 0.0);
   EXPECT_GT(sail(e, around_direct_trackable(), 40.0).clearance, 0.25);
-}
-
-TEST(Trackable, AnUnknownSlipIsLearntOnACourseAndIsNoDriftAlongTheHeadingInATurn) {
-  const Envelope boat = of_a_boat();
-  OwnedSituation e = under_way(boat);
-  Ownship& own = e.situation.own;
-  trackable::Course course;
-  // 0.1 m/s to starboard, beyond what the envelope says, as the boat turns at `turn_rate` for `time`
-  const auto learnt = [&](double turn_rate, double time) {
-    own.yaw_rate = turn_rate;
-    for (double t = 0.0; t < time; t += e.situation.period) {
-      own.yaw = wrap_angle(own.yaw + turn_rate * e.situation.period);
-      const double sway = boat.steady_sway(0.5, turn_rate) + 0.1;
-      own.velocity << 0.5 * unit_at(own.yaw) + sway * unit_at(own.yaw + 0.5 * pi), 0.0;
-      const Situation s = e;
-      const trackable::Keeper keeper{{.margins = {}, .hold = 0.8}, s, course};
-    }
-    return *course.unexplained;
-  };
-  EXPECT_LT(learnt(-0.2, 60.0).norm(), 0.1);
-  EXPECT_LT((learnt(0.0, 60.0) - 0.1 * unit_at(own.yaw + 0.5 * pi)).norm(), 1e-3);
 }
 
 TEST(Trackable, WhoHasNoRoomToGoStandsWithItsBowUpIntoTheCurrent) {
