@@ -19,6 +19,9 @@ using avoa::PolarVelocity;
 /// A speed limit below this is none to go by, and one above is as good as this [m/s].
 constexpr double least_reach = 1e-6;
 constexpr double largest_reach = 1e3;
+/// t_H of what stands, where somebody foresees [s]. By a shorter one a vehicle creeps up to what it should
+/// turn aside for, and turns back there.
+constexpr double foreseen_window = 30.0;
 
 /// Over ground, from speed and heading off the bow [NED].
 Vec3 over_ground(const PolarVelocity& v, double yaw) {
@@ -72,24 +75,27 @@ Candidate desired_candidate(const avoa::VelocitySpace& space, const avoa::Veloci
 Command Avoa::decide(const Situation& s, Memory& memory, Context& context) const noexcept {
   const double max_speed = std::min(limit_or(s.limits.max_speed, params.max_speed_mps), largest_reach);
   if (max_speed < least_reach) return {.mode = Mode::infeasible, .note = "may not move"};
+  const bool is_foreseen = s.envelope != nullptr;
   Vec3 preferred = s.preferred_velocity();
   preferred.z() = 0.0;
 
   // what is forbidden, and how near to it the rest is
   avoa::VelocitySpace& space = memory.space;
   space.begin({params.grid_count, max_speed}, kinematic_zone(params, s, max_speed), params.least_speed_mps);
-  avoa::add_everyone(s,
-                     {.margin = params.margin_m,
-                      .spacing = params.circle_spacing_m,
-                      .window = params.window_s,
-                      .contact = params.time_to_contact},
-                     space.zones());
+  avoa::add_everyone(
+      s,
+      {.margin = params.margin_m,
+       .spacing = params.circle_spacing_m,
+       .window = params.window_s,
+       .window_at_rest = is_foreseen ? std::max(params.window_s, foreseen_window) : params.window_s,
+       .contact = params.time_to_contact},
+      space.zones());
   space.finish(params.danger_threshold_mps);
 
   // the best of the rest, the desired velocity first
   const avoa::VelocityMetric metric{off_the_bow(preferred, s.own.yaw), max_speed, params.speed_weight_ratio,
                                     params.heading_weight_ratio, params.danger_weight_ratio};
-  const Candidate desired = desired_candidate(space, metric, s.envelope != nullptr);
+  const Candidate desired = desired_candidate(space, metric, is_foreseen);
   const Candidate best =
       params.search == VelocitySearch::swarm
           ? memory.swarm.search(space, metric, desired, swarm_settings(params), context.rng)

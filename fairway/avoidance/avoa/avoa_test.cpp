@@ -64,6 +64,23 @@ TEST(Avoa, WhereTheEnvelopeIsKnownNoThrusterForbidsWhatIsDesired) {
   EXPECT_LT(std::abs(course(decide<Avoa>(e))), 0.5);
 }
 
+TEST(Avoa, WhereTheEnvelopeIsKnownItDoesNotCreepUpToWhatStands) {
+  const Envelope boat = encounters::of_a_boat();
+  OwnedSituation e = zarco();
+  e.obstacles = {{.kind = Obstacle::Kind::sphere, .position = {14.0, 0.0, 0.0}, .radius = 6.0}};
+  const auto passes_at = [&] {
+    const Vec3 v = decide<Avoa>(e, {.search = VelocitySearch::exhaustive}).velocity;
+    return 14.0 * std::abs(v.y()) / v.norm();
+  };
+  const double touches = 6.0 + 0.75 + 0.25;
+  EXPECT_LT(passes_at(), touches);
+  e.situation.envelope = &boat;
+  EXPECT_GT(passes_at(), touches);
+  e.tracks = {encounters::track(1, e.obstacles[0].position, {0, 0, 0}, 6.0)};  // may be gone by then
+  e.obstacles = {};
+  EXPECT_LT(passes_at(), touches);
+}
+
 TEST(Avoa, AnObstacleAsternIsNoReasonToTurn) {
   OwnedSituation e = zarco();
   e.obstacles = {buoy(-4.0, 0.0)};

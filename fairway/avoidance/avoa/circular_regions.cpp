@@ -24,13 +24,14 @@ class RegionWriter {
         cosine_{math::cos(own_.yaw)},
         sine_{math::sin(own_.yaw)},
         band_{own_.radius + regions.margin},
-        range_{regions.window * std::numbers::sqrt2 * zones.grid().reach() + band_} {}
+        range_{regions.window_at_rest * std::numbers::sqrt2 * zones.grid().reach() + band_} {}
 
   void add(const Track& track) {
-    put({.position = from_own(track.position),
-         .radius = band_ + track.radius,
-         .velocity = in_own_axes(track.velocity),
-         .inward = -in_own_axes(parting_direction(own_.id, track.id))});
+    zones_.add({.position = from_own(track.position),
+                .radius = band_ + track.radius,
+                .velocity = in_own_axes(track.velocity),
+                .inward = -in_own_axes(parting_direction(own_.id, track.id))},
+               regions_.window, regions_.contact);
   }
 
   void add(const Obstacle& obstacle) {
@@ -55,7 +56,7 @@ class RegionWriter {
   }
   Vec2 from_own(const Vec3& p) const { return in_own_axes(p - own_.position); }
 
-  void put(const MovingDisc& disc) { zones_.add(disc, regions_.window, regions_.contact); }
+  void put(const MovingDisc& disc) { zones_.add(disc, regions_.window_at_rest, regions_.contact); }
 
   void add_polygon(const Obstacle& polygon) {
     const SurfacePoint surface = nearest_point(polygon, own_.position);

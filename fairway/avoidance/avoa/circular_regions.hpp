@@ -8,9 +8,10 @@ namespace fairway::avoa {
 
 /// How obstacles become circular regions.
 struct Regions {
-  double margin{};   ///< kept besides the radii [m]
-  double spacing{};  ///< of the circles along a wall [m], > 0
-  double window{};   ///< t_H [s]
+  double margin{};          ///< kept besides the radii [m]
+  double spacing{};         ///< of the circles along a wall [m], > 0
+  double window{};          ///< t_H of tracks [s]
+  double window_at_rest{};  ///< t_H of obstacles [s]
   TimeToContact contact{};
 };
 

@@ -11,7 +11,8 @@ namespace {
 
 using encounters::OwnedSituation;
 
-constexpr Regions regions{.margin = 0.25, .spacing = 0.5, .window = 8.0, .contact = TimeToContact::bound};
+constexpr Regions regions{
+    .margin = 0.25, .spacing = 0.5, .window = 8.0, .window_at_rest = 8.0, .contact = TimeToContact::bound};
 
 /// Own ship of 0.75 m at (10, -4), bow to `yaw`.
 OwnedSituation afloat(double yaw = 0.0) {
@@ -78,7 +79,8 @@ struct Wall {
 };
 
 TEST(CircularRegions, OfAWallForbidWhatMeetsItAndLittleElse) {
-  const Regions exact{.margin = 0.25, .spacing = 0.5, .window = 8.0, .contact = TimeToContact::exact};
+  const Regions exact{
+      .margin = 0.25, .spacing = 0.5, .window = 8.0, .window_at_rest = 8.0, .contact = TimeToContact::exact};
   Rng rng{5};
   int met = 0, too_many = 0;
   for (int scene = 0; scene < 100; ++scene) {
