@@ -23,8 +23,9 @@ struct EnumNames<VelocitySearch> {
 /// Adaptive velocity obstacle avoidance for surface vessels (campos2019, section III): over a picture of the
 /// velocities, zones that lead to a collision within a time and zones that the thrusters cannot make are
 /// forbidden; of the rest, a swarm of particles finds the one with the least deviation in speed and heading
-/// and the least danger. Others are taken to keep their course. O(side^2 + discs * side + particles *
-/// iterations).
+/// and the least danger. Others are taken to keep their course. Where the envelope is known, a wrapper
+/// foresees what the vehicle makes of the answer: what is desired is then feasible whatever the thrusters can
+/// make, and t_H of what stands is 30 s at least. O(side^2 + discs * side + particles * iterations).
 ///
 ///     paper              here
 ///     [v, theta]         PolarVelocity, in own body axes
@@ -78,7 +79,9 @@ struct Avoa {
           field<&P::search>("swarm, or exhaustive: the best cell, to compare with"),
           field<&P::time_to_contact>("bound: gap by closing speed (eq. 2), or exact"),
           field<&P::grid_count>({2, 401}, "velocities along each side of the picture"),
-          field<&P::window_s>({0.01, 10000}, "t_H: a collision that is at least this far off is allowed"),
+          field<&P::window_s>(
+              {0.01, 10000},
+              "t_H: a collision this far off is allowed; 30 s at least with obstacles under trackable"),
           field<&P::margin_m>({0, 1000}, "kept besides the radii"),
           field<&P::circle_spacing_m>({0.01, 1000}, "between the circles that cover a wall, at most"),
           field<&P::thruster_speed_mps>({0, 100}, "v_max^t: what a thruster can do"),
