@@ -6,6 +6,7 @@
 
 #include "fairway/avoidance/situation.hpp"
 #include "fairway/avoidance/trackable/foresight.hpp"
+#include "fairway/control/craft.hpp"
 #include "fairway/core/angles.hpp"
 #include "fairway/core/math.hpp"
 
@@ -13,14 +14,15 @@ namespace fairway {
 namespace {
 
 constexpr double beyond_any = 100.0;      // [m/s], [rad/s]: as much as it has
-constexpr double longest = 120.0;         // of one trial [s]
-constexpr double settling = 1.0;          // what changes no more within this is steady [s]
-constexpr double steady_share = 2e-3;     // of the value
 constexpr double steady_error = 0.02;     // of the speed, when a velocity is followed
+constexpr double soon = 0.2;              // before a hull pushed aside has turned [s]
+constexpr double least_linear = 1e-6;     // share of what resists a slip
 constexpr double small_change = 0.1;      // of a speed or turn rate, for a lag
 constexpr double reached = 0.632;         // 1 - 1 / e
 constexpr double least_way = 1e-3;        // slower is no way [m/s]
 constexpr double cruise_share = 0.9;      // of the greatest speed, so that something is left to turn by
+constexpr double slow_share = 0.4;        // likewise, of a slow turn
+constexpr double wide_share = 0.25;       // of the greatest turn rate, of a wide turn
 constexpr double stopped_share = 0.05;    // of the speed from which it stops
 constexpr double read_allowance = 1.02;   // of a turn rate that is read from the table
 constexpr double lags_of_plateau = 3.0;   // after which what is left of a turn rate is its tail
@@ -28,48 +30,6 @@ constexpr double least_tail_share = 0.5;  // of the lag of a turn: a shorter tai
 constexpr double stop_hold = 0.8;         // of the foresight of a stop [s]
 constexpr double stop_window = 8.0;       // likewise [s]
 constexpr double error_allowance = 1.1;   // for what the trials do not show: steps, other speeds before
-
-/// A vehicle that obeys body requests in still water.
-struct Craft {
-  Vehicle vehicle;
-  Autopilot autopilot;
-  double step;
-
-  void obey(const BodyRequest& request) {
-    const VehicleState& x = vehicle.state();
-    vehicle.step(autopilot.control(request, x.v_b, x.omega_b, step, x.q_nb), Water{}, step);
-  }
-  double surge() const { return vehicle.state().v_b.x(); }
-  double sway() const { return vehicle.state().v_b.y(); }
-  double sinking() const { return vehicle.state().v_n().z(); }
-  double turn_rate() const { return vehicle.state().omega_b.z(); }
-  Vec2 place() const { return vehicle.state().p_n.head<2>(); }
-  double yaw() const { return yaw_of(vehicle.state().q_nb); }
-
-  /// Obeys until `value` of it is steady, which it gives.
-  template <class Value>
-  double settle(const BodyRequest& request, Value value) {
-    const auto window = std::max(1, static_cast<int>(settling / step));
-    double before = value(*this);
-    for (int k = 1; k * step < longest; ++k) {
-      obey(request);
-      if (k % window != 0) continue;
-      const double now = value(*this);
-      if (std::abs(now - before) <= steady_share * std::abs(now) + 1e-6) break;
-      before = now;
-    }
-    return value(*this);
-  }
-
-  /// Obeys until `value` of it passes `level`, upwards or downwards. How long that took [s].
-  template <class Value>
-  double time_to(const BodyRequest& request, Value value, double level) {
-    const bool upwards = value(*this) < level;
-    double time = 0.0;
-    for (; time < longest && (value(*this) < level) == upwards; time += step) obey(request);
-    return time;
-  }
-};
 
 double surge_of(const Craft& craft) { return craft.surge(); }
 double turn_rate_of(const Craft& craft) { return craft.turn_rate(); }
@@ -161,12 +121,12 @@ class Trials {
     constexpr auto last = Envelope::turn_rate_count - 1;
     std::array<double, Envelope::turn_rate_count>& rates = envelope_.turn_rates;
     const double apart = envelope_.ahead / last;
-    double measured = rates[0] = greatest_turn_rate(envelope_.least);
+    rates[0] = greatest_turn_rate(envelope_.least);
     for (std::size_t i = 1; i <= last; ++i) {
-      measured = rates[i] = greatest_turn_rate(static_cast<double>(i) * apart);
+      rates[i] = greatest_turn_rate(static_cast<double>(i) * apart);
       for (const double part : {0.25, 0.5, 0.75}) lower(i, part, apart);
     }
-    measure_turning(rates[last] < measured ? rates[last] : turn_);
+    measure_turning();
   }
 
   /// Lowers a turn rate of the table until what is read between it and the one before is none that the
@@ -191,17 +151,15 @@ class Trials {
   }
 
   /// What it makes of a turn at its greatest speed.
-  void measure_turning(double asked) {
+  void measure_turning() {
     const double rate = envelope_.turn_rates.back();
     Craft craft = *under_way_;
     craft.settle(cruise(), surge_of);
-    Craft turning = craft;
-    turning.settle({.surge_mps = envelope_.ahead, .yaw_rate_radps = asked}, turn_rate_of);
-    if (rate > 0.0) envelope_.pivot = -turning.sway() / turning.turn_rate();
     measure_turn_lag(craft, rate);
     measure_turn_tail(craft, envelope_.ahead, cruise_share * rate);
-    measure_sway_lag(craft);
     if (envelope_.least > 0.0) measure_slow_turning();
+    measure_slip();
+    measure_sway_lag(craft);
   }
 
   void measure_slow_turning() {
@@ -210,9 +168,41 @@ class Trials {
     const BodyRequest turn{.surge_mps = envelope_.least,
                            .yaw_rate_radps = cruise_share * envelope_.turn_rates[0]};
     measure_turn_tail(craft, turn.surge_mps, turn.yaw_rate_radps);
+  }
+
+  /// In steady turns: v (a + b |v|) = u r. Met are a slow one as tight as the law orders and, of a wide slow
+  /// one and a tight fast one, that by which it slips more where both cannot be.
+  void measure_slip() {
+    const SteadyTurn tight = steady_turn(slow_share, cruise_share);
+    const double rate = envelope_.turn_rates.back();
+    if (!(tight.slip > least_way && rate > 0.0)) return;
+    double b = tight.resisted / tight.slip;
+    for (const SteadyTurn& other :
+         {steady_turn(slow_share, wide_share), steady_turn(cruise_share, cruise_share)}) {
+      const double apart = other.slip - tight.slip;
+      if (std::abs(apart) > least_way) b = std::min(b, (other.resisted - tight.resisted) / apart);
+    }
+    b = std::max(b, 0.0);
+    const double a = tight.resisted - b * tight.slip, asked = envelope_.ahead * rate;
+    const double slip = 2.0 * asked / (a + std::sqrt(a * a + 4.0 * b * asked));
+    envelope_.pivot = slip / rate;
+    envelope_.slip_square = b * slip / (a + b * slip);
+  }
+
+  struct SteadyTurn {
+    double slip;      ///< outwards [m/s]
+    double resisted;  ///< speed times turn rate, by the slip [1/s]
+  };
+  /// At shares of the greatest speed and of the greatest turn rate there.
+  SteadyTurn steady_turn(double speed_share, double turn_share) const {
+    const double speed = std::max(speed_share * envelope_.ahead, envelope_.least);
+    const double rate = turn_share * std::min(envelope_.turn_rate(speed), turn_);
+    const BodyRequest turn{.surge_mps = speed, .yaw_rate_radps = rate};
+    Craft craft = *under_way_;
+    craft.settle({.surge_mps = speed}, surge_of);
     craft.settle(turn, turn_rate_of);
-    craft.settle(turn, [](const Craft& c) { return c.sway(); });
-    if (craft.turn_rate() > 0.0) envelope_.pivot_slow = std::max(0.0, -craft.sway() / craft.turn_rate());
+    const double slip = -craft.settle(turn, [](const Craft& c) { return c.sway(); });
+    return {slip, craft.surge() * craft.turn_rate() / std::max(slip, least_way)};
   }
 
   void measure_turn_lag(const Craft& steady, double rate) {
@@ -240,7 +230,7 @@ class Trials {
     if (!(rate > 0.0 && envelope_.turn_acceleration > 0.0)) return;
     const double takes_up = rate / envelope_.turn_acceleration;
     double lacks = 0.0, time = 0.0, plateau = 1.0;
-    while (time < longest) {
+    while (time < Craft::longest) {
       craft.obey({.surge_mps = speed, .yaw_rate_radps = rate});
       if (time < lags_of_plateau * envelope_.turn_lag + takes_up)
         plateau = std::min(1.0, craft.turn_rate() / rate);
@@ -278,14 +268,23 @@ class Trials {
     }
   }
 
-  /// Pushed sideways at once, and left to itself.
+  /// Pushed sideways at once, as it slips in its fastest turn, and left to itself.
   void measure_sway_lag(Craft craft) {
     VehicleState x = craft.vehicle.state();
-    const double push = 0.5 * envelope_.ahead;
+    const double push =
+        envelope_.pivot > 0.0 ? envelope_.pivot * envelope_.turn_rates.back() : 0.5 * envelope_.ahead;
     x.v_b.y() += push;
     craft.vehicle.set_state(x);
-    const auto sway = [](const Craft& c) { return c.sway(); };
-    envelope_.sway_lag = craft.time_to({.surge_mps = envelope_.ahead}, sway, (1.0 - reached) * push);
+    double time = 0.0;
+    while (time < soon) {
+      craft.obey({.surge_mps = envelope_.ahead});
+      time += craft.step;
+    }
+    const double left = std::clamp(craft.sway() / push, 1e-3, 0.999), square = envelope_.slip_square,
+                 linear = 1.0 - square;
+    const double lags =
+        linear > least_linear ? math::log((linear + square * left) / left) / linear : 1.0 / left - 1.0;
+    envelope_.sway_lag = time / lags;
   }
 
   void measure_following() {
@@ -306,9 +305,9 @@ class Trials {
     const Vec2 velocity = speed * Vec2{math::cos(course), math::sin(course)};
     double greatest = 0.0;
     double time = 0.0;
-    while ((time += craft.step) < longest) {
+    while ((time += craft.step) < Craft::longest) {
       const double error = wrap_angle(course - craft.yaw());
-      const bool begins = time < settling;  // a full turn is to one side
+      const bool begins = time < Craft::settling;  // a full turn is to one side
       const trackable::TurnOrder order =
           law.order(speed, begins ? std::copysign(error, change) : error, craft.surge());
       craft.obey({.surge_mps = order.surge, .yaw_rate_radps = order.turn_rate});

@@ -5,12 +5,35 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <tuple>
 
 #include "fairway/core/angles.hpp"
+#include "fairway/core/lanes/number.hpp"
+#include "fairway/core/math.hpp"
 #include "fairway/core/record.hpp"
 
 namespace fairway {
+
+/// How a hull moves sideways through the water over a step of time: a turn sets it outwards by its momentum,
+/// and what resists that grows in proportion to the sway, part of it with the square. `Real` is a number or a
+/// pack of them (lanes/number.hpp), to the same bits.
+struct Slip {
+  double by_turn;  ///< in a steady turn, by turn rate and speed, were all resistance in proportion [s]
+  double share;    ///< of the way there, gone in the step
+  double linear;   ///< resistance of what is left after it, in proportion
+  double square;   ///< four times that by the square; 0: none [s/m]
+
+  /// To starboard positive [m/s], by an implicit step of Euler. O(1).
+  template <class Real>
+  Real after(const Real& sway, const Real& speed, const Real& turn_rate) const {
+    using lanes::magnitude, lanes::square_root;
+    const Real even = sway - share * (by_turn * turn_rate * magnitude(speed) + sway);
+    if (!(square > 0.0)) return even;
+    const Real resistance = linear + square_root(linear * linear + square * magnitude(even));
+    return 2.0 * even / lanes::larger<Real>(resistance, std::numeric_limits<double>::min());
+  }
+};
 
 /// What a vehicle under its autopilot can do in still water: the envelope of the closed loop that a method
 /// commands. Plain numbers, so that on board they can be given instead of measured.
@@ -35,7 +58,7 @@ struct Envelope {
   std::array<double, change_count> following_errors{};
   double deceleration_lost{};
   double turn_tail{};
-  double pivot_slow{};
+  double slip_square{};
   double turn_plateau{1.0};
   double stop_error{};
 
@@ -69,10 +92,13 @@ struct Envelope {
         member<&R::pivot>(
             "m",
             "ahead of the origin, where the hull does not slip sideways in a steady turn at the "
-            "greatest speed"),
-        member<&R::pivot_slow>("m", "the same at its least speed; 0: in proportion to the speed")
+            "greatest speed and turn rate"),
+        member<&R::slip_square>("ratio",
+                                "of what resists the slip in that turn: so much grows with its square, the "
+                                "rest in proportion")
             .not_negative(),
-        member<&R::sway_lag>("s", "in which 63 % of a motion sideways dies away").not_negative(),
+        member<&R::sway_lag>("s", "time constant with which a slip as in that turn dies away at first")
+            .not_negative(),
         member<&R::turn_rates>("radps", "greatest, at 0, 1/3, 2/3 and 1 of the greatest speed"),
         member<&R::following_errors>(
             "m",
@@ -86,26 +112,15 @@ struct Envelope {
     return between(turn_rates, ahead > 0.0 ? std::abs(speed) / ahead * (turn_rate_count - 1) : 0.0);
   }
 
-  /// What a steady turn makes of the pivot at a speed: `at_rest` + `by_speed` |speed|. In proportion to the
-  /// speed, as the momentum that has to be turned is; of a hull with a least speed, which its own lift holds
-  /// as much as it has way, by the straight line between that and the greatest.
-  struct Slip {
-    double at_rest;   ///< [m]
-    double by_speed;  ///< [s]
-  };
-  Slip slip() const noexcept {
-    if (pivot_slow > 0.0 && ahead > least) {
-      const double by_speed = (pivot - pivot_slow) / (ahead - least);
-      return {pivot_slow - by_speed * least, by_speed};
-    }
-    return {0.0, ahead > 0.0 ? pivot / ahead : 0.0};
-  }
-
-  /// Sideways through the water in a steady turn, to starboard positive [m/s]. O(1).
-  double steady_sway(double speed, double turn_rate) const noexcept {
-    if (!(pivot_slow > 0.0)) return ahead > 0.0 ? -pivot * turn_rate * std::abs(speed) / ahead : 0.0;
-    const Slip s = slip();
-    return -s.by_speed * turn_rate * std::abs(speed) - s.at_rest * turn_rate;
+  /// Its slip over a step of time. [s]
+  Slip slip(double step) const noexcept {
+    const double share = 1.0 - math::exp(-step / std::max(sway_lag, 1e-3));
+    const double greatest = std::abs(pivot * turn_rates.back());  // in the turn of which `slip_square` tells
+    const double square = greatest > 0.0 ? share * slip_square : 0.0;
+    return {.by_turn = ahead > 0.0 ? pivot / ahead : 0.0,
+            .share = share,
+            .linear = 1.0 - square,
+            .square = square > 0.0 ? 4.0 * square / greatest : 0.0};
   }
 
   /// The bound on the error of following a velocity whose course changes by `change` [rad, either way]: none

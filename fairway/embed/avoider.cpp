@@ -104,7 +104,7 @@ To same_numbers(const From& envelope) {
           .following_errors = envelope.following_errors,
           .deceleration_lost = envelope.deceleration_lost,
           .turn_tail = envelope.turn_tail,
-          .pivot_slow = envelope.pivot_slow,
+          .slip_square = envelope.slip_square,
           .turn_plateau = envelope.turn_plateau,
           .stop_error = envelope.stop_error};
 }

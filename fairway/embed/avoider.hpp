@@ -120,14 +120,14 @@ struct Envelope {
   double surge_lag{};          ///< in which 63 % of a small change of speed is made [s]
   double turn_acceleration{};  ///< greatest change of the turn rate [rad/s2]
   double turn_lag{};           ///< in which 63 % of a small change of the turn rate is made [s]
-  double pivot{};              ///< ahead of the origin, where the hull does not slip in a steady turn [m]
-  double sway_lag{};           ///< in which 63 % of a motion sideways dies away [s]
+  double pivot{};     ///< ahead of the origin, where the hull does not slip in its fastest steady turn [m]
+  double sway_lag{};  ///< time constant with which a slip as in that turn dies away at first [s]
   std::array<double, 4> turn_rates{};        ///< greatest, at 0, 1/3, 2/3 and 1 of the greatest speed [rad/s]
   std::array<double, 6> following_errors{};  ///< bound on the distance from a point that takes up a course at
                                              ///< once, for changes by 30, 60, ... 180 degrees [m]
   double deceleration_lost{};  ///< of the deceleration, while it takes up its greatest turn rate [m/s2]
   double turn_tail{};        ///< by which the heading in a long turn is later than the lag alone makes it [s]
-  double pivot_slow{};       ///< as pivot, at its least speed; 0: in proportion to the speed [m]
+  double slip_square{};      ///< share of what resists that slip which grows with its square
   double turn_plateau{1.0};  ///< of a turn rate, to which it comes by the lag; to the rest by the tail
   double stop_error{};       ///< by which it gets farther than these numbers foresee, while it stops [m]
 };

@@ -40,7 +40,8 @@ TEST_P(WhoStandsInACurrent, IsNotSetOnWhatIsNear) {
 }
 
 // Each touched while what came from ahead was not counted as drift before the bow had turned, what was clear
-// needed no backup, and the side was chosen anew at each decision.
+// needed no backup, and the side was chosen anew at each decision, by who was lost and had a backup by turns
+// too.
 INSTANTIATE_TEST_SUITE_P(Runs, WhoStandsInACurrent,
                          testing::Values(CampaignRun{"otter_u", "orca2d+trackable", 1216},
                                          CampaignRun{"otter_buoys25", "hrvo+trackable", 1984},

@@ -89,7 +89,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(FilteredVehicle{"zarco", 1.0, 0.75, 0, 1.2, 0.15, 170, 0.5, 20},
                     FilteredVehicle{"otter_by_thrust", 1.2, 1.2, 0, 1.2, 0.15, 200, 0.5, 20},
                     FilteredVehicle{"remus100", 10.0, 1.0, 20, 1.5, 0.15, 1350, 0.55, 20},
-                    FilteredVehicle{"sparus2", 1.0, 1.0, 5, 0.5, 0.0625, 400, 0.35, 19},
+                    FilteredVehicle{"sparus2", 1.0, 1.0, 5, 0.5, 0.0625, 400, 0.2, 19},
                     FilteredVehicle{"minerva_transport", 2.0, 2.7, 5, 0.5, 0.0625, 800, 0.49, 15}),
     [](const auto& info) { return info.param.model; });
 

@@ -258,12 +258,14 @@ TEST(Lanes, PlansRolledOutSideBySideComeToTheBitsThatTheyComeToAlone) {
                                  .step = any(0.1, 0.4),
                                  .turn_share = any(0.1, 1.0),
                                  .surge_share = any(0.1, 1.0),
-                                 .sway_share = any(0.1, 1.0),
                                  .most_turn = any(0.02, 0.2),
                                  .most_faster = any(0.05, 0.5),
                                  .most_slower = any(0.05, 0.5),
                                  .lost_slower = any(0.0, 0.2),
-                                 .slip = any(0.0, 1.0),
+                                 .slip = {.by_turn = any(0.0, 1.0),
+                                          .share = any(0.1, 1.0),
+                                          .linear = any(0.0, 1.0),
+                                          .square = index % 3 == 0 ? 0.0 : any(0.0, 8.0)},
                                  .drift_north = any(-0.2, 0.2),
                                  .drift_east = any(-0.2, 0.2)};
     for (double& rate : response.law.turn_rates) rate = any(0.2, 1.0);

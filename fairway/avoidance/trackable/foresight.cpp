@@ -48,13 +48,11 @@ Foresight::Foresight(const TurnLaw& law, const Situation& s, const Vec2& ahead,
     response_.tail_share = share_of(can.turn_tail / (1.0 - can.turn_plateau));
   }
   response_.surge_share = share_of(can.surge_lag);
-  response_.sway_share = share_of(can.sway_lag);
   response_.most_turn = can.turn_acceleration * step;
   response_.most_faster = can.acceleration * step;
   response_.most_slower = can.deceleration * step;
   response_.lost_slower = can.deceleration_lost / can.turn_acceleration;
-  response_.slip = can.slip().by_speed;
-  response_.slip_at_rest = can.slip().at_rest;
+  response_.slip = can.slip(step);
 
   velocity_ = s.own.velocity.head<2>() - outlook.frame;
   now_ = {.ahead_north = ahead.x(),
@@ -172,7 +170,7 @@ TurnOrder Foresight::order(const Plan& plan) const noexcept {
 double Foresight::fastest_way(double speed, double turn_rate) const noexcept {
   const Law& law = response_.law;
   const double along = std::max({std::abs(now_.speed), law.least, speed});
-  const double slip = (std::abs(response_.slip) * along + std::abs(response_.slip_at_rest)) * turn_rate;
+  const double slip = std::abs(law_.envelope().slip(Limits::none).after(0.0, along, turn_rate));
   return bounding * (along + outlook_.drift.norm() + std::max(std::abs(now_.sway), slip));
 }
 

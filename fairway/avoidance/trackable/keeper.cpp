@@ -51,12 +51,12 @@ Vec2 observed_drift(const Situation& s, const Vec2& ahead, const Vec2& frame, do
   const Vec2 current = s.current.head<2>() - frame;
   const Vec2 velocity = s.own.velocity.head<2>() - frame;
   const double across = starboard.dot(velocity - current);
-  const double slip = can.steady_sway(ahead.dot(velocity), s.own.yaw_rate);
+  const double speed = ahead.dot(velocity);
   if (!course.unexplained) {
-    course.sway = slip;
-    course.unexplained = (across - slip) * starboard;
+    course.sway = can.slip(Limits::none).after(0.0, speed, s.own.yaw_rate);
+    course.unexplained = (across - course.sway) * starboard;
   }
-  course.sway += (1.0 - math::exp(-s.period / std::max(can.sway_lag, 1e-3))) * (slip - course.sway);
+  course.sway = can.slip(s.period).after(course.sway, speed, s.own.yaw_rate);
   const double error = across - course.sway - starboard.dot(*course.unexplained);
   *course.unexplained += (1.0 - math::exp(-s.period / settling)) * error * starboard;
   return current + *course.unexplained;
@@ -235,7 +235,8 @@ bool Keeper::is_as_good(const Plan& before, const Choice& chosen) const noexcept
   if (chosen.prospect != Prospect::lost) {
     const bool changes_side =
         cross(ahead_, foresight_.bow(before)) * cross(ahead_, foresight_.bow(chosen.plan)) < 0.0;
-    return changes_side && foresight_.is_safe(before);
+    if (!changes_side || foresight_.is_safe(before)) return changes_side;
+    if (chosen.prospect == Prospect::clear) return false;  // else it may be lost again as soon as it turns
   }
   const Foresight::Room of_before = foresight_.room_of(before), of_chosen = foresight_.room_of(chosen.plan);
   if (foresight_.cannot_stop())

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "fairway/core/angles.hpp"
+#include "fairway/core/envelope.hpp"
 #include "fairway/core/lanes/number.hpp"
 
 /// How a vehicle moves that keeps to a plan, written once for one plan and for several side by side: `Real`
@@ -39,15 +40,14 @@ struct Law {
 /// How the vehicle answers to what is ordered, in steps of equal length.
 struct Response {
   Law law;
-  double step{};                                     ///< [s]
-  double turn_share{}, surge_share{}, sway_share{};  ///< of the way to what is ordered, gone in a step
-  double plateau{1.0};                               ///< share of an ordered turn rate to which it comes so
-  double tail_share{};                               ///< of the way from there to the whole, gone in a step
-  double most_turn{};                                ///< by which the turn rate changes in a step [rad/s]
-  double most_faster{}, most_slower{};               ///< by which the speed does [m/s]
-  double lost_slower{};   ///< of the latter, for each rad/s by which the turn rate changes [m/rad]
-  double slip{};          ///< sideways in a steady turn, of turn rate and speed; Envelope::slip() [s]
-  double slip_at_rest{};  ///< likewise, of the turn rate alone [m]
+  double step{};                        ///< [s]
+  double turn_share{}, surge_share{};   ///< of the way to what is ordered, gone in a step
+  double plateau{1.0};                  ///< share of an ordered turn rate to which it comes so
+  double tail_share{};                  ///< of the way from there to the whole, gone in a step
+  double most_turn{};                   ///< by which the turn rate changes in a step [rad/s]
+  double most_faster{}, most_slower{};  ///< by which the speed does [m/s]
+  double lost_slower{};  ///< of the latter, for each rad/s by which the turn rate changes [m/rad]
+  Slip slip;             ///< in a step
   double drift_north{}, drift_east{};        ///< what sets it aside [m/s]
   double standing_north{}, standing_east{};  ///< where who stops turns its bow, unit; zero: it does not
 };
@@ -194,8 +194,7 @@ template <class Real>
   const Real sine = half - half * half2 * (1.0 / 6 - 1.0 / 120 * half2);
   const Real cosine = 1.0 - half2 * (1.0 / 2 - 1.0 / 24 * half2);
   turn(sine, cosine, m);
-  const Real slip = -can.slip * m.turn_rate * magnitude(m.speed) - can.slip_at_rest * m.turn_rate;
-  m.sway = m.sway + can.sway_share * (slip - m.sway);
+  m.sway = can.slip.after(m.sway, m.speed, m.turn_rate);
   const Real along = 0.5 * (speed + m.speed);
   const Real across =
       can.drift_north * -m.ahead_east + can.drift_east * m.ahead_north + m.sway;  // to starboard

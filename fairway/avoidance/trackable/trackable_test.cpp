@@ -98,7 +98,7 @@ TEST(Trackable, TheLawTurnsAsFastAsTheEnvelopeSays) {
 }
 
 TEST(Trackable, WhoseTurnTakesTheBrakingBrakesFirst) {
-  // north at 1 m/s, turning by 0.1 rad/s, of at most 2 m/s: it has braked at 0.2 m/s
+  // north at 1 m/s, turning by 0.1 rad/s, of at most 2 m/s: it has braked at 0.1 m/s
   Envelope boat = of_a_boat();
   OwnedSituation e = under_way(boat);
   e.situation.own.yaw_rate = 0.1;
@@ -114,7 +114,8 @@ TEST(Trackable, WhoseTurnTakesTheBrakingBrakesFirst) {
   for (const Plan& plan : {stop, back}) {
     EXPECT_EQ(ordered(1.0, plan).surge, 0.0);
     EXPECT_EQ(ordered(1.0, plan).turn_rate, 0.1);
-    EXPECT_EQ(std::abs(ordered(0.19, plan).turn_rate), 0.45);
+    EXPECT_EQ(ordered(0.11, plan).turn_rate, 0.1);
+    EXPECT_EQ(std::abs(ordered(0.09, plan).turn_rate), 0.45);
   }
   EXPECT_EQ(ordered(1.0, aside).turn_rate, 0.45);
 }

@@ -35,7 +35,7 @@ inline Envelope plain(const fairway::Envelope& e) {
           e.following_errors,
           e.deceleration_lost,
           e.turn_tail,
-          e.pivot_slow,
+          e.slip_square,
           e.turn_plateau,
           e.stop_error};
 }
