@@ -10,7 +10,7 @@
 
 namespace fairway {
 
-/// A vehicle that obeys body requests in still water.
+/// A vehicle that obeys body requests in still water, for trials of what it does under its autopilot.
 struct Craft {
   static constexpr double longest = 120.0;      // of one trial [s]
   static constexpr double settling = 1.0;       // what changes no more within this is steady [s]
@@ -18,12 +18,13 @@ struct Craft {
 
   Vehicle vehicle;
   Autopilot autopilot;
-  double step;
+  double step;  ///< of its simulation and of its autopilot's decisions [s]
 
   void obey(const BodyRequest& request) {
     const VehicleState& x = vehicle.state();
     vehicle.step(autopilot.control(request, x.v_b, x.omega_b, step, x.q_nb), Water{}, step);
   }
+  /// Velocities of the body through the water [m/s, rad/s, body]; `sinking` and `place` in NED [m/s, m].
   double surge() const { return vehicle.state().v_b.x(); }
   double sway() const { return vehicle.state().v_b.y(); }
   double sinking() const { return vehicle.state().v_n().z(); }

@@ -157,12 +157,12 @@ class Trials {
     craft.settle(cruise(), surge_of);
     measure_turn_lag(craft, rate);
     measure_turn_tail(craft, envelope_.ahead, cruise_share * rate);
-    if (envelope_.least > 0.0) measure_slow_turning();
+    if (envelope_.least > 0.0) measure_slow_turn_tail();
     measure_slip();
     measure_sway_lag(craft);
   }
 
-  void measure_slow_turning() {
+  void measure_slow_turn_tail() {
     Craft craft = *under_way_;
     craft.settle({.surge_mps = envelope_.least}, surge_of);
     const BodyRequest turn{.surge_mps = envelope_.least,
@@ -280,8 +280,8 @@ class Trials {
       craft.obey({.surge_mps = envelope_.ahead});
       time += craft.step;
     }
-    const double left = std::clamp(craft.sway() / push, 1e-3, 0.999), square = envelope_.slip_square,
-                 linear = 1.0 - square;
+    const double left = std::clamp(craft.sway() / push, 1e-3, 0.999);
+    const double square = envelope_.slip_square, linear = 1.0 - square;
     const double lags =
         linear > least_linear ? math::log((linear + square * left) / left) / linear : 1.0 / left - 1.0;
     envelope_.sway_lag = time / lags;

@@ -8,6 +8,7 @@
 
 #include "fairway/avoidance/testing/encounters.hpp"
 #include "fairway/avoidance/trackable/foresight.hpp"
+#include "fairway/control/craft.hpp"
 #include "fairway/control/vehicle_limits.hpp"
 #include "fairway/core/envelope_numbers.hpp"
 #include "fairway/dynamics/catalog.hpp"
@@ -20,6 +21,11 @@ constexpr double envelope_step = 0.05;
 Envelope envelope_of(const char* name, const Limits& mission = {}, const ParamValues& params = {}) {
   const Vehicle vehicle = builtin_vehicles().make(name, params);
   return *measured_envelope(vehicle, Autopilot{vehicle}, narrowed(mission, vehicle), envelope_step);
+}
+
+Craft craft_of(const char* name) {
+  const Vehicle vehicle = builtin_vehicles().make(name);
+  return {vehicle, Autopilot{vehicle}, envelope_step};
 }
 
 /// Every vehicle that an autopilot drives.
@@ -71,23 +77,16 @@ TEST_P(EveryEnvelope, BoundsTheErrorOfFollowingACourseThatNoTrialHad) {
   for (const double change : {0.3, -0.8, 1.3, -1.9, 2.4}) {
     for (const double share : {0.6, 0.9}) {
       const double speed = std::max(share * envelope.ahead, envelope.least);
-      Vehicle vehicle = fresh;
-      Autopilot autopilot{vehicle};
-      const auto obey = [&](const BodyRequest& request) {
-        const VehicleState& x = vehicle.state();
-        vehicle.step(autopilot.control(request, x.v_b, x.omega_b, envelope_step, x.q_nb), Water{},
-                     envelope_step);
-      };
-      for (int k = 0; k < 1200; ++k) obey({.surge_mps = speed});
-      const Vec3 from = vehicle.state().p_n;
+      Craft craft{fresh, Autopilot{fresh}, envelope_step};
+      for (int k = 0; k < 1200; ++k) craft.obey({.surge_mps = speed});
+      const Vec3 from = craft.vehicle.state().p_n;
       const Vec3 velocity{speed * std::cos(change), speed * std::sin(change), 0.0};
       double greatest = 0.0;
       for (int k = 1; k * envelope_step < 60.0; ++k) {
-        const VehicleState& x = vehicle.state();
-        const trackable::TurnOrder order = law.order(speed, wrap_angle(change - yaw_of(x.q_nb)), x.v_b.x());
-        obey({.surge_mps = order.surge, .yaw_rate_radps = order.turn_rate});
-        if (std::abs(wrap_angle(change - yaw_of(x.q_nb))) < 0.02) break;
-        const Vec3 error = vehicle.state().p_n - from - k * envelope_step * velocity;
+        const trackable::TurnOrder order = law.order(speed, wrap_angle(change - craft.yaw()), craft.surge());
+        craft.obey({.surge_mps = order.surge, .yaw_rate_radps = order.turn_rate});
+        if (std::abs(wrap_angle(change - craft.yaw())) < 0.02) break;
+        const Vec3 error = craft.vehicle.state().p_n - from - k * envelope_step * velocity;
         greatest = std::max(greatest, horizontal_norm(error));
       }
       EXPECT_LE(greatest, envelope.following_error(change)) << change << " at " << speed;
@@ -141,13 +140,9 @@ struct Stop {
 
 Stop stop_of(const char* name, double speed, const Envelope& envelope) {
   constexpr double window = 8.0;
-  Vehicle vehicle = builtin_vehicles().make(name);
-  Autopilot autopilot{vehicle};
-  const auto obey = [&](const BodyRequest& request) {
-    const VehicleState& x = vehicle.state();
-    vehicle.step(autopilot.control(request, x.v_b, x.omega_b, envelope_step, x.q_nb), Water{}, envelope_step);
-  };
-  for (int k = 0; k < 2000; ++k) obey({.surge_mps = speed});
+  Craft craft = craft_of(name);
+  const Vehicle& vehicle = craft.vehicle;
+  for (int k = 0; k < 2000; ++k) craft.obey({.surge_mps = speed});
   const trackable::TurnLaw law{envelope, Limits::none};
   const trackable::Plan east{.direction = Vec2::UnitY()};
   const Vec3 from = vehicle.state().p_n;
@@ -165,7 +160,7 @@ Stop stop_of(const char* name, double speed, const Envelope& envelope) {
       stop.foreseen = path.points[path.count - 1].norm();
     }
     const trackable::TurnOrder order = foresight.order(east);
-    obey({.surge_mps = order.surge, .yaw_rate_radps = order.turn_rate});
+    craft.obey({.surge_mps = order.surge, .yaw_rate_radps = order.turn_rate});
   }
   stop.way = (vehicle.state().p_n - from).norm();
   return stop;
@@ -204,18 +199,14 @@ TEST(Envelope, TellsHowMuchFartherAStopGoesThanItForesees) {
 
 /// Sideways to starboard in a steady turn [m/s].
 double sway_of(const char* name, const BodyRequest& turn) {
-  Vehicle vehicle = builtin_vehicles().make(name);
-  Autopilot autopilot{vehicle};
-  for (int k = 0; k < 1600; ++k) {
-    const VehicleState& x = vehicle.state();
-    vehicle.step(autopilot.control(turn, x.v_b, x.omega_b, envelope_step, x.q_nb), Water{}, envelope_step);
-  }
-  return vehicle.state().v_b.y();
+  Craft craft = craft_of(name);
+  for (int k = 0; k < 1600; ++k) craft.obey(turn);
+  return craft.sway();
 }
 
 TEST(Envelope, TellsHowAHullSlipsInSlowTurnsAndFastOnesWideAndTight) {
   const auto foreseen = [](const Envelope& envelope, const BodyRequest& turn) {
-    return envelope.slip(Limits::none).after(0.0, turn.surge_mps, turn.yaw_rate_radps);
+    return envelope.steady_sway(turn.surge_mps, turn.yaw_rate_radps);
   };
   const BodyRequest turns[]{{.surge_mps = 0.25, .yaw_rate_radps = 0.2},
                             {.surge_mps = 0.8, .yaw_rate_radps = -0.1},
@@ -233,23 +224,35 @@ TEST(Envelope, TellsHowAHullSlipsInSlowTurnsAndFastOnesWideAndTight) {
   EXPECT_LT(std::abs(foreseen(in_proportion, turns[0])), 0.3 * std::abs(sway_of("sparus2", turns[0])));
 }
 
+TEST(Envelope, ASlipDiesAwayByWhatResistsIt) {
+  Envelope envelope{.ahead = 2.0, .pivot = 0.5, .sway_lag = 1.5, .turn_rates = {0.4, 0.4, 0.4, 0.4}};
+  const auto left = [&](double time) {  // of the slip in the tightest turn at the greatest speed
+    constexpr double step = 1e-3;
+    const Slip slip = envelope.slip(step);
+    double sway = envelope.steady_sway(2.0, 0.4);
+    for (int k = 0; k * step < time; ++k) sway = slip.after(sway, 2.0, 0.0);
+    return sway / -0.2;
+  };
+  EXPECT_NEAR(left(3.0), std::exp(-3.0 / 1.5), 1e-3);
+  envelope.slip_square = 1.0;
+  EXPECT_NEAR(left(3.0), 1.0 / (1.0 + 3.0 / 1.5), 1e-3);
+  EXPECT_NEAR(envelope.steady_sway(0.5, 0.4), 0.5 * envelope.steady_sway(2.0, 0.4), 1e-12);
+  EXPECT_EQ(envelope.steady_sway(0.5, 0.0), 0.0);
+}
+
 /// How much farther ahead remus100, which has a least speed, gets than foreseen, on half a circle as tight as
 /// it goes at its least speed, of which it has `turned` for so long [s] already. [m]
 double wider_than_foreseen(const Envelope& envelope, double turned) {
-  Vehicle vehicle = builtin_vehicles().make("remus100");
-  Autopilot autopilot{vehicle};
-  const auto obey = [&](const BodyRequest& request) {
-    const VehicleState& x = vehicle.state();
-    vehicle.step(autopilot.control(request, x.v_b, x.omega_b, envelope_step, x.q_nb), Water{}, envelope_step);
-  };
+  Craft craft = craft_of("remus100");
+  Vehicle& vehicle = craft.vehicle;
   VehicleState under_way;
   under_way.v_b.x() = envelope.least;
   vehicle.set_state(under_way);
-  for (int k = 0; k < 2000; ++k) obey({.surge_mps = envelope.least});
+  for (int k = 0; k < 2000; ++k) craft.obey({.surge_mps = envelope.least});
   const trackable::TurnLaw law{envelope, Limits::none};
   const double rate = law.greatest_turn_rate(envelope.least);
   for (double t = 0.0; t < turned; t += envelope_step)
-    obey({.surge_mps = envelope.least, .yaw_rate_radps = rate});
+    craft.obey({.surge_mps = envelope.least, .yaw_rate_radps = rate});
   encounters::OwnedSituation e = encounters::open_water();
   e.situation.own.velocity = vehicle.state().v_n();
   e.situation.own.yaw = yaw_of(vehicle.state().q_nb);
@@ -262,7 +265,7 @@ double wider_than_foreseen(const Envelope& envelope, double turned) {
   double greatest = 0.0, time = 0.0;
   for (std::size_t i = 0; i < path.count; ++i) {
     for (; time < static_cast<double>(i + 1) * foresight.step(); time += envelope_step)
-      obey({.surge_mps = envelope.least, .yaw_rate_radps = rate});
+      craft.obey({.surge_mps = envelope.least, .yaw_rate_radps = rate});
     greatest = std::max(greatest, ahead.dot((vehicle.state().p_n - from).head<2>() - path.points[i]));
   }
   return greatest;

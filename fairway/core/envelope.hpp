@@ -123,6 +123,11 @@ struct Envelope {
             .square = square > 0.0 ? 4.0 * square / greatest : 0.0};
   }
 
+  /// Sideways through the water in a steady turn, to starboard positive [m/s]. O(1).
+  double steady_sway(double speed, double turn_rate) const noexcept {
+    return slip(std::numeric_limits<double>::infinity()).after(0.0, speed, turn_rate);
+  }
+
   /// The bound on the error of following a velocity whose course changes by `change` [rad, either way]: none
   /// for no change. [m] O(1).
   double following_error(double change) const noexcept {

@@ -170,7 +170,7 @@ TurnOrder Foresight::order(const Plan& plan) const noexcept {
 double Foresight::fastest_way(double speed, double turn_rate) const noexcept {
   const Law& law = response_.law;
   const double along = std::max({std::abs(now_.speed), law.least, speed});
-  const double slip = std::abs(law_.envelope().slip(Limits::none).after(0.0, along, turn_rate));
+  const double slip = std::abs(law_.envelope().steady_sway(along, turn_rate));
   return bounding * (along + outlook_.drift.norm() + std::max(std::abs(now_.sway), slip));
 }
 

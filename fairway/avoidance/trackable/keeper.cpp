@@ -53,7 +53,7 @@ Vec2 observed_drift(const Situation& s, const Vec2& ahead, const Vec2& frame, do
   const double across = starboard.dot(velocity - current);
   const double speed = ahead.dot(velocity);
   if (!course.unexplained) {
-    course.sway = can.slip(Limits::none).after(0.0, speed, s.own.yaw_rate);
+    course.sway = can.steady_sway(speed, s.own.yaw_rate);
     course.unexplained = (across - course.sway) * starboard;
   }
   course.sway = can.slip(s.period).after(course.sway, speed, s.own.yaw_rate);
