@@ -107,6 +107,7 @@ class Foresight {
     return room >= (most > 0.0 && !cannot_stop() ? 0.75 * most : most);
   }
   bool cannot_stop() const noexcept { return response_.law.least > 0.0; }
+  bool is_set_aside() const noexcept { return outlook_.is_set_aside; }
 
   /// To stand over ground: the bow up into what sets it aside, since it cannot go sideways against that, or
   /// `ahead`.

@@ -236,7 +236,8 @@ bool Keeper::is_as_good(const Plan& before, const Choice& chosen) const noexcept
     const bool changes_side =
         cross(ahead_, foresight_.bow(before)) * cross(ahead_, foresight_.bow(chosen.plan)) < 0.0;
     if (!changes_side || foresight_.is_safe(before)) return changes_side;
-    if (chosen.prospect == Prospect::clear) return false;  // else it may be lost again as soon as it turns
+    // what is backed up and set aside may be lost again as soon as it turns
+    if (chosen.prospect == Prospect::clear || !foresight_.is_set_aside()) return false;
   }
   const Foresight::Room of_before = foresight_.room_of(before), of_chosen = foresight_.room_of(chosen.plan);
   if (foresight_.cannot_stop())
