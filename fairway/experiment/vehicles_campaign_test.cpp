@@ -40,10 +40,13 @@ TEST_P(WhoStandsInACurrent, IsNotSetOnWhatIsNear) {
 }
 
 // Each touched while what came from ahead was not counted as drift before the bow had turned, what was clear
-// needed no backup, and the side was chosen anew at each decision, by who was lost and had a backup by turns
-// too.
+// needed no backup, the side was chosen anew at each decision, by who was lost and had a backup by turns too,
+// and nobody went astern.
 INSTANTIATE_TEST_SUITE_P(Runs, WhoStandsInACurrent,
                          testing::Values(CampaignRun{"otter_u", "orca2d+trackable", 1216},
+                                         CampaignRun{"otter_u", "orca2d+trackable", 90118},
+                                         CampaignRun{"otter_u", "hrvo+trackable", 83001},
+                                         CampaignRun{"otter_u", "direct+safety_filter", 90767},
                                          CampaignRun{"otter_buoys25", "hrvo+trackable", 1984},
                                          CampaignRun{"otter_buoys25", "direct+safety_filter", 1116},
                                          CampaignRun{"zarco_buoys25", "hard_switching+trackable", 1133},

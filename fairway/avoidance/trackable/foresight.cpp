@@ -218,6 +218,11 @@ bool Foresight::goes_along(std::size_t hazard) const noexcept {
   return speed > outlook_.drift.norm() && (of_hazard - velocity_).norm() < speed;
 }
 
+bool Foresight::all_stand() const noexcept {
+  return std::all_of(speeds_.begin(), speeds_.begin() + static_cast<std::ptrdiff_t>(places_.count()),
+                     [](double speed) { return speed <= least_drift; });
+}
+
 Foresight::Bounds Foresight::without_what_goes_along(Bounds all) const noexcept {
   for (std::size_t i = 0; i < places_.count(); ++i)
     if (goes_along(i)) all.first_steps[i] = most_steps;

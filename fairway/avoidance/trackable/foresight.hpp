@@ -108,6 +108,8 @@ class Foresight {
   }
   bool cannot_stop() const noexcept { return response_.law.least > 0.0; }
   bool is_set_aside() const noexcept { return outlook_.is_set_aside; }
+  /// Nothing that is near moves.
+  bool all_stand() const noexcept;
 
   /// To stand over ground: the bow up into what sets it aside, since it cannot go sideways against that, or
   /// `ahead`.

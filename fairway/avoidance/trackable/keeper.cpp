@@ -25,6 +25,7 @@ constexpr double most_unexplained = 0.1;     // [m/s]
 constexpr double turn_step = pi / 12;        // between plans
 constexpr double more_room = 0.05;           // is worth another plan to who cannot stop [m]
 constexpr double stop_error_of_extra = 0.5;  // so much of it the extra margin holds: shown by runs [m]
+constexpr double astern_share = 0.5;         // of the preferred speed
 constexpr double slack_s = 1.0;              // of the window, beyond the manoeuvres that it is to hold
 
 /// To turn a quarter and to stop; of who cannot stop, to go once round.
@@ -123,37 +124,6 @@ Plan plan_of(const TurnLaw& law, const Situation& s, const Vec2& ahead, const Pl
   return plan;
 }
 
-/// What is asked, if it is clear; else the cheapest deviation that is, else the cheapest that has a backup,
-/// else what leaves most room. `side` is that to which it went last.
-Choice choose(const Deviations& deviations, const Foresight& foresight, const Plan& asked, double cruise,
-              double& side) {
-  Courses courses;
-  courses.north = asked.direction.x();
-  courses.east = asked.direction.y();
-  courses.side = side;
-  courses.cosines = deviations.cosines.data();
-  courses.sines = deviations.sines.data();
-  const double speed = std::max(asked.speed, 0.5 * cruise);
-  for (std::size_t i = 0; i < most_courses; ++i) courses.speeds[i] = deviations.speed_ratios[i] * speed;
-  courses.speeds[0] = asked.speed;
-  courses.quickest = speed;
-
-  const auto [at, prospect] = foresight.best_of(asked, courses, Deviations::count);
-  if (prospect == Prospect::lost) {
-    const Plan standing = foresight.standing(asked.direction);
-    if (foresight.is_clear(standing, standing.speed)) return {standing, Prospect::clear, false};
-  }
-  if (at == Deviations::count) return {asked, prospect, true};
-  if (at == 0 && !asked.turn_rate) return {asked, prospect, true};
-  const double sine = side * deviations.sines[at];
-  if (prospect != Prospect::lost && sine != 0.0) side = std::copysign(1.0, sine);
-  return {{deviations.cosines[at] * asked.direction + sine * starboard_of(asked.direction),
-           courses.speeds[at],
-           {}},
-          prospect,
-          false};
-}
-
 /// The vehicle's own stops bound what is declared of tracking from below.
 Margins beside_measured(Margins margins, const Envelope& can) noexcept {
   margins.tracking = std::max(margins.tracking, can.stop_error - stop_error_of_extra);
@@ -231,6 +201,43 @@ void Keeper::draw(Sketch& sketch, const Plan& plan, const Command& asked) const 
   }
 }
 
+std::optional<Plan> Keeper::refuge(const Plan& asked) const noexcept {
+  const Plan standing = foresight_.standing(asked.direction);
+  if (foresight_.is_clear(standing, standing.speed)) return standing;
+  if (!s_.limits.sternway || !foresight_.all_stand()) return {};
+  const double astern = std::min(s_.envelope->astern, astern_share * s_.goal.cruise_speed);
+  const Plan back{.direction = ahead_, .speed = -astern, .turn_rate = 0.0};
+  if (astern > hardly && foresight_.is_clear(back, astern)) return back;
+  return {};
+}
+
+Choice Keeper::choose(const Plan& asked, const Deviations& deviations) noexcept {
+  Courses courses;
+  courses.north = asked.direction.x();
+  courses.east = asked.direction.y();
+  courses.side = course_.side;
+  courses.cosines = deviations.cosines.data();
+  courses.sines = deviations.sines.data();
+  const double speed = std::max(asked.speed, 0.5 * s_.goal.cruise_speed);
+  for (std::size_t i = 0; i < most_courses; ++i) courses.speeds[i] = deviations.speed_ratios[i] * speed;
+  courses.speeds[0] = asked.speed;
+  courses.quickest = speed;
+
+  const auto [at, prospect] = foresight_.best_of(asked, courses, Deviations::count);
+  if (prospect == Prospect::lost) {
+    if (const std::optional<Plan> plan = refuge(asked)) return {*plan, Prospect::clear, false};
+  }
+  if (at == Deviations::count) return {asked, prospect, true};
+  if (at == 0 && !asked.turn_rate) return {asked, prospect, true};
+  const double sine = course_.side * deviations.sines[at];
+  if (prospect != Prospect::lost && sine != 0.0) course_.side = std::copysign(1.0, sine);
+  return {{deviations.cosines[at] * asked.direction + sine * starboard_of(asked.direction),
+           courses.speeds[at],
+           {}},
+          prospect,
+          false};
+}
+
 bool Keeper::is_as_good(const Plan& before, const Choice& chosen) const noexcept {
   if (chosen.prospect != Prospect::lost) {
     const bool changes_side =
@@ -269,7 +276,7 @@ Command Keeper::keep(const Command& asked, const Deviations& deviations, Sketch*
   if (foresight_.is_open()) {
     course_.instead.reset();
   } else {
-    const Choice choice = settled(choose(deviations, foresight_, plan, s_.goal.cruise_speed, course_.side));
+    const Choice choice = settled(choose(plan, deviations));
     plan = choice.plan;
     if (choice.prospect == Prospect::lost) {
       command.mode = Mode::infeasible;

@@ -78,6 +78,11 @@ class Keeper {
   Command keep(const Command& asked, const Deviations& deviations, Sketch* sketch) noexcept;
 
  private:
+  /// What is asked, if it is clear; else the cheapest deviation that is, else the cheapest that has a backup,
+  /// else a refuge, else what leaves most room.
+  Choice choose(const Plan& asked, const Deviations& deviations) noexcept;
+  /// To stand, where that is clear, or before what stands to go astern, until it can turn.
+  std::optional<Plan> refuge(const Plan& asked) const noexcept;
   /// What it took last, rather than to turn to the other side, as long as that is as good; of who can stop,
   /// no longer than a quarter of a turn takes. Who turns back loses what it has turned, a torpedo in the end
   /// all plans, and a boat that turns to and fro on the spot is driven ahead by its thrusters.

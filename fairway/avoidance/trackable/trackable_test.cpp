@@ -259,6 +259,27 @@ TEST(Trackable, WhoHasNoRoomToGoStandsWithItsBowUpIntoTheCurrent) {
   EXPECT_LT(command.turn_rate.value(), 0.0);  // to port, up into it
 }
 
+TEST(Trackable, WhoCanNeitherStopNorTurnInTimeGoesAsternFromWhatStands) {
+  // a current sets it on a wall: told to stop it would come nearer than the 0.3 m that it keeps
+  const Envelope boat = of_a_boat();
+  OwnedSituation e = under_way(boat);
+  e.situation.own.position = {0.0, 0.0, 50.0};
+  e.situation.current = {0.3, 0.0, 0.0};
+  e.situation.own.velocity = e.situation.current;
+  e.situation.goal = {.position = {60.0, 0.0, 50.0}, .cruise_speed = 1.0};
+  e.obstacles = {buoy(e.situation.own.radius + 100.0 + 0.45, 0.0, 100.0)};
+  const auto decided = [&] { return around_direct_trackable().decide(e); };
+  EXPECT_EQ(decided().mode, Mode::avoid);
+  EXPECT_EQ(decided().velocity, Vec3(-0.5, 0.0, 0.0));  // half of its cruise speed
+  EXPECT_EQ(decided().turn_rate, 0.0);
+  e.situation.limits.sternway = false;
+  EXPECT_EQ(decided().mode, Mode::infeasible);
+  e.situation.limits.sternway = true;
+  e.tracks = {encounters::track(1, e.obstacles[0].position, {-0.1, 0.0, 0.0}, 100.0)};  // it would follow
+  e.obstacles.clear();
+  EXPECT_EQ(decided().mode, Mode::infeasible);
+}
+
 TEST(Trackable, FieldsOfBuoysAreCrossedWithoutATouch) {
   const Envelope boat = of_a_boat();
   double clearance = 1e9;
