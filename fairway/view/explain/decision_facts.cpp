@@ -56,6 +56,12 @@ Deviation deviation_of(const Vec3& preferred, const Vec3& commanded) {
   return deviation;
 }
 
+/// At a turn rate: by a course alone it would turn round.
+bool is_astern(const Situation& s, const Command& command) {
+  return !s.limits.sway && command.turn_rate &&
+         unit_at(s.own.yaw).dot(command.velocity.head<2>()) < -velocity_tolerance;
+}
+
 /// The limits at which `Avoider` holds the command; of those that are zero, only where more was wanted.
 std::vector<std::string> binding_limits(const Situation& s, const Vec3& preferred, const Vec3& v) {
   const Limits& limits = s.limits;
@@ -105,6 +111,7 @@ DecisionFacts facts_of(const Situation& situation, const Command& command) {
                       .shortfall = shortfall(situation.limits, command, situation.own.yaw)};
   facts.binding = binding_limits(situation, facts.preferred, command.velocity);
   facts.deviation = deviation_of(facts.preferred, command.velocity);
+  facts.deviation.astern = is_astern(situation, command);
   for (const Track& track : situation.tracks) {
     facts.neighbours.push_back(neighbour_facts(situation, track, facts.preferred, command.velocity));
   }

@@ -59,6 +59,7 @@ struct Deviation {
   double speed{};              ///< faster [m/s]
   double climb{};              ///< upwards [m/s]
   std::optional<double> turn;  ///< to starboard [rad]; none if either has no course
+  bool astern{};               ///< commanded stern first, of who cannot go sideways
 };
 
 /// What follows from a situation and the command that it was answered with.

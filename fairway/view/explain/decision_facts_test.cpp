@@ -101,6 +101,16 @@ TEST(DecisionFacts, OfTheDeviationAreCourseSpeedAndClimb) {
   EXPECT_FALSE(facts_of(e.s, {.velocity = {0, 0, 0.1}}).deviation.turn);
 }
 
+TEST(DecisionFacts, SayWhoGoesAsternAndWhoTurnsRound) {
+  Encountered e;
+  e.s.limits.sway = false;
+  EXPECT_TRUE(facts_of(e.s, {.velocity = {0, -0.4, 0}, .turn_rate = 0.1}).deviation.astern);
+  EXPECT_FALSE(facts_of(e.s, {.velocity = {0, 0.4, 0}, .turn_rate = 0.1}).deviation.astern);
+  EXPECT_FALSE(facts_of(e.s, {.velocity = {0, -0.4, 0}}).deviation.astern);
+  e.s.limits.sway = true;
+  EXPECT_FALSE(facts_of(e.s, {.velocity = {0, -0.4, 0}, .turn_rate = 0.1}).deviation.astern);
+}
+
 TEST(DecisionFacts, NameTheLimitsThatTheCommandIsAt) {
   const Encountered e;
   EXPECT_THAT(facts_of(e.s, {.velocity = {0, 1, 0}}).binding, IsEmpty());

@@ -291,6 +291,9 @@ TEST(Explanation, SaysAllOfADeviation) {
       deviation_words({.size = 0.4, .speed = -0.1, .climb = 0.2, .turn = radians(-12.0)}, {0.3, 0.1, -0.2}),
       "turns 12 deg to port, slows down by 0.10 m/s to 0.37 m/s and goes 0.20 m/s more upwards");
   EXPECT_EQ(deviation_words({.size = 0.5, .speed = -0.5}, Vec3::Zero()), "stops");
+  EXPECT_EQ(
+      deviation_words({.size = 1.4, .speed = -0.6, .turn = radians(-96.0), .astern = true}, {-0.6, 0, 0}),
+      "goes astern at 0.60 m/s");
   EXPECT_EQ(deviation_words({.size = 0.3, .climb = -0.05, .turn = radians(45.0)}, {-0.02, 0, 0.16}),
             "goes 0.05 m/s more downwards");
   EXPECT_EQ(deviation_words({.size = 2e-3, .speed = -2e-3}, {0.4, 0, 0}),

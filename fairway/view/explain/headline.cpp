@@ -181,6 +181,7 @@ std::string deviation_words(const Deviation& deviation, const Vec3& commanded) {
   if (deviation.size < least_difference) return "keeps to the velocity it prefers";
   const double speed = commanded.norm();
   if (speed < least_speed && deviation.speed < -least_speed) return "stops";
+  if (deviation.astern) return fmt::format("goes astern at {:.2f} m/s", speed);
   std::vector<std::string> parts;
   // what goes nearly straight up or down has a course, but nobody would call it a turn
   const bool has_way = horizontal_norm(commanded) >= least_share_of_way * speed;
