@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "fairway/avoidance/avoa_improved/capsule.hpp"
 #include "fairway/core/math.hpp"
@@ -219,8 +220,8 @@ bool Foresight::goes_along(std::size_t hazard) const noexcept {
 }
 
 bool Foresight::all_stand() const noexcept {
-  return std::all_of(speeds_.begin(), speeds_.begin() + static_cast<std::ptrdiff_t>(places_.count()),
-                     [](double speed) { return speed <= least_drift; });
+  return std::ranges::all_of(std::span{speeds_}.first(places_.count()),
+                             [](double speed) { return speed <= least_drift; });
 }
 
 Foresight::Bounds Foresight::without_what_goes_along(Bounds all) const noexcept {

@@ -31,6 +31,16 @@ using trackable::TurnLaw;
 
 Avoider around_direct_trackable() { return Avoider{Trackable{{}}, Avoider{Direct{{}}}}; }
 
+/// At rest in the water, which sets it aside, its bow and its goal to the north.
+OwnedSituation adrift(const Envelope& boat, const Vec3& current) {
+  OwnedSituation e = under_way(boat);
+  e.situation.own.position = {0.0, 0.0, 50.0};
+  e.situation.current = current;
+  e.situation.own.velocity = current;
+  e.situation.goal = {.position = {60.0, 0.0, 50.0}, .cruise_speed = 1.0};
+  return e;
+}
+
 TEST(Trackable, WithoutAnEnvelopeItShowsAMarginAndIsNothingElse) {
   for (std::uint64_t i = 0; i < 50; ++i) {
     OwnedSituation e = encounters::crowd(8, Rng{i});
@@ -239,11 +249,7 @@ TEST(Trackable, WhatDriftsAcrossIsNotMet) {
 TEST(Trackable, WhoHasNoRoomToGoStandsWithItsBowUpIntoTheCurrent) {
   // twelve buoys around it, and a current that sets it to starboard; how much room it needs
   const Envelope boat = of_a_boat();
-  OwnedSituation e = under_way(boat);
-  e.situation.own.position = {0.0, 0.0, 50.0};
-  e.situation.current = {0.0, 0.1, 0.0};
-  e.situation.own.velocity = e.situation.current;
-  e.situation.goal = {.position = {60.0, 0.0, 50.0}, .cruise_speed = 1.0};
+  OwnedSituation e = adrift(boat, {0.0, 0.1, 0.0});
   const auto asked_among = [&](double gap) {
     e.obstacles.clear();
     for (int i = 0; i < 12; ++i) {
@@ -262,11 +268,7 @@ TEST(Trackable, WhoHasNoRoomToGoStandsWithItsBowUpIntoTheCurrent) {
 TEST(Trackable, WhoCanNeitherStopNorTurnInTimeGoesAsternFromWhatStands) {
   // a current sets it on a wall: told to stop it would come nearer than the 0.3 m that it keeps
   const Envelope boat = of_a_boat();
-  OwnedSituation e = under_way(boat);
-  e.situation.own.position = {0.0, 0.0, 50.0};
-  e.situation.current = {0.3, 0.0, 0.0};
-  e.situation.own.velocity = e.situation.current;
-  e.situation.goal = {.position = {60.0, 0.0, 50.0}, .cruise_speed = 1.0};
+  OwnedSituation e = adrift(boat, {0.3, 0.0, 0.0});
   e.obstacles = {buoy(e.situation.own.radius + 100.0 + 0.45, 0.0, 100.0)};
   const auto decided = [&] { return around_direct_trackable().decide(e); };
   EXPECT_EQ(decided().mode, Mode::avoid);
