@@ -26,6 +26,16 @@ double sketch_reach(const Situation& s) {
   return 1.5 * math::fmax(s.own.velocity.norm(), s.goal.cruise_speed);
 }
 
+/// What bounds its choice. Who is followed by its envelope may ask for any velocity: among those that it has
+/// within an interval it would circle beside its goal, or in a current. Where something stands and nobody
+/// leads past it, these hold who must turn to one side of that.
+Limits limits_of(const Situation& s) {
+  Limits limits = s.limits;
+  const bool is_held_to_a_side = !s.limits.sway && !s.is_led && !s.obstacles.empty();
+  if (s.envelope && !is_held_to_a_side) limits.max_turn_rate = limits.max_acceleration = Limits::none;
+  return limits;
+}
+
 }  // namespace
 
 Command decide(const Situation& s, const Params& params, Responsibility responsibility,
@@ -35,11 +45,12 @@ Command decide(const Situation& s, const Params& params, Responsibility responsi
   const Neighbourhood neighbourhood(s, params, responsibility);
   if (neighbourhood.obstacles().empty()) return {.velocity = preferred, .mode = Mode::cruise};
 
-  const auto choice_within = [&](const Limits& limits) {
-    const ReachableSet reachable(s.own, limits, params.planning_interval_s);
+  const Limits limits = limits_of(s);
+  const auto choice_within = [&](const Limits& within) {
+    const ReachableSet reachable(s.own, within, params.planning_interval_s);
     return choose(neighbourhood.obstacles(), reachable, wish_of(preferred.head<2>(), reachable, params));
   };
-  const ChosenVelocity choice = choice_within(s.limits);
+  const ChosenVelocity choice = choice_within(limits);
   const Vec3 chosen{choice.velocity.x(), choice.velocity.y(), 0.0};
 
   if (context.sketch) {
@@ -47,14 +58,14 @@ Command decide(const Situation& s, const Params& params, Responsibility responsi
     context.sketch->velocity(preferred, "preferred");
     context.sketch->velocity(chosen, "chosen");
   }
-  const bool turns_freely = !(s.limits.max_turn_rate < Limits::none);
+  const bool turns_freely = !(limits.max_turn_rate < Limits::none);
   Command command{.velocity = chosen,
                   .mode = choice.is_feasible ? Mode::avoid : Mode::infeasible,
                   .astern = turns_freely};
   if (neighbourhood.left_out()) command.note = words_of_left_out;
   // who has to stand turns meanwhile to where it would go if it headed there, or it would stand for ever
   if (!turns_freely && choice.velocity.norm() < standing) {
-    Limits turning_at_once = s.limits;
+    Limits turning_at_once = limits;
     turning_at_once.max_turn_rate = Limits::none;
     const Vec2 v = choice_within(turning_at_once).velocity;
     if (v.norm() >= standing) command.heading = math::atan2(v.y(), v.x());

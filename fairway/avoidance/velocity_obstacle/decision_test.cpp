@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "fairway/avoidance/drawing.hpp"
+#include "fairway/avoidance/testing/boat.hpp"
 #include "fairway/avoidance/testing/encounters.hpp"
 
 namespace fairway::velocity_obstacle {
@@ -163,6 +164,28 @@ TEST(VelocityObstacleDecision, WhoStandsAndMayOnlyGoAheadTurnsToItsCourse) {
   EXPECT_LT(vo(e).velocity.norm(), 1e-12);
   EXPECT_NEAR(vo(e).heading.value_or(0.0), -0.5 * pi, 1e-12);
   EXPECT_FALSE(vo(e).astern);
+}
+
+TEST(VelocityObstacleDecision, WhoIsFollowedAndHasNothingToGoRoundByItselfMayAskForAnyVelocity) {
+  OwnedSituation e = encounters::open_water();
+  e.tracks = {encounters::track(1, {15.0, 0.0, 50.0}, Vec3::Zero())};
+  e.situation.own.velocity = {0.2, 0.0, 0.0};
+  e.situation.goal.position = {0.0, -100.0, 50.0};
+  e.situation.limits.max_turn_rate = 0.3;
+  e.situation.limits.max_acceleration = 0.1;
+  e.situation.limits.sway = false;
+  const Vec3 within_reach = vo(e).velocity;
+  EXPECT_GT(within_reach.x(), 0.0);
+  const Envelope envelope = encounters::of_a_boat();
+  e.situation.envelope = &envelope;
+  EXPECT_EQ(vo(e).velocity, e.situation.preferred_velocity());
+  e.obstacles = {encounters::sphere(10.0, 10.0, 1.0, 50.0)};
+  EXPECT_EQ(vo(e).velocity, within_reach);
+  e.situation.limits.sway = true;
+  EXPECT_EQ(vo(e).velocity, e.situation.preferred_velocity());
+  e.situation.limits.sway = false;
+  e.situation.is_led = true;
+  EXPECT_EQ(vo(e).velocity, e.situation.preferred_velocity());
 }
 
 TEST(VelocityObstacleDecision, DrawsTheRegionOfEachObstacleAndItsChoice) {
