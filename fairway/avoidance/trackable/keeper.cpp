@@ -225,6 +225,9 @@ Choice Keeper::choose(const Plan& asked, const Deviations& deviations) noexcept 
 
   const auto [at, prospect] = foresight_.best_of(asked, courses, Deviations::count);
   if (prospect == Prospect::lost) {
+    const std::optional<Plan>& last = course_.last;
+    if (foresight_.cannot_stop() && last && foresight_.is_clear(*last, last->speed))
+      return {*last, Prospect::clear, false};
     if (const std::optional<Plan> plan = refuge(asked)) return {*plan, Prospect::clear, false};
   }
   if (at == Deviations::count) return {asked, prospect, true};
@@ -286,6 +289,7 @@ Command Keeper::keep(const Command& asked, const Deviations& deviations, Sketch*
       command.note = "";
     }
   }
+  course_.last = plan;
   if (foresight_.left_out() && command.note.empty()) command.note = words_of_left_out;
   if (sketch != nullptr) draw(*sketch, plan, asked);
   command.velocity.z() = foresight_.held_to_depths(command.velocity.z());

@@ -44,7 +44,8 @@ struct Course {
   std::optional<Vec2> unexplained;   ///< of what sets it aside, by the current [m/s, NED]
   double sway{};                     ///< through the water, to starboard, as the envelope says [m/s]
   double side = 1.0;                 ///< to which it went last: 1 starboard, -1 port
-  std::optional<Plan> instead;       ///< what it took last, if not what was asked
+  std::optional<Plan> last;          ///< what it took last
+  std::optional<Plan> instead;       ///< the same, if that is not what was asked
   std::optional<double> kept_since;  ///< against what was chosen anew [s]
 };
 
@@ -79,7 +80,8 @@ class Keeper {
 
  private:
   /// What is asked, if it is clear; else the cheapest deviation that is, else the cheapest that has a backup,
-  /// else a refuge, else what leaves most room.
+  /// else, of who cannot stop, the way that it is on, if that is clear, else a refuge, else what leaves most
+  /// room.
   Choice choose(const Plan& asked, const Deviations& deviations) noexcept;
   /// To stand, where that is clear, or before what stands to go astern, until it can turn.
   std::optional<Plan> refuge(const Plan& asked) const noexcept;

@@ -193,6 +193,26 @@ TEST(Trackable, WhoCannotStopKeepsToTheSideToWhichItTurned) {
   EXPECT_LT(turn_for(avoider, -40.0), 0.0);
 }
 
+TEST(Trackable, WhoCannotStopGoesOnAlongTheOnlyWayThatIsClear) {
+  // between walls 4 m apart, beside own sphere, of which every course that is asked for later, and those by
+  // steps of 15 degrees from it, would meet one
+  const Envelope torpedo = of_a_torpedo();
+  OwnedSituation e = under_way(torpedo);
+  e.situation.own.position = {0.0, 0.0, 50.0};
+  e.obstacles = {encounters::wall({-40.0, 3.0, 50.0}, {60.0, 3.0, 50.0}),
+                 encounters::wall({-40.0, -3.0, 50.0}, {60.0, -3.0, 50.0})};
+  const auto go_for = [&](Avoider& avoider, double north, double east) {
+    e.situation.goal = {.position = {north, east, 50.0}, .cruise_speed = 1.0};
+    return avoider.decide(e);
+  };
+  Avoider avoider = around_direct_trackable(), anew = around_direct_trackable();
+  EXPECT_EQ(go_for(avoider, 100.0, 0.0).mode, Mode::cruise);
+  const Command command = go_for(avoider, 80.0, 60.0);
+  EXPECT_EQ(command.mode, Mode::avoid);
+  EXPECT_NEAR(command.turn_rate.value(), 0.0, 1e-9);
+  EXPECT_EQ(go_for(anew, 80.0, 60.0).mode, Mode::infeasible);
+}
+
 TEST(Trackable, WhoCannotStopGoesOnUntilItCanTurnForItsGoal) {
   // at 1 m/s and 0.45 rad/s it goes round a circle of 2.2 m
   const Envelope torpedo = of_a_torpedo();
