@@ -48,8 +48,8 @@ enum class Responsibility {
 /// Mode::cruise with the preferred velocity if nobody is in range; Mode::avoid with the nearest velocity to
 /// it in RAV if somebody is; Mode::infeasible if RAV is empty. Thinks in the horizontal plane. Stern first is
 /// allowed where turns are not limited; where they are, who has to stand is told to head for where it would
-/// go if it could turn at once. Acceleration and turns are no limits to who is followed by its envelope, as
-/// long as nothing stands near or the goal's velocity leads past it.
+/// go if it could turn at once. Acceleration and turns are no limits to who is followed by its envelope,
+/// unless it must turn, something stands near, and nobody leads past that.
 Command decide(const Situation& s, const Params& params, Responsibility responsibility,
                const Context& context) noexcept;
 
