@@ -260,16 +260,15 @@ bool Keeper::is_as_good(const Plan& before, const Choice& chosen) const noexcept
 
 Choice Keeper::settled(const Choice& chosen) noexcept {
   const bool is_as_asked = chosen.is_asked && chosen.prospect == Prospect::clear;
-  if (is_as_asked) course_.instead.reset();
-  const bool is_kept = course_.instead && is_as_good(*course_.instead, chosen);
+  const bool is_kept = !is_as_asked && course_.is_instead && is_as_good(*course_.last, chosen);
+  course_.is_instead = !is_as_asked;
   const double since = is_kept ? course_.kept_since.value_or(s_.time) : s_.time;
   if (is_kept && (foresight_.cannot_stop() || s_.time - since <= quarter_turn_time(law_))) {
     course_.kept_since = since;
     const bool is_lost = chosen.prospect == Prospect::lost;
-    return {*course_.instead, is_lost ? Prospect::lost : Prospect::clear, false};
+    return {*course_.last, is_lost ? Prospect::lost : Prospect::clear, false};
   }
   course_.kept_since.reset();
-  if (!is_as_asked) course_.instead = chosen.plan;
   return chosen;
 }
 
@@ -277,7 +276,7 @@ Command Keeper::keep(const Command& asked, const Deviations& deviations, Sketch*
   Plan plan = plan_of(law_, s_, ahead_, foresight_.standing(ahead_), asked, frame_);
   Command command = asked;
   if (foresight_.is_open()) {
-    course_.instead.reset();
+    course_.is_instead = false;
   } else {
     const Choice choice = settled(choose(plan, deviations));
     plan = choice.plan;

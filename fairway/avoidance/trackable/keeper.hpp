@@ -45,7 +45,7 @@ struct Course {
   double sway{};                     ///< through the water, to starboard, as the envelope says [m/s]
   double side = 1.0;                 ///< to which it went last: 1 starboard, -1 port
   std::optional<Plan> last;          ///< what it took last
-  std::optional<Plan> instead;       ///< the same, if that is not what was asked
+  bool is_instead{};                 ///< that is not what was asked
   std::optional<double> kept_since;  ///< against what was chosen anew [s]
 };
 

@@ -194,8 +194,8 @@ TEST(Trackable, WhoCannotStopKeepsToTheSideToWhichItTurned) {
 }
 
 TEST(Trackable, WhoCannotStopGoesOnAlongTheOnlyWayThatIsClear) {
-  // between walls 4 m apart, beside own sphere, of which every course that is asked for later, and those by
-  // steps of 15 degrees from it, would meet one
+  // 2 m to the walls on either side: the course that is asked for later meets one, and so do all that differ
+  // from it by steps of 15 degrees
   const Envelope torpedo = of_a_torpedo();
   OwnedSituation e = under_way(torpedo);
   e.situation.own.position = {0.0, 0.0, 50.0};
