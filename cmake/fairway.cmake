@@ -72,6 +72,17 @@ function(fairway_precompile target first)
   endif()
 endfunction()
 
+# fairway_cold(target link...): outside the step, so built for a quick build rather than for speed. What links JSON has that
+# precompiled too: it is half of what a file costs that includes it.
+function(fairway_cold target)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+  if("nlohmann_json::nlohmann_json" IN_LIST ARGN)
+    fairway_precompile(${target} fairway_experiment <fmt/format.h> <nlohmann/json.hpp>)
+  else()
+    fairway_precompile(${target} fairway_scenario <fmt/format.h>)
+  endif()
+endfunction()
+
 # What each library may see, of tools/layers.toml.
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS tools/layers.toml)
 file(STRINGS tools/layers.toml fairway_layers REGEX "^[a-z]+ +=")
@@ -141,8 +152,7 @@ function(fairway_make_library name)
       target_compile_features(fairway_${name} INTERFACE cxx_std_17)
     endif()
     if(fairway_is_cold_${name})
-      target_compile_options(fairway_${name} PRIVATE $<$<CONFIG:Release>:-O1>)
-      fairway_precompile(fairway_${name} fairway_scenario <fmt/format.h>)
+      fairway_cold(fairway_${name} ${fairway_links_${name}})
     else()
       fairway_precompile(fairway_${name} fairway_core)
     endif()
@@ -180,14 +190,19 @@ function(fairway_test_program name)
   endforeach()
 endfunction()
 
-# fairway_precompile_test(target [HOT]): the common headers and GoogleTest's; the first of its kind compiles them for all
+# fairway_precompile_test(target [HOT]): the common headers and GoogleTest's, and unless it is HOT JSON's; the first of its kind
+# compiles them for all
 function(fairway_precompile_test target)
   get_property(first GLOBAL PROPERTY fairway_first_test_${ARGN})
   if(NOT first)
     set(first ${target})
     set_property(GLOBAL PROPERTY fairway_first_test_${ARGN} ${first})
   endif()
-  fairway_precompile(${target} ${first} <gtest/gtest.h> <gmock/gmock.h>)
+  set(json ${PROJECT_SOURCE_DIR}/cmake/json_made.hpp)
+  if("HOT" IN_LIST ARGN)
+    set(json "")
+  endif()
+  fairway_precompile(${target} ${first} <gtest/gtest.h> <gmock/gmock.h> ${json})
 endfunction()
 
 # fairway_test(name USES lib... [SOURCES extra...] [SHARDS n] [HOT]): every fairway/<name>/**_test.cpp in one program;
