@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is changed in out/play.html, in a real browser from file://: on the way, in the picture, in the sea, in links. tests/play/changes.mjs
 // [--screenshots DIR]; as page.mjs.
-import { choose, commanded, complaint, desk, ended, is_at, keep, look_at, packed, phone, playback, stand_at } from './visitor.mjs';
+import { choose, commanded, complaint, desk, ended, is_at, keep, look_at, packed, phone, plain_desk, playback, stand_at } from './visitor.mjs';
 
 const result_text = (page) => page.locator('.results').textContent();
 
@@ -170,10 +170,10 @@ async function by_finger(page, expect) {
 }
 
 const shipped = (more) => ({ scenario: 'scenarios/swap_8.yaml', yaml: null, seed: null, set: [], beside: null, ...more });
-await look_at([[on_the_way, desk], [taken_back, desk],
-  [not_on_the_way, { ...desk, fragment: `#play=${await packed(shipped({ version: 2, changes: [{ at_s: 10, set: [['vehicles[*].radius_m', '3']] }] }))}` }],
-  [moving, desk], [obstacles_move, desk], [sea, desk], [each_its_method, desk], [thoughts, desk],
-  [plain_link, { ...desk, fragment: '#scenario=scenarios/cube20_4.yaml&set=vehicles[*].avoider%3Dapf&seed=5' }],
-  [first_version, { ...desk, fragment: `#play=${await packed(shipped({ version: 1, scenario: 'scenarios/head_on.yaml', seed: '3' }))}` }],
-  [mangled_link, { ...desk, fragment: '#play=q1ZKSU1MLlGyUiopKk' }],
-  [without_webgl, { ...desk, missing: 'WebGL', harmless: /WebGL/ }], [by_finger, phone]]);
+await look_at([[on_the_way, desk], [taken_back, plain_desk],
+  [not_on_the_way, { ...plain_desk, fragment: `#play=${await packed(shipped({ version: 2, changes: [{ at_s: 10, set: [['vehicles[*].radius_m', '3']] }] }))}` }],
+  [moving, desk], [obstacles_move, desk], [sea, desk], [each_its_method, plain_desk], [thoughts, plain_desk],
+  [plain_link, { ...plain_desk, fragment: '#scenario=scenarios/cube20_4.yaml&set=vehicles[*].avoider%3Dapf&seed=5' }],
+  [first_version, { ...plain_desk, fragment: `#play=${await packed(shipped({ version: 1, scenario: 'scenarios/head_on.yaml', seed: '3' }))}` }],
+  [mangled_link, { ...plain_desk, fragment: '#play=q1ZKSU1MLlGyUiopKk' }],
+  [without_webgl, plain_desk], [by_finger, phone]]);

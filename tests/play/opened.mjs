@@ -4,7 +4,7 @@
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { root } from '../web/browser.mjs';
-import { browser, choose, commanded, complaint, desk, ended, look_at, packed, playback, stand_at } from './visitor.mjs';
+import { browser, choose, commanded, complaint, desk, ended, look_at, packed, plain_desk, playback, stand_at } from './visitor.mjs';
 
 const head_on = readFileSync(join(root, 'scenarios/head_on.yaml'), 'utf8');
 const type_seed = async (page, seed) => {
@@ -163,10 +163,10 @@ async function dropped_anywhere(page, expect) {
 
 const shipped = { version: 2, scenario: 'scenarios/swap_8.yaml', yaml: null, seed: null, set: [], beside: null, changes: [] };
 const link = await packed(shipped);
-const with_link = (fragment, check) => [check, { ...desk, fragment }];
-await look_at([with_link('#scenario=scenarios/fleet_1000.yaml&set=duration_s=3600', refused_while_running), [refused_at_the_end, desk], [put_into_an_open_page, desk],
+const with_link = (fragment, check) => [check, { ...plain_desk, fragment }];
+await look_at([with_link('#scenario=scenarios/fleet_1000.yaml&set=duration_s=3600', refused_while_running), [refused_at_the_end, plain_desk], [put_into_an_open_page, plain_desk],
   with_link('#scenario=scenarios/swap_8.yaml&set=vehicles[*].avoider=bogus', refused_link(/bogus/)),
   with_link(`#play=${await packed({ ...shipped, beside: [['vehicles[*].avoider', 'bogus']] })}`, refused_link(/bogus/)),
   with_link('#scenario=constructor', refused_link(/which this page does not have/, first_instead)),
-  [unreadable_links, desk],
-  [opened_scenario, desk], [not_text, desk], [recording_by_its_bytes, desk], [place_behind_other_letters, desk], [dropped_anywhere, desk]]);
+  [unreadable_links, plain_desk],
+  [opened_scenario, plain_desk], [not_text, plain_desk], [recording_by_its_bytes, plain_desk], [place_behind_other_letters, plain_desk], [dropped_anywhere, desk]]);

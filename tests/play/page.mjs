@@ -2,7 +2,7 @@
 // out/play.html in a real browser from file://, driven as a visitor would. tests/play/page.mjs [--screenshots DIR]
 // Ends with 0 when every check held, else with 1 and a list of those that did not.
 import { join } from 'node:path';
-import { browser, choose, commanded, complaint, desk, ended, is_at, keep, look_at, measure, packed, phone, playback, stand_at } from './visitor.mjs';
+import { browser, choose, commanded, complaint, desk, ended, is_at, keep, look_at, measure, packed, phone, plain_desk, playback, stand_at } from './visitor.mjs';
 
 async function first_minute(page, expect) {
   const frame = await playback(page);
@@ -137,6 +137,6 @@ async function small(page, expect) {
   expect(!await key.isVisible(), 'and folds it');
 }
 
-await look_at([[first_minute, desk], [another_method, desk], [beside, desk], [broken_yaml, desk], [recordings, desk], [why, desk], [without_ompl, desk], [for_all, desk],
-  [old_link, { ...desk, fragment: `#play=${await packed({ version: 7 })}` }], [without_webassembly, { ...desk, missing: 'WebAssembly' }],
+await look_at([[first_minute, desk], [another_method, plain_desk], [beside, desk], [broken_yaml, plain_desk], [recordings, plain_desk], [why, desk], [without_ompl, plain_desk], [for_all, plain_desk],
+  [old_link, { ...plain_desk, fragment: `#play=${await packed({ version: 7 })}` }], [without_webassembly, { ...desk, missing: 'WebAssembly' }],
   [small, phone]]);

@@ -7,6 +7,8 @@ const { screenshots } = command_line();
 export const browser = new Browser('out/play.html', ['--use-angle=swiftshader', '--enable-unsafe-swiftshader'], /GPU stall|GL Driver Message/);
 export const page_file = join(root, 'out/play.html');
 export const desk = { width: 1280, height: 860, scheme: 'light' };
+/** A desk whose browser draws no picture, which takes a third less time: for what looks at none. */
+export const plain_desk = { ...desk, missing: 'WebGL', harmless: /WebGL/ };
 export const phone = { width: 390, height: 844, scheme: 'dark' };
 
 export const keep = async (page, name) => {
