@@ -241,9 +241,10 @@ Command first_command(const Task& task, const Band& band) {
   return command;
 }
 
-/// Towards where the band is when the vehicle has taken the command up, as fast as the band goes there. Where
-/// nothing is near it is straight on along the way: the vehicle turns later than the band, and would go round
-/// a goal to which that winds.
+/// Towards where the band is when the vehicle has taken the command up, as fast as the band goes there.
+/// Straight on along the way where nothing is near: the vehicle turns later than the band, and would go round
+/// a goal to which that winds. And where the band turns about, which it would do now to port and now to
+/// starboard.
 Command command_ahead(const Task& task, const Band& band) {
   double time = 0.0, length = 0.0;
   std::size_t i = 0;
@@ -252,8 +253,12 @@ Command command_ahead(const Task& task, const Band& band) {
     length += (band.position(i + 1) - band.position(i)).norm();
     ++i;
   } while (i + 1 < band.size() && time < taking_up(*task.can));
-  const Vec2 way = (task.barriers.empty() ? task.way[1] : band.position(i)) - band.position(0);
-  const double speed = std::min(length / time, task.params.max_vel_x_mps);
+  const Vec2 along = band.position(i) - band.position(0);
+  const bool turns_about =
+      task.params.max_vel_x_backwards_mps <= 0.0 && along.dot(unit_at(task.start.heading)) < 0.0;
+  const Vec2 way = task.barriers.empty() || turns_about ? Vec2{task.way[1] - band.position(0)} : along;
+  const double speed =
+      turns_about ? task.params.max_vel_x_mps : std::min(length / time, task.params.max_vel_x_mps);
   const Vec2 velocity = way.norm() > 0.0 ? Vec2{speed * way.normalized()} : Vec2{Vec2::Zero()};
   return {.velocity = {velocity.x(), velocity.y(), 0.0},
           .mode = task.barriers.empty() ? Mode::cruise : Mode::avoid};

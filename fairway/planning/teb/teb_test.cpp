@@ -203,6 +203,24 @@ TEST(Teb, WhereTheEnvelopeIsKnownNothingWindsAndNothingGoesAstern) {
   EXPECT_LT(past_a_buoy.velocity.y(), 0.999 * past_a_buoy.velocity.norm());
 }
 
+TEST(Teb, WhereTheEnvelopeIsKnownAndABandTurnsAboutTheWayIsAskedFor) {
+  const Envelope boat = encounters::of_a_boat();
+  encounters::OwnedSituation e = encounters::under_way(boat);
+  e.situation.own.velocity.setZero();
+  e.situation.goal = {.position = {-30, 2, 50}, .cruise_speed = 1.0, .arrival = 1.0};  // astern
+  e.obstacles = {encounters::buoy(3, 3)};
+  const Teb teb;
+  Teb::Memory memory;
+  Rng rng{1};
+  Context context{rng};
+  for (int i = 0; i < 5; ++i) {
+    const Vec2 asked = teb.decide(e, memory, context).velocity.head<2>();
+    const teb::Band& band = memory.bands.front();
+    EXPECT_LT((band.position(2) - band.position(0)).norm(), 0.5);  // slowly, while it turns
+    EXPECT_NEAR((asked - Vec2{-30, 2}.normalized()).norm(), 0.0, 1e-9);
+  }
+}
+
 TEST(Teb, PlansAnewWhatIsBlockedAndAtMostOnceASecond) {
   Voyage v = voyage({});
   v.teb.params.global_plan = TebGlobalPlan::rrt_star;
