@@ -73,7 +73,7 @@ function(fairway_precompile target first)
 endfunction()
 
 # fairway_cold(target link...): outside the step, so built for a quick build rather than for speed. What links JSON has that
-# precompiled too: it is half of what a file costs that includes it.
+# precompiled too: it is up to half of what a file costs that includes it.
 function(fairway_cold target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
   if("nlohmann_json::nlohmann_json" IN_LIST ARGN)
@@ -93,8 +93,8 @@ foreach(line IN LISTS fairway_layers)
 endforeach()
 
 # fairway_library(name [COLD] [FACADE] [LINKS target...]): declares fairway/<name>/** as target fairway::<name>, which uses what
-# tools/layers.toml lets it see; fairway_make_libraries() makes it. COLD: outside the step, so built for a quick build rather
-# than for speed. FACADE: its headers are C++17 and show nothing of what it uses, so neither does its target.
+# tools/layers.toml lets it see; fairway_make_libraries() makes it. COLD: by fairway_cold(). FACADE: its headers
+# are C++17 and show nothing of what it uses, so neither does its target.
 function(fairway_library name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "COLD;FACADE" "" "LINKS")
   set(fairway_libraries ${fairway_libraries} ${name} PARENT_SCOPE)

@@ -76,7 +76,7 @@ double heap_in_use() {
 /// few a clock takes as long as a stage does.
 FleetCost cost_of(std::size_t count, const Catalogs& catalogs, double budget_s, std::size_t threads) {
   constexpr int warm_up = 3, most_steps = 200;
-  const int between_looks = std::max(1, 1000 / static_cast<int>(count));  // at the clock
+  const int between_looks = std::clamp(1000 / static_cast<int>(count), 1, 100);  // at the clock
   const double n = static_cast<double>(count);
   const double before = heap_in_use();
   const Scenario scenario = lattice(count);

@@ -243,7 +243,7 @@ Command first_command(const Task& task, const Band& band) {
 
 /// Towards where the band is when the vehicle has taken the command up, as fast as the band goes there.
 /// Straight on along the way where nothing is near: the vehicle turns later than the band, and would go round
-/// a goal to which that winds. And where the band turns about, which it would do now to port and now to
+/// a goal to which that winds. Likewise where the band turns about, which it would do now to port and now to
 /// starboard.
 Command command_ahead(const Task& task, const Band& band) {
   double time = 0.0, length = 0.0;
