@@ -80,8 +80,11 @@ Command Avoa::decide(const Situation& s, Memory& memory, Context& context) const
   preferred.z() = 0.0;
 
   // what is forbidden, and how near to it the rest is
+  const PolarVelocity wanted = off_the_bow(preferred, s.own.yaw);
+  avoa::KinematicZone kinematics = kinematic_zone(params, s, max_speed);
+  if (is_foreseen) kinematics.foreseen_heading = wanted.heading;
   avoa::VelocitySpace& space = memory.space;
-  space.begin({params.grid_count, max_speed}, kinematic_zone(params, s, max_speed), params.least_speed_mps);
+  space.begin({params.grid_count, max_speed}, kinematics, params.least_speed_mps);
   avoa::add_everyone(
       s,
       {.margin = params.margin_m,
@@ -93,8 +96,12 @@ Command Avoa::decide(const Situation& s, Memory& memory, Context& context) const
   space.finish(params.danger_threshold_mps);
 
   // the best of the rest, the desired velocity first
-  const avoa::VelocityMetric metric{off_the_bow(preferred, s.own.yaw), max_speed, params.speed_weight_ratio,
-                                    params.heading_weight_ratio, params.danger_weight_ratio};
+  const avoa::VelocityMetric metric{wanted,
+                                    max_speed,
+                                    params.speed_weight_ratio,
+                                    params.heading_weight_ratio,
+                                    params.danger_weight_ratio,
+                                    is_foreseen};
   const Candidate desired = desired_candidate(space, metric, is_foreseen);
   const Candidate best =
       params.search == VelocitySearch::swarm

@@ -25,7 +25,8 @@ struct EnumNames<VelocitySearch> {
 /// forbidden; of the rest, a swarm of particles finds the one with the least deviation in speed and heading
 /// and the least danger. Others are taken to keep their course. Where the envelope is known, a wrapper
 /// foresees what the vehicle makes of the answer: what is desired is then feasible whatever the thrusters can
-/// make, and t_H of what stands is 30 s at least. O(side^2 + discs * side + particles * iterations).
+/// make, what lies beside it as if the bow were there, what leads away from it costs more, and t_H of what
+/// stands is 30 s at least. O(side^2 + discs * side + particles * iterations).
 ///
 ///     paper              here
 ///     [v, theta]         PolarVelocity, in own body axes

@@ -81,6 +81,20 @@ TEST(Avoa, WhereTheEnvelopeIsKnownItDoesNotCreepUpToWhatStands) {
   EXPECT_LT(passes_at(), touches);
 }
 
+TEST(Avoa, WhereTheEnvelopeIsKnownItDoesNotGoOnAwayFromItsGoalAheadOfADrifter) {
+  const Envelope boat = encounters::of_a_boat();
+  OwnedSituation e = zarco();
+  e.situation.goal.position = {-25, 10, 0};
+  e.tracks = {encounters::track(1, {-6.0, 2.4, 0.0}, {0.3, 0.0, 0.0}, 0.75)};
+  const auto towards_goal = [&] {
+    const Vec3 v = decide<Avoa>(e, {.search = VelocitySearch::exhaustive}).velocity;
+    return v.dot(Vec3(-25, 10, 0)) / v.norm();
+  };
+  EXPECT_LT(towards_goal(), 0.0);
+  e.situation.envelope = &boat;
+  EXPECT_GT(towards_goal(), 0.0);
+}
+
 TEST(Avoa, AnObstacleAsternIsNoReasonToTurn) {
   OwnedSituation e = zarco();
   e.obstacles = {buoy(-4.0, 0.0)};

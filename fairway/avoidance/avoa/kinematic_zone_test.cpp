@@ -34,6 +34,16 @@ TEST(KinematicZone, OfWhoCannotStopHoldsWhatIsTooSlowOrAbaftTheBeam) {
   EXPECT_TRUE(torpedo.contains({1.01, -1.6}));
 }
 
+TEST(KinematicZone, BesideTheForeseenHeadingIsAsBesideTheBow) {
+  KinematicZone foreseen = zarco;
+  foreseen.foreseen_heading = 3.0;
+  for (const double heading : {3.4 - 2.0 * pi, 2.6, 0.4, -0.4}) {
+    EXPECT_FALSE(foreseen.contains({0.899, heading}));
+    EXPECT_TRUE(foreseen.contains({0.901, heading}));
+  }
+  EXPECT_FALSE(foreseen.contains({1.5, 3.0}));
+}
+
 TEST(KinematicZone, BeyondTheLargestTurnRateTheHeadingDoesNotMatter) {
   // v + 3 * 0.3751 <= 1.5
   for (const double heading : {0.8, -2.0, pi}) {

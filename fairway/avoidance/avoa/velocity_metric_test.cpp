@@ -36,6 +36,13 @@ TEST(VelocityMetric, WithoutWeightsEverythingIsAsGood) {
   EXPECT_EQ(VelocityMetric(desired, 1.5, 0.0, 0.0, 0.0)({0.1, -2.0}, 1.0), 0.0);
 }
 
+TEST(VelocityMetric, WhereSomebodyForeseesWhatLeadsAwayDiffersInSpeedByThatToo) {
+  const VelocityMetric metric{{1.2, 0.0}, 1.5, 1.0, 0.0, 0.0, true};
+  for (const double across : {0.5 * pi, -0.5 * pi}) EXPECT_NEAR(metric({1.2, across}, 0.0), 0.0, 1e-12);
+  EXPECT_NEAR(metric({1.2, pi}, 0.0), 1.2 / 1.5, 1e-12);
+  EXPECT_NEAR(metric({0.6, -2.0 * pi / 3.0}, 0.0), (0.6 + 0.3) / 1.5, 1e-12);
+}
+
 TEST(CostOfDanger, FallsLinearlyToNothingAtTheThreshold) {
   EXPECT_EQ(cost_of_danger(0.0, 0.3), 1.0);
   EXPECT_NEAR(cost_of_danger(0.1, 0.3), 2.0 / 3.0, 1e-15);

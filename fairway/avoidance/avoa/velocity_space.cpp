@@ -7,20 +7,23 @@
 namespace fairway::avoa {
 
 void VelocitySpace::begin(const VelocityGrid& grid, const KinematicZone& kinematics, double least_speed) {
-  const bool same = grid == zones_.grid() && kinematics == kinematics_ && least_speed == least_speed_;
+  const bool same_cells = grid == zones_.grid() && !velocities_.empty();
   zones_.clear(grid);
-  if (same) return;
+  if (!same_cells) {
+    const auto count = static_cast<std::size_t>(grid.cell_count());
+    velocities_.resize(count);
+    within_reach_.resize(count);
+    is_feasible_.resize(count);
+    feasible_.resize(count);
+    for (std::size_t i = 0; i < count; ++i)
+      velocities_[i] = PolarVelocity::of(grid.velocity(static_cast<int>(i)));
+  }
+  if (same_cells && kinematics == kinematics_ && least_speed == least_speed_) return;
 
   kinematics_ = kinematics;
   least_speed_ = least_speed;
-  const auto count = static_cast<std::size_t>(grid.cell_count());
-  velocities_.resize(count);
-  within_reach_.resize(count);
-  is_feasible_.resize(count);
-  feasible_.resize(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const PolarVelocity v = PolarVelocity::of(grid.velocity(static_cast<int>(i)));
-    velocities_[i] = v;
+  for (std::size_t i = 0; i < velocities_.size(); ++i) {
+    const PolarVelocity& v = velocities_[i];
     within_reach_[i] = v.speed >= least_speed && !kinematics.contains(v) ? 1 : 0;
   }
 }

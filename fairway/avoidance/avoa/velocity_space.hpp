@@ -17,8 +17,8 @@ namespace fairway::avoa {
 /// among it, is kept from one decision to the next. Allocates only when the grid grows.
 class VelocitySpace {
  public:
-  /// The cells' speeds and headings and the kinematic zone, unless they are as they were; slower than
-  /// `least_speed` is not feasible either. Forgets all obstacles. O(cells)
+  /// The cells' speeds and headings and, apart from them, the kinematic zone, unless they are as they were;
+  /// slower than `least_speed` is not feasible either. Forgets all obstacles. O(cells)
   void begin(const VelocityGrid& grid, const KinematicZone& kinematics, double least_speed);
 
   /// To be filled between begin() and finish().
