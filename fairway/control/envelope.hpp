@@ -12,9 +12,9 @@ namespace fairway {
 
 /// What `vehicle` can do under `autopilot`, as short simulations in still water show it, in steps of `step`
 /// [s] as in the scenario. `limits` are those of the mission; it is asked for nothing beyond them. The bounds
-/// on following errors are those of the law of `trackable::TurnLaw`, and that of stops is what these go
-/// beyond `trackable::Foresight`. The same numbers for the same arguments, to the bit. Nothing for a vehicle
-/// that does not get under way. Some 10^4 steps of the vehicle.
+/// on following errors are those of the law of `trackable::TurnLaw`, and the error of foresight is that of
+/// `trackable::Foresight`. The same numbers for the same arguments, to the bit. Nothing for a vehicle that
+/// does not get under way. Some 10^4 steps of the vehicle.
 std::optional<Envelope> measured_envelope(const Vehicle& vehicle, const Autopilot& autopilot,
                                           const Limits& limits, double step);
 

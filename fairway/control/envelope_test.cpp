@@ -188,13 +188,19 @@ TEST(Envelope, ZarcoBrakesBeforeItTurns) {
 }
 
 TEST(Envelope, TellsHowMuchFartherAStopGoesThanItForesees) {
-  EXPECT_LT(envelope_of("kinematic").stop_error, 0.05);
+  EXPECT_LT(envelope_of("kinematic").foresight_error, 0.05);
   const Envelope slow = envelope_of("sparus2", {.max_speed = 0.5});
   const Envelope fast = envelope_of("sparus2");  // 3.2 m/s
-  EXPECT_LT(slow.stop_error, 0.5);
-  EXPECT_GT(fast.stop_error, 0.5);
-  EXPECT_LT(fast.stop_error, 0.8);
-  EXPECT_EQ(envelope_of("remus100").stop_error, 0.0);  // it never stops
+  EXPECT_LT(slow.foresight_error, 0.5);
+  EXPECT_GT(fast.foresight_error, 0.5);
+  EXPECT_LT(fast.foresight_error, 0.8);
+}
+
+TEST(Envelope, OfWhoCannotStopTellsHowFarFromWhatItForeseesATurnBegins) {
+  const double slow = envelope_of("remus100", {.max_speed = 1.5}).foresight_error;
+  EXPECT_GT(slow, 0.5);
+  EXPECT_LT(slow, 0.8);
+  EXPECT_GT(envelope_of("remus100").foresight_error, 2.0 * slow);  // 2.5 m/s
 }
 
 /// Sideways to starboard in a steady turn [m/s].

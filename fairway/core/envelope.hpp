@@ -60,7 +60,7 @@ struct Envelope {
   double turn_tail{};
   double slip_square{};
   double turn_plateau{1.0};
-  double stop_error{};
+  double foresight_error{};
 
   static consteval auto members() {
     using R = Envelope;
@@ -87,7 +87,9 @@ struct Envelope {
         member<&R::turn_plateau>("ratio",
                                  "of a turn rate, to which it comes by the lag; to the rest by the tail")
             .not_negative(),
-        member<&R::stop_error>("m", "by which it gets farther than these numbers foresee, while it stops")
+        member<&R::foresight_error>("m",
+                                    "by which it gets farther than these numbers foresee, while it stops; of "
+                                    "who cannot stop, elsewhere, in the first 8 s of a turn")
             .not_negative(),
         member<&R::pivot>(
             "m",

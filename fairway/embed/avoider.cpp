@@ -106,7 +106,7 @@ To same_numbers(const From& envelope) {
           .turn_tail = envelope.turn_tail,
           .slip_square = envelope.slip_square,
           .turn_plateau = envelope.turn_plateau,
-          .stop_error = envelope.stop_error};
+          .foresight_error = envelope.foresight_error};
 }
 
 Command converted(const fairway::Command& command, std::size_t left_out) {

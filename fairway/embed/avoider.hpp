@@ -129,7 +129,8 @@ struct Envelope {
   double turn_tail{};        ///< by which the heading in a long turn is later than the lag alone makes it [s]
   double slip_square{};      ///< share of what resists that slip which grows with its square
   double turn_plateau{1.0};  ///< of a turn rate, to which it comes by the lag; to the rest by the tail
-  double stop_error{};       ///< by which it gets farther than these numbers foresee, while it stops [m]
+  double foresight_error{};  ///< by which it gets farther than these numbers foresee, while it stops; of who
+                             ///< cannot stop, elsewhere, in the first 8 s of a turn [m]
 };
 
 /// Of numbers by the names that `fairway describe VEHICLE` shows: "ahead_mps=1.6", "turn_rates_radps=0.2 0.3

@@ -24,7 +24,7 @@ constexpr double standing_share = 0.1;       // of the preferred speed: slower s
 constexpr double most_unexplained = 0.1;     // [m/s]
 constexpr double turn_step = pi / 12;        // between plans
 constexpr double more_room = 0.05;           // is worth another plan to who cannot stop [m]
-constexpr double stop_error_of_extra = 0.5;  // so much of it the extra margin holds: shown by runs [m]
+constexpr double foresight_error_of_extra = 0.5;  // so much of it the extra margin holds: shown by runs [m]
 constexpr double astern_share = 0.5;         // of the cruise speed
 constexpr double slack_s = 1.0;              // of the window, beyond the manoeuvres that it is to hold
 
@@ -124,9 +124,9 @@ Plan plan_of(const TurnLaw& law, const Situation& s, const Vec2& ahead, const Pl
   return plan;
 }
 
-/// The vehicle's own stops bound what is declared of tracking from below.
+/// What the vehicle's own trials show bounds what is declared of tracking from below.
 Margins beside_measured(Margins margins, const Envelope& can) noexcept {
-  margins.tracking = std::max(margins.tracking, can.stop_error - stop_error_of_extra);
+  margins.tracking = std::max(margins.tracking, can.foresight_error - foresight_error_of_extra);
   return margins;
 }
 

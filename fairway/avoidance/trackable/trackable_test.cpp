@@ -358,11 +358,11 @@ TEST(Trackable, ItsMarginsAddUpAndAreDrawn) {
   EXPECT_EQ(mode_with({.perception_error_m = 0.8}), Mode::avoid);
   EXPECT_EQ(mode_with({.navigation_error_m = 0.8}), Mode::avoid);
   EXPECT_EQ(mode_with({.current_error_mps = 0.2}), Mode::avoid);
-  boat.stop_error = 0.5;
+  boat.foresight_error = 0.5;
   EXPECT_EQ(mode_with({}), Mode::cruise) << "so much the usual margin holds";
-  boat.stop_error = 1.3;
-  EXPECT_EQ(mode_with({}), Mode::avoid) << "what its stops have shown bounds the tracking from below";
-  boat.stop_error = 0.0;
+  boat.foresight_error = 1.3;
+  EXPECT_EQ(mode_with({}), Mode::avoid) << "what its trials have shown bounds the tracking from below";
+  boat.foresight_error = 0.0;
   e.situation.own.position_sigma = 0.4;
   EXPECT_EQ(mode_with({}), Mode::avoid) << "what its navigation states is kept too, twice";
 }

@@ -37,7 +37,7 @@ inline Envelope plain(const fairway::Envelope& e) {
           e.turn_tail,
           e.slip_square,
           e.turn_plateau,
-          e.stop_error};
+          e.foresight_error};
 }
 
 /// A situation of the C++20 library as a host would put it, with what it points to.
