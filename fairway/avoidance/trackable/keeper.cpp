@@ -19,14 +19,14 @@ struct Choice {
 
 namespace {
 
-constexpr double hardly = 1e-3;              // [m/s]
-constexpr double standing_share = 0.1;       // of the preferred speed: slower stands
-constexpr double most_unexplained = 0.1;     // [m/s]
-constexpr double turn_step = pi / 12;        // between plans
-constexpr double more_room = 0.05;           // is worth another plan to who cannot stop [m]
+constexpr double hardly = 1e-3;                   // [m/s]
+constexpr double standing_share = 0.1;            // of the preferred speed: slower stands
+constexpr double most_unexplained = 0.1;          // [m/s]
+constexpr double turn_step = pi / 12;             // between plans
+constexpr double more_room = 0.05;                // is worth another plan to who cannot stop [m]
 constexpr double foresight_error_of_extra = 0.5;  // so much of it the extra margin holds: shown by runs [m]
-constexpr double astern_share = 0.5;         // of the cruise speed
-constexpr double slack_s = 1.0;              // of the window, beyond the manoeuvres that it is to hold
+constexpr double astern_share = 0.5;              // of the cruise speed
+constexpr double slack_s = 1.0;                   // of the window, beyond the manoeuvres that it is to hold
 
 /// To turn a quarter and to stop; of who cannot stop, to go once round.
 double window_of(const TurnLaw& law, const Situation& s, double hold) {
