@@ -363,7 +363,11 @@ class Trials {
   /// After a turn as tight as the law orders for so many lags of it, from what goes straight on.
   Craft turned(Craft craft, const trackable::TurnLaw& law, double speed, double lags) const {
     const BodyRequest turn{.surge_mps = speed, .yaw_rate_radps = law.greatest_turn_rate(speed)};
-    for (double time = 0.0; time < lags * envelope_.turn_lag; time += craft.step) craft.obey(turn);
+    double time = 0.0;
+    while (time < lags * envelope_.turn_lag) {
+      craft.obey(turn);
+      time += craft.step;
+    }
     return craft;
   }
 
