@@ -11,7 +11,7 @@ namespace fairway::avoa {
 /// The multicriteria metric h (campos2019, eqs. 6-8): how bad a velocity is, in [0, 1]. The paper names the
 /// three errors and says that they are normalised; that they are so by v_max and by pi is ours. Where
 /// somebody foresees what the vehicle makes of a velocity, one that leads away from the desired one, by more
-/// than a right angle, differs in speed by as much as it leads away besides.
+/// than a right angle, differs in speed by as much as it leads away besides, and may cost more than 1.
 class VelocityMetric {
  public:
   /// Weights psi are >= 0 and scaled to the sum 1; all zero, every velocity is as good as any. `max_speed` >
