@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fairway/avoidance/situation.hpp"
-#include "fairway/avoidance/trackable/foresight.hpp"
+#include "fairway/avoidance/trackable/turn_law.hpp"
 #include "fairway/control/craft.hpp"
+#include "fairway/control/foresight_error.hpp"
 #include "fairway/core/angles.hpp"
 #include "fairway/core/math.hpp"
 
@@ -27,8 +27,6 @@ constexpr double stopped_share = 0.05;    // of the speed from which it stops
 constexpr double read_allowance = 1.02;   // of a turn rate that is read from the table
 constexpr double lags_of_plateau = 3.0;   // after which what is left of a turn rate is its tail
 constexpr double least_tail_share = 0.5;  // of the lag of a turn: a shorter tail is none
-constexpr double tried_hold = 0.8;        // of a foresight that is tried [s]
-constexpr double tried_window = 8.0;      // likewise [s]
 constexpr double error_allowance = 1.1;   // for what the trials do not show: steps, other speeds before
 
 double surge_of(const Craft& craft) { return craft.surge(); }
@@ -56,11 +54,7 @@ class Trials {
     measure_turns();
     measure_stop_in_a_turn();
     measure_following();
-    if (envelope_.least > 0.0) {
-      measure_courses();
-    } else {
-      measure_stops();
-    }
+    envelope_.foresight_error = foresight_error(*under_way_, envelope_, turn_);
     return envelope_;
   }
 
@@ -318,82 +312,6 @@ class Trials {
       greatest = std::max(greatest, (craft.place() - from - time * velocity).norm());
       const Vec2 made_good = craft.vehicle.state().v_n().head<2>();
       if ((made_good - velocity).norm() < steady_error * speed) break;
-    }
-    return greatest;
-  }
-
-  /// Told to stop, straight on or with the bow turned, from two speeds and after turns of various lengths.
-  void measure_stops() {
-    const trackable::TurnLaw law{envelope_, turn_};
-    for (const double share : {0.5, 1.0}) {
-      const double speed = share * envelope_.ahead;
-      Craft steady = *under_way_;
-      steady.settle({.surge_mps = speed}, surge_of);
-      for (const double lags : {0.0, 0.5, 1.0, 2.0}) {
-        const Craft turning = turned(steady, law, speed, lags);
-        const Vec2 ahead = unit_at(turning.yaw());
-        const auto farther = [&](const Vec2& from_foreseen) { return ahead.dot(from_foreseen); };
-        for (const double bow : {0.0, 0.5 * pi, 0.95 * pi}) {
-          const trackable::Plan stop{.direction = unit_at(turning.yaw() + bow)};
-          envelope_.foresight_error =
-              std::max(envelope_.foresight_error, foresight_error(turning, law, stop, farther));
-        }
-      }
-    }
-  }
-
-  /// Who cannot stop: told another course at its greatest speed, straight on and after turns of various
-  /// lengths.
-  void measure_courses() {
-    const trackable::TurnLaw law{envelope_, turn_};
-    const double speed = envelope_.ahead;
-    Craft steady = *under_way_;
-    steady.settle({.surge_mps = speed}, surge_of);
-    for (const double lags : {0.0, 0.5, 1.0, 2.0}) {
-      const Craft turning = turned(steady, law, speed, lags);
-      for (const double change : {0.25 * pi, 0.5 * pi, -0.25 * pi, -0.5 * pi}) {
-        const trackable::Plan plan{.direction = unit_at(turning.yaw() + change), .speed = speed};
-        const auto apart = [](const Vec2& from_foreseen) { return from_foreseen.norm(); };
-        envelope_.foresight_error =
-            std::max(envelope_.foresight_error, foresight_error(turning, law, plan, apart));
-      }
-    }
-  }
-
-  /// After a turn as tight as the law orders for so many lags of it, from what goes straight on.
-  Craft turned(Craft craft, const trackable::TurnLaw& law, double speed, double lags) const {
-    const BodyRequest turn{.surge_mps = speed, .yaw_rate_radps = law.greatest_turn_rate(speed)};
-    double time = 0.0;
-    while (time < lags * envelope_.turn_lag) {
-      craft.obey(turn);
-      time += craft.step;
-    }
-    return craft;
-  }
-
-  /// The greatest of what `measure` makes of the way from where it is foreseen to where it gets [m].
-  template <class Measure>
-  static double foresight_error(Craft craft, const trackable::TurnLaw& law, const trackable::Plan& plan,
-                                Measure measure) {
-    const Vec2 from = craft.place();
-    const auto foresight = [&] {
-      const VehicleState& x = craft.vehicle.state();
-      Situation s;
-      s.own.velocity = x.v_n();
-      s.own.yaw = craft.yaw();
-      s.own.yaw_rate = craft.turn_rate();
-      return trackable::Foresight{law, s, unit_at(s.own.yaw), {.hold = tried_hold, .window = tried_window}};
-    };
-    const trackable::Foresight at_first = foresight();
-    const trackable::Foresight::Path path = at_first.path(plan);
-    double greatest = 0.0, time = 0.0;
-    for (std::size_t k = 0; k < path.count; ++k) {
-      while (time < static_cast<double>(k + 1) * at_first.step()) {
-        const trackable::TurnOrder order = foresight().order(plan);
-        craft.obey({.surge_mps = order.surge, .yaw_rate_radps = order.turn_rate});
-        time += craft.step;
-      }
-      greatest = std::max(greatest, measure(craft.place() - from - path.points[k]));
     }
     return greatest;
   }
