@@ -49,15 +49,16 @@ class Pilot final : public AvoiderOutlet {
 };
 
 /// A fleet whose instants are handed to pilots, and compared with a plain run.
-class Sea final : public FleetOutlet {
+class Sea : public FleetOutlet {
  public:
-  Sea(const std::string& file, bool lockstep)
-      : plain{load_scenario(file), builtin_catalogs()}, duty{settings(file, lockstep)} {
+  Sea(const std::string& file, bool lockstep) : Sea{settings(file, lockstep)} {}
+  explicit Sea(const FleetNodeSettings& settings)
+      : plain{load_scenario(settings.scenario), builtin_catalogs()}, duty{settings} {
     for (std::size_t i = 0; i < duty.fleet().size(); ++i) {
       AvoiderNodeSettings of_pilot;
-      of_pilot.scenario = file;
+      of_pilot.scenario = settings.scenario;
       of_pilot.vehicle = duty.fleet().vehicle(i).name;
-      of_pilot.lockstep = lockstep;
+      of_pilot.lockstep = settings.lockstep;
       pilots.push_back(std::make_unique<Pilot>(of_pilot));
       pilots[i]->fleet = &duty;
       pilots[i]->index = i;
@@ -158,6 +159,22 @@ TEST(FleetDuty, InLockstepItWaitsForTheMissingNoLongerThanItIsToldAndSaysWho) {
   sea.duty.run(sea);
   EXPECT_THAT(sea.warnings, HasSubstr("no command of south_bound at 0.000000 s"));
   EXPECT_TRUE(sea.is_apart) << "who is not commanded holds, so it is not where the plain run is";
+}
+
+TEST(FleetDuty, WhileItWaitsForItsListenersItIsNotBehind) {
+  class Deserted final : public Sea {
+   public:
+    using Sea::Sea;
+    std::size_t listeners(std::size_t) override { return 0; }
+    bool goes_on() override { return state.empty(); }
+  };
+  FleetNodeSettings settings =
+      Sea::settings(std::string{FAIRWAY_SOURCE_DIR} + "/scenarios/head_on.yaml", false);
+  settings.speed = 1;
+  settings.wait_for_subscribers = 1;
+  Deserted sea{settings};
+  EXPECT_EQ(sea.duty.run(sea), 130);
+  EXPECT_THAT(sea.state, HasSubstr("\"behind_s\":0.0"));
 }
 
 AvoiderNodeSettings alone() {

@@ -87,9 +87,9 @@ class FleetDuty {
   std::int64_t now_{};        // stamp of the instant [ns]
   std::string shown_;         // what of the state is reported at once when it changes
   Steady::time_point begin_;  // of the run, on the wall
-  Steady::time_point anchor_;
-  double anchor_time_{};  // of the run, at anchor_ [s]
-  double behind_s_{};     // wall time that is not made up for
+  Steady::time_point anchor_{Steady::time_point::max()};  // where its clock began, or began anew
+  double anchor_time_{};                                  // of the run, at anchor_ [s]
+  double behind_s_{};                                     // wall time that is not made up for
   Steady::time_point tended_, drawn_;
   std::uint64_t missed_{};    // instants of lockstep that went on without a command
   std::uint64_t refused_{};   // commands that were not finite, or of another time

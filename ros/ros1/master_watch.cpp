@@ -151,15 +151,19 @@ void MasterWatch::watch() {
 }
 
 /// What is published and not heard at all.
-void MasterWatch::connect_the_deaf() const {
+void MasterWatch::connect_the_deaf() {
   const auto heard = connections(stopping_);
   if (!heard) return;
   const std::set<std::string> spoken = published(stopping_);
   for (const auto& [topic, type] : topics(stopping_, "getSubscriptions")) {
     const auto first = heard->lower_bound({topic, ""});
     const bool is_deaf = spoken.count(topic) > 0 && (first == heard->end() || first->first != topic);
-    if (!is_deaf) continue;
-    ROS_WARN_STREAM_THROTTLE(60.0, topic << " is published and was not heard: it is subscribed to anew");
+    if (!is_deaf) {
+      told_deaf_.erase(topic);
+      continue;
+    }
+    if (told_deaf_.insert(topic).second)
+      ROS_WARN_STREAM(topic << " is published and was not heard: it is subscribed to anew");
     subscribe_anew(stopping_, topic, type);
   }
 }

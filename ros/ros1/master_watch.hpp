@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <functional>
+#include <set>
 #include <string>
 #include <thread>
 #include <vector>
@@ -36,10 +37,11 @@ class MasterWatch {
   void watch();
   void rest(double seconds) const;
   void register_anew();
-  void connect_the_deaf() const;
+  void connect_the_deaf();
 
   std::vector<std::string> services_;
   std::function<void()> on_return_;
+  std::set<std::string> told_deaf_;  // topics; the watch's alone
   std::atomic<int> returns_{0};
   std::atomic<bool> reachable_{true};
   std::atomic<bool> stopping_{false};

@@ -9,6 +9,7 @@
 #include <iostream>
 #include <string>
 
+#include "ros/ros1/listen_queue.hpp"
 #include "ros/ros1/parameters.hpp"
 
 namespace fairway::ros1 {
@@ -28,6 +29,7 @@ int run_program(int argc, char** argv, const std::string& name, const std::strin
   try {
     ros::init(argc, argv, name);
     const ros::NodeHandle first;  // ROS runs from here on, whatever is wrong with the parameters
+    lengthen_listen_queue();
     XmlRpc::XmlRpcValue parameters;
     ros::param::get(ros::this_node::getName(), parameters);
     return work(settings_of(parameters));

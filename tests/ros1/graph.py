@@ -90,8 +90,12 @@ class Process:
             self.kill()
 
     def result(self, seconds):
-        """Its exit status, when it has come to its end by itself."""
-        return self.child.wait(seconds)
+        """Its exit status, when it has come to its end by itself; of one that has not, how far it came."""
+        try:
+            return self.child.wait(seconds)
+        except subprocess.TimeoutExpired:
+            self.end()
+            raise AssertionError(f"{self.name} has not ended within {seconds} s: {self.output()}") from None
 
 
 class Graph:
@@ -172,6 +176,11 @@ class Graph:
             server.deleteParam("/tests", node)
         if any(name.startswith("/fairway_sim/") for name in names):
             server.deleteParam("/tests", "/fairway_sim")
+
+    def address_of(self, node):
+        code, words, address = xmlrpc.client.ServerProxy(self.environment["ROS_MASTER_URI"]).lookupNode("/tests", node)
+        assert code == 1, words
+        return address
 
     def output(self):
         return "\n".join(f"--- {p.name}\n{p.output()}" for p in [self.master, *self.processes])

@@ -1,10 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """Processes that die, stand still or are ended: what the others do, and what the vehicle does."""
 
+import contextlib
 import os
 import signal
+import socket
 import subprocess
 import time
+import urllib.parse
+import xmlrpc.client
 
 import apart
 import listen
@@ -50,17 +54,24 @@ def test_an_avoider_that_comes_back_takes_over_again(graph, tmp_path):
 
 
 def test_a_connection_that_was_lost_is_made_again(graph, tmp_path):
-    import xmlrpc.client
-
-    import rosgraph
-
     state = listen.Simulated()
     start_pair(graph, tmp_path)
     state.wait_until(2.0)
-    node = xmlrpc.client.ServerProxy(rosgraph.Master("/test").lookupNode("/left/avoider"))
+    node = xmlrpc.client.ServerProxy(graph.address_of("/left/avoider"))
     assert node.publisherUpdate("/master", "/left/odometry", [])[0] == 1  # it drops whom it is not told of
     state.wait(lambda s: s["vehicles"][0]["holding"], 10, "it hears nothing and holds")
     state.wait(lambda s: not s["vehicles"][0]["holding"], 30, "it is connected again, and under way")
+
+
+def test_a_node_that_is_busy_lets_a_fleet_wait_for_its_topics(graph):
+    state = listen.Simulated()
+    simulator = graph.simulator("cube20_8", paused=True)
+    state.wait_until(0.0)
+    address = urllib.parse.urlsplit(graph.address_of("/fairway_sim"))
+    simulator.signal(signal.SIGSTOP)
+    with contextlib.ExitStack() as calls:
+        for _ in range(128):
+            calls.enter_context(socket.create_connection((address.hostname, address.port), timeout=0.5))
 
 
 def test_a_process_that_stands_still_is_noticed_by_the_vehicle(graph, tmp_path):

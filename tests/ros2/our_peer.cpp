@@ -3,6 +3,7 @@
 //   our_peer listen SECONDS VEHICLE...         counts the numbered odometry that comes
 //   our_peer talk SECONDS RATE_HZ LISTENERS VEHICLE...   sends numbered odometry, once each topic has so many
 //   listeners
+#include <cmath>
 #include <iostream>
 #include <thread>
 
@@ -53,7 +54,7 @@ void talk(double seconds, double rate, std::size_t listeners, const std::vector<
 
   const auto start = SteadyClock::now();
   std::int64_t sent = 0, unsent = 0;
-  for (; Seconds(SteadyClock::now() - start).count() < seconds; ++sent) {
+  for (const auto all = std::llround(seconds * rate); sent < all; ++sent) {
     for (std::size_t i = 0; i < publishers.size(); ++i) {
       Memory memory;
       Odometry odometry{};
