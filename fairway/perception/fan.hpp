@@ -17,11 +17,12 @@ struct Fan {
   double min_range{};                                        ///< [m]
   double max_range{};                                        ///< [m]
 
-  /// Whether the point `p` [m, NED] lies in it.
-  bool covers(const Vec3& p) const {
+  /// Whether a ball round the point `p` [m, NED] is to be seen in it: its middle lies within, and its near side
+  /// is not too near.
+  bool covers(const Vec3& p, double radius = 0.0) const {
     const Vec3 r_b = q_nb.conjugate() * (p - origin);
     const double range = r_b.norm();
-    return range >= min_range && range <= max_range &&
+    return range - radius >= min_range && range <= max_range &&
            std::abs(math::atan2(r_b.y(), r_b.x())) <= half_field &&
            std::abs(math::atan2(r_b.z(), horizontal_norm(r_b))) <= half_aperture;
   }

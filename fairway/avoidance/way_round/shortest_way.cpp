@@ -26,19 +26,23 @@ avoa_improved::DepthRange depths_on_the_way(const Situation& s, bool thinks_in_p
   return {std::min(own, goal), std::max(own, goal)};
 }
 
+/// Whether it is as good as an obstacle: it is not known to make way, and is believed to stand still.
+bool stands(const Track& track) { return !track.reacts && track.velocity.squaredNorm() < 1e-6; }
+
 /// The way with all solids wider by `kept` than they are.
 std::optional<avoa_improved::WayRound> way_with(const ShortestWay::Params& params, const Situation& s,
                                                 const ShortestWay::Memory& memory, double kept) {
-  std::array<Capsule, Capsules::capacity> wide;
-  std::size_t count = 0;
-  for (const Capsule& solid : memory.chart.view()) {
-    wide[count] = solid;
-    wide[count++].radius += s.own.radius + kept;
-  }
   const Vec2 own = s.own.position.head<2>();
+  Capsules wide;
+  for (const Capsule& solid : memory.chart.view()) wide.add_near(solid, own);
+  for (const Track& track : s.tracks) {
+    const Vec2 place = track.position.head<2>();
+    if (stands(track)) wide.add_near({place, place, track.radius}, own);
+  }
+  for (Capsule& solid : wide.view()) solid.radius += s.own.radius + kept;
   const Vec2 goal = s.goal.velocity ? Vec2{own + leg_ahead_s * s.preferred_velocity().head<2>()}
                                     : Vec2{s.goal.position.head<2>()};
-  return avoa_improved::way_round({wide.data(), count}, own, goal,
+  return avoa_improved::way_round(wide.view(), own, goal,
                                   {.committed = memory.committed,
                                    .commitment = params.commitment_m,
                                    .heading = Vec2{math::cos(s.own.yaw), math::sin(s.own.yaw)},

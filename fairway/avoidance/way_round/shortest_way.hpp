@@ -8,10 +8,11 @@
 
 namespace fairway {
 
-/// Shows another avoider the shortest way round all that does not move and has been seen, instead of the
-/// straight one: the velocity that it prefers points along the taut string to the goal. For methods that look
-/// a few seconds ahead and stand where the straight way ends. As seen from above; depth is left to the
-/// mission. It avoids nobody itself. O(ends of solids squared x solids) at worst.
+/// Shows another avoider the shortest way round all that does not move and has been seen, be it an obstacle
+/// or a track that stands still and does not react, instead of the straight one: the velocity that it prefers
+/// points along the taut string to the goal. For methods that look a few seconds ahead and stand where the
+/// straight way ends. As seen from above; depth is left to the mission. It avoids nobody itself. O(ends of
+/// solids squared x solids) at worst.
 struct ShortestWay {
   static constexpr AlgorithmInfo info{
       .name = "way_round",

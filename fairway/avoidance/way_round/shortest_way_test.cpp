@@ -44,6 +44,20 @@ TEST(ShortestWay, ItLeadsAlongTheTangentOfABuoy) {
   EXPECT_NEAR(v.norm(), 1.0, 1e-12);
 }
 
+TEST(ShortestWay, WhoNeitherMakesWayNorMovesIsAsGoodAsABuoy) {
+  OwnedSituation buoy = bound_north();
+  buoy.obstacles = {{.kind = Obstacle::Kind::sphere, .position = {20.0, 0.5, 50.0}, .radius = 2.0}};
+  OwnedSituation seen = bound_north();
+  seen.tracks = {{.id = TrackId{7}, .position = {20.0, 0.5, 50.0}, .radius = 2.0, .reacts = false}};
+  EXPECT_EQ(way_round_for_direct().decide(seen), way_round_for_direct().decide(buoy));
+
+  OwnedSituation moving = seen, polite = seen;
+  moving.tracks[0].velocity = {0.0, 0.1, 0.0};
+  polite.tracks[0].reacts = true;
+  for (const OwnedSituation& s : {moving, polite})
+    EXPECT_EQ(way_round_for_direct().decide(s), Avoider{Direct{{}}}.decide(s));
+}
+
 TEST(ShortestWay, ItKeepsTwiceTheMarginOfWhoeverHoldsItToSurfaces) {
   OwnedSituation e = bound_north();
   e.obstacles = {{.kind = Obstacle::Kind::sphere, .position = {20.0, 0.5, 50.0}, .radius = 2.0}};

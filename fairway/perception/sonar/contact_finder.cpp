@@ -12,6 +12,7 @@ namespace fairway {
 namespace {
 
 constexpr double least_variance = 1e-4;  // [m2], 1 cm: what is never known better
+constexpr double heard_from = 0.25;      // [m], beyond the least range: what is there may reach into it
 constexpr double widest_sine = 0.95;     // of half the angle that a thing fills; beyond it is a wall
 
 double square(double x) { return x * x; }
@@ -21,7 +22,10 @@ Vec2 place_of(const Echo& echo) { return echo.range * unit_at(echo.bearing); }
 }  // namespace
 
 ContactFinder::ContactFinder(const SonarParams& params)
-    : params_{params}, bearing_variance_{square(radians(params.echo_bearing_sigma_deg))}, chart_{params} {
+    : params_{params},
+      bearing_variance_{square(radians(params.echo_bearing_sigma_deg))},
+      chart_{params},
+      notch_{params} {
   // two missed beams between them, and noise of both
   neighbourhood_ = 3.0 * chart_.spacing() + 2.0 * std::sqrt(2.0 * bearing_variance_);
   members_.reserve(echo_capacity(params));
@@ -100,6 +104,11 @@ void ContactFinder::gather(std::span<const Echo> echoes) {
 }
 
 void ContactFinder::sight(std::span<const Echo> thing, std::span<const Echo> echoes) {
+  if (const auto notch = notch_.find(thing)) {
+    sight(thing.first(*notch), echoes);
+    sight(thing.subspan(*notch), echoes);
+    return;
+  }
   const double extent = (place_of(thing.back()) - place_of(thing.front())).norm();
   if (extent <= params_.max_extent_m) {
     sightings_.push_back(is_cut_off(thing, echoes) ? arc(thing) : disc(thing));
@@ -120,6 +129,10 @@ bool ContactFinder::is_cut_off(std::span<const Echo> thing, std::span<const Echo
   const Echo& starboard = thing.back();
   const double edge = 0.5 * radians(params_.field_of_view_deg) - 0.5 * neighbourhood_;
   if (port.bearing < -edge || starboard.bearing > edge) return true;
+
+  // what is nearer than the sonar hears may be a part of it
+  const double least_range = params_.min_range_m + heard_from;
+  if (std::ranges::any_of(thing, [&](const Echo& echo) { return echo.range < least_range; })) return true;
 
   // something nearer stands where it might go on
   const auto hides = [&](const Echo& echo) {

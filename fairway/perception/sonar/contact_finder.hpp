@@ -9,14 +9,15 @@
 #include "fairway/core/shapes.hpp"
 #include "fairway/core/state.hpp"
 #include "fairway/perception/contact.hpp"
+#include "fairway/perception/sonar/notch.hpp"
 #include "fairway/perception/sonar/sonar_params.hpp"
 #include "fairway/perception/sonar/sweep.hpp"
 
 namespace fairway {
 
-/// Reads the echoes of a ping: what the chart explains is dismissed, neighbours of like range are one thing,
-/// and a thing is the disc whose tangents its outermost echoes are; where one of them is out of sight, the
-/// disc that its near side fits best. Holds scratch memory only.
+/// Reads the echoes of a ping: what the chart explains is dismissed, neighbours of like range are one thing
+/// unless they turn in where two touch, and a thing is the disc whose tangents its outermost echoes are;
+/// where one of them is out of sight, the disc that its near side fits best. Holds scratch memory only.
 class ContactFinder {
  public:
   explicit ContactFinder(const SonarParams& params);
@@ -56,6 +57,7 @@ class ContactFinder {
   double bearing_variance_;
   double neighbourhood_;  // bearings of neighbouring echoes differ by less [rad]
   Sweep chart_;
+  Notch notch_;
   bool has_chart_{false};
   std::vector<Member> members_;  // by thing, then bearing
   std::vector<Echo> sorted_;     // their echoes

@@ -135,6 +135,30 @@ TEST(ContactFinder, TwoBallsApartAreTwoContactsNearestFirst) {
   EXPECT_NEAR(contacts[2].position.y(), -6, 0.6);
 }
 
+/// Of a hundred pings, those with so many contacts.
+int pings_with(std::size_t count, const std::vector<Mover>& others) {
+  int found = 0;
+  for (int i = 0; i < 100; ++i) {
+    const Rng rng = Rng{9}.stream("run", static_cast<std::uint64_t>(i));
+    found += contacts_of({.false_echoes_count = 0.0}, {}, others, {}, rng).size() == count ? 1 : 0;
+  }
+  return found;
+}
+
+TEST(ContactFinder, TwoThatTouchAreToldApartAndOneIsNotTakenForTwo) {
+  EXPECT_GE(pings_with(2, {ball({10, -1, 0}, 1), ball({10, 1, 0}, 1)}), 95);
+  EXPECT_GE(pings_with(2, {ball({5, -0.4, 0}, 0.6), ball({5, 0.6, 0}, 0.4)}), 90);
+  EXPECT_GE(pings_with(3, {ball({12, -2, 0}, 1), ball({12, 0, 0}, 1), ball({12, 2, 0}, 1)}), 90);
+  for (const double distance : {6.0, 12.0, 24.0, 48.0})
+    EXPECT_GE(pings_with(1, {ball({distance, 0, 0}, 1.5)}), 97) << distance;
+}
+
+TEST(ContactFinder, WhatReachesIntoTheLeastRangeIsAsUncertainAsItsArc) {
+  const auto contacts = contacts_of({.false_echoes_count = 0.0}, {}, {ball({2.0, 0.8, 0}, 1.3)});
+  ASSERT_FALSE(contacts.empty());
+  for (const Contact& contact : contacts) EXPECT_GT(contact.radius_sigma, 0.2);
+}
+
 TEST(ContactFinder, AWallIsCutIntoPiecesThatCoverIt) {
   SonarParams params = quiet_sonar();
   const std::vector<Obstacle> wall{

@@ -35,7 +35,9 @@ void check(const TrackerParams& params) {
 
 Tracker::Tracker(const TrackerParams& params)
     : params_{consistent(params)},
-      density_{params.velocity_change_mps * params.velocity_change_mps},
+      noise_{.density = params.velocity_change_mps * params.velocity_change_mps,
+             .wander = params.still_change_m,
+             .still_ratio = params.still_ratio},
       gate_{gate_of(params.gate_ratio, 4)},
       assignment_{static_cast<std::size_t>(params.max_tracks_count), capacity()} {
   const auto most = static_cast<std::size_t>(params.max_tracks_count);
@@ -47,9 +49,10 @@ Tracker::Tracker(const TrackerParams& params)
 
 void Tracker::update(double time, std::span<const Contact> contacts, const Fan& view) {
   contacts = contacts.first(std::min(contacts.size(), capacity()));
+  const double period = time - time_;
   for (Target& target : targets_) {
-    target.motion = target.motion.predicted(time - time_, density_);
-    target.radius_variance += params_.radius_change_mps * params_.radius_change_mps * (time - time_);
+    target.motion = target.motion.predicted(period, noise_);
+    target.radius_variance += params_.radius_change_mps * params_.radius_change_mps * period;
   }
   time_ = time;
 
@@ -61,7 +64,7 @@ void Tracker::update(double time, std::span<const Contact> contacts, const Fan& 
 
   for (std::size_t i = 0; i < targets_.size(); ++i) {
     if (contact_of_[i])
-      correct(targets_[i], contacts[*contact_of_[i]]);
+      correct(targets_[i], contacts[*contact_of_[i]], period);
     else
       miss(targets_[i], view);
   }
@@ -99,12 +102,13 @@ double Tracker::distance_to(const Contact& contact, const Target& target) const 
   const double variance =
       target.radius_variance + contact.radius_sigma * contact.radius_sigma + tolerance * tolerance;
   const double off = contact.radius - target.radius;
-  return off * off / variance + distance2(contact.position - target.motion.position,
-                                          target.motion.position_covariance + contact.covariance, gate_);
+  const ConstantVelocity at = target.motion.believed();
+  return off * off / variance +
+         distance2(contact.position - at.position, at.position_covariance + contact.covariance, gate_);
 }
 
-void Tracker::correct(Target& target, const Contact& contact) const {
-  target.motion = target.motion.corrected(contact.position, contact.covariance);
+void Tracker::correct(Target& target, const Contact& contact, double period) const {
+  target.motion.correct(contact.position, contact.covariance, period, noise_);
   target.lasting = contact.lasting;
   target.seen = time_;
   ++target.pings;
@@ -119,7 +123,7 @@ void Tracker::correct(Target& target, const Contact& contact) const {
 
 void Tracker::miss(Target& target, const Fan& view) const {
   ++target.pings;
-  if (!target.established || view.covers(target.motion.position)) ++target.missed;
+  if (!target.established || view.covers(target.motion.believed().position, target.radius)) ++target.missed;
 }
 
 void Tracker::establish() {
@@ -134,15 +138,13 @@ bool Tracker::is_lost(const Target& target) const {
   if (!target.established)
     return target.pings - target.hits > params_.birth_pings_count - params_.birth_hits_count;
   return target.missed >= std::min(params_.death_missed_count, target.hits) ||
-         horizontal_sigma(target.motion.position_covariance) > params_.death_sigma_m;
+         time_ - target.seen > params_.death_unseen_s ||
+         horizontal_sigma(target.motion.believed().position_covariance) > params_.death_sigma_m;
 }
 
 void Tracker::bear(const Contact& contact) {
   if (targets_.size() >= static_cast<std::size_t>(params_.max_tracks_count)) return;
-  const double speed_variance = params_.first_speed_mps * params_.first_speed_mps;
-  targets_.push_back({.motion = {.position = contact.position,
-                                 .position_covariance = contact.covariance,
-                                 .velocity_covariance = speed_variance * Mat3::Identity()},
+  targets_.push_back({.motion = {contact.position, contact.covariance, params_.first_speed_mps, noise_},
                       .lasting = contact.lasting,
                       .seen = time_,
                       .radius = contact.radius,
@@ -154,7 +156,7 @@ void Tracker::bear(const Contact& contact) {
 void Tracker::report(double time, std::vector<Track>& tracks) const {
   for (const Target& target : targets_) {
     if (!target.established) continue;
-    const ConstantVelocity now = target.motion.predicted(time - time_, density_);
+    const ConstantVelocity now = target.motion.predicted(time - time_, noise_).believed();
     tracks.push_back({.id = target.id,
                       .position = now.position,
                       .velocity = now.velocity,

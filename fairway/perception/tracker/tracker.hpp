@@ -12,18 +12,21 @@
 #include "fairway/perception/contact.hpp"
 #include "fairway/perception/fan.hpp"
 #include "fairway/perception/tracker/assignment.hpp"
-#include "fairway/perception/tracker/constant_velocity.hpp"
+#include "fairway/perception/tracker/still_or_moving.hpp"
 
 namespace fairway {
 
 struct TrackerParams {
   double velocity_change_mps = 0.1;
   double first_speed_mps = 1.0;
+  double still_ratio = 0.3;
+  double still_change_m = 0.05;
   double gate_ratio = 0.99;
   int birth_hits_count = 5;
   int birth_pings_count = 8;
   int death_missed_count = 30;
   double death_sigma_m = 5.0;
+  double death_unseen_s = 20.0;
   double radius_change_mps = 0.05;
   int max_tracks_count = 64;
   bool contacts_react = false;
@@ -34,6 +37,10 @@ struct TrackerParams {
             {0, 100}, "standard deviation of what a target does to each component of its velocity in 1 s"),
         field<&TrackerParams::first_speed_mps>(
             {0.001, 100}, "standard deviation of each component of a velocity not yet observed"),
+        field<&TrackerParams::still_ratio>({0, 0.99},
+                                           "probability that what is new stands still; 0: nothing ever does"),
+        field<&TrackerParams::still_change_m>(
+            {0.001, 100}, "standard deviation of what the place of a target that stands still does in 1 s"),
         field<&TrackerParams::gate_ratio>({0.5, 0.999999},
                                           "probability that a target's own contact passes its gate"),
         field<&TrackerParams::birth_hits_count>({1, 64},
@@ -45,6 +52,8 @@ struct TrackerParams {
             "are not fewer than those that did; each contact makes up for two"),
         field<&TrackerParams::death_sigma_m>(
             {0.01, 10000}, "horizontal standard deviation at which a target out of view is given up"),
+        field<&TrackerParams::death_unseen_s>(
+            {0, 1e6}, "... or so long after its last contact: what stands still may have left"),
         field<&TrackerParams::radius_change_mps>(
             {0, 100}, "standard deviation of what the radius seen of a target does in 1 s"),
         field<&TrackerParams::max_tracks_count>({1, 512}, "at a time, those not yet reported among them"),
@@ -77,7 +86,7 @@ class Tracker {
 
  private:
   struct Target {
-    ConstantVelocity motion;
+    StillOrMoving motion;
     Mat3 lasting = Mat3::Zero();  // of the last contact's error
     double seen{};                // when [s]
     double radius{};
@@ -91,15 +100,15 @@ class Tracker {
 
   void assign(std::span<const Contact> contacts, bool established);
   double distance_to(const Contact& contact, const Target& target) const;
-  void correct(Target& target, const Contact& contact) const;
+  void correct(Target& target, const Contact& contact, double period) const;
   void miss(Target& target, const Fan& view) const;
   void establish();
   bool is_lost(const Target& target) const;
   void bear(const Contact& contact);
 
   TrackerParams params_;
-  double density_;  // of acceleration [m2/s3]
-  double gate_;     // of the squared Mahalanobis distance of position and radius
+  StillOrMoving::Noise noise_;
+  double gate_;  // of the squared Mahalanobis distance of position and radius
   std::uint32_t next_id_{first_tracker_id};
   double time_{};
   std::vector<Target> targets_;  // in order of birth

@@ -17,6 +17,13 @@ constexpr double period = 1.0 / 15.0;
 /// It looks everywhere.
 Fan everywhere() { return {.half_field = 4.0, .half_aperture = 2.0, .max_range = 1e9}; }
 
+Fan looking_astern() {
+  Fan astern = everywhere();
+  astern.half_field = 1.0;
+  astern.q_nb = quaternion_of({.yaw = pi});
+  return astern;
+}
+
 Contact contact(const Vec3& at, double sigma = 0.3) {
   return {.position = at, .covariance = sigma * sigma * Mat3::Identity(), .radius = 1.0, .radius_sigma = 0.2};
 }
@@ -82,11 +89,9 @@ TEST(Tracker, WhatIsSeenOnlyNowAndThenDiesAndHalfTheTimeIsEnough) {
 }
 
 TEST(Tracker, ATargetOutOfViewLivesUntilItIsTooUncertain) {
-  const TrackerParams params{.death_missed_count = 10, .death_sigma_m = 2.0};
+  const TrackerParams params{.still_ratio = 0.0, .death_missed_count = 10, .death_sigma_m = 2.0};
   Tracker tracker = following({10, 0, 0}, 40, params);
-  Fan astern = everywhere();
-  astern.half_field = 1.0;
-  astern.q_nb = quaternion_of({.yaw = pi});
+  const Fan astern = looking_astern();
   int lived = 0;
   for (int i = 40; i < 2000 && !reported(tracker, i * period).empty(); ++i, ++lived) {
     const Track track = reported(tracker, i * period)[0];
@@ -96,6 +101,33 @@ TEST(Tracker, ATargetOutOfViewLivesUntilItIsTooUncertain) {
   }
   EXPECT_GT(lived, 45);
   EXPECT_LT(lived, 300);
+}
+
+TEST(Tracker, WhatStandsStillIsWhereItWasUntilItHasBeenOutOfViewForLong) {
+  Rng rng{5};
+  Tracker tracker{{.death_unseen_s = 180.0}};
+  double time = 0.0;
+  for (int i = 0; i < 300; ++i, time += period)
+    tracker.update(time, std::vector{noisy({10, 3, 0}, rng)}, everywhere());
+  for (int i = 0; i < 2600; ++i, time += period) tracker.update(time, {}, looking_astern());
+  const auto tracks = reported(tracker, time);
+  ASSERT_EQ(tracks.size(), 1U);
+  EXPECT_LT((tracks[0].position - Vec3{10, 3, 0}).norm(), 0.3);
+  EXPECT_EQ(tracks[0].velocity, Vec3::Zero());
+  EXPECT_LT(tracks[0].position_covariance(0, 0), 1.0);
+  for (int i = 0; i < 120; ++i, time += period) tracker.update(time, {}, looking_astern());
+  EXPECT_TRUE(reported(tracker, time).empty());
+}
+
+TEST(Tracker, WhatSetsOutIsNoLongerBelievedToStandStill) {
+  Rng rng{6};
+  Tracker tracker{{}};
+  double time = 0.0;
+  for (int i = 0; i < 150; ++i, time += period)
+    tracker.update(time, std::vector{noisy({10, 3, 0}, rng)}, everywhere());
+  for (int i = 0; i < 60; ++i, time += period)
+    tracker.update(time, std::vector{noisy({10 + 0.5 * period * i, 3, 0}, rng)}, everywhere());
+  EXPECT_NEAR(reported(tracker, time)[0].velocity.x(), 0.5, 0.2);
 }
 
 TEST(Tracker, PositionAndVelocityComeTrueWithinTheirCovariance) {
