@@ -17,8 +17,8 @@ struct Fan {
   double min_range{};                                        ///< [m]
   double max_range{};                                        ///< [m]
 
-  /// Whether a ball round the point `p` [m, NED] is to be seen in it: its middle lies within, and its near side
-  /// is not too near.
+  /// Whether a ball round the point `p` [m, NED] is to be seen in it: its middle lies within, and its near
+  /// side is not too near.
   bool covers(const Vec3& p, double radius = 0.0) const {
     const Vec3 r_b = q_nb.conjugate() * (p - origin);
     const double range = r_b.norm();
