@@ -119,6 +119,16 @@ TEST(Tracker, WhatStandsStillIsWhereItWasUntilItHasBeenOutOfViewForLong) {
   EXPECT_TRUE(reported(tracker, time).empty());
 }
 
+TEST(Tracker, WhatIsNearerThanTheSonarHearsIsNotMissed) {
+  for (const double least_range : {0.9, 1.1}) {
+    Tracker tracker = following({2, 0, 0}, 60);  // of a radius of 1 m
+    Fan fan = everywhere();
+    fan.min_range = least_range;
+    for (int i = 60; i < 160; ++i) tracker.update(i * period, {}, fan);
+    EXPECT_EQ(reported(tracker, 160 * period).size(), least_range > 1.0 ? 1U : 0U);
+  }
+}
+
 TEST(Tracker, WhatSetsOutIsNoLongerBelievedToStandStill) {
   Rng rng{6};
   Tracker tracker{{}};
