@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // As fastdds_peer, with what the nodes are made of.
 //   our_peer listen SECONDS VEHICLE...         counts the numbered odometry that comes
-//   our_peer talk SECONDS RATE_HZ LISTENERS VEHICLE...   sends numbered odometry, once each topic has so many
-//   listeners
+//   our_peer talk SECONDS RATE_HZ LISTENERS VEHICLE...   sends SECONDS x RATE_HZ times numbered odometry,
+//   once each topic has so many listeners
 #include <cmath>
 #include <iostream>
 #include <thread>

@@ -16,6 +16,7 @@ using avoa_improved::Capsules;
 
 constexpr double wider = 2.0;          // than what the inner avoider keeps: who strays from the way may go on
 constexpr double narrow_share = 0.25;  // of the margin, where the whole leaves no way
+constexpr double standing_mps = 1e-3;  // who is slower is believed to stand still
 constexpr double leg_ahead_s = 20.0;   // to where a goal that is only a velocity leads
 
 /// The depths on the way to the goal; all of them for a method to which depth makes no difference.
@@ -27,22 +28,29 @@ avoa_improved::DepthRange depths_on_the_way(const Situation& s, bool thinks_in_p
 }
 
 /// Whether it is as good as an obstacle: it is not known to make way, and is believed to stand still.
-bool stands(const Track& track) { return !track.reacts && track.velocity.squaredNorm() < 1e-6; }
+bool stands(const Track& track) { return !track.reacts && track.velocity.norm() < standing_mps; }
 
-/// The way with all solids wider by `kept` than they are.
-std::optional<avoa_improved::WayRound> way_with(const ShortestWay::Params& params, const Situation& s,
-                                                const ShortestWay::Memory& memory, double kept) {
+/// What has been seen that does not move.
+Capsules standing(const Situation& s, const ShortestWay::Memory& memory) {
   const Vec2 own = s.own.position.head<2>();
-  Capsules wide;
-  for (const Capsule& solid : memory.chart.view()) wide.add_near(solid, own);
+  Capsules found;
+  for (const Capsule& solid : memory.chart.view()) found.add_near(solid, own);
   for (const Track& track : s.tracks) {
     const Vec2 place = track.position.head<2>();
-    if (stands(track)) wide.add_near({place, place, track.radius}, own);
+    if (stands(track)) found.add_near({place, place, track.radius}, own);
   }
-  for (Capsule& solid : wide.view()) solid.radius += s.own.radius + kept;
+  return found;
+}
+
+/// The way with all of `solids` wider by `kept` than they are.
+std::optional<avoa_improved::WayRound> way_with(const ShortestWay::Params& params, const Situation& s,
+                                                const ShortestWay::Memory& memory, Capsules solids,
+                                                double kept) {
+  for (Capsule& solid : solids.view()) solid.radius += s.own.radius + kept;
+  const Vec2 own = s.own.position.head<2>();
   const Vec2 goal = s.goal.velocity ? Vec2{own + leg_ahead_s * s.preferred_velocity().head<2>()}
                                     : Vec2{s.goal.position.head<2>()};
-  return avoa_improved::way_round(wide.view(), own, goal,
+  return avoa_improved::way_round(solids.view(), own, goal,
                                   {.committed = memory.committed,
                                    .commitment = params.commitment_m,
                                    .heading = Vec2{math::cos(s.own.yaw), math::sin(s.own.yaw)},
@@ -56,8 +64,9 @@ Command ShortestWay::decide(const Situation& s, Avoider& inner, Memory& memory,
   const double margin = std::max(params.way_margin_m, wider * inner.kept_margin()) + s.own.position_error();
   memory.chart.enter(s, true, params.same_place_m, depths_on_the_way(s, inner.thinks_in_plane()),
                      s.own.radius + margin);
-  std::optional<avoa_improved::WayRound> way = way_with(params, s, memory, margin);
-  if (!way) way = way_with(params, s, memory, narrow_share * margin);
+  const Capsules solids = standing(s, memory);
+  std::optional<avoa_improved::WayRound> way = way_with(params, s, memory, solids, margin);
+  if (!way) way = way_with(params, s, memory, solids, narrow_share * margin);
   memory.committed.reset();
   if (!way) return inner.decide_usable(s, context.sketch);
   Situation shown = s;

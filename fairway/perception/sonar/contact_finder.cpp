@@ -25,7 +25,7 @@ ContactFinder::ContactFinder(const SonarParams& params)
     : params_{params},
       bearing_variance_{square(radians(params.echo_bearing_sigma_deg))},
       chart_{params},
-      notch_{params} {
+      notch_{params, chart_.spacing()} {
   // two missed beams between them, and noise of both
   neighbourhood_ = 3.0 * chart_.spacing() + 2.0 * std::sqrt(2.0 * bearing_variance_);
   members_.reserve(echo_capacity(params));

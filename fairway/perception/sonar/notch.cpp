@@ -17,9 +17,8 @@ constexpr double bearing_sigmas = 0.25;  // likewise, of noise across the line o
 
 }  // namespace
 
-Notch::Notch(const SonarParams& params)
+Notch::Notch(const SonarParams& params, double spacing)
     : range_sigma_{params.echo_range_sigma_m}, bearing_sigma_{radians(params.echo_bearing_sigma_deg)} {
-  const double spacing = radians(params.field_of_view_deg) / params.beams_count;
   const double beams = std::round(bearing_sigma_ / spacing);  // by which noise moves an echo
   reach_ = beams < most_reach ? 1 + static_cast<std::size_t>(beams) : most_reach;
   places_.reserve(echo_capacity(params));

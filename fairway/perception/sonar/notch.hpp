@@ -16,7 +16,8 @@ namespace fairway {
 /// meet the echoes turn in, away from it. Holds scratch memory only.
 class Notch {
  public:
-  explicit Notch(const SonarParams& params);
+  /// `spacing` is that of the beams [rad].
+  Notch(const SonarParams& params, double spacing);
 
   /// The echo of a thing, in order of bearing, that lies deepest behind the hull of the others as seen from
   /// the sonar, and deeper than noise explains; both sides of it keep echoes enough to be things. None where

@@ -17,7 +17,6 @@ class StillOrMoving {
     double still_ratio{};  ///< of what is seen stands still, before it is observed
   };
 
-  StillOrMoving() = default;
   /// Measured once, with the positive definite `covariance`; `speed` is the standard deviation of each
   /// component of its velocity if it moves [m/s].
   StillOrMoving(const Vec3& measured, const Mat3& covariance, double speed, const Noise& noise);
