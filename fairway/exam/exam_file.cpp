@@ -31,7 +31,9 @@ Form<std::int32_t> version_form() {
 
 Form<std::vector<std::string>> names_form(std::string_view of) { return yaml::list_of(yaml::name(), of); }
 
-Form<Overrides> settings_form() { return yaml::settings("the exam itself"); }
+Form<Overrides> settings_form() {
+  return yaml::settings("the exam itself", yaml::AvoiderParameters::refused);
+}
 
 Form<CampaignAlgorithm> algorithm_form() {
   return read_only<CampaignAlgorithm>(yaml::read_algorithm, schema_text(R"({"type": ["string", "object"]})"));

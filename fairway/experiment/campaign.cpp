@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "fairway/core/text.hpp"
+#include "fairway/experiment/campaign_cells.hpp"
 #include "fairway/experiment/digest.hpp"
 #include "fairway/experiment/labels.hpp"
 #include "fairway/experiment/version.hpp"
@@ -37,23 +38,6 @@ std::vector<CampaignScenario> load_scenarios(const CampaignFile& written, const 
   return scenarios;
 }
 
-/// Every combination, the last axis fastest.
-std::vector<Overrides> combinations(const std::vector<CampaignAxis>& grid) {
-  std::vector<Overrides> all{{}};
-  for (const CampaignAxis& axis : grid) {
-    std::vector<Overrides> longer;
-    longer.reserve(all.size() * axis.values.size());
-    for (const Overrides& settings : all) {
-      for (const std::string& value : axis.values) {
-        longer.push_back(settings);
-        longer.back().emplace_back(axis.path, value);
-      }
-    }
-    all = std::move(longer);
-  }
-  return all;
-}
-
 void refuse_too_many(const CampaignFile& written, const std::string& file) {
   double runs =
       static_cast<double>(written.scenarios.size() * std::max<std::size_t>(1, written.algorithms.size()) *
@@ -64,39 +48,6 @@ void refuse_too_many(const CampaignFile& written, const std::string& file) {
     throw InputError(file + ": more than " + std::to_string(max_campaign_runs) +
                      " runs; divide it into several campaigns");
   }
-}
-
-std::vector<CampaignCell> expanded_cells(const CampaignFile& written, const Campaign& campaign) {
-  std::vector<std::optional<CampaignAlgorithm>> algorithms(written.algorithms.begin(),
-                                                           written.algorithms.end());
-  if (algorithms.empty()) algorithms.emplace_back();
-  const std::vector<Overrides> rows = written.zip.empty() ? std::vector<Overrides>{{}} : written.zip;
-  const std::vector<Overrides> grid = combinations(written.grid);
-
-  std::vector<CampaignCell> cells;
-  for (std::size_t s = 0; s < campaign.scenarios.size(); ++s) {
-    const std::string name = std::filesystem::path(campaign.scenarios[s].file).stem().string();
-    for (const auto& algorithm : algorithms) {
-      for (const Overrides& row : rows) {
-        for (const Overrides& settings : grid) {
-          CampaignCell cell{
-              .labels = {{"case", name}}, .scenario = s, .algorithm = {}, .overrides = written.set};
-          cell.labels.emplace_back("method", algorithm ? algorithm->label : "as_written");
-          if (algorithm) {
-            cell.algorithm = algorithm->avoider;
-            cell.place = algorithm->place;
-            cell.overrides.emplace_back("vehicles[*].avoider", algorithm->avoider);
-          }
-          for (const Overrides* part : {&row, &settings}) {
-            cell.labels.insert(cell.labels.end(), part->begin(), part->end());
-            cell.overrides.insert(cell.overrides.end(), part->begin(), part->end());
-          }
-          cells.push_back(std::move(cell));
-        }
-      }
-    }
-  }
-  return cells;
 }
 
 /// A scenario without what is there for people or for tests, as text. One that stands only under the
@@ -305,6 +256,7 @@ Campaign expanded(const CampaignFile& written, const std::string& file, const Ch
   campaign.digest = digest_of(campaign, written);
   list_runs(campaign, jobs);
   resolve_runs(campaign, check, jobs, own, watch);
+  if (!written.grid.empty() || !written.zip.empty()) refuse_cells_alike(campaign);
   return campaign;
 }
 

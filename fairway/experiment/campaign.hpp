@@ -31,7 +31,7 @@ struct CampaignCell {
   Labels labels;           ///< case, method, then each path that is varied
   std::size_t scenario{};  ///< index into Campaign::scenarios
   std::string algorithm;   ///< YAML of the avoider, or empty: as in the scenario
-  Overrides overrides;     ///< all of them, what is laid over every scenario first
+  Overrides overrides;     ///< all of them: the algorithm, what is laid over every scenario, what is varied
   WrittenPlace place{};    ///< of the algorithm
 };
 

@@ -134,7 +134,8 @@ const Block<CampaignFile>& campaign_block() {
       key("summary", &CampaignFile::summary, yaml::text(), "What it is meant to find out."),
       key("scenario", &CampaignFile::scenarios, yaml::scenario_files(),
           "One scenario or several, relative to this file. The label case is the file's name.", Needed::yes),
-      key("set", &CampaignFile::set, yaml::settings("the keys seeds and algorithms"),
+      key("set", &CampaignFile::set,
+          yaml::settings("the keys seeds and algorithms", yaml::AvoiderParameters::taken),
           "Paths as for --set, laid over every scenario."),
       key("algorithms", &CampaignFile::algorithms,
           read_only<std::vector<CampaignAlgorithm>>(read_algorithms, schema_text(algorithms_schema_text)),
@@ -174,7 +175,7 @@ CampaignFile parse_campaign_file(std::string_view text, const std::string& file)
   yaml::read_block(root, campaign_block(), campaign);
 
   // no path may be set twice, nor what the algorithms set
-  for (const char* key : {"grid", "zip"}) {
+  for (const char* key : {"set", "grid", "zip"}) {
     const auto place = std::find(document.keys.begin(), document.keys.end(), key);
     if (place == document.keys.end()) continue;
     Value map = root.entry(static_cast<std::size_t>(place - document.keys.begin()));
@@ -182,8 +183,11 @@ CampaignFile parse_campaign_file(std::string_view text, const std::string& file)
     if (map.tree().is_list()) map = map.entry(0);
     for (std::size_t i = 0; i < map.tree().keys.size(); ++i) {
       const std::string& path = map.tree().keys[i];
-      const bool avoider = path.ends_with(".avoider") || path.ends_with(".avoider.algorithm");
-      if (avoider && !campaign.algorithms.empty()) map.refuse_key(i, "is set by the key algorithms");
+      const bool avoider = path.ends_with(".avoider") || path.ends_with(".avoider.algorithm") ||
+                           path.starts_with("defaults.avoider.");
+      if (avoider && !campaign.algorithms.empty())
+        map.refuse_key(i, "is set by the key algorithms; what they leave open is vehicles[*].avoider.KEY");
+      if (map.path() == "set") continue;
       const auto in_set = [&](const auto& setting) { return setting.first == path; };
       if (std::any_of(campaign.set.begin(), campaign.set.end(), in_set))
         map.refuse_key(i, "is set by set too");

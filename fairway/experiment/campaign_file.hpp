@@ -40,7 +40,7 @@ struct CampaignFile {
   std::string name;
   std::string summary;
   std::vector<CampaignScenarioFile> scenarios;
-  Overrides set;                              ///< laid over every scenario, before all else
+  Overrides set;                              ///< laid over every scenario and algorithm
   std::vector<CampaignAlgorithm> algorithms;  ///< empty: as each scenario has them
   std::vector<CampaignAxis> grid;
   std::vector<Overrides> zip;  ///< rows that all set the same paths

@@ -84,15 +84,17 @@ CampaignAlgorithm read_algorithm(const Value& value) {
   return algorithm;
 }
 
-Form<Overrides> settings(std::string_view others) {
+Form<Overrides> settings(std::string_view others, AvoiderParameters parameters) {
   return read_only<Overrides>(
-      [others = std::string(others)](const Value& value) {
+      [others = std::string(others), parameters](const Value& value) {
         value.expect_map("paths as for --set");
         Overrides settings;
         for (std::size_t i = 0; i < value.tree().keys.size(); ++i) {
           const std::string& path = value.tree().keys[i];
-          if (path == "seed" || path.ends_with(".avoider") || path.ends_with(".avoider.algorithm"))
-            value.refuse_key(i, "is set by " + others);
+          const bool avoids =
+              path.ends_with(".avoider") || path.ends_with(".avoider.algorithm") ||
+              (parameters == AvoiderParameters::refused && path.find(".avoider.") != std::string::npos);
+          if (path == "seed" || avoids) value.refuse_key(i, "is set by " + others);
           settings.emplace_back(path, one_line(value.tree().items[i]));
         }
         return settings;

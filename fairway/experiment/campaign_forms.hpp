@@ -36,9 +36,12 @@ void ask_of(const WrittenPlace& place, const Ask& ask) {
   }
 }
 
+/// Whether settings may have parameters of who avoids, as `vehicles[*].avoider.time_horizon_s`.
+enum class AvoiderParameters { taken, refused };
+
 /// `{exchange: none, step_s: 0.1}`: paths as for --set, each with what it is set to. The seed and who avoids
 /// are refused, being set by `others`.
-Form<Overrides> settings(std::string_view others);
+Form<Overrides> settings(std::string_view others, AvoiderParameters parameters);
 
 /// A name that fits into a table and a comment: of one line, without control characters.
 Form<std::string> title();

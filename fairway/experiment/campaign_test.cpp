@@ -19,6 +19,7 @@
 namespace fairway {
 namespace {
 
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::StartsWith;
@@ -243,6 +244,8 @@ TEST_F(CampaignTest, MistakesAreRefusedWithTheirPlace) {
   EXPECT_THAT(refusal_of("grid: {case: [1]}\n"), HasSubstr("grid.case: is no path in a scenario"));
   EXPECT_THAT(refusal_of("algorithms: [apf]\ngrid: {\"vehicles[*].avoider\": [apf]}\n"),
               HasSubstr("is set by the key algorithms"));
+  EXPECT_THAT(refusal_of("algorithms: [apf]\nset: {defaults.avoider.w2_ratio: 1}\n"),
+              HasSubstr("set.defaults.avoider.w2_ratio: is set by the key algorithms"));
   EXPECT_THAT(refusal_of("zip: [{step_s: 0.1}, {duration_s: 3}]\n"),
               HasSubstr("zip[1]: must set what the first row sets"));
   EXPECT_THAT(refusal_of("zip: [{step_s: 0.1}]\ngrid: {step_s: [0.1]}\n"),
@@ -251,6 +254,20 @@ TEST_F(CampaignTest, MistakesAreRefusedWithTheirPlace) {
               HasSubstr("grid.step_s: is set by set too"));
   EXPECT_THAT(refusal_of("set: {seed: 2}\n"), HasSubstr("set.seed: is set by the keys seeds and algorithms"));
   EXPECT_THAT(refusal_of("name: again\n"), HasSubstr("test.yaml:4:1: name: given twice, before in line 2"));
+}
+
+TEST_F(CampaignTest, WhatIsVariedAndChangesNothingIsRefused) {
+  const std::string same = "are the same run; what is varied is set again elsewhere, or by every vehicle";
+  EXPECT_THAT(refusal_of("set: {\"vehicles[*].radius_m\": 1}\ngrid: {defaults.radius_m: [1, 2]}\n"),
+              AllOf(StartsWith("test.yaml: in case=pair method=as_written: defaults.radius_m=1 and "
+                               "defaults.radius_m=2 "),
+                    HasSubstr(same)));
+  EXPECT_THAT(refusal_of("zip: [{step_s: 0.1}, {step_s: 0.10}]\n"), HasSubstr(same));
+}
+
+TEST_F(CampaignTest, SettingsAreLaidOverWhatTheAlgorithmsSay) {
+  const Campaign campaign = parse("algorithms: [apf]\nset: {\"vehicles[*].avoider.w2_ratio\": 3}\n");
+  EXPECT_THAT(canonical_text(campaign.scenario_of(0)), HasSubstr("w2_ratio: 3"));
 }
 
 TEST_F(CampaignTest, MistakesInTheScenarioNameTheCellTheyAreOf) {

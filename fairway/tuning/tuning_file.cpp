@@ -185,7 +185,7 @@ const Block<Written>& tuning_block() {
        .schema = yaml::schema_text(R"({"type": "array", "minItems": 1, "items": {"type": "object"}})")},
       key("scenario", &Written::scenarios, yaml::scenario_files(),
           "What train, validation and test have unless they say otherwise."),
-      key("set", &Written::set, yaml::settings("the keys seeds and method"),
+      key("set", &Written::set, yaml::settings("the keys seeds and method", yaml::AvoiderParameters::refused),
           "Paths as for --set, laid over every scenario."),
       key("train", &Written::train, set, "What is searched on.", Needed::yes),
       key("validation", &Written::validation, set, "What the search never sees; shows its luck.",

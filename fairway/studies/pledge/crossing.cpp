@@ -13,7 +13,8 @@ namespace fairway::pledges {
 namespace {
 
 constexpr std::array failures{FailureKind::silent, FailureKind::stops, FailureKind::leaves};
-constexpr std::array drifts_m{0.25, 0.5, 1.0};
+constexpr std::array drifts_m{0.25, 0.5};
+constexpr double beyond_tube_m = 1.0;  // a drift, of a tube that is as wide
 constexpr double losses_in_a_row = 4.0;
 constexpr double latest_failure = 60.0;   // after a vehicle set out [s]
 constexpr double collision_radius = 1.5;  // half of what counts as a collision [m]
@@ -68,13 +69,14 @@ Cell cell_of(const Condition& condition, const Method& method, int seeds) {
 }
 
 void add_pledge(std::vector<Cell>& cells, const Method& pledge, int seeds) {
-  const int few = (seeds + 9) / 10;
   for (const double cycle : cycles_s) {
     for (const double loss : loss_ratios) {
       for (const double current : currents_mps) {
         cells.push_back(cell_of({cycle, loss, current}, pledge, seeds));
         for (const FailureKind failure : failures)
-          cells.push_back(cell_of({cycle, loss, current, failure}, pledge, few));
+          cells.push_back(cell_of({cycle, loss, current, failure}, pledge, seeds));
+        for (const double drift : drifts_m)
+          cells.push_back(cell_of({cycle, loss, current, FailureKind::none, drift}, pledge, seeds));
       }
     }
     cells.push_back(cell_of({.cycle_s = cycle, .agreed_beforehand = false}, pledge, seeds));
@@ -84,8 +86,8 @@ void add_pledge(std::vector<Cell>& cells, const Method& pledge, int seeds) {
   }
   for (const int rocks : rock_counts)
     cells.push_back(cell_of({.cycle_s = 3.2, .loss_ratio = 0.1, .rock_count = rocks}, pledge, seeds));
-  for (const double drift : drifts_m)
-    cells.push_back(cell_of({.cycle_s = 3.2, .loss_ratio = 0.1, .drift_sigma_m = drift}, pledge, seeds));
+  cells.push_back(
+      cell_of({.cycle_s = 3.2, .loss_ratio = 0.1, .drift_sigma_m = beyond_tube_m}, pledge, seeds));
 }
 
 void add_other(std::vector<Cell>& cells, const Method& method, int seeds) {

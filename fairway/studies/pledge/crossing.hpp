@@ -36,8 +36,7 @@ std::span<const Method> methods();
 
 Scenario crossing_scenario(const Condition& condition, const Method& method, std::uint64_t seed);
 
-/// `pledge` under every condition, `seeds` runs each, a tenth of them with a failure; the others under a few,
-/// with a fifth of them.
+/// `pledge` under every condition, `seeds` runs each; the others under a few, with a fifth of them.
 std::vector<Cell> crossing_cells(int seeds);
 
 /// `direct` in the same current, beside which the time of a cell is judged.
