@@ -63,8 +63,10 @@ static_assert(id_bits + time_bits + bits_of(position_code) + bits_of(velocity_co
               8 * std::tuple_size_v<TeamRecord>);
 
 constexpr double times_per_second = 50.0;
+static_assert(times_per_second * record_cycle_s == 1 << time_bits);
 constexpr double yaws_per_radian = (1 << yaw_bits) / (2.0 * pi);
 constexpr double radii_per_metre = 10.0;
+static_assert(radii_per_metre * most_told_radius_m == (1 << radius_bits) - 1);
 constexpr std::int64_t last_of_all = (1 << (priority_bits - 1)) - 1;
 
 /// The nearest whole number in [lo, hi]; `lo` for what is not a number.
@@ -122,6 +124,14 @@ Tick sent_tick(std::int64_t told, Tick now, double period) {
 }
 
 }  // namespace
+
+bool can_be_told(const Vec3& position) noexcept {
+  for (int axis = 0; axis < 3; ++axis) {
+    const double largest = static_cast<double>(position_code.largest(axis));
+    if (!(position_code.per_unit * std::fabs(position[axis]) < largest - 0.5)) return false;
+  }
+  return true;
+}
 
 TeamRecord encode(const Message& message, double period) {
   BitWriter bits;

@@ -27,6 +27,16 @@ using TeamRecord = std::array<std::uint8_t, 25>;
 /// Numbers of vehicles are told modulo this.
 inline constexpr std::uint32_t record_ids = 1024;
 
+/// Times are told modulo this [s].
+inline constexpr double record_cycle_s = 1310.72;
+
+/// Who is as large as this, by a record, or larger is told as this [m].
+inline constexpr double most_told_radius_m = 51.1;
+
+/// Whether a position [m, NED] is nearer to the origin, along each axis, than the farthest that fits: what is
+/// farther is told as that, and so is somewhere else.
+bool can_be_told(const Vec3& position) noexcept;
+
 /// What can be told in a TeamRecord: up to half a step off, the radius up to a whole one above. `period` is
 /// that of the ticks that the message is stamped with [s]. O(1).
 TeamRecord encode(const Message& message, double period);

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "fairway/core/math.hpp"
+
 namespace fairway {
 namespace {
 
@@ -51,7 +53,8 @@ FixVerdict FixWatch::judge(const Fix& fix, double now, const OnboardPolicy& poli
 
   const bool stands = fix.state.p_n == last_->state.p_n;
   const bool claims_to_move = fix.state.v_b.norm() > policy.frozen_speed_mps;
-  if (stands && (frozen_ || (claims_to_move && fix.time - moved_ >= policy.frozen_s))) {
+  claims_since_ = stands && claims_to_move ? math::fmin(claims_since_, last_->time) : infinity;
+  if (stands && (frozen_ || fix.time - claims_since_ >= policy.frozen_s)) {
     frozen_ = true;
     return FixVerdict::frozen;
   }
@@ -68,7 +71,6 @@ FixVerdict FixWatch::judge_jump(const Fix& fix, const OnboardPolicy& policy) noe
 void FixWatch::accept(const Fix& fix, const OnboardPolicy& policy) noexcept {
   const bool follows = last_ && fix.time - last_->time <= policy.own_stale_s;
   if (!follows || good_since_ == infinity) good_since_ = fix.time;
-  if (!last_ || fix.state.p_n != last_->state.p_n) moved_ = fix.time;
   last_ = fix;
   frozen_ = false;
   candidate_.reset();

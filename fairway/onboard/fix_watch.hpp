@@ -45,8 +45,8 @@ class FixWatch {
   std::optional<Fix> last_;
   std::optional<Fix> candidate_;  ///< the latest that jumped
   int confirmations_{0};
-  double moved_{};      ///< when the position last changed [s]
-  bool frozen_{false};  ///< the position was found frozen, and no other has been accepted since
+  double claims_since_{infinity};  ///< since when it claims to move, and the position stands [s]
+  bool frozen_{false};             ///< the position was found frozen, and no other has been accepted since
   double good_since_{infinity};
   double refused_at_{-infinity};
   FixVerdict verdict_{FixVerdict::accepted};

@@ -162,6 +162,12 @@ TEST(FixWatch, AFrozenPositionIsNotBelievedAgainBecauseTheVehicleStopsForIt) {
       << "it moves again";
 }
 
+TEST(FixWatch, OneClaimToMoveOfAVehicleAtRestIsNoFrozenPosition) {
+  FixWatch watch;
+  for (int i = 0; i < 1000; ++i)
+    EXPECT_EQ(watch.see(north(0.1 * i, {0, 0, 5}, i % 10 == 0 ? 0.06 : 0.0), 0.1 * i, policy), accepted);
+}
+
 TEST(FixWatch, AVehicleAtRestMayStandForEver) {
   FixWatch watch;
   for (int i = 0; i < 1000; ++i)

@@ -53,8 +53,17 @@ void Helm::see_clock(double now) noexcept {
 
 void Helm::begin_again() noexcept {
   ++clock_restarts_;
+  set_back_ = setup_.wall_clock && own_watch_.last();
   avoider_ = fresh_;
   pilot_ = Pilot{pilot_.ship(), pilot_.period()};
+  forget_what_was_heard();
+  health_ = set_back_ ? Health::stale : Health::good;
+  if (setup_.wall_clock) return;
+  task_ = Task::none;
+  arrived_ = false;
+}
+
+void Helm::forget_what_was_heard() noexcept {
   own_watch_ = {};
   for (std::size_t i = 0; i < neighbours_.size(); ++i) {
     Neighbour& neighbour = neighbours_[i];
@@ -70,9 +79,7 @@ void Helm::begin_again() noexcept {
   progress_watch_.forget();
   updated_ = -std::numeric_limits<double>::infinity();
   standing_ = 0;
-  task_ = Task::none;
-  health_ = Health::good;
-  arrived_ = false;
+  ahead_from_.reset();
 }
 
 bool Helm::set_out(const Leg& leg) noexcept {
@@ -121,7 +128,7 @@ const HelmOrder& Helm::update(double now, Sketch* sketch) noexcept {
   if (own_watch_.last()) own_ = own_at(*own_watch_.last());
   see_arrival();
 
-  if (!own_watch_.last()) {
+  if (!own_watch_.last() && !set_back_) {
     let_go(HelmState::waiting);
   } else if (task_ == Task::none) {
     let_go(HelmState::idle);
@@ -166,7 +173,9 @@ void Helm::hold_because(HelmState state, std::string_view reason, const Command&
   order_.state = state;
   order_.reason = reason;
   order_.in_charge = true;
-  pilot_.obey(how, within_depths(), current_);
+  Command led = how;
+  if (led.turn_rate) lead_back(led);  // else the place that it keeps is within the depths
+  pilot_.obey(led, within_depths(), current_);
   if (is_blind()) pilot_.end_hold();
   pilot_.ask_at_once();
 }
@@ -196,7 +205,7 @@ void Helm::see_health() noexcept {
   const double age = own_watch_.age(now_);
   if (has_begun && age > policy.own_lost_s) {
     health_ = Health::lost;
-  } else if (has_begun && (age > policy.own_stale_s || !has_clock())) {
+  } else if (set_back_ || (has_begun && (age > policy.own_stale_s || !has_clock()))) {
     health_ = std::max(health_, Health::stale);
   } else if (!has_begun || now_ - own_watch_.good_since() >= policy.recovery_s) {
     health_ = Health::good;
@@ -220,11 +229,17 @@ Ownship Helm::own_at(const Fix& fix) const noexcept {
   return own;
 }
 
-/// By a clock that runs back, or says no time, nothing grows old.
-bool Helm::has_clock() const noexcept { return standing_ < most_standing; }
+bool Helm::is_outrun() const noexcept {
+  return ahead_from_ && ahead_to_ - *ahead_from_ > setup_.policy.own_stale_s;
+}
+
+/// By a clock that stands, runs back, or says no time, nothing grows old.
+bool Helm::has_clock() const noexcept { return standing_ < most_standing && !is_outrun(); }
 
 std::string_view Helm::why_stale() const noexcept {
-  if (!has_clock()) return "the clock runs back or says no time";
+  if (standing_ >= most_standing) return "the clock runs back or says no time";
+  if (is_outrun()) return "own navigation goes on and is ahead of the clock, which stands";
+  if (set_back_) return "the clock was set back";
   return is_blind() ? "own navigation is stale"
                     : "own navigation was stale and has not been good for long enough";
 }
@@ -259,8 +274,8 @@ Track Helm::track_of(std::size_t index) const noexcept {
               .yaw = yaw_of(fix.state.q_nb),
               .radius = neighbour.radius + growth_of(age),
               .age = since,
-              .priority = neighbour.arrived ? last_priority : neighbour.priority,
-              .destination = neighbour.arrived ? std::nullopt : neighbour.goal,
+              .priority = neighbour.arrived_at ? last_priority : neighbour.priority,
+              .destination = neighbour.arrived_at ? std::nullopt : neighbour.goal,
               .reacts = mate.reacts,
               .position_covariance = 0.25 * since * since * drift * drift * Mat3::Identity(),
               .velocity_covariance = drift * drift * Mat3::Identity()};
@@ -321,7 +336,7 @@ void Helm::see_progress(const Situation& situation) noexcept {
     bystanders_.push_back({.id = track.id,
                            .gap = std::sqrt(near_[k].distance2) - own_.radius - track.radius,
                            .rests_since = neighbour.trail.since(),
-                           .may_clear_way = track.reacts && !neighbour.arrived});
+                           .may_clear_way = track.reacts && !neighbour.arrived_at});
   }
   progress_ = progress_watch_.judge(pilot_.command().mode, bystanders_);
 }

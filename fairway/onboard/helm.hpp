@@ -39,6 +39,8 @@ struct HelmSetup {
   std::vector<Obstacle> chart;  ///< obstacles known beforehand; their vertices must outlive the helm
   std::vector<TeamMate> team;
   OnboardPolicy policy;
+  /// Whether the clock is the world's, which is set right now and then, and not a simulation's.
+  bool wall_clock{false};
 };
 
 /// What a helm is about.
@@ -102,9 +104,11 @@ struct HelmReport {
 /// It judges what it is told (`OnboardPolicy`), predicts what is late, and steers. It reads no clock: `now`
 /// [s] must not run backwards by itself, and if it does by more than `max_ahead_s`, because a simulation has
 /// begun again, everything heard is forgotten, goals included, and the method begins afresh (which copies it,
-/// and so allocates). By a clock that runs back, or says no time, nothing grows old: after
-/// ten such updates the vehicle holds. A value: a copy is a snapshot. Otherwise nothing throws,
-/// allocates or locks after construction, unless the method does.
+/// and so allocates). A wall clock that is set back makes it forget likewise, but for its own goal: it holds
+/// until own navigation has been good for `recovery_s` by the new time, and goes on. By a clock that runs
+/// back, or says no time, nothing grows old: after ten such updates the vehicle holds, and likewise once own
+/// fixes have gone on for `own_stale_s` while the clock stands. A value: a copy is a snapshot. Otherwise
+/// nothing throws, allocates or locks after construction, unless the method does.
 class Helm {
  public:
   /// Throws InputError for a parameter of steering or policy outside its range.
@@ -117,8 +121,9 @@ class Helm {
   FixVerdict neighbour_fix(VehicleId id, const Fix& fix, double now) noexcept;
   /// Where a neighbour says that it is going [m, NED]; none: nowhere. What is not a position is nowhere.
   void neighbour_goal(VehicleId id, const std::optional<Vec3>& goal) noexcept;
-  /// A neighbour's own words; its radius, priority and goal replace what was known. `invalid` for a length
-  /// that is not a record's or a sender that is not of the team.
+  /// A neighbour's own words; its radius, priority and goal replace what was known, but for a radius of the
+  /// most that a record can tell, which may be larger. `invalid` for a length that is not a record's, a
+  /// sender that is not of the team, or a place at the end of what a record can tell.
   FixVerdict team_record(std::span<const std::uint8_t> bytes, double now) noexcept;
   /// What the method of a neighbour said at `sent` [s], for a method that speaks. False for somebody who is
   /// not of the team, for more bytes than a speech has, and for a time that is more than `max_ahead_s` ahead
@@ -159,7 +164,7 @@ class Helm {
   /// missing: to wait for everyone's fix of one instant.
   double common_time() const noexcept;
   /// What this vehicle tells the team: its last fix, stamped with that fix's time. Nothing before the first
-  /// one, and nothing of one that is lost by now.
+  /// one, and nothing of one that is lost by now, or at a place that a record cannot tell.
   std::optional<TeamRecord> own_record(double now) const noexcept;
   /// What its method says in this vehicle's turn, instead of that; empty unless the method speaks and was
   /// asked at the last update.
@@ -176,7 +181,7 @@ class Helm {
     std::optional<Vec3> goal;
     double radius{};
     std::int32_t priority{};
-    bool arrived{};
+    std::optional<Vec3> arrived_at;  ///< the goal that it had come to, and has not left since [m, NED]
     bool shown{};
     Trail trail;  ///< as predicted
   };
@@ -189,11 +194,14 @@ class Helm {
 
   void see_clock(double now) noexcept;
   void begin_again() noexcept;
+  void forget_what_was_heard() noexcept;
   std::optional<std::size_t> index_of(std::uint32_t id, std::uint32_t modulus) const noexcept;
   FixVerdict see_neighbour(std::size_t index, const Fix& fix) noexcept;
   void see_arrival_of(std::size_t index) noexcept;
+  void see_departure_of(std::size_t index) noexcept;
   bool set_out(const Leg& leg) noexcept;
   void see_current(const Fix& fix) noexcept;
+  void see_lead(const Fix& fix, FixVerdict verdict) noexcept;
 
   void see_health() noexcept;
   void see_arrival() noexcept;
@@ -208,6 +216,7 @@ class Helm {
   void stop_watching_progress() noexcept;
   void lead_back(Command& command) const noexcept;
   bool is_blind() const noexcept;
+  bool is_outrun() const noexcept;
   bool has_clock() const noexcept;
   std::string_view why_stale() const noexcept;
   bool waits_for_neighbour() const noexcept;
@@ -246,7 +255,10 @@ class Helm {
   std::int64_t clock_restarts_{};
   std::int64_t records_refused_{};
   HelmOrder order_;
-  int standing_{};  ///< updates by a time that was past, or none
+  int standing_{};                    ///< updates by a time that was past, or none
+  bool set_back_{};                   ///< a wall clock was, and no own fix has been accepted since
+  std::optional<double> ahead_from_;  ///< the first of own fixes that have been `ahead` since one was not [s]
+  double ahead_to_{};                 ///< the last of them [s]
   Task task_{Task::none};
   Health health_{Health::good};
   bool arrived_{};

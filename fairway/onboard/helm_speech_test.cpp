@@ -136,6 +136,22 @@ TEST(HelmSpeech, WhoIsKeptOnItsWaySaysSoAndNobodyRunsIntoIt) {
   }
 }
 
+TEST(HelmSpeech, WhoIsKeptOutsideItsDepthsIsLedBackWhateverItsMethodSays) {
+  for (const double depth : {1.0, 30.0}) {
+    fixes::Parts setup = fixes::setup();
+    setup.ship.limits.edit().min_depth = 2.0;
+    setup.ship.limits.edit().max_depth = 20.0;
+    Helm helm = fixes::helm_of(setup, "delay_check");
+    helm.keep_position();
+    for (int i = 0; i < 20; ++i) {
+      helm.own_fix(fixes::north(h * i, {1e-6 * i, 0, depth}, 0.0), h * i);
+      helm.update(h * i);
+    }
+    EXPECT_EQ(helm.order().state, HelmState::keeping);
+    EXPECT_NEAR(helm.order().request.heave_mps, depth < 10.0 ? 0.3 : -0.3, 1e-9) << depth;
+  }
+}
+
 TEST(HelmSpeech, WhatIsNoSpeechOfTheTeamIsRefused) {
   fixes::Parts setup = fixes::setup();
   setup.team = {{.id = VehicleId{1}, .name = "other"}};

@@ -137,6 +137,27 @@ TEST(HelmInATeam, ANeighbourThatCameToItsGoalGivesWay) {
   EXPECT_EQ(helm.update(4.1).command.mode, Mode::hold) << "with another goal it goes first again";
 }
 
+TEST(HelmInATeam, ANeighbourThatLeavesItsGoalHasNotArrivedThereAnyMore) {
+  auto with = setup();
+  with.ship.priority = 5;
+  with.team[0].arrival = 1.0;
+  for (const bool falls_silent : {false, true}) {
+    Helm helm = helm_of(with, "direct+stop_and_wait", {{"crit_dist_m", 20.0}});
+    helm.go_to({500, 0, 10}, 0.5);
+    helm.neighbour_goal(VehicleId{1}, Vec3{10, 5, 10});
+    const auto mode_beside = [&](double now, double north) {
+      helm.own_fix(fixes::north(now, {0, 0, 10}, 0.0), now);
+      helm.neighbour_fix(VehicleId{1}, fixes::north(now, {north, 5, 10}, 0.0), now);
+      return helm.update(now).command.mode;
+    };
+    mode_beside(0.1, 10.0);
+    if (falls_silent) helm.neighbour_goal(VehicleId{1}, std::nullopt);
+    EXPECT_EQ(mode_beside(0.2, 10.0), Mode::cruise) << "it is at its goal";
+    EXPECT_EQ(mode_beside(0.3, 11.2), Mode::cruise) << "it drifts about it";
+    EXPECT_EQ(mode_beside(0.4, 12.4), Mode::hold) << "it has gone on, wherever to";
+  }
+}
+
 TEST(HelmInATeam, ATeamRecordIsAFixWithPriorityRadiusAndGoal) {
   Helm helm = under_way(1.0);
   const Message message{.from = VehicleId{1},
@@ -178,6 +199,37 @@ TEST(HelmInATeam, ARecordOfAClockThatIsALittleAheadIsOfNow) {
   const TeamRecord record = encode({.from = VehicleId{1}, .sent = Tick{202}, .position = {9, 9, 9}}, 0.05);
   EXPECT_EQ(helm.team_record(record, 10.0), FixVerdict::accepted);
   EXPECT_NEAR(helm.report(10.0).neighbours[0].age, -0.1, 1e-9);
+}
+
+TEST(HelmInATeam, ARecordOfAClockThatIsTooFarAheadIsRefusedAndNotTakenForOld) {
+  Helm helm = under_way(10.0);
+  const TeamRecord record = encode({.from = VehicleId{1}, .sent = Tick{206}, .position = {9, 9, 9}}, 0.05);
+  EXPECT_EQ(helm.team_record(record, 10.0), FixVerdict::ahead);
+  EXPECT_FALSE(helm.report(10.0).neighbours[0].heard);
+}
+
+TEST(HelmInATeam, APlaceThatARecordCannotTellIsNeitherToldNorBelieved) {
+  for (const double north : {83'000.0, 84'000.0, -4.6e6}) {
+    Helm helm = helm_of(setup());
+    helm.own_fix(fixes::north(1.0, {north, 0, 10}), 1.0);
+    helm.update(1.0);
+    const bool is_near = std::fabs(north) < 83'886.0;
+    EXPECT_EQ(helm.own_record(1.0).has_value(), is_near) << north;
+    const TeamRecord other =
+        encode({.from = VehicleId{1}, .sent = Tick{20}, .position = {north, 9, 9}}, 0.05);
+    EXPECT_EQ(helm.team_record(other, 1.0), is_near ? FixVerdict::accepted : FixVerdict::invalid) << north;
+  }
+}
+
+TEST(HelmInATeam, WhoIsAsLargeAsARecordTellsAtMostIsAsLargeAsWasKnownBefore) {
+  auto with = setup();
+  with.team[0].radius = 80.0;
+  Helm helm = helm_of(with, "orca3d", {{"crit_dist_m", 200.0}});
+  helm.go_to({500, 0, 10}, 0.5);
+  const Message message{.from = VehicleId{1}, .sent = Tick{20}, .position = {60, 0, 10}, .radius = 80.0};
+  helm.team_record(encode(message, 0.05), 1.0);
+  helm.own_fix(on_course(1.1), 1.1);
+  EXPECT_EQ(helm.update(1.1).command.mode, Mode::infeasible) << "it lies within that sphere";
 }
 
 TEST(HelmInATeam, WhatItTellsIsItsLastFixStampedWithThatFixesTime) {

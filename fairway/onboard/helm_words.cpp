@@ -24,8 +24,20 @@ Fix fix_of(const Message& message, double record_period) {
 FixVerdict Helm::own_fix(const Fix& fix, double now) noexcept {
   see_clock(now);
   const FixVerdict verdict = own_watch_.see(fix, now_, setup_.policy);
-  if (verdict == FixVerdict::accepted) see_current(fix);
+  if (verdict == FixVerdict::accepted) {
+    see_current(fix);
+    set_back_ = false;
+  }
+  see_lead(fix, verdict);
   return verdict;
+}
+
+/// A simulation that pauses stops its navigation too: a clock by which that is ahead, and goes on, is dead.
+void Helm::see_lead(const Fix& fix, FixVerdict verdict) noexcept {
+  if (verdict == FixVerdict::accepted) ahead_from_.reset();
+  if (verdict != FixVerdict::ahead) return;
+  if (!ahead_from_) ahead_from_ = fix.time;
+  ahead_to_ = fix.time;
 }
 
 void Helm::see_current(const Fix& fix) noexcept {
@@ -52,7 +64,9 @@ FixVerdict Helm::neighbour_fix(VehicleId id, const Fix& fix, double now) noexcep
 
 FixVerdict Helm::see_neighbour(std::size_t index, const Fix& fix) noexcept {
   see_arrival_of(index);
-  return neighbours_[index].watch.see(fix, now_, setup_.policy);
+  const FixVerdict verdict = neighbours_[index].watch.see(fix, now_, setup_.policy);
+  if (verdict == FixVerdict::accepted) see_departure_of(index);
+  return verdict;
 }
 
 void Helm::see_arrival_of(std::size_t index) noexcept {
@@ -60,7 +74,18 @@ void Helm::see_arrival_of(std::size_t index) noexcept {
   Neighbour& neighbour = neighbours_[index];
   const std::optional<Fix>& last = neighbour.watch.last();
   if (last && neighbour.goal && (last->state.p_n - *neighbour.goal).norm() <= setup_.team[index].arrival)
-    neighbour.arrived = true;
+    neighbour.arrived_at = neighbour.goal;
+}
+
+/// Whoever has left the goal that it had come to is on its way again, and nobody has said where to.
+void Helm::see_departure_of(std::size_t index) noexcept {
+  constexpr double outside = 2.0;  // of the distance at which it had arrived: nobody holds quite still
+  Neighbour& neighbour = neighbours_[index];
+  if (!neighbour.arrived_at) return;
+  const double off = (neighbour.watch.last()->state.p_n - *neighbour.arrived_at).norm();
+  if (off <= outside * setup_.team[index].arrival) return;
+  if (neighbour.goal == neighbour.arrived_at) neighbour.goal.reset();
+  neighbour.arrived_at.reset();
 }
 
 void Helm::neighbour_goal(VehicleId id, const std::optional<Vec3>& goal) noexcept {
@@ -69,7 +94,7 @@ void Helm::neighbour_goal(VehicleId id, const std::optional<Vec3>& goal) noexcep
   Neighbour& neighbour = neighbours_[*index];
   const std::optional<Vec3> told = goal && is_finite(*goal) ? goal : std::nullopt;
   see_arrival_of(*index);  // it may fall silent about its goal because it is there
-  if (told && told != neighbour.goal) neighbour.arrived = false;
+  if (told && told != neighbour.goal) neighbour.arrived_at.reset();
   neighbour.goal = told;
 }
 
@@ -111,13 +136,13 @@ FixVerdict Helm::team_record(std::span<const std::uint8_t> bytes, double now) no
   const bool fits = bytes.size() == record.size();
   if (fits) std::ranges::copy(bytes, record.begin());
 
-  // a clock that is a little ahead must not make a message look a whole cycle old
-  const double latest = now_ + setup_.policy.max_ahead_s;
+  // by a clock that is ahead a record is of the future, and not a whole cycle old
+  const double latest = now_ + 0.5 * record_cycle_s;
   const bool has_clock = std::fabs(latest) < no_clock;
   const Tick latest_tick{has_clock ? std::llround(latest / setup_.record_period) : 0};
   const Message message = decode(record, latest_tick, setup_.record_period);
   const std::optional<std::size_t> index = index_of(number(message.from), record_ids);
-  if (!fits || !has_clock || !index) {
+  if (!fits || !has_clock || !index || !can_be_told(message.position)) {
     ++records_refused_;
     return FixVerdict::invalid;
   }
@@ -125,7 +150,9 @@ FixVerdict Helm::team_record(std::span<const std::uint8_t> bytes, double now) no
   const FixVerdict verdict = see_neighbour(*index, fix_of(message, setup_.record_period));
   if (verdict == FixVerdict::accepted) {
     Neighbour& neighbour = neighbours_[*index];
-    neighbour.radius = message.radius;
+    neighbour.radius = message.radius < most_told_radius_m
+                           ? message.radius
+                           : math::fmax(message.radius, setup_.team[*index].radius);
     neighbour.priority = message.priority;
     neighbour_goal(setup_.team[*index].id, message.destination);
   }
@@ -146,6 +173,7 @@ std::optional<TeamRecord> Helm::own_record(double now) const noexcept {
   const Tick sent{std::llround(fix->time / setup_.record_period)};
   const Ownship own = pilot_.own_ship(fix->state, fix->position_sigma, arrived_);
   const double since = seconds(sent, setup_.record_period) - fix->time;
+  if (!can_be_told(own.position)) return {};
   const Message message{.from = own.id,
                         .sent = sent,
                         .position = own.position + since * own.velocity,

@@ -140,6 +140,7 @@ void OutputFile::fail(int error) const {
 
 void OutputFile::check() const {
   if (buffer_->error() != 0) fail(buffer_->error());
+  if (!stream_) fail(EIO);  // what was to be copied could not be read
 }
 
 void OutputFile::commit() {

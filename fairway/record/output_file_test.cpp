@@ -129,6 +129,15 @@ TEST_F(OutputFileTest, AFullDiskIsAnErrorAndNotAShortFile) {
   EXPECT_EQ(refusal("/dev/full"), "/dev/full: cannot be written: No space left on device");
 }
 
+TEST_F(OutputFileTest, WhatCannotBeReadToTheEndReplacesNothing) {
+  write_file(path_, "old");
+  OutputFile file{path_};
+  std::ifstream unreadable{folder_.file("."), std::ios::binary};
+  file.stream() << "half" << unreadable.rdbuf();
+  EXPECT_THROW(file.commit(), InputError);
+  EXPECT_EQ(bytes_of(path_), "old");
+}
+
 TEST_F(OutputFileTest, PlacesWhereNoFileCanBeAreRefused) {
   write_file(path_, "old");
   EXPECT_THAT(refusal(folder_.file("none/a.txt")),

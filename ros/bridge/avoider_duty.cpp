@@ -55,8 +55,14 @@ AvoiderDuty::AvoiderDuty(const AvoiderNodeSettings& settings, AvoiderOutlet& out
 /// comes: the other may be long on its way, as a fleet that waits for nobody else is fast.
 double AvoiderDuty::clock_at(double clock) {
   if (settings_.lockstep) return clock - now_ < lockstep_patience_s ? now_ : now_ = clock;
-  if (clock < now_ - restart_s) now_ = clock;
+  if (clock < now_ - restart_s) begin_again(clock);
   return now_ = std::max(now_, clock);
+}
+
+void AvoiderDuty::begin_again(double now) {
+  now_ = now;
+  last_goal_.reset();
+  last_path_.reset();
 }
 
 double AvoiderDuty::clock_at(double clock, double stamp) {
@@ -67,7 +73,7 @@ double AvoiderDuty::clock_at(double clock, double stamp) {
 
 void AvoiderDuty::hear_own(const Motion& motion, const std::string& frame_id, double clock) {
   hear_frame(frame_id);
-  if (settings_.lockstep && motion.time < now_ - restart_s) now_ = motion.time;
+  if (settings_.lockstep && motion.time < now_ - restart_s) begin_again(motion.time);
   const std::string_view verdict = host_.own_motion(motion, clock_at(clock, motion.time));
   judge("own odometry", verdict.data());
   if (verdict == "accepted") own_ = motion.time;
@@ -84,13 +90,13 @@ void AvoiderDuty::hear_frame(const std::string& frame_id) {
     if (is_due(frame_warned_, warn_period))
       outlet_.warn("what it was told to do is dropped: own odometry was in the frame '" + before +
                    "' and is in '" + own_frame_ + "' now");
-    return stand_by();
+    return drop_task();
   }
   if (goal_frame_.empty()) return;
   const std::string told_in = std::exchange(goal_frame_, "");
   if (bare(told_in) == bare(own_frame_)) return;
   outlet_.warn("what it was told to do is dropped: " + in_other_frame(told_in, own_frame_));
-  stand_by();
+  drop_task();
 }
 
 void AvoiderDuty::hear_mate(std::size_t mate, const Motion& motion, double clock) {
@@ -173,6 +179,26 @@ std::string AvoiderDuty::follow_section(const Triple& start, const Triple& end, 
   return take_up({"section", {start, end}, 0.0, speed});
 }
 
+bool AvoiderDuty::is_told_again(std::optional<Task>& last, const Task& task) {
+  const bool again = last && last->places == task.places && last->stamp == task.stamp;
+  last = task;
+  if (again)
+    outlet_.warn(
+        std::string{"a "} + task.word +
+        " is passed over: it is the last one again, as comes with a new connection; one that is meant "
+        "anew has another stamp");
+  return again;
+}
+
+void AvoiderDuty::hear_goal(const Triple& place, const std::string& frame_id, double stamp) {
+  if (!is_told_again(last_goal_, {"goal", {place}, stamp, 0.0})) go_to(place, frame_id, stamp);
+}
+
+void AvoiderDuty::hear_path(const std::vector<Triple>& places, const std::vector<std::string>& frame_ids,
+                            double stamp) {
+  if (!is_told_again(last_path_, {"path", places, stamp, 0.0})) follow(places, frame_ids, stamp);
+}
+
 void AvoiderDuty::keep_position() {
   next_task_.reset();
   answered_.reset();
@@ -180,6 +206,11 @@ void AvoiderDuty::keep_position() {
 }
 
 void AvoiderDuty::stand_by() {
+  lets_go_ = true;
+  drop_task();
+}
+
+void AvoiderDuty::drop_task() {
   next_task_.reset();
   host_.stand_by();
 }
@@ -217,8 +248,13 @@ void AvoiderDuty::come_round(double clock) {
 
 void AvoiderDuty::answer(double now, double stamp) {
   const Order& order = host_.update(now, settings_.draw);
-  in_charge_.store(order.in_charge, std::memory_order_relaxed);
-  if (order.in_charge) outlet_.send_command(order.request, stamp);
+  const bool was_in_charge = in_charge_.exchange(order.in_charge, std::memory_order_relaxed);
+  if (order.in_charge) {
+    outlet_.send_command(order.request, stamp);
+  } else if (was_in_charge && !lets_go_) {
+    outlet_.send_command({}, stamp);  // what was asked for last is not meant any more
+  }
+  lets_go_ = false;
   if (settings_.draw && order.decided && is_due(drawn_, draw_period)) outlet_.send_marks(host_.marks(), now);
   if (order.state + order.reason != reported_) report(true);
 }
@@ -232,7 +268,11 @@ void AvoiderDuty::tell_team(double now) {
   const std::vector<std::uint8_t> speech = host_.own_speech();
   if (!speech.empty()) return outlet_.send_speech(speech);
   const std::vector<std::uint8_t> record = host_.own_record(now);
-  if (!record.empty()) outlet_.send_record(record);
+  if (!record.empty()) return outlet_.send_record(record);
+  if (!std::exchange(told_too_far_, host_.is_too_far_to_tell()) && told_too_far_)
+    outlet_.warn(
+        "no team record is sent: it is farther from the origin of its frame than one can tell, "
+        "83.9 km; the team needs an origin near by");
 }
 
 void AvoiderDuty::report(bool at_once) {

@@ -58,6 +58,10 @@ class AvoiderDuty {
                      double stamp);
   /// At once, along the line from `start` to `end` [m, NED].
   std::string follow_section(const Triple& start, const Triple& end, double speed);
+  // The same by a topic, where a latched message comes again with every new connection: one that is the last
+  // of its topic once more, stamp and all, is passed over with a warning.
+  void hear_goal(const Triple& place, const std::string& frame_id, double stamp);
+  void hear_path(const std::vector<Triple>& places, const std::vector<std::string>& frame_ids, double stamp);
   void keep_position();
   void stand_by();
 
@@ -71,6 +75,7 @@ class AvoiderDuty {
  private:
   double clock_at(double clock);
   double clock_at(double clock, double stamp);
+  void begin_again(double now);
   void judge(const std::string& whose, const char* verdict);
   struct Task {
     const char* word{};          // "goal", "section" or "path"
@@ -80,6 +85,8 @@ class AvoiderDuty {
   };
   std::string accept(const Task& task, const std::string& frame_id);
   std::string take_up(Task task);
+  bool is_told_again(std::optional<Task>& last, const Task& task);
+  void drop_task();
   std::string refused(const Task& task, const std::string& why) const;
   void hear_told();
   void hear_frame(const std::string& frame_id);
@@ -99,17 +106,20 @@ class AvoiderDuty {
   AvoiderNodeSettings settings_;
   AvoiderOutlet& outlet_;
   AvoiderHost host_;
-  double now_{};                    // [s]
-  std::string own_frame_;           // of the own odometry, empty before the first
-  std::string goal_frame_;          // of what it was told before that to do
-  std::optional<double> own_;       // time of the own navigation last accepted [s]
-  std::optional<double> answered_;  // in lockstep, the last instant answered [s]
-  std::optional<Task> next_task_;   // in lockstep, of an instant that is still to come
-  std::vector<Told> told_;          // in lockstep, what is known from the next instant on
-  bool is_news_{};                  // own navigation has come since the last answer
-  double next_record_{};            // [s]
-  std::string reported_;            // state and reason last reported
-  Diagnosis diagnosis_;             // last looked at
+  double now_{};                               // [s]
+  std::string own_frame_;                      // of the own odometry, empty before the first
+  std::string goal_frame_;                     // of what it was told before that to do
+  std::optional<double> own_;                  // time of the own navigation last accepted [s]
+  std::optional<double> answered_;             // in lockstep, the last instant answered [s]
+  std::optional<Task> next_task_;              // in lockstep, of an instant that is still to come
+  std::vector<Told> told_;                     // in lockstep, what is known from the next instant on
+  std::optional<Task> last_goal_, last_path_;  // that were heard by their topics
+  bool told_too_far_{};                        // it was warned that it is
+  bool lets_go_{};                             // it was told to leave the vehicle to others
+  bool is_news_{};                             // own navigation has come since the last answer
+  double next_record_{};                       // [s]
+  std::string reported_;                       // state and reason last reported
+  Diagnosis diagnosis_;                        // last looked at
   Steady::time_point looked_, diagnosed_, drawn_, warned_, frame_warned_;
   std::atomic<std::int64_t> refused_{0};
   std::atomic<std::int64_t> alarms_{0};

@@ -162,6 +162,8 @@ const Order& AvoiderHost::update(double now, bool draw) {
 
 const Order& AvoiderHost::order() const { return self_->order; }
 
+bool AvoiderHost::is_too_far_to_tell() const { return !can_be_told(self_->helm.own().position); }
+
 std::vector<std::uint8_t> AvoiderHost::own_record(double now) const {
   const std::optional<TeamRecord> record = self_->helm.own_record(now);
   return record ? std::vector<std::uint8_t>(record->begin(), record->end()) : std::vector<std::uint8_t>{};

@@ -25,6 +25,7 @@ struct AvoiderOptions {
   Settings settings;
   std::optional<std::uint64_t> seed;      ///< the scenario's own, or 1, unless given
   std::vector<std::string> also_known{};  ///< settings that the program takes itself: for suggestions
+  bool wall_clock{false};                 ///< its time is the world's, and no simulation's
 };
 
 /// What a vehicle shall do, in plain words.
@@ -81,7 +82,9 @@ class AvoiderHost {
   bool is_complete(double time) const;
   const Order& update(double now, bool draw = false);
   const Order& order() const;
-  std::vector<std::uint8_t> own_record(double now) const;  ///< empty before the first motion
+  /// Empty before the first motion, and where it is too far to tell.
+  std::vector<std::uint8_t> own_record(double now) const;
+  bool is_too_far_to_tell() const;               ///< from the origin of the frame, for a team record
   std::vector<std::uint8_t> own_speech() const;  ///< empty unless its method has something to say instead
   Diagnosis diagnosis(double now) const;
   std::vector<Mark> marks() const;  ///< what the last decision drew; empty unless `draw`

@@ -40,10 +40,11 @@ class AvoiderNode : public AvoiderOutlet {
   using Graph = typename Middleware::Graph;
   using Clock = typename Middleware::Clock;
 
-  /// Throws std::runtime_error, in one line, for settings that cannot be used. `options` are the graph's.
+  /// Throws std::runtime_error, in one line, for settings that cannot be used. `simulated`: the graph's clock
+  /// is a simulation's. `options` are the graph's.
   template <class... Options>
-  explicit AvoiderNode(const AvoiderNodeSettings& settings, const Options&... options)
-      : settings_{settings}, duty_{settings, *this}, graph_{options...} {
+  AvoiderNode(const AvoiderNodeSettings& settings, bool simulated, const Options&... options)
+      : settings_{timed(settings, simulated)}, duty_{settings_, *this}, graph_{options...} {
     command_ = graph_.template advertise<TwistStamped>(settings.advisory ? "advice" : "velocity_command");
     diagnostics_ = graph_.template advertise<DiagnosticArray>("/diagnostics");
     status_ = graph_.template advertise<String>("status");
@@ -57,7 +58,7 @@ class AvoiderNode : public AvoiderOutlet {
 
   void hear_orders() {
     graph_.template subscribe<PoseStamped>("goal", Keep::latched, [this](const PoseStamped& m) {
-      duty_.go_to(place(m), m.header.frame_id, seconds(m));
+      duty_.hear_goal(place(m), m.header.frame_id, seconds(m));
     });
     graph_.template subscribe<Path>("path", Keep::few, [this](const Path& m) {
       std::vector<Triple> places;
@@ -66,7 +67,7 @@ class AvoiderNode : public AvoiderOutlet {
         places.push_back(place(pose));
         frames.emplace_back(pose.header.frame_id);
       }
-      duty_.follow(places, frames, seconds(m));
+      duty_.hear_path(places, frames, seconds(m));
     });
   }
 
@@ -95,6 +96,11 @@ class AvoiderNode : public AvoiderOutlet {
   using UInt8MultiArray = typename Middleware::UInt8MultiArray;
   template <class Message>
   using Publisher = typename Middleware::template Publisher<Message>;
+
+  static AvoiderNodeSettings timed(AvoiderNodeSettings settings, bool simulated) {
+    settings.wall_clock = !simulated;
+    return settings;
+  }
 
   Triple place(const PoseStamped& m) const { return place_of(m.pose.position, settings_.frame); }
   template <class Message>

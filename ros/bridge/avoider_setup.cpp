@@ -323,6 +323,7 @@ Draft draft_of(const AvoiderOptions& options, const std::optional<std::vector<st
   const Scenario& scenario = draft.scenario;
   HelmSetup& helm = draft.helm;
   draft.period = scenario.steps_per_decision * scenario.step_s;
+  helm.wall_clock = options.wall_clock;
   helm.record_period = scenario.step_s;
   helm.range = scenario.perception.range_m;
   for (const Leg& leg : draft.vehicle().mission) {

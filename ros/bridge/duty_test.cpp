@@ -30,6 +30,7 @@ class Pilot final : public AvoiderOutlet {
 
   void send_command(const BodyVelocity& velocity, double time) override {
     ++commands;
+    last = velocity;
     if (fleet != nullptr) fleet->command(index, velocity, nanoseconds_of(time));
   }
   void send_record(const std::vector<std::uint8_t>&) override { ++records; }
@@ -43,6 +44,7 @@ class Pilot final : public AvoiderOutlet {
   FleetDuty* fleet{};
   std::size_t index{};
   int commands{};
+  BodyVelocity last{};
   int records{};
   std::vector<std::vector<std::uint8_t>> said;
   std::string status, summary, warnings;
@@ -288,6 +290,65 @@ TEST(AvoiderDuty, WhatItWasToldToDoIsDroppedWhenItsOdometryChangesItsFrame) {
       EXPECT_EQ(pilot.warnings, "");
     pilot.duty.settle(10.1);
     EXPECT_EQ(pilot.commands, frame == "map" ? 0 : 1);
+  }
+}
+
+TEST(AvoiderDuty, ALatchedOrderThatComesAgainIsNoNewOne) {
+  Pilot pilot{alone()};
+  AvoiderDuty& duty = pilot.duty;
+  duty.hear_own(at(10.0, 0), "world", 10.0);
+  duty.hear_goal({50, 0, 5}, "world", 9.9);
+  EXPECT_TRUE(duty.host().goal());
+  duty.keep_position();
+  duty.hear_goal({50, 0, 5}, "world", 9.9);
+  EXPECT_FALSE(duty.host().goal()) << "its connection was made anew";
+  EXPECT_THAT(pilot.warnings, HasSubstr("a goal is passed over: it is the last one again"));
+  duty.hear_goal({50, 0, 5}, "world", 11.0);
+  EXPECT_TRUE(duty.host().goal()) << "by another stamp it is meant anew";
+  duty.hear_path({{50, 0, 5}, {50, 50, 5}}, {"world", "", ""}, 12.0);
+  duty.keep_position();
+  duty.hear_path({{50, 0, 5}, {50, 50, 5}}, {"world", "", ""}, 12.0);
+  EXPECT_FALSE(duty.host().goal());
+  duty.go_to({50, 0, 5}, "", 0.0);
+  duty.keep_position();
+  EXPECT_EQ(duty.go_to({50, 0, 5}, "", 0.0), "");
+  EXPECT_TRUE(duty.host().goal()) << "a service is never asked by itself";
+}
+
+TEST(AvoiderDuty, WhenItLetsGoBecauseOfItsDataTheLastCommandIsToStandStill) {
+  for (const bool by_order : {true, false}) {
+    Pilot pilot{alone()};
+    pilot.duty.hear_own(at(10.0, 0), "world", 10.0);
+    pilot.duty.go_to({50, 0, 5}, "world", 0.0);
+    pilot.duty.settle(10.0);
+    EXPECT_GT(pilot.last.surge_mps, 0.1);
+    if (by_order) pilot.duty.stand_by();
+    pilot.duty.come_round(15.0);  // the clock was set ahead, and navigation is 5 s old
+    EXPECT_EQ(pilot.commands, by_order ? 1 : 2);
+    if (!by_order) EXPECT_EQ(pilot.last.surge_mps, 0.0);
+    pilot.duty.come_round(16.0);
+    EXPECT_EQ(pilot.commands, by_order ? 1 : 2) << "once";
+  }
+}
+
+TEST(AvoiderDuty, AWallClockThatIsSetBackEndsInAHoldAndNotInTheEndOfItsMission) {
+  for (const bool wall_clock : {true, false}) {
+    AvoiderNodeSettings settings = alone();
+    settings.wall_clock = wall_clock;
+    Pilot pilot{settings};
+    const auto hear = [&](double time) {
+      pilot.duty.hear_own(at(time, 0.05 * time), "world", time);
+      pilot.duty.settle(time);
+      pilot.duty.come_round(time);
+    };
+    hear(10.0);
+    pilot.duty.go_to({50, 0, 5}, "world", 0.0);
+    for (int i = 1; i <= 10; ++i) hear(10.0 + 0.1 * i);
+    EXPECT_GT(pilot.last.surge_mps, 0.1);
+    hear(7.0);
+    EXPECT_EQ(pilot.last.surge_mps, 0.0);
+    for (int i = 1; i <= 15; ++i) hear(7.0 + 0.1 * i);
+    EXPECT_EQ(pilot.duty.host().order().state, wall_clock ? "under_way" : "idle");
   }
 }
 

@@ -13,7 +13,7 @@
 namespace fairway::ros1 {
 
 AvoiderNode::AvoiderNode(const bridge::AvoiderNodeSettings& settings)
-    : bridge::AvoiderNode<Middleware>{settings} {
+    : bridge::AvoiderNode<Middleware>{settings, settings.lockstep || ros::Time::isSimTime()} {
   offer_services();
   hear_orders();
   hear_fleet();

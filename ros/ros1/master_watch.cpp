@@ -8,9 +8,10 @@
 #include <ros/this_node.h>
 #include <ros/xmlrpc_manager.h>
 #include <xmlrpcpp/XmlRpcClient.h>
+#include <xmlrpcpp/XmlRpcException.h>
 
 #include <chrono>
-#include <optional>
+#include <exception>
 #include <set>
 #include <utility>
 
@@ -133,21 +134,30 @@ void MasterWatch::rest(double seconds) const {
 }
 
 void MasterWatch::watch() {
-  std::optional<int> process;  // of the master that knows this node
   for (int period = 1; !stopping_; rest(watch_period_s), ++period) {
-    std::optional<XmlRpcValue> answer = ask(master_endpoint(), stopping_, "getPid");
-    if (stopping_) return;
-    const bool answered = answer && answer->getType() == XmlRpcValue::TypeInt;
-    if (!answered) {
-      if (reachable_.exchange(false)) ROS_WARN("the master does not answer; what is connected goes on");
-      continue;
+    try {
+      look(period % deaf_periods == 0);
+    } catch (const XmlRpc::XmlRpcException& error) {
+      ROS_WARN_STREAM("what the master answers is passed over: " << error.getMessage());
+    } catch (const std::exception& error) {
+      ROS_WARN_STREAM("what the master answers is passed over: " << error.what());
     }
-    reachable_ = true;
-    const int now = *answer;
-    if (process && *process != now) register_anew();
-    process = now;
-    if (period % deaf_periods == 0) connect_the_deaf();
   }
+}
+
+void MasterWatch::look(bool for_the_deaf) {
+  std::optional<XmlRpcValue> answer = ask(master_endpoint(), stopping_, "getPid");
+  if (stopping_) return;
+  const bool answered = answer && answer->getType() == XmlRpcValue::TypeInt;
+  if (!answered) {
+    if (reachable_.exchange(false)) ROS_WARN("the master does not answer; what is connected goes on");
+    return;
+  }
+  reachable_ = true;
+  const int now = *answer;
+  if (process_ && *process_ != now) register_anew();
+  process_ = now;
+  if (for_the_deaf) connect_the_deaf();
 }
 
 /// What is published and not heard at all.

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <functional>
+#include <optional>
 #include <set>
 #include <string>
 #include <thread>
@@ -35,6 +36,7 @@ class MasterWatch {
 
  private:
   void watch();
+  void look(bool for_the_deaf);
   void rest(double seconds) const;
   void register_anew();
   void connect_the_deaf();
@@ -42,6 +44,7 @@ class MasterWatch {
   std::vector<std::string> services_;
   std::function<void()> on_return_;
   std::set<std::string> told_deaf_;  // topics; the watch's alone
+  std::optional<int> process_;       // of the master that knows this node; likewise
   std::atomic<int> returns_{0};
   std::atomic<bool> reachable_{true};
   std::atomic<bool> stopping_{false};

@@ -9,7 +9,7 @@
 namespace fairway::ros2 {
 
 AvoiderNode::AvoiderNode(const bridge::AvoiderNodeSettings& settings, const GraphOptions& options)
-    : bridge::AvoiderNode<Middleware>{settings, options},
+    : bridge::AvoiderNode<Middleware>{settings, settings.use_sim_time || settings.lockstep, options},
       simulated_{settings.use_sim_time || settings.lockstep},
       simulated_now_{std::numeric_limits<double>::quiet_NaN()} {
   if (simulated_)

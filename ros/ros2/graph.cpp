@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "ros/ros2/memory.hpp"
+#include "ros/ros2/twin_readers.hpp"
 
 namespace fairway::ros2 {
 namespace {
@@ -84,15 +85,10 @@ struct Graph::Subscription {
   dds_entity_t reader{};
   std::string topic;
   std::function<void(const void*)> handle;
-  std::shared_ptr<Seen> seen;  // of two that are one
+  std::shared_ptr<TwinReaders> twins;  // of two that are one
 
-  /// Whether the other of the two has had it already.
   bool has_been_seen(const dds_sample_info_t& info) const {
-    if (seen == nullptr) return false;
-    const auto [last, is_first] = seen->try_emplace(info.publication_handle, info.source_timestamp);
-    if (!is_first && info.source_timestamp <= last->second) return true;
-    last->second = info.source_timestamp;
-    return false;
+    return twins != nullptr && twins->has_been_seen(info.publication_handle, info.source_timestamp, reader);
   }
 };
 
@@ -154,14 +150,14 @@ dds_entity_t Graph::writer(const std::string& name, const dds_topic_descriptor_t
 /// and what comes by both is handled once.
 void Graph::reader(const std::string& name, const dds_topic_descriptor_t& type, Keep keep,
                    const std::function<void(const void*)>& handle) {
-  const auto seen = keep == Keep::latched ? std::make_shared<Seen>() : nullptr;
+  const auto twins = keep == Keep::latched ? std::make_shared<TwinReaders>() : nullptr;
   const auto add = [&](const Qos& qos) {
     const std::string full = resolved(options_, name);
     const dds_entity_t reader = valid(
         dds_create_reader(participant_, topic("rt" + full, type), dds_qos_of(qos).get(), nullptr), full);
     const dds_entity_t arrived = valid(dds_create_readcondition(reader, DDS_ANY_STATE), full);
     valid(dds_waitset_attach(waitset_, arrived, 0), full);
-    subscriptions_.push_back(std::make_unique<Subscription>(Subscription{reader, full, handle, seen}));
+    subscriptions_.push_back(std::make_unique<Subscription>(Subscription{reader, full, handle, twins}));
   };
   if (keep == Keep::latched) add({.latched = true});
   add(heard(keep));

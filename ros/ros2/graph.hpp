@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <memory>
 #include <string>
 #include <utility>
@@ -94,7 +93,6 @@ class Graph {
 
  private:
   struct Subscription;
-  using Seen = std::map<dds_instance_handle_t, dds_time_t>;  // the last message of each publisher
 
   dds_entity_t writer(const std::string& topic, const dds_topic_descriptor_t& type, Keep keep);
   void reader(const std::string& topic, const dds_topic_descriptor_t& type, Keep keep,

@@ -9,6 +9,7 @@
 #include "ros/bridge/testing/message_laws.hpp"
 #include "ros/ros2/middleware.hpp"
 #include "ros/ros2/ros_args.hpp"
+#include "ros/ros2/twin_readers.hpp"
 
 namespace fairway {
 namespace bridge {
@@ -31,6 +32,19 @@ TEST(Topics, AreResolvedAsRos2DoesIt) {
   EXPECT_EQ(resolved(options, "/auv/odometry"), "/nav/odom");
   EXPECT_EQ(resolved(options, "/diagnostics"), "/auv/diag");
   EXPECT_EQ(resolved({.node = "n", .space = "/"}, "goal"), "/goal");
+}
+
+TEST(TwinReaders, HandleAMessageOnceEvenOfAClockThatWasSetBack) {
+  TwinReaders twins;
+  constexpr std::int64_t second = 1'000'000'000;
+  for (const std::int64_t sent : {10 * second, 11 * second, 6 * second, 7 * second}) {
+    EXPECT_FALSE(twins.has_been_seen(1, sent, 5)) << sent;
+    EXPECT_TRUE(twins.has_been_seen(1, sent, 6)) << sent;
+  }
+  EXPECT_FALSE(twins.has_been_seen(1, 12 * second, 5));
+  EXPECT_FALSE(twins.has_been_seen(2, 12 * second, 6)) << "of another publisher";
+  EXPECT_TRUE(twins.has_been_seen(1, 12 * second, 6));
+  for (int i = 0; i < 1000; ++i) EXPECT_FALSE(twins.has_been_seen(1, i, 5)) << "which the other never has";
 }
 
 TEST(RosArguments, AreThoseOfALaunchFileAndOfPeople) {

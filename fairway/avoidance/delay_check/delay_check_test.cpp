@@ -51,6 +51,29 @@ TEST(DelayCheck, WhatHasEndedIsToldAsStandingHoweverLongAgo) {
   EXPECT_EQ(told.committed.from, told.committed.to);
 }
 
+TEST(DelayCheck, WhoWasNotAskedForLongStandsWhereItIsNow) {
+  const Link link{.heard = {}, .turn_period = 3.2, .next_turn = 1e9};
+  fairway::DelayCheck method;
+  fairway::DelayCheck::Memory memory;
+  Rng rng{1};
+  Context context{rng};
+  Situation s{.time = 10.0, .period = 0.1};
+  s.own = {.id = VehicleId{0}, .position = {0, 0, 5}, .radius = 1.0};
+  s.goal = {.position = {40, 0, 5}, .cruise_speed = 0.5, .arrival = 1.0};
+  s.limits = {.max_speed = 0.5, .max_climb_rate = 0.3};
+  s.link = &link;
+  s.attendance = Attendance::under_way;
+  const auto stands_at = [&](double time, const Vec3& place) {
+    s.time = time;
+    s.own.position = place;
+    method.decide(s, memory, context);
+    return memory.own.committed.to;
+  };
+  EXPECT_LT((stands_at(10.0, {0, 0, 5}) - Vec3{0, 0, 5}).norm(), 0.05);
+  EXPECT_LT((stands_at(10.5, {1, 0, 5}) - Vec3{0, 0, 5}).norm(), 0.05) << "it is set aside, and comes back";
+  EXPECT_LT((stands_at(60.0, {0, 80, 5}) - Vec3{0, 80, 5}).norm(), 0.05) << "it was taken there by hand";
+}
+
 TEST(DelayCheck, AWordIsOfTheTimeAtWhichItWasSentHoweverLateItIsHeard) {
   const Word said{.radius = 1.0, .committed = {{60, 0, 5}, {0, 0, 5}, 1.0, 100.0}};
   std::array<Heard, 1> heard{

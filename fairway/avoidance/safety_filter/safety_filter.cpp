@@ -214,6 +214,10 @@ Command SafetyFilter::filtered(const Situation& s, const Command& asked, Sketch*
     (*answer.wrench)[axis] = s.model->mass[axis] * direction.dot(acceleration) +
                              s.model->drag(axis, direction.dot(s.own.velocity.head<2>()));
   }
+  if (!by_forces) {  // these are of the velocity that was asked for, and lead along the bow
+    answer.turn_rate.reset();
+    answer.heading.reset();
+  }
   answer.astern = true;
   answer.mode = choice->is_feasible() ? Mode::avoid : Mode::infeasible;
   if (barriers.any_late()) answer.note = "closing in faster than the safety filter lets: it began too late";

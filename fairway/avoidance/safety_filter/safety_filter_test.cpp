@@ -88,6 +88,18 @@ TEST(SafetyFilter, CutsTheVelocityBackToWhatTheBarrierAllows) {
   EXPECT_NEAR(command.velocity.y(), 0.0, 1e-12);
 }
 
+TEST(SafetyFilter, WhatItChangesIsSteeredByItsVelocityAlone) {
+  OwnedSituation e = at_rest();
+  e.obstacles = {sphere(6.0, 0.0, 1.0)};
+  const Command asked{.velocity = {0.5, 0.0, 0.0}, .heading = 0.4, .turn_rate = 0.3};
+  const Command changed = around(asked).decide(e);
+  ASSERT_NE(changed.velocity, asked.velocity);
+  EXPECT_FALSE(changed.turn_rate) << "by it the step aside would be lost";
+  EXPECT_FALSE(changed.heading);
+  e.obstacles = {sphere(-20.0, 0.0, 1.0)};
+  EXPECT_EQ(around(asked).decide(e).turn_rate, asked.turn_rate);
+}
+
 TEST(SafetyFilter, StepsAsideToStarboardOfWhatIsDeadAhead) {
   OwnedSituation e = at_rest();
   e.obstacles = {sphere(6.0, 0.0, 1.0)};

@@ -71,7 +71,10 @@ class CommandKeeper {
   /// `timeout`: how old a command may be by when it came [s].
   explicit CommandKeeper(double timeout) : timeout_{timeout} {}
 
-  void hear(const bridge::BodyVelocity& command, double now) { command_ = command, heard_ = now; }
+  /// One that is not finite is none.
+  void hear(const bridge::BodyVelocity& command, double now) {
+    if (bridge::is_finite(command)) command_ = command, heard_ = now;
+  }
 
   /// What to ask for at `now` [s]; nothing without a fresh command, and the controller's own rules apply.
   std::optional<bridge::BodyVelocity> at(double now) const {
