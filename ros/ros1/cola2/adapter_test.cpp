@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace fairway::ros1::cola2 {
 namespace {
 
@@ -87,6 +89,8 @@ TEST(Cola2Adapter, repeats_a_command_until_it_is_too_old) {
   EXPECT_EQ(keeper.at(10.5)->surge_mps, 0.25);
   EXPECT_FALSE(keeper.at(10.6));
   EXPECT_FALSE(keeper.at(9.0)) << "a clock that has begun again";
+  keeper.hear({0, std::numeric_limits<double>::quiet_NaN(), 0, 0}, 11.0);
+  EXPECT_FALSE(keeper.at(11.1)) << "one that is no number is none";
 }
 
 TEST(Cola2Adapter, knows_the_names_of_the_axes) {
