@@ -2,6 +2,7 @@
 #include "fairway/cli/program.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <csignal>
@@ -15,6 +16,7 @@
 #include "fairway/core/text.hpp"
 #include "fairway/experiment/executor.hpp"
 #include "fairway/experiment/version.hpp"
+#include "fairway/record/output_file.hpp"
 #include "fairway/scenario/tree.hpp"
 #include "fairway/sim/divergence.hpp"
 
@@ -22,12 +24,21 @@ namespace fairway::cli {
 namespace {
 
 std::atomic<bool> stop_requested{false};
+std::atomic<bool> stop_taken{false};
 std::atomic<bool> terminated{false};
+
+/// From within a signal's handler: nothing here takes a lock or memory.
+[[noreturn]] void end_at_once() {
+  constexpr std::string_view line = "fairway: interrupted\n";
+  [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, line.data(), line.size());
+  remove_parts();
+  std::_Exit(interrupted);
+}
 
 extern "C" void on_interrupt(int signal) {
   if (signal != SIGINT) terminated = true;
-  // a second Ctrl-C ends the process at once
-  if (stop_requested.exchange(true)) std::_Exit(interrupted);
+  // nobody looks at the flag, or this is the second signal
+  if (!stop_taken || stop_requested.exchange(true)) end_at_once();
 }
 
 /// The last part of what the program was called by.
@@ -90,7 +101,17 @@ int explain_parse_error(const CLI::App& app, const CLI::ParseError& error, int a
   return bad_input;
 }
 
-/// Names and values go into tables and pages, which are UTF-8.
+/// What the verb that was asked for comes to; help, where that was.
+int obey(CLI::App& app, const Program& program, int argc, const char* const* argv) {
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return explain_parse_error(app, error, argc, argv);
+  }
+  return program.chosen ? program.chosen() : bad_input;
+}
+
+/// Names and values go into tables, pages and recordings, which are UTF-8.
 int refuse_word(std::string_view word) {
   std::cerr << "fairway: the command line has \"" << yaml::shown(word)
             << "\", which is not UTF-8; expected names and values in that encoding\n";
@@ -112,7 +133,9 @@ int run_command(int argc, const char* const* argv, const Catalogs& catalogs) {
   app.set_version_flag("--version", std::string("fairway ") + std::string(fairway_version));
   app.require_subcommand(1);
   app.footer("Example: fairway study cubes --seeds 20 --out results");
-  Program program{typed_line(argc, argv), {}, &stop_requested, app.get_name(), catalogs, &terminated};
+  Program program{typed_line(argc, argv), {},       {stop_requested, stop_taken},
+                  app.get_name(),         catalogs, &terminated};
+  if (not_utf8(program.name)) return refuse_word(program.name);
   for (int i = 1; i < argc; ++i)
     if (not_utf8(argv[i])) return refuse_word(argv[i]);
   add_verbs(app, program);
@@ -123,12 +146,7 @@ int run_command(int argc, const char* const* argv, const Catalogs& catalogs) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file beyond what may be written is then an error like a full disk
 
   try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return explain_parse_error(app, error, argc, argv);
-  }
-  try {
-    const int code = program.chosen ? program.chosen() : bad_input;
+    const int code = obey(app, program, argc, argv);
     std::cout.flush();
     if (!std::cout) throw InputError("standard output could not be written");
     return code;

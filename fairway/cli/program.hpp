@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -21,11 +22,29 @@ inline constexpr int expectation_failed = 1;
 inline constexpr int bad_input = 2;
 inline constexpr int interrupted = 130;
 
+/// The wish to stop, which Ctrl-C, SIGTERM and SIGHUP set. Until somebody takes it, these signals end the
+/// process at once; whoever takes it has something to keep, looks at it again and again, and ends in order.
+class StopFlag {
+ public:
+  StopFlag(std::nullptr_t = nullptr) {}  // nobody stops it
+  StopFlag(const std::atomic<bool>& flag, std::atomic<bool>& taken) : flag_{&flag}, taken_{&taken} {}
+
+  operator const std::atomic<bool>*() const {
+    if (taken_ != nullptr && !taken_->load(std::memory_order_relaxed)) *taken_ = true;
+    return flag_;
+  }
+  const std::atomic<bool>* operator->() const { return *this; }
+
+ private:
+  const std::atomic<bool>* flag_{};
+  std::atomic<bool>* taken_{};
+};
+
 /// The command line of a process: what was typed, and what a verb leaves behind.
 struct Program {
   std::string typed;            ///< the whole command, for reports
   std::function<int()> chosen;  ///< the verb that was asked for
-  std::atomic<bool>* stop;      ///< set by Ctrl-C, SIGTERM and SIGHUP
+  StopFlag stop;                ///< set by Ctrl-C, SIGTERM and SIGHUP
   std::string name;          ///< of this program, as it was called: "fairway", or one with methods of its own
   const Catalogs& catalogs;  ///< what it offers
   std::atomic<bool>* terminated;  ///< whether it was SIGTERM or SIGHUP that asked to stop

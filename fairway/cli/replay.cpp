@@ -8,6 +8,7 @@
 #include "fairway/cli/outputs.hpp"
 #include "fairway/cli/paths.hpp"
 #include "fairway/cli/program.hpp"
+#include "fairway/cli/runner.hpp"
 #include "fairway/experiment/measure_run.hpp"
 #include "fairway/experiment/recording_info.hpp"
 #include "fairway/experiment/version.hpp"
@@ -30,11 +31,26 @@ struct ReplayFlags {
   bool json{false};
 };
 
-/// Whether the run was whole, as `fairway run --json` says it; "diverged" is here a line.
-void add_outcome(const std::string& broke, nlohmann::json& document) {
+/// Whether the run was whole, as `fairway run --json` says it, or was stopped; "diverged" is here a line.
+void add_outcome(const Recording& recording, nlohmann::json& document) {
   constexpr std::string_view prefix = "diverged: ";
-  document["outcome"] = broke.empty() ? "finished" : "diverged";
+  const std::string& broke = recording.divergence();
+  document["outcome"] = !broke.empty() ? "diverged" : recording.stopped() ? "stopped" : "finished";
   if (!broke.empty()) document["diverged"] = broke.substr(broke.starts_with(prefix) ? prefix.size() : 0);
+}
+
+/// What came of a run that was made again.
+struct Verdict {
+  bool same{};
+  std::string text;
+};
+
+/// `now` is how it broke, in a line; empty if it is whole.
+Verdict verdict_on(const Recording& recording, const HashChecker& checker, const std::string& now) {
+  if (!checker.same() || now == recording.divergence()) return {checker.same(), checker.describe()};
+  const auto told = [](const std::string& broke) { return broke.empty() ? "whole" : broke; };
+  return {false,
+          "ends otherwise: \"" + told(recording.divergence()) + "\" was recorded, now \"" + told(now) + "\""};
 }
 
 /// Simulates the recorded scenario again beside the recording.
@@ -47,21 +63,24 @@ int verify(const Recording& recording, const std::string& name, bool as_json, co
   simulation.show_thoughts(recording.info().sketches);
   while (!simulation.is_done() && !checker.is_over()) simulation.step(sinks);
   const std::string& broke = recording.divergence();
+  RunOutcome now;
+  now.divergence = simulation.divergence();
+  const Verdict verdict = verdict_on(recording, checker, divergence_text(scenario, now));
   const std::string& machine = recording.info().machine;
   const bool elsewhere = !machine.empty() && machine != fairway_machine;
   if (as_json) {
-    nlohmann::json document{{"recording", name}, {"same", checker.same()}, {"verdict", checker.describe()}};
+    nlohmann::json document{{"recording", name}, {"same", verdict.same}, {"verdict", verdict.text}};
     if (!machine.empty()) document["recorded_on"] = machine;
     document["verified_on"] = fairway_machine;
-    add_outcome(broke, document);
+    add_outcome(recording, document);
     std::cout << document.dump(2) << "\n";
   } else {
-    std::cout << name << ": " << checker.describe()
+    std::cout << name << ": " << verdict.text
               << (elsewhere ? "; recorded on " + machine + ", verified on " + std::string(fairway_machine)
                             : "")
               << (broke.empty() ? "" : "; " + broke) << "\n";
   }
-  return checker.same() ? ok : expectation_failed;
+  return verdict.same ? ok : expectation_failed;
 }
 
 using Export = void (*)(const Recording&, std::ostream&);
@@ -108,7 +127,7 @@ int summarise(const Recording& recording, const std::string& name, bool as_json,
       {"period_s", info.period},    {"perception", info.perception},
       {"sketches", info.sketches},  {"stopped", recording.stopped()},
       {"machine", info.machine},    {"run_hash", fmt::format("{:016x}", recording.run_hash())}};
-  add_outcome(broke, document);
+  add_outcome(recording, document);
   if (broke.empty()) {
     for (const Measure& m : metrics.measures()) {
       if (m.vehicle == Measure::fleet && std::isfinite(m.value)) document[m.quantity] = m.value;

@@ -36,22 +36,26 @@ void print_interrupted(const RunOptions& options, double time) {
   std::cerr << "\n";
 }
 
-/// --algorithm replaces what --set would have said before it.
+/// --algorithm replaces what --set would have said of it, but for parameters of single vehicles, or of all.
 void refuse_two_algorithms(const RunOptions& options, const Overrides& overrides) {
   for (const auto& [path, value] : overrides) {
-    const bool is_avoider = path.starts_with("vehicles[") &&
-                            (path.ends_with("].avoider") || path.ends_with("].avoider.algorithm"));
-    if (is_avoider && !options.algorithm.empty())
+    if (options.algorithm.empty()) return;
+    if (path.ends_with(".avoider") || path.ends_with(".avoider.algorithm"))
       throw InputError("--set " + path + ": --algorithm sets it, too; expected one of the two");
+    if (path.starts_with("defaults.avoider."))
+      throw InputError("--set " + path +
+                       ": --algorithm sets the avoider of every vehicle; did you mean vehicles[*]" +
+                       path.substr(path.find('.')) + "?");
   }
 }
 
 int run(const RunOptions& options, const Outputs& outputs, const Program& program) {
-  outputs.judge({options.file});
+  outputs.judge({options.file, options.algorithm});
   const Overrides overrides = overrides_of(options.settings, options.seed);
   refuse_two_algorithms(options, overrides);
   Scenario scenario = load_scenario(options.file, overrides, options.seed);
-  if (!options.algorithm.empty()) set_algorithm(scenario, options.algorithm, program.catalogs.avoiders);
+  if (!options.algorithm.empty())
+    set_algorithm(scenario, options.algorithm, overrides, program.catalogs.avoiders);
   check_expectations(scenario);
   const RunOutcome outcome =
       options.live.asked

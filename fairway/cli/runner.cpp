@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -39,6 +40,8 @@ bool may_go_on(double time, const Watch* watch, const std::atomic<bool>* stop) {
   return watch == nullptr ? !stopped.load(std::memory_order_relaxed) : watch->run.await_turn(time, stopped);
 }
 
+constexpr double rounding = 1e-12;  // of a number that is written in decimals, relative
+
 /// How far `value` is outside the bounds; negative inside, by the way to the nearer one.
 double excess(const Expectation& expected, double value) {
   if (std::isnan(value)) return std::numeric_limits<double>::infinity();
@@ -65,6 +68,32 @@ void tell_occasion(const Scenario& scenario, const Measure& measure, Judgement& 
   if (!std::isnan(occasion.time)) judgement.time = occasion.time;
 }
 
+/// The quantity that tells whether the time in question came to its end; none for what is no such time.
+std::string_view complete_at_1(const Expectation& expected) {
+  const std::vector<QuantityInfo> quantities = all_quantities();
+  const auto known = std::ranges::find(quantities, expected.metric, &QuantityInfo::name);
+  return known != quantities.end() ? known->complete_at_1 : std::string_view{};
+}
+
+const Measure* measure_of(const std::vector<Measure>& measures, std::string_view quantity) {
+  const auto found = std::ranges::find(measures, quantity, &Measure::quantity);
+  return found != measures.end() ? &*found : nullptr;
+}
+
+/// Whether the end of the run cut off a time that is to be no longer than so much: how long it would have
+/// been nobody knows.
+bool is_cut_off(const Expectation& expected, const std::vector<Measure>& measures) {
+  const Measure* complete = measure_of(measures, complete_at_1(expected));
+  return std::isfinite(expected.max) && complete != nullptr && complete->value < 1.0;
+}
+
+/// Names the first that did not arrive.
+void tell_cut_off(const Scenario& scenario, const std::vector<Measure>& measures, Judgement& judgement) {
+  const Measure& complete = *measure_of(measures, complete_at_1(judgement.expectation));
+  judgement.worst = std::numeric_limits<double>::infinity();
+  judgement.vehicle = vehicle_name(scenario, complete.occasion.vehicle);
+}
+
 /// " (robot1, with robot2, at 31.5 s)"; empty if nothing of it is known.
 std::string occasion_text(const Judgement& judgement) {
   std::string text = judgement.vehicle;
@@ -73,6 +102,25 @@ std::string occasion_text(const Judgement& judgement) {
   if (judgement.time)
     append(fmt::format("at {:.10g} s", *judgement.time));  // without the last digits of tick * period
   return text.empty() ? text : " (" + text + ")";
+}
+
+/// The parameters among `overrides` of the avoider of the vehicle of that index.
+void lay_over(Choice& avoider, std::size_t vehicle, const Overrides& overrides) {
+  const std::array prefixes{std::string("vehicles[*].avoider."),
+                            "vehicles[" + std::to_string(vehicle) + "].avoider."};
+  for (const auto& [path, value] : overrides) {
+    const auto prefix =
+        std::ranges::find_if(prefixes, [&](const std::string& p) { return path.starts_with(p); });
+    if (prefix == prefixes.end()) continue;
+    const std::string key = path.substr(prefix->size());
+    const auto known = std::ranges::find(avoider.params, key, &ParamValues::value_type::first);
+    if (known != avoider.params.end()) {
+      known->second = parse_value(value);
+    } else {
+      avoider.params.emplace_back(key, parse_value(value));
+      if (!avoider.param_where.empty()) avoider.param_where.emplace_back();
+    }
+  }
 }
 
 /// Whoever names a folder that is no method's name means a file in it.
@@ -157,6 +205,11 @@ std::vector<Judgement> judge(const Scenario& scenario, const std::vector<Measure
   std::vector<Judgement> judgements;
   for (const Expectation& expected : scenario.expect) {
     Judgement judgement{expected, std::numeric_limits<double>::quiet_NaN(), false, {}, {}, {}};
+    if (is_cut_off(expected, measures)) {
+      tell_cut_off(scenario, measures, judgement);
+      judgements.push_back(std::move(judgement));
+      continue;
+    }
     std::optional<double> worst;
     for (const Measure& measure : measures) {
       if (measure.quantity != expected.metric) continue;
@@ -164,7 +217,7 @@ std::vector<Judgement> judge(const Scenario& scenario, const std::vector<Measure
       if (worst && off <= *worst) continue;
       worst = off;
       judgement.worst = measure.value;
-      judgement.kept = off <= 0.0;
+      judgement.kept = off <= rounding * std::abs(measure.value);
       tell_occasion(scenario, measure, judgement);
     }
     judgements.push_back(std::move(judgement));
@@ -191,17 +244,18 @@ void warn_of_misfits(const Scenario& scenario, const Program& program) {
     std::cerr << "fairway: warning: " << line << "\n";
 }
 
-void set_algorithm(Scenario& scenario, const std::string& name, const Catalog& methods) {
-  if (is_algorithm_file(name)) {
-    const Choice avoider = load_algorithm(name);
-    for (VehicleSpec& vehicle : scenario.vehicles) vehicle.avoider = avoider;
-    return;
-  }
-  refuse_folder(name, methods);
-  for (VehicleSpec& vehicle : scenario.vehicles) {
-    if (vehicle.avoider->name == name) continue;
-    vehicle.avoider =
-        Choice{.name = name, .params = {}, .path = "--algorithm", .where = {}, .param_where = {}};
+void set_algorithm(Scenario& scenario, const std::string& name, const Overrides& overrides,
+                   const Catalog& methods) {
+  const bool is_file = is_algorithm_file(name);
+  if (!is_file) refuse_folder(name, methods);
+  const Choice avoider =
+      is_file ? load_algorithm(name)
+              : Choice{.name = name, .params = {}, .path = "--algorithm", .where = {}, .param_where = {}};
+  for (std::size_t i = 0; i < scenario.vehicles.size(); ++i) {
+    VehicleSpec& vehicle = scenario.vehicles[i];
+    if (!is_file && vehicle.avoider->name == name) continue;
+    vehicle.avoider = avoider;
+    lay_over(vehicle.avoider.edit(), i, overrides);
   }
 }
 

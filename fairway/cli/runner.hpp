@@ -86,7 +86,9 @@ std::string text_of(const Judgement& judgement);
 void warn_of_misfits(const Scenario& scenario, const Program& program);
 
 /// All vehicles of a scenario get the same algorithm, by its name or from a file `name.yaml`; whoever has it
-/// already keeps its parameters. Throws InputError for a file that cannot be read, and for a folder.
-void set_algorithm(Scenario& scenario, const std::string& name, const Catalog& methods);
+/// already keeps its parameters. Parameters among `overrides`, `vehicles[*].avoider.KEY`, are laid over it.
+/// Throws InputError for a file that cannot be read, and for a folder.
+void set_algorithm(Scenario& scenario, const std::string& name, const Overrides& overrides,
+                   const Catalog& methods);
 
 }  // namespace fairway::cli

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/studies/study.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -37,6 +38,23 @@ std::vector<std::string> written(const Overrides& overrides) {
   std::vector<std::string> texts;
   for (const auto& [path, value] : overrides) texts.push_back(path + "=" + value);
   return texts;
+}
+
+std::vector<const Study*> found_studies(const std::vector<std::string>& names) {
+  std::vector<const Study*> studies;
+  for (const std::string& name : names) {
+    const Study& study = find_study(name);
+    if (std::ranges::find(studies, &study) != studies.end()) throw InputError(name + " is given twice");
+    studies.push_back(&study);
+  }
+  return studies;
+}
+
+/// A study runs methods of its own under their names.
+void refuse_methods(const Overrides& overrides) {
+  for (const auto& [path, value] : overrides)
+    if (path.ends_with(".avoider") || path.ends_with(".avoider.algorithm"))
+      throw InputError("--set " + path + ": the study sets it; expected a path of something else");
 }
 
 /// The rows, and what they were made under.
@@ -203,8 +221,9 @@ void add_study(CLI::App& app, Program& program) {
   auto outputs = std::make_shared<Outputs>(*verb);
   outputs->add("--record", flags->record, recording_file, "record that run to this MCAP file")->needs(only);
   program.on(*verb, [=, &program] {
-    std::vector<const Study*> studies;
-    for (const std::string& name : flags->names) studies.push_back(&find_study(name));
+    const std::vector<const Study*> studies = found_studies(flags->names);
+    refuse_methods(overrides_of(flags->overrides));
+    if (flags->json && studies.size() > 1) throw InputError("--json is of one study");
     if (!flags->shard.empty()) parse_shard(flags->shard);  // refused before a folder is made
     if (!flags->shard.empty() && flags->out.empty())
       throw InputError("--shard needs --out, where its runs go");

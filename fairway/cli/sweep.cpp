@@ -81,6 +81,7 @@ class SweepStore {
 void judge_outputs(const SweepFlags& flags, const Outputs& outputs, const Campaign& campaign) {
   std::vector<std::string> inputs{flags.campaign};
   for (const CampaignScenario& scenario : campaign.scenarios) inputs.push_back(scenario.file);
+  for (const CampaignCell& cell : campaign.cells) inputs.push_back(cell.place.where.file);
   if (!flags.fills()) inputs.push_back(flags.missing);
   outputs.judge(inputs);
 }

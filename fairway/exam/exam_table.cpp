@@ -72,7 +72,7 @@ class Rows {
   void add_all(const ExamCell& cell) {
     rate(cell, "collision_free_ratio", [](const ExamOutcome& o) { return o.is_safe(); });
     rate(cell, "all_arrived_ratio", [](const ExamOutcome& o) { return o.all_arrived(); });
-    rate(cell, "no_progress_ratio", [](const ExamOutcome& o) { return o.no_progress > 0.5; });
+    rate(cell, "no_progress_ratio", [](const ExamOutcome& o) { return !(o.no_progress <= 0.5); });
     MeanEstimate arrived = estimate_mean(values_of(cell, &ExamOutcome::arrived_ratio));
     arrived.low = math::fmax(0.0, arrived.low);
     arrived.high = math::fmin(1.0, arrived.high);

@@ -66,6 +66,7 @@ struct ComparedMean {
   MeanEstimate value;       ///< unknown but for its count where a time was cut off
   double median{};          ///< of the runs; of times that were cut off, Kaplan and Meier's
   std::size_t left_out{};   ///< runs
+  std::size_t truncated{};  ///< runs in which a vehicle's time counts until the end alone
   MeanEstimate difference;  ///< candidate - baseline over the seeds that both have; count 0 for the baseline;
                             ///< of restricted pseudo-values where a time of either was cut off
   MedianEstimate difference_median;         ///< NaN where a time of either was cut off

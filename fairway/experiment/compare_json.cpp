@@ -81,9 +81,9 @@ json cell_json(const Comparison& comparison, const ComparedCell& c) {
 }
 
 json mean_json(const Comparison& comparison, const ComparedMean& m) {
-  json mean{{"group", labels_json(m.group)},   {comparison.by, m.candidate}, {"quantity", m.quantity},
-            {"value", mean_json(m.value)},     {"median", number(m.median)}, {"left_out", m.left_out},
-            {"difference", difference_json(m)}};
+  json mean{{"group", labels_json(m.group)}, {comparison.by, m.candidate},      {"quantity", m.quantity},
+            {"value", mean_json(m.value)},   {"median", number(m.median)},      {"left_out", m.left_out},
+            {"truncated", m.truncated},      {"difference", difference_json(m)}};
   if (m.censored) mean["censored"] = censored_json(*m.censored);
   return mean;
 }

@@ -54,7 +54,7 @@ TEST(ComparePrintTest, NoLineIsLongerThanATerminalHasColumns) {
       record.measures = {{"footprint_clearance_m", 0, -1234567.0 * s * s},
                          {"pair_collision_count", Measure::fleet, s},
                          {"rms_thruster_power_w", 0, 123456.7 * s * (method.size() % 2 == 0 ? -1.0 : 1.5)},
-                         {"navigation_time_s", 0, 123.456 * s},
+                         {"makespan_s", Measure::fleet, 123.456 * s},
                          {"arrived_ratio", Measure::fleet, seed > 6 ? 0.5 : 1.0}};
       record.spec.labels.emplace_back("vehicles[*].avoider.crit_dist_m", "12.5");
       record.spec.labels.emplace_back("exam.crit_dist_m", "12.5");

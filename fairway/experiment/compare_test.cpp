@@ -314,20 +314,29 @@ TEST(CompareTest, PairsOfWhichNobodyKnowsWhichTookLongerDoNotDecide) {
   EXPECT_EQ(orca.test->result.effect, -1.0);
 }
 
-TEST(CompareTest, ARunThatWasCutOffIsUnderWayUntilItsEndNotUntilItsMean) {
-  // one vehicle arrived at 100, the other not by 600: not all had arrived by then, whatever their mean
-  const auto run_of = [](std::uint64_t seed, double other, double arrived) {
-    return run("apf", seed,
-               {{"navigation_time_s", 0, 100.0},
-                {"navigation_time_s", 1, other},
-                {"arrived_ratio", Measure::fleet, arrived}});
+TEST(CompareTest, OfTimesOfVehiclesEachCountsUntilTheEndOfTheRunAtMost) {
+  // of ten, nine need 100 s and the last does not arrive by 600; or all need 300 s
+  const auto run_of = [](const std::string& method, std::uint64_t seed, double most, double last,
+                         double arrived) {
+    std::vector<Measure> measures{{"arrived_ratio", Measure::fleet, arrived}};
+    for (int vehicle = 0; vehicle < 9; ++vehicle)
+      measures.push_back({"navigation_time_s", vehicle, most + static_cast<double>(seed)});
+    measures.push_back({"navigation_time_s", 9, last});
+    return run(method, seed, measures);
   };
-  const std::vector<RunRecord> records{run_of(1, 600, 0.5), run_of(2, 600, 0.5), run_of(3, 580, 1.0)};
+  std::vector<RunRecord> records;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    records.push_back(run_of("apf", seed, 100.0, 600.0, 0.9));
+    records.push_back(run_of("orca3d", seed, 300.0, 300.0, 1.0));
+  }
   const Comparison c = compare(records);
-  const ComparedMean& mean = mean_of(c, "apf", "navigation_time_s");
-  EXPECT_EQ(mean.censored->limit, 600.0);
-  EXPECT_NEAR(mean.censored->curve[0].share, 2.0 / 3.0, 1e-15);  // at 340, with both others still under way
-  EXPECT_TRUE(std::isinf(mean.median));
+  const ComparedMean& apf = mean_of(c, "apf", "navigation_time_s");
+  const ComparedMean& orca = mean_of(c, "orca3d", "navigation_time_s");
+  EXPECT_FALSE(apf.censored);
+  EXPECT_NEAR(apf.value.mean, 150.0 + 0.9 * 10.5, 1e-9);
+  EXPECT_NEAR(orca.difference.mean, 150.0, 1e-9) << "apf is quicker in the mean, though one does not arrive";
+  EXPECT_EQ(apf.truncated, 20U);
+  EXPECT_EQ(orca.truncated, 0U);
 }
 
 TEST(CompareTest, QuantitiesThatAreNoTimesToAnArrivalAreNotCensored) {

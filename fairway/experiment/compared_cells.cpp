@@ -17,17 +17,21 @@ struct Observed : ObservedTime {
   double value{};  ///< run_value(); of a time that was cut off, a lower end
 };
 
-/// If the run did not fail and the value is a number. A time that was cut off was under way until the end of
-/// the run, which is the longest of its vehicles' times.
+/// If the run did not fail and the value is a number. A time of the fleet may have been cut off. The mean of
+/// its vehicles' times, each of which counts until the end of the run at most, is known whoever arrived.
 std::optional<Observed> observed(const RunRecord& record, const std::string& quantity) {
   const double value = run_value(record.measures, quantity);
   if (!record.failure.empty() || !std::isfinite(value)) return std::nullopt;
-  Observed seen{{value, cut_off(record.measures, quantity)}, value};
-  for (const Measure& m : record.measures) {
-    if (seen.cut && m.quantity == quantity && std::isfinite(m.value))
-      seen.time = std::max(seen.time, m.value);
-  }
-  return seen;
+  const auto first = std::ranges::find(record.measures, quantity, &Measure::quantity);
+  const bool cut = first->vehicle == Measure::fleet && cut_off(record.measures, quantity);
+  return Observed{{value, cut}, value};
+}
+
+std::size_t truncated(const std::vector<const RunRecord*>& runs, const std::string& quantity) {
+  return static_cast<std::size_t>(std::ranges::count_if(runs, [&](const RunRecord* run) {
+    const auto value = observed(*run, quantity);
+    return value && !value->cut && cut_off(run->measures, quantity);
+  }));
 }
 
 std::vector<ObservedTime> observed(const std::vector<const RunRecord*>& runs, const std::string& quantity) {
@@ -180,6 +184,7 @@ ComparedMean mean_of(const CellOfRuns& cell, const std::string& quantity, std::o
                     .value = estimate_mean(times, confidence),
                     .median = nan,
                     .left_out = cell.counted.size() - values.size(),
+                    .truncated = truncated(cell.counted, quantity),
                     .difference = {0, nan, nan, nan, nan},
                     .difference_median = {nan, nan, nan}};
   std::ranges::sort(times);

@@ -68,6 +68,17 @@ void remark_cut(const Comparison& comparison, std::vector<Remark>& said) {
                    fmt::join(cut, ", "))});
 }
 
+void remark_truncated(const Comparison& comparison, std::vector<Remark>& said) {
+  std::set<std::string> ended;
+  for (const ComparedMean& mean : comparison.means)
+    if (mean.truncated > 0) ended.insert(mean.quantity);
+  if (ended.empty()) return;
+  said.push_back(
+      {true, fmt::format("Where not all arrived, {} of each vehicle counts until it arrived or was given up, "
+                         "or until the end of the run: means are restricted to that.",
+                         fmt::join(ended, ", "))});
+}
+
 template <class T>
 bool tested(const std::vector<T>& rows) {
   return std::ranges::any_of(rows, [](const T& row) { return row.test.has_value(); });
@@ -80,6 +91,7 @@ std::vector<Remark> remarks(const Comparison& comparison) {
   remark_identical(comparison, said);
   remark_failed(comparison, said);
   remark_cut(comparison, said);
+  remark_truncated(comparison, said);
   if (comparison.tests == 0) return said;
 
   std::string tests = "Differences are paired by seed";

@@ -13,7 +13,7 @@ const std::vector<QuantityInfo>& EncounterMetric::quantities() {
       {"avoided_count", true,
        "neighbours that came within the detection distance and left without a collision"},
       {"collision_count", true,
-       "neighbours that came within the safety distance, counted once as they leave"},
+       "neighbours that came within the safety distance, counted once, as they leave or the run ends"},
       {"distance_m", true, "path length while navigating"},
       {"stuck_count", true, "1 if the navigation time passed the exam's limit before arrival"},
       {"start_distance_m", true, "straight line to the goal at the first tick under way"},
@@ -59,8 +59,12 @@ bool EncounterMetric::update_contacts(const Frame& frame, std::size_t index, std
 }
 
 double EncounterMetric::reach(const Frame& frame, std::size_t index) const {
-  const bool counts = !counts_[index].finished && frame.vehicles[index].phase == Phase::under_way;
-  return counts ? rules_.crit_dist_m : -1.0;
+  const Count& count = counts_[index];
+  const Phase phase = frame.vehicles[index].phase;
+  const bool sets_out = !count.started && phase == Phase::under_way;
+  const bool is_on_its_way =
+      count.started && !count.finished && phase != Phase::arrived && phase != Phase::stuck;
+  return sets_out || is_on_its_way ? rules_.crit_dist_m : -1.0;
 }
 
 void EncounterMetric::see(const Frame& frame, std::span<const Neighbour> near, std::size_t index,
@@ -73,7 +77,7 @@ void EncounterMetric::see(const Frame& frame, std::span<const Neighbour> near, s
   count.distance += (own.state.p_n - count.last_position).norm();
   count.last_position = own.state.p_n;
 
-  if (own.phase == Phase::under_way) {
+  if (own.phase != Phase::arrived && own.phase != Phase::stuck) {  // it may pause on its way
     count.navigation_time += frame.period;
     if (update_contacts(frame, index, near, detected_[hand])) count.avoidance_time += frame.period;
     return;
@@ -106,6 +110,11 @@ void EncounterMetric::see(const Frame& frame) {
   }
 }
 
+/// Those that the end of the run left open, of a vehicle that it left on its way.
+int EncounterMetric::open_of(const Count& count, Contact worst) {
+  return count.finished ? 0 : static_cast<int>(std::ranges::count(count.open, worst, &OpenEncounter::worst));
+}
+
 void EncounterMetric::report(std::vector<Measure>& measures) const {
   for (std::size_t i = 0; i < counts_.size(); ++i) {
     const Count& count = counts_[i];
@@ -113,8 +122,9 @@ void EncounterMetric::report(std::vector<Measure>& measures) const {
     measures.push_back({"navigation_time_s", vehicle, count.navigation_time});
     measures.push_back({"avoidance_time_s", vehicle, count.avoidance_time});
     measures.push_back({"avoided_count", vehicle, static_cast<double>(count.avoided)});
-    const Occasion collision = count.collisions > 0 ? count.first_collision : Occasion{};
-    measures.push_back({"collision_count", vehicle, static_cast<double>(count.collisions), collision});
+    const int collisions = count.collisions + open_of(count, Contact::collided);
+    const Occasion collision = collisions > 0 ? count.first_collision : Occasion{};
+    measures.push_back({"collision_count", vehicle, static_cast<double>(collisions), collision});
     measures.push_back({"distance_m", vehicle, count.distance});
     measures.push_back({"stuck_count", vehicle, count.stuck ? 1.0 : 0.0});
     measures.push_back({"start_distance_m", vehicle, count.start_distance});

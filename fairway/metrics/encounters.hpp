@@ -18,8 +18,8 @@ struct EncounterRules {
 
 /// The six quantities of raja2024, for each vehicle, from its first tick under way until it arrives or is
 /// stuck. The worst state of a neighbour is latched while it stays within the detection distance, and
-/// counted once when it leaves or the vehicle finishes; each vehicle counts for itself, so one
-/// encounter of a pair counts twice.
+/// counted once when it leaves or the vehicle finishes, and a collision when the run ends, too; each vehicle
+/// counts for itself, so one encounter of a pair counts twice. Who is stuck leaves its open ones uncounted.
 class EncounterMetric final : public Metric {
  public:
   static const std::vector<QuantityInfo>& quantities();
@@ -63,6 +63,7 @@ class EncounterMetric final : public Metric {
   void set_out(const Frame& frame, std::size_t index);
   bool update_contacts(const Frame& frame, std::size_t index, std::span<const Neighbour> near,
                        std::vector<OpenEncounter>& detected);
+  static int open_of(const Count& count, Contact worst);
   static void count_closed(Count& count, Contact worst) {
     ++(worst == Contact::collided ? count.collisions : count.avoided);
   }

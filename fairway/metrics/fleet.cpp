@@ -11,7 +11,7 @@
 namespace fairway {
 namespace {
 
-bool takes_part(const VehicleFrame& vehicle) {
+bool has_set_out(const VehicleFrame& vehicle) {
   return is_avoiding(vehicle.phase) || vehicle.phase == Phase::arrived;
 }
 
@@ -20,20 +20,20 @@ bool takes_part(const VehicleFrame& vehicle) {
 const std::vector<QuantityInfo>& FleetMetric::quantities() {
   static const std::vector<QuantityInfo> all{
       {"pair_collision_count", false,
-       "times that the centres of two vehicles came within the safety distance"},
-      {"min_separation_m", false, "least distance between the centres of any two vehicles"},
+       "times that the centres of two vehicles that have set out came within the safety distance"},
+      {"min_separation_m", false, "least distance between the centres of any two vehicles that have set out"},
       {"makespan_s", false,
        "from the first tick under way to the last arrival; the end of the run if not all arrive",
        "arrived_ratio"},
       {"arrived_ratio", false, "share of the vehicles that arrived"},
-      {"nearest_m", true, "least distance to any other vehicle"},
+      {"nearest_m", true, "least distance to any other vehicle that has set out"},
       {"obstacle_clearance_m", true,
        "least distance from the centre to the surface of an obstacle; negative inside one"},
       {"footprint_clearance_m", true,
        "least distance from the vehicle's sphere to the surface of an obstacle; negative once they touch"},
       {"energy_j", true, "drawn by the actuators while under way"},
       {"hold_time_s", true, "time waiting on purpose while under way"},
-      {"infeasible_count", true, "decisions that found no safe choice"},
+      {"infeasible_count", true, "ticks under way whose decision in force had found no safe choice"},
       {"unattainable_time_s", true,
        "time under way in which the command was beyond the vehicle: slower than it can go, or astern or "
        "sideways where it cannot"},
@@ -45,7 +45,7 @@ void FleetMetric::see(const Frame& frame) {
   begin(frame, 1);
   const Neighbours& all = neighbours_.of(frame);
   for (std::size_t i = 0; i < frame.vehicles.size(); ++i) {
-    all.find(i, reach(frame, all, i), near_);
+    all.find(i, reach(all, i), near_);
     see(frame, near_, i, 0);
   }
   finish(frame);
@@ -57,10 +57,14 @@ void FleetMetric::begin(const Frame& frame, std::size_t hands) {
   if (own_.empty()) {
     own_.resize(n);
     touching_.reserve(usual_pairs);
-    apart_.reserve(usual_pairs);
   }
   while (hands_.size() < hands) hands_.emplace_back().touch.reserve(usual_pairs);
-  started_ = started_ || std::ranges::any_of(frame.vehicles, takes_part);
+  for (std::size_t i = 0; taking_part_ < n && i < n; ++i) {
+    if (own_[i].takes_part || !has_set_out(frame.vehicles[i])) continue;
+    own_[i].takes_part = true;
+    ++taking_part_;
+  }
+  last_time_ = frame.time;
   if (somebody_went_) return;
   somebody_went_ =
       std::ranges::any_of(frame.vehicles, [](const VehicleFrame& v) { return is_avoiding(v.phase); });
@@ -68,11 +72,11 @@ void FleetMetric::begin(const Frame& frame, std::size_t hands) {
 }
 
 /// Whoever comes nearer than anyone before is within the least distance so far, a little more for rounding.
-double FleetMetric::reach(const Frame& frame, const Neighbours& near, std::size_t index) const {
-  if (!started_ || !takes_part(frame.vehicles[index])) return -1.0;
+double FleetMetric::reach(const Neighbours& near, std::size_t index) const {
+  if (!own_[index].takes_part) return -1.0;
   constexpr double little = 1.0 + 1e-12;
   const double nearest2 = own_[index].nearest2;
-  const auto counts = [&](std::size_t j) { return takes_part(frame.vehicles[j]); };
+  const auto counts = [&](std::size_t j) { return own_[j].takes_part; };
   const double nearest =
       std::isinf(nearest2) ? near.reach_of_one(index, counts) : little * std::sqrt(nearest2);
   return math::fmax(nearest, safety_distance_);
@@ -80,14 +84,14 @@ double FleetMetric::reach(const Frame& frame, const Neighbours& near, std::size_
 
 void FleetMetric::see(const Frame& frame, std::span<const Neighbour> near, std::size_t index,
                       std::size_t hand) {
-  if (!started_) return;
+  if (taking_part_ == 0) return;
   Hand& found = hands_[hand];
   found.somebody_goes |= see_vehicle(frame, index);
-  if (takes_part(frame.vehicles[index])) see_others(frame, near, index, found.touch);
+  if (own_[index].takes_part) see_others(frame, near, index, found.touch);
 }
 
 void FleetMetric::finish(const Frame& frame) {
-  if (!started_) return;
+  if (taking_part_ == 0) return;
   if (std::ranges::any_of(hands_, &Hand::somebody_goes)) last_arrival_ = frame.time;
   see_pairs(frame);
   for (Hand& hand : hands_) {
@@ -118,7 +122,7 @@ bool FleetMetric::see_vehicle(const Frame& frame, std::size_t index) {
       own.unattainable_time += frame.period;
     }
   }
-  see_obstacles(frame, index);
+  if (own.takes_part) see_obstacles(frame, index);
   const bool rests = vehicle.phase == Phase::arrived && own.arrived;
   own.arrived = vehicle.phase == Phase::arrived;
   return !rests;
@@ -165,7 +169,7 @@ void FleetMetric::see_others(const Frame& frame, std::span<const Neighbour> near
   for (const auto& [j, distance2] : near) {
     const bool nearer = distance2 < nearest2 || (distance2 == nearest2 && j < who && nearest2 < own.nearest2);
     const bool touches = j > index && distance2 <= safety_distance_ * safety_distance_;
-    if (!(nearer || touches) || !takes_part(frame.vehicles[j])) continue;
+    if (!(nearer || touches) || !own_[j].takes_part) continue;
     if (nearer) {
       nearest2 = distance2;
       who = j;
@@ -189,19 +193,18 @@ void FleetMetric::see_pairs(const Frame& frame) {
                          frame.time};
   }
 
-  // of a pair of which one has left for a while it is not known that it has parted
-  apart_.clear();
-  std::ranges::copy_if(touching_, std::back_inserter(apart_), [&](const Pair& pair) {
-    return !takes_part(frame.vehicles[pair.one]) || !takes_part(frame.vehicles[pair.other]);
-  });
-  touching_.clear();
-  std::ranges::merge(touch, apart_, std::back_inserter(touching_));
+  touching_.assign(touch.begin(), touch.end());
 }
 
 Occasion FleetMetric::not_arrived() const {
   const auto first = std::ranges::find(own_, false, &Own::arrived);
   if (first == own_.end()) return {};
   return {.vehicle = static_cast<int>(first - own_.begin())};
+}
+
+double FleetMetric::makespan() const {
+  if (somebody_went_) return last_arrival_ - start_time_;
+  return std::ranges::all_of(own_, &Own::arrived) ? 0.0 : last_time_;
 }
 
 void FleetMetric::report(std::vector<Measure>& measures) const {
@@ -218,8 +221,7 @@ void FleetMetric::report(std::vector<Measure>& measures) const {
   measures.push_back(
       {"pair_collision_count", Measure::fleet, static_cast<double>(pair_events_), first_pair_event_});
   measures.push_back({"min_separation_m", Measure::fleet, std::sqrt(nearest2), nearest_at});
-  measures.push_back(
-      {"makespan_s", Measure::fleet, somebody_went_ ? last_arrival_ - start_time_ : 0.0, not_arrived()});
+  measures.push_back({"makespan_s", Measure::fleet, makespan(), not_arrived()});
   measures.push_back({"arrived_ratio", Measure::fleet,
                       own_.empty() ? 0.0 : arrived / static_cast<double>(own_.size()), not_arrived()});
   for (std::size_t i = 0; i < own_.size(); ++i) {

@@ -26,8 +26,9 @@ struct Surroundings {
 };
 
 /// What raja2024 does not measure: pair events, separation, makespan, arrivals, energy, holding, what
-/// was commanded in vain. Counted
-/// from the first tick in which anyone is under way; vehicles that are still deploying are left out.
+/// was commanded in vain. Counted from the first tick in which anyone is under way. Of other vehicles those
+/// count that have set out: that are under way, or have been, or have arrived. Who is still deploying or
+/// waiting for its first leg under way is left out.
 class FleetMetric final : public Metric {
  public:
   static const std::vector<QuantityInfo>& quantities();
@@ -42,7 +43,7 @@ class FleetMetric final : public Metric {
   }
   void see(const Frame& frame) override;
   void begin(const Frame& frame, std::size_t hands);
-  double reach(const Frame& frame, const Neighbours& near, std::size_t index) const;
+  double reach(const Neighbours& near, std::size_t index) const;
   void see(const Frame& frame, std::span<const Neighbour> near, std::size_t index, std::size_t hand);
   void finish(const Frame& frame);
   void report(std::vector<Measure>& measures) const override;
@@ -58,6 +59,7 @@ class FleetMetric final : public Metric {
     double clearance{std::numeric_limits<double>::infinity()};
     int infeasible{};
     bool arrived{};
+    bool takes_part{};                      ///< it has set out
     int nearest_other{Occasion::none};      ///< with whom `nearest2` was so
     int nearest_obstacle{Occasion::none};   ///< likewise `clearance`
     double nearest_time{never};             ///< when
@@ -90,24 +92,25 @@ class FleetMetric final : public Metric {
   void see_others(const Frame& frame, std::span<const Neighbour> near, std::size_t index,
                   std::vector<Pair>& touch);
   void see_pairs(const Frame& frame);
+  double makespan() const;
   Occasion not_arrived() const;  ///< the first vehicle that did not arrive
 
   double safety_distance_;
   std::shared_ptr<const Surroundings> surroundings_;
   ObstacleIndex standing_;                 ///< obstacles that stand still, where they are many
   std::vector<std::uint32_t> one_by_one_;  ///< the others
-  bool started_{false};                    ///< somebody takes part
+  std::size_t taking_part_{0};             ///< so many have set out
   bool somebody_went_{false};
   double start_time_{};
   double last_arrival_{};
+  double last_time_{};
   int pair_events_{};
   Occasion first_pair_event_;
   std::vector<Own> own_;
   Neighbours neighbours_;
   std::vector<Pair> touching_;   ///< as of the last frame, ascending
   std::vector<Hand> hands_;      ///< of this one
-  std::vector<Pair> apart_;      ///< memory to work in
-  std::vector<Neighbour> near_;  ///< likewise
+  std::vector<Neighbour> near_;  ///< memory to work in
 };
 
 }  // namespace fairway

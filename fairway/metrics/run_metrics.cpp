@@ -21,7 +21,7 @@ void RunMetrics::write(const Frame& frame) {
   const auto see = [&](std::size_t part, std::size_t hand) {
     for (std::size_t i = part * size; i < std::min(count, (part + 1) * size); ++i) {
       std::vector<Neighbour>& near = near_[hand];
-      all.find(i, math::fmax(fleet_.reach(frame, all, i), encounters_.reach(frame, i)), near);
+      all.find(i, math::fmax(fleet_.reach(all, i), encounters_.reach(frame, i)), near);
       fleet_.see(frame, near, i, hand);
       progress_.see(frame, i, hand);
       encounters_.see(frame, near, i, hand);

@@ -12,6 +12,8 @@
 #include <type_traits>
 #include <vector>
 
+#include "fairway/core/text.hpp"
+
 namespace fairway {
 
 static_assert(std::endian::native == std::endian::little, "MCAP and our CDR are little-endian");
@@ -29,6 +31,11 @@ class Malformed : public std::runtime_error {
 };
 
 [[noreturn]] inline void damaged(const std::string& what) { throw Malformed{"damaged recording: " + what}; }
+
+/// Throws Malformed for bytes that are not UTF-8, which are no text.
+inline void expect_text(std::string_view bytes) {
+  if (not_utf8(bytes)) damaged("a text is not UTF-8");
+}
 
 /// Appends a block.
 inline void put(Bytes& out, ByteView block) {
@@ -77,7 +84,11 @@ class ByteReader {
   }
 
   /// MCAP's String.
-  std::string string() { return text(take(number<std::uint32_t>())); }
+  std::string string() {
+    std::string value = text(take(number<std::uint32_t>()));
+    expect_text(value);
+    return value;
+  }
 
   static std::string text(ByteView bytes) {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};

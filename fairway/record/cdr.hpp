@@ -89,7 +89,9 @@ class CdrReader {
     if (with_zero.empty() || with_zero.back() != std::byte{0}) {
       damaged("a text does not end");
     }
-    return {reinterpret_cast<const char*>(with_zero.data()), with_zero.size() - 1};
+    const std::string_view value{reinterpret_cast<const char*>(with_zero.data()), with_zero.size() - 1};
+    expect_text(value);
+    return value;
   }
 
   void skip_text() { reader_.take(number<std::uint32_t>()); }

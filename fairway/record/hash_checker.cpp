@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/record/hash_checker.hpp"
 
+#include "fairway/core/text.hpp"
 #include "fairway/record/frame_hash.hpp"
 #include "fairway/record/quantities.hpp"
 
@@ -12,7 +13,19 @@ std::string text_of(const QuantityDifference& q) {
   return q.quantity + ": " + q.a + " was recorded, now " + q.b;
 }
 
+/// When the frame is, and how long until the next that is kept: what its hash does not say.
+std::optional<QuantityDifference> first_clock_difference(const Recording& recording, const Frame& recorded,
+                                                         const Frame& now) {
+  const double period = now.period * static_cast<double>(recording.stride());
+  if (recorded.time != now.time)
+    return QuantityDifference{"time_s", number_text(recorded.time), number_text(now.time)};
+  if (recorded.period != period)
+    return QuantityDifference{"period_s", number_text(recorded.period), number_text(period)};
+  return {};
+}
+
 std::string explain(const Recording& recording, const Frame& recorded, const Frame& now) {
+  if (const auto q = first_clock_difference(recording, recorded, now)) return text_of(*q);
   if (recorded.vehicles.size() != now.vehicles.size()) {
     return std::to_string(recorded.vehicles.size()) + " vehicles were recorded, now " +
            std::to_string(now.vehicles.size());
@@ -51,7 +64,8 @@ void HashChecker::write(const Frame& frame) {
   if (recorded.tick != frame.tick) return;
   const std::size_t i = next_++;
   const std::uint64_t expected = recording_.hashes()[i];
-  if (expected == hash && (!perception || recording_.perception_hashes()[i] == perceived) &&
+  if (expected == hash && !first_clock_difference(recording_, recorded, frame) &&
+      (!perception || recording_.perception_hashes()[i] == perceived) &&
       (!recording_.info().sketches || same_sketches(recorded, frame))) {
     ++matched_;
   } else if (!mismatch_) {

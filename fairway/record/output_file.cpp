@@ -5,7 +5,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
+#include <atomic>
 #include <cerrno>
+#include <climits>
+#include <cstring>
 #include <filesystem>
 #include <streambuf>
 #include <string_view>
@@ -38,6 +42,14 @@ bool is_replaceable(const std::string& target) {
   const fs::file_status status = fs::status(target, none);
   return !target.starts_with("/proc/") && (!fs::exists(status) || fs::is_regular_file(status));
 }
+
+/// The name of a temporary file, where a signal's handler finds it.
+struct PartName {
+  std::atomic<bool> is_taken{false};
+  std::atomic<bool> is_whole{false};
+  std::array<char, PATH_MAX> path{};
+};
+std::array<PartName, 64> part_names;
 
 /// A rename is on the disk when its folder is.
 void sync_folder(const fs::path& folder) {
@@ -100,6 +112,36 @@ class OutputFile::Buffer : public std::streambuf {
   std::vector<char> bytes_;
 };
 
+/// Lists a temporary file while it lives. Of very many some are not listed.
+class OutputFile::ListedPart {
+ public:
+  explicit ListedPart(const std::string& path) {
+    if (path.size() >= PATH_MAX) return;
+    for (PartName& name : part_names) {
+      if (name.is_taken.exchange(true)) continue;
+      std::memcpy(name.path.data(), path.c_str(), path.size() + 1);
+      name.is_whole = true;
+      name_ = &name;
+      return;
+    }
+  }
+  ~ListedPart() {
+    if (name_ == nullptr) return;
+    name_->is_whole = false;
+    name_->is_taken = false;
+  }
+  ListedPart(const ListedPart&) = delete;
+  ListedPart& operator=(const ListedPart&) = delete;
+
+ private:
+  PartName* name_{};
+};
+
+void remove_parts() noexcept {
+  for (const PartName& name : part_names)
+    if (name.is_whole) ::unlink(name.path.data());
+}
+
 OutputFile::OutputFile(std::string path) : path_{std::move(path)}, target_{followed(path_).string()} {
   std::error_code none;
   if (fs::is_directory(target_, none)) fail(EISDIR);
@@ -124,6 +166,7 @@ void OutputFile::begin_part() {
     if (descriptor < 0 && errno != EEXIST) fail(errno);
   }
   if (descriptor < 0) fail(EEXIST);
+  listed_ = std::make_unique<ListedPart>(part_);
   buffer_ = std::make_unique<Buffer>(descriptor);
   struct stat replaced {};
   if (::stat(target_.c_str(), &replaced) == 0)
@@ -152,6 +195,7 @@ void OutputFile::commit() {
   check();
   if (replaces) {
     if (::rename(part_.c_str(), target_.c_str()) != 0) fail(errno);
+    listed_.reset();
     sync_folder(fs::path{target_}.parent_path());
   }
   committed_ = true;

@@ -34,16 +34,21 @@ class OutputFile {
 
  private:
   class Buffer;
+  class ListedPart;
   [[noreturn]] void fail(int error) const;
   void begin_part();
 
   std::string path_;    // as it was given
   std::string target_;  // the same, links followed
   std::string part_;    // target_ itself where that is no plain file
+  std::unique_ptr<ListedPart> listed_;
   std::unique_ptr<Buffer> buffer_;
   std::ostream stream_{nullptr};
   bool committed_{false};
 };
+
+/// Removes the temporary files of this process, for whoever ends it from within a signal's handler.
+void remove_parts() noexcept;
 
 /// OutputFile with all of its bytes at once.
 void write_file(const std::string& path, std::string_view bytes);

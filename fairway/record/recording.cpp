@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/record/recording.hpp"
 
+#include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "fairway/core/error.hpp"
 #include "fairway/record/layout.hpp"
 #include "fairway/record/mcap_reader.hpp"
 #include "fairway/record/recording_assembly.hpp"
+#include "fairway/scenario/tree.hpp"
 
 namespace fairway {
 
@@ -26,13 +30,32 @@ const std::string& entry(const McapReader::Map& map, const std::string& key) {
 }
 
 template <class T>
-T number_entry(const McapReader::Map& map, const std::string& key) {
-  const std::string& text = entry(map, key);
+std::optional<T> number_told(const std::string& text) {
   T value{};
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size())
-    damaged(key + " is '" + text + "'; expected a number");
+  if (error != std::errc{} || end != text.data() + text.size()) return {};
   return value;
+}
+
+template <class T>
+T number_entry(const McapReader::Map& map, const std::string& key) {
+  const std::string& text = entry(map, key);
+  const std::optional<T> value = number_told<T>(text);
+  if (!value) damaged(key + " is '" + text + "'; expected a number");
+  return *value;
+}
+
+double period_entry(const McapReader::Map& run) {
+  const auto period = number_entry<double>(run, "period_s");
+  if (!(period > 0.0 && std::isfinite(period)))
+    damaged("period_s is '" + entry(run, "period_s") + "'; expected a positive number");
+  return period;
+}
+
+std::int64_t stride_entry(const McapReader::Map& run) {
+  const auto stride = number_entry<std::int64_t>(run, "stride");
+  if (stride < 1) damaged("stride is " + std::to_string(stride) + "; expected 1 or more");
+  return stride;
 }
 
 bool says_true(const McapReader::Map& map, const std::string& key) {
@@ -56,6 +79,53 @@ const McapReader::Map& check_origin(const McapReader& mcap) {
   return run;
 }
 
+/// All that is told before the frames, but for the vehicles.
+RecordingInfo told_info(const McapReader& mcap, const McapReader::Map& run) {
+  RecordingInfo info;
+  info.version = entry(run, "version");
+  info.scenario_name = entry(run, "scenario");
+  info.seed = number_entry<std::uint64_t>(run, "seed");
+  info.period = period_entry(run);
+  if (const auto program = run.find("program"); program != run.end()) info.program = program->second;
+  if (const auto machine = run.find("machine"); machine != run.end()) info.machine = machine->second;
+  info.perception = says_true(run, "perception");
+  info.sketches = says_true(run, "sketches");
+  const auto scenario = mcap.attachments().find(std::string(layout::scenario_attachment));
+  if (scenario == mcap.attachments().end()) damaged("the scenario is missing");
+  info.scenario_yaml = scenario->second;
+  return info;
+}
+
+/// What the recording and the scenario in it both tell, they tell alike.
+void expect_agreement(const McapReader::Map& run, const RecordingInfo& info, const std::string& file) {
+  const yaml::Tree scenario = yaml::parse_tree(info.scenario_yaml, file + " (scenario)");
+  const auto agree = [&](const std::string& name, const std::string& key, auto value) {
+    const yaml::Tree* told = scenario.find(key);
+    if (told == nullptr || number_told<decltype(value)>(told->text) == value) return;
+    damaged(name + " is " + entry(run, name) + ", and its scenario has " + key + ": " +
+            yaml::shown(told->text));
+  };
+  agree("seed", "seed", info.seed);
+  agree("period_s", "step_s", info.period);
+}
+
+/// Of the frames of the run the first is kept, and then one in every stride.
+void expect_counts(const McapReader::Map& end, const Recording& recording) {
+  if (number_entry<std::uint64_t>(end, "frame_count") != recording.size()) damaged("frames are missing");
+  const std::uint64_t run = recording.run_frame_count();
+  const auto stride = static_cast<std::uint64_t>(recording.stride());
+  if ((run == 0 ? 0 : (run - 1) / stride + 1) != recording.size())
+    damaged("of " + std::to_string(run) + " frames it has " + std::to_string(recording.size()) +
+            "; expected one in " + std::to_string(stride));
+}
+
+/// Text of a file may have line breaks, and a message is one line.
+std::string in_one_line(std::string text) {
+  std::ranges::replace_if(
+      text, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }, '?');
+  return text;
+}
+
 }  // namespace
 
 Recording Recording::parse(ByteView bytes, const std::string& file) {
@@ -63,19 +133,9 @@ Recording Recording::parse(ByteView bytes, const std::string& file) {
     const McapReader mcap{bytes};
     const auto& run = check_origin(mcap);
     Recording recording;
-    RecordingInfo& info = recording.info_;
-    info.version = entry(run, "version");
-    info.scenario_name = entry(run, "scenario");
-    info.seed = number_entry<std::uint64_t>(run, "seed");
-    info.period = number_entry<double>(run, "period_s");
-    recording.stride_ = number_entry<std::int64_t>(run, "stride");
-    if (const auto program = run.find("program"); program != run.end()) info.program = program->second;
-    if (const auto machine = run.find("machine"); machine != run.end()) info.machine = machine->second;
-    info.perception = says_true(run, "perception");
-    info.sketches = says_true(run, "sketches");
-    const auto scenario = mcap.attachments().find(std::string(layout::scenario_attachment));
-    if (scenario == mcap.attachments().end()) damaged("the scenario is missing");
-    info.scenario_yaml = scenario->second;
+    RecordingInfo& info = recording.info_ = told_info(mcap, run);
+    recording.stride_ = stride_entry(run);
+    expect_agreement(run, info, file);
 
     Assembly assembly{recording, mcap};
     for (const auto& v : nlohmann::json::parse(entry(run, "vehicles"))) {
@@ -93,10 +153,11 @@ Recording Recording::parse(ByteView bytes, const std::string& file) {
     recording.run_frame_count_ = number_entry<std::uint64_t>(end, "run_frame_count");
     if (const auto broke = end.find(std::string(layout::divergence)); broke != end.end())
       recording.divergence_ = broke->second;
-    if (number_entry<std::uint64_t>(end, "frame_count") != recording.size()) damaged("frames are missing");
+    if (recording.stopped_ && !recording.divergence_.empty()) damaged("its run broke and was stopped");
+    expect_counts(end, recording);
     return recording;
   } catch (const Malformed& error) {
-    throw InputError{{.file = file}, "", error.what()};
+    throw InputError{{.file = file}, "", in_one_line(error.what())};
   } catch (const nlohmann::json::exception& error) {
     throw InputError{{.file = file}, "", std::string("damaged recording: list of vehicles: ") + error.what()};
   }

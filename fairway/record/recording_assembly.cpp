@@ -2,8 +2,10 @@
 #include "fairway/record/recording_assembly.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 
+#include "fairway/core/text.hpp"
 #include "fairway/record/frame_hash.hpp"
 #include "fairway/record/layout.hpp"
 #include "fairway/record/sketch_messages.hpp"
@@ -127,6 +129,9 @@ void Recording::Assembly::see_word(SpokenWord word) {
 void Recording::Assembly::begin_frame(const FrameMark& mark) {
   auto& marks = recording_.marks_;
   if (!marks.empty() && mark.tick <= marks.back().tick) damaged("ticks do not ascend");
+  if (!(mark.time >= (marks.empty() ? 0.0 : marks.back().time) && std::isfinite(mark.time)))
+    damaged("the frame at tick " + std::to_string(count(mark.tick)) + " is at " + number_text(mark.time) +
+            " s; expected times that ascend from 0");
   marks.push_back({mark.tick, mark.time, mark.period, {}});
   recording_.hashes_.push_back(mark.hash);
   recording_.vehicles_.resize(recording_.vehicles_.size() + info_.vehicles.size());

@@ -2,6 +2,7 @@
 #include "fairway/record/recording_writer.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <unordered_set>
 #include <utility>
@@ -46,6 +47,18 @@ void refuse_too_many(const RecordingInfo& info, const std::string& path) {
                          std::to_string(channels / each)};
 }
 
+/// What says of itself what no run has would not be read.
+void refuse_unreadable(const RecordingInfo& info) {
+  if (!(info.period > 0.0 && std::isfinite(info.period)))
+    throw InputError{{}, "period_s", "is " + number_text(info.period) + "; expected a positive number"};
+  const std::pair<const char*, const std::string*> texts[] = {{"version", &info.version},
+                                                              {"scenario", &info.scenario_name},
+                                                              {"program", &info.program},
+                                                              {"machine", &info.machine}};
+  for (const auto& [name, text] : texts)
+    if (not_utf8(*text)) throw InputError{{}, name, "is not UTF-8; expected text in that encoding"};
+}
+
 std::uint16_t add_schema(McapWriter& mcap, const MessageSchema& schema) {
   return mcap.add_schema(schema.name, "ros2msg", schema.text);
 }
@@ -73,6 +86,7 @@ RecordingWriter::RecordingWriter(std::string path, RecordingInfo info, std::int6
     : path_{std::move(path)}, info_{std::move(info)}, stride_{stride} {
   if (stride_ < 1) throw InputError{{}, "stride", "is " + std::to_string(stride_) + "; expected 1 or more"};
   refuse_too_many(info_, path_);
+  refuse_unreadable(info_);
   mcap_ = std::make_unique<McapWriter>(path_, "ros2", "fairway " + info_.version);
   const std::vector<std::string> topics = topic_names(info_.vehicles);
   shown_.resize(topics.size());

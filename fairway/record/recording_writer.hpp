@@ -55,15 +55,15 @@ struct RecordingInfo {
 class RecordingWriter : public FrameSink {
  public:
   /// Keeps the first frame and then every `stride`-th, and the words of all. Throws InputError if the file
-  /// cannot be written or `stride` is not positive.
+  /// cannot be written, `stride` or the period is not positive, or a text of the info is not UTF-8.
   RecordingWriter(std::string path, RecordingInfo info, std::int64_t stride = 1);
   ~RecordingWriter() override;
   RecordingWriter(const RecordingWriter&) = delete;
   RecordingWriter& operator=(const RecordingWriter&) = delete;
 
   /// O(vehicles, what they perceive and draw); allocates only while its buffers grow. Throws InputError if
-  /// the disk is full, if the frame has not the vehicles of the info, or if its time is outside what a stamp
-  /// holds.
+  /// the disk is full, if the frame has not the vehicles of the info, if its time is outside what a stamp
+  /// holds, or if the meaning of a stroke is not UTF-8.
   void write(const Frame& frame) override;
   bool wants_thoughts() const override { return info_.sketches; }
   bool wants_tracks() const override { return info_.perception; }

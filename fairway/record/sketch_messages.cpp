@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/record/sketch_messages.hpp"
 
+#include "fairway/core/error.hpp"
+#include "fairway/core/text.hpp"
 #include "fairway/record/message_parts.hpp"
 
 namespace fairway {
@@ -27,6 +29,9 @@ void get_pixels(CdrReader& cdr, std::vector<std::uint32_t>& rgb) {
 }
 
 void put_stroke(CdrWriter& cdr, Bytes& out, const Stroke& stroke) {
+  if (not_utf8(stroke.meaning))
+    throw InputError(
+        "a stroke whose meaning is not UTF-8 cannot be recorded; expected text in that encoding");
   cdr.number(static_cast<std::uint8_t>(stroke.kind));
   cdr.text(stroke.meaning);
   cdr.number(static_cast<std::uint32_t>(stroke.points.size()));

@@ -13,7 +13,8 @@ namespace fairway {
 
 // CDR messages of sketches and of messages under way; `out` is emptied first. O(size).
 
-/// Pixels keep their lower 24 bits, which are all of their colour.
+/// Pixels keep their lower 24 bits, which are all of their colour. Throws InputError for a meaning that is
+/// not UTF-8.
 void encode_sketch(Bytes& out, Stamp stamp, std::span<const Stroke> strokes);
 void encode_flights(Bytes& out, Stamp stamp, std::span<const MessageFlight> flights);
 

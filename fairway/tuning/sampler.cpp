@@ -98,6 +98,7 @@ void Sampler::tell(std::span<const Setting> best_first) {
     cma_->tell(points);
   }
   const auto better = best_first.first(best_first.size() / 2);
+  if (better.empty()) return;
   for (std::size_t i = 0; i < parameters_.size(); ++i)
     if (parameters_[i].kind != Kind::number) learn(parameters_[i], discrete_[i], i, better);
 }

@@ -24,7 +24,8 @@ class Sampler {
 
   Setting ask();
 
-  /// A generation, best first; its numbers are those that were asked for.
+  /// A generation, best first; its numbers are those that were asked for. At least four where there are
+  /// numbers; of integers and choices alone any, where one by itself teaches nothing.
   void tell(std::span<const Setting> best_first);
 
   /// Begins again with the first distributions around `setting`.

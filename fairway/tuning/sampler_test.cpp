@@ -78,6 +78,22 @@ TEST(Sampler, AChoiceThatLosesIsStillTriedNowAndThen) {
   EXPECT_LT(others, 250);
 }
 
+TEST(Sampler, LearnsNothingOfASettingThatNoOtherStandsBeside) {
+  Sampler told{{parameters[1], parameters[2]}, Rng{5}}, untold = told;
+  told.tell(std::vector<Setting>{{20, 1}});
+  EXPECT_EQ(told.ask(), untold.ask());
+}
+
+TEST(Setting, AllOfASmallSpaceAreKnownAndNoneOfALargerOne) {
+  const std::vector<TunedParameter> small{
+      {.name = "symmetry", .kind = Kind::choice, .choices = {"none", "starboard"}},
+      {.name = "neighbours_count", .kind = Kind::integer, .range = {4, 6}}};
+  const std::vector<Setting> all{{0, 4}, {0, 5}, {0, 6}, {1, 4}, {1, 5}, {1, 6}};
+  EXPECT_EQ(all_settings(small, 6), all);
+  EXPECT_TRUE(all_settings(small, 5).empty());
+  EXPECT_TRUE(all_settings(parameters, 1'000'000).empty()) << "a number has no end of values";
+}
+
 TEST(Setting, IsWrittenIntoTheAvoider) {
   EXPECT_EQ(avoider_text("orca3d", parameters, {12.5, 8, 1}),
             "{algorithm: orca3d, horizon_s: 12.5, neighbours_count: 8, symmetry: starboard}");

@@ -13,7 +13,27 @@
 namespace fairway {
 namespace {
 
-constexpr int most_asks = 50;  // for a setting that was not tried yet
+constexpr int most_asks = 50;                  // for a setting that was not tried yet
+constexpr std::size_t least_learnt_of = 4;     // CMA-ES is told of so many at least
+constexpr std::size_t most_tried_whole = 100;  // settings: on five seeds each they cost 500 runs
+
+/// Whether the method as it is written is one of the settings that are searched.
+bool has_usual(const std::vector<TunedParameter>& parameters) {
+  return std::ranges::all_of(parameters, &std::string::empty, &TunedParameter::beyond);
+}
+
+/// Every setting besides that of the method itself, of a space that is small enough to try them all; none of
+/// a larger one.
+std::vector<Setting> few_settings(const std::vector<TunedParameter>& parameters) {
+  std::vector<Setting> settings = all_settings(parameters, most_tried_whole);
+  if (has_usual(parameters)) std::erase(settings, usual_setting(parameters));
+  return settings;
+}
+
+/// How many settings a generation has, of whom `few` were to be tried and `tried` are.
+std::size_t generation_of(const Sampler& sampler, const std::vector<Setting>& few, std::size_t tried) {
+  return few.empty() ? sampler.population() : std::min(sampler.population(), few.size() - tried);
+}
 
 std::vector<double> values_of(std::span<const Outcome> outcomes, double Outcome::*value) {
   std::vector<double> values;
@@ -86,7 +106,10 @@ class Search {
         runs_{runs},
         options_{options},
         sampler_{tuning.parameters, Rng{options.seed}.stream("tuning")},
-        left_{options.budget} {}
+        few_{few_settings(tuning.parameters)},
+        left_{options.budget} {
+    if (!few_.empty() && has_usual(tuning.parameters)) tried_.insert(usual_setting(tuning.parameters));
+  }
 
   TuningResult run() {
     if (options_.progress != nullptr) options_.progress->begin(count());
@@ -94,9 +117,10 @@ class Search {
     left_ -= usual_.size();
     if (options_.progress != nullptr) options_.progress->update(count());
     remember(result_.best, usual_);
-    while (left_ >= sampler_.population() * least_train_seeds * scenarios() && next_generation()) {
+    while (left_ >= generation() * least_train_seeds * scenarios() && next_generation()) {
     }
     if (options_.progress != nullptr) options_.progress->end(count());
+    result_.budget = options_.budget;
     result_.runs = options_.budget - left_;
     result_.is_usual = result_.best.empty();
     if (result_.is_usual) result_.best = usual_setting(tuning_.parameters);
@@ -106,6 +130,7 @@ class Search {
 
  private:
   std::size_t scenarios() const { return tuning_.train.scenarios.size(); }
+  std::size_t generation() const { return generation_of(sampler_, few_, result_.tried); }
   ProgressCount count() const { return {.total = options_.budget, .made = options_.budget - left_}; }
 
   /// A setting as the campaign's machinery takes it; none is the method as written.
@@ -121,20 +146,23 @@ class Search {
     return runs_.outcomes(methods, tuning_.train, 0, tuning_.train.seed_count);
   }
 
-  /// Settings that nobody has tried; fewer where the sampler comes up with none.
+  /// Settings that nobody has tried; fewer where the sampler comes up with none and they are not few enough
+  /// to go through.
   std::vector<Contender> newcomers() {
     std::vector<Contender> contenders;
-    for (int asked = 0; asked < most_asks && contenders.size() < sampler_.population(); ++asked) {
-      Setting setting = sampler_.ask();
-      if (tried_.insert(setting).second) contenders.push_back({.setting = std::move(setting)});
-    }
+    const auto take = [&](const Setting& setting) {
+      if (tried_.insert(setting).second) contenders.push_back({.setting = setting});
+    };
+    const std::size_t wanted = generation();
+    for (int asked = 0; asked < most_asks && contenders.size() < wanted; ++asked) take(sampler_.ask());
+    for (auto next = few_.begin(); next != few_.end() && contenders.size() < wanted; ++next) take(*next);
     return contenders;
   }
 
   /// False where there is nothing new to try.
   bool next_generation() {
     std::vector<Contender> contenders = newcomers();
-    if (contenders.size() < 4) return false;
+    if (contenders.size() < (few_.empty() ? least_learnt_of : 1)) return false;
     result_.tried += contenders.size();
     ++result_.generations;
     const RaceCourse course{
@@ -208,6 +236,7 @@ class Search {
   TrialRuns& runs_;
   const TuneOptions& options_;
   Sampler sampler_;
+  std::vector<Setting> few_;  ///< all that there are to try, where they are few
   std::size_t left_;
   std::set<Setting> tried_;
   Outcomes usual_;     ///< of the method as written
@@ -229,7 +258,8 @@ Shown shown_by(const Appraisal& appraisal) {
 }
 
 std::size_t least_budget(const TuningFile& tuning) {
-  const std::size_t generation = Sampler{tuning.parameters, Rng{0}}.population();
+  const Sampler sampler{tuning.parameters, Rng{0}};
+  const std::size_t generation = generation_of(sampler, few_settings(tuning.parameters), 0);
   return tuning.train.runs() + generation * least_train_seeds * tuning.train.scenarios.size();
 }
 

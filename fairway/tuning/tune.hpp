@@ -45,7 +45,8 @@ struct Ablation {
 
 struct TuningResult {
   Setting best;
-  bool is_usual{};     ///< nothing better than the method as written was found
+  bool is_usual{};  ///< nothing better than the method as written was found
+  std::size_t budget{};
   std::size_t runs{};  ///< spent of the budget
   std::size_t generations{};
   std::size_t tried{};  ///< settings
@@ -65,13 +66,14 @@ struct TuneOptions {
 };
 
 /// The least budget for a specification: the method as written on all of train, and one generation as far as
-/// its first appraisal.
+/// its first appraisal. A space of fewer settings than a generation has makes a smaller one.
 std::size_t least_budget(const TuningFile& tuning);
 
 /// Throws InputError for a budget below it.
 void refuse_small_budget(const TuningFile& tuning, std::size_t budget);
 
-/// Searches by racing generations of settings, and judges what it found on runs that it never saw. The same
+/// Searches by racing generations of settings, and judges what it found on runs that it never saw. Of a space
+/// of at most a hundred settings it tries every one, once, and ends when that is done. The same
 /// specification, budget and seed come to the same result on any number of threads, and go on from where they
 /// were stopped. Throws as refuse_small_budget(), RunAbandoned if stopped.
 TuningResult tune(const TuningFile& tuning, TrialRuns& runs, const TuneOptions& options);

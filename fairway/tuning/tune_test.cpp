@@ -68,6 +68,12 @@ class Tuning : public ::testing::Test {
     return parse_tuning_file(text, file(), catalogs_.avoiders).tunings.front();
   }
 
+  /// The specification with other parameters, as a mapping on one line.
+  static std::string searching(const std::string& parameters) {
+    const std::size_t from = specification.find("parameters:"), to = specification.find("train:");
+    return specification.substr(0, from) + "parameters: " + parameters + "\n" + specification.substr(to);
+  }
+
   TuningResult tuned(Store& store, unsigned jobs, std::size_t budget = 800,
                      const Simulate& simulate = pretended, const TuningFile* tuning = nullptr) const {
     TrialRuns runs{file(), {.check = {}, .own = {}, .simulate = simulate}, store, {.jobs = jobs}};
@@ -281,6 +287,61 @@ TEST_F(Tuning, TheAvoiderItWritesIsTheOneItFound) {
       << text;
   EXPECT_TRUE(text.find("\n# it is shown to be quicker than the method as written.\n") != std::string::npos)
       << text;
+}
+
+TEST_F(Tuning, OfAFewSettingsEachIsTriedOnceAndThenTheSearchEnds) {
+  // how many there are, less the method's own setting (500, none, 5) where that is among them
+  const std::vector<std::pair<std::string, std::size_t>> spaces{
+      {"{max_neighbours_count: [5, 6, 9]}", 3},
+      {"{max_neighbours_count: [4, 5, 6, 7, 8]}", 5},
+      {"{max_neighbours_count: {from: 5, to: 7}}", 3},
+      {"{max_neighbours_count: [6, 7, 500], symmetry: }", 3 * 4 - 1},
+      {"{max_neighbours_count: {from: 3, to: 7}, symmetry: , time_horizon_s: [4, 5, 6, 8, 10]}", 5 * 4 * 5}};
+  for (const auto& [space, expected] : spaces) {
+    Store store = Store::in_memory();
+    const TuningFile tuning = parsed(searching(space));
+    const TuningResult result = tuned(store, 2, 10'000, pretended, &tuning);
+    EXPECT_EQ(result.tried, expected) << space;
+    EXPECT_EQ(value_text(tuning.parameters[0], result.best[0]), "6") << space;
+    EXPECT_EQ(result.budget, 10'000U);
+    EXPECT_LT(result.runs, result.budget) << space;
+    EXPECT_GE(result.runs, 20 + 5 * expected) << "each has run the first seeds: " << space;
+  }
+}
+
+TEST_F(Tuning, ASingleSettingBesidesTheMethodsOwnIsComparedWithIt) {
+  const Simulate quicker = [](const Scenario& scenario) {
+    std::vector<Measure> measures = pretended(scenario);
+    for (const auto& [name, value] : scenario.vehicles[0].avoider->params)
+      if (name == "symmetry" && value == ParamValue{"starboard"}) measures[2].value -= 50.0;
+    return measures;
+  };
+  const TuningFile tuning = parsed(searching("{symmetry: [none, starboard]}"));
+  Store store = Store::in_memory();
+  const TuningResult result = tuned(store, 2, 40, quicker, &tuning);
+  EXPECT_EQ(result.tried, 1U);
+  EXPECT_EQ(result.runs, 40U) << "the method as written and the other, on 20 seeds each";
+  EXPECT_EQ(result.best, Setting{1.0});
+  EXPECT_FALSE(result.is_usual);
+  EXPECT_EQ(refusal_by([&] { refuse_small_budget(tuning, 24); }),
+            "a budget of 24 runs is too small to race; this needs 25 to judge one generation");
+}
+
+TEST_F(Tuning, WhatTheMethodHasIsItsDefaultEvenWhereThatIsNoneOfTheChoices) {
+  const TuningFile tuning =
+      parsed(searching("{time_horizon_s: [4, 6, 8, 15], max_neighbours_count: [6, 5e2]}"));
+  Store store = Store::in_memory();
+  const TuningResult result = tuned(store, 2, 1000, pretended, &tuning);
+  ASSERT_EQ(result.best, (Setting{3.0, 0.0}));
+  const std::string text = tuning_text(tuning, result);
+  EXPECT_NE(text.find(" 15   (it has 5)\n"), std::string::npos) << text;
+  EXPECT_NE(text.find(" 6   (it has 5e2)\n"), std::string::npos) << text;
+  EXPECT_EQ(to_json(tuning, result)["default"]["parameters"],
+            (nlohmann::json{{"time_horizon_s", "5"}, {"max_neighbours_count", "5e2"}}));
+  // as pretended: 30 ln(20 / 5) s at its own horizon of 5 s, 30 ln(20 / 15) s at 15 s
+  ASSERT_EQ(result.ablations.size(), 2U);
+  EXPECT_NEAR(result.ablations[0].appraisal.time_s.mean - result.validation.time_s.mean, 30.0 * std::log(3.0),
+              1e-6);
 }
 
 TEST_F(Tuning, RefusesWhatCannotBeTunedWithItsPlace) {

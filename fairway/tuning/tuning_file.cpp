@@ -31,31 +31,53 @@ std::int32_t read_version(const Value& value) {
   return version;
 }
 
-double usual_of(const TunedParameter& parameter, const ParamInfo& info, const ParamValue& value) {
-  if (parameter.kind != Kind::choice) {
-    const double* number = std::get_if<double>(&value);
-    return std::clamp(number != nullptr ? *number : parameter.range.lo, parameter.range.lo,
-                      parameter.range.hi);
-  }
-  const std::string text = info.type == "boolean" ? (std::get<bool>(value) ? "true" : "false")
-                           : std::holds_alternative<double>(value) ? number_text(std::get<double>(value))
-                                                                   : std::get<std::string>(value);
-  const auto place = std::find(parameter.choices.begin(), parameter.choices.end(), text);
-  return place == parameter.choices.end() ? 0.0 : static_cast<double>(place - parameter.choices.begin());
+std::string text_of(const ParamValue& value) {
+  if (const bool* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
+  if (const double* number = std::get_if<double>(&value)) return number_text(*number);
+  return std::get<std::string>(value);
+}
+
+std::size_t index_of(const std::vector<ParamValue>& values, const ParamValue& value) {
+  return static_cast<std::size_t>(std::ranges::find(values, value) - values.begin());
+}
+
+double choosable_number(const Value& entry, const ParamInfo& info) {
+  const yaml::Bounds bounds = yaml::from_to(info.range.lo, info.range.hi);
+  const bool is_whole = info.type == "integer";
+  const std::string expected = (is_whole ? "a whole number in " : "a number in ") + bounds.text();
+  if (!entry.tree().is_scalar()) entry.expected(expected);
+  const double number = entry.number(bounds);
+  if (is_whole && std::floor(number) != number) entry.expected(expected);
+  return number;
+}
+
+/// What an entry of a list of choices means, however it is written.
+ParamValue choosable(const Value& entry, const ParamInfo& info) {
+  if (info.type == "boolean") return entry.flag();
+  if (info.type != "choice") return choosable_number(entry, info);
+  std::string text = yaml::one_line(entry.tree());
+  if (std::ranges::find(info.choices, text) == info.choices.end())
+    entry.refuse("is " + text + suggestion(text, {info.choices.begin(), info.choices.end()}));
+  return text;
 }
 
 /// `[none, starboard]`, or of a number `[1, 2, 4]`: the values between which to choose.
 void read_choices(const Value& value, const ParamInfo& info, TunedParameter& parameter) {
   parameter.kind = Kind::choice;
+  std::vector<ParamValue> values;
   for (std::size_t i = 0; i < value.tree().items.size(); ++i) {
     const Value entry = value.entry(i);
-    std::string text = yaml::one_line(entry.tree());
-    const bool known = info.type != "choice" || std::ranges::find(info.choices, text) != info.choices.end();
-    if (!known) entry.refuse("is " + text + suggestion(text, {info.choices.begin(), info.choices.end()}));
-    if (std::ranges::find(parameter.choices, text) != parameter.choices.end())
-      entry.refuse(text + " is given twice");
-    parameter.choices.push_back(std::move(text));
+    const std::string text = yaml::one_line(entry.tree());
+    values.push_back(choosable(entry, info));
+    const std::size_t first = index_of(values, values.back());
+    if (first < i)
+      entry.refuse(text + " is given twice" +
+                   (parameter.choices[first] == text ? "" : ", first as " + parameter.choices[first]));
+    parameter.choices.push_back(text);
   }
+  const std::size_t usual = index_of(values, info.value);
+  parameter.usual = static_cast<double>(usual);
+  if (usual == values.size()) parameter.beyond = text_of(info.value);
 }
 
 /// `{from: 2, to: 60, scale: log}`; what is not given is as the method declares it.
@@ -67,6 +89,9 @@ void read_range(const Value& value, const ParamInfo& info, TunedParameter& param
   parameter.range = {from ? from->number(bounds) : info.range.lo, to ? to->number(bounds) : info.range.hi};
   const auto [lo, hi] = parameter.range;
   if (!(lo < hi)) value.refuse("from must be less than to");
+  const double usual = std::get<double>(info.value);
+  parameter.usual = std::clamp(usual, lo, hi);
+  if (parameter.usual != usual) parameter.beyond = text_of(info.value);
   if ((!from || !to) && hi - lo > widest_ratio * std::max(1.0, std::fabs(lo)))
     value.refuse("may be anything in [" + number_text(lo) + ", " + number_text(hi) +
                  "], which is no range to search; give from and to");
@@ -90,6 +115,8 @@ void take_all(const Value& value, const ParamInfo& info, TunedParameter& paramet
   }
   parameter.kind = Kind::choice;
   parameter.choices = info.type == "boolean" ? std::vector<std::string>{"false", "true"} : info.choices;
+  const auto usual = std::ranges::find(parameter.choices, text_of(info.value));
+  parameter.usual = static_cast<double>(usual - parameter.choices.begin());
 }
 
 TunedParameter read_parameter(const Value& value, const ParamInfo& info, const ParamValues& written) {
@@ -110,7 +137,6 @@ TunedParameter read_parameter(const Value& value, const ParamInfo& info, const P
       std::ranges::find(written, info.name, [](const auto& w) { return std::string_view{w.first}; });
   if (set != written.end())
     value.refuse("is set by method too, so it is not searched for; leave it out there");
-  parameter.usual = usual_of(parameter, info, info.value);
   return parameter;
 }
 

@@ -70,7 +70,7 @@ json setting_json(const TuningFile& tuning, const Setting& setting) {
   for (std::size_t i = 0; i < setting.size(); ++i) {
     const TunedParameter& parameter = tuning.parameters[i];
     if (parameter.kind == TunedParameter::Kind::choice) {
-      object[parameter.name] = parameter.choices[static_cast<std::size_t>(setting[i])];
+      object[parameter.name] = value_text(parameter, setting[i]);
     } else {
       object[parameter.name] = setting[i];
     }
@@ -162,6 +162,7 @@ json to_json(const TuningFile& tuning, const TuningResult& result) {
                 {"results_epoch", results_epoch},
                 {"best", setting_json(tuning, result.best)},
                 {"better_than_default", !result.is_usual},
+                {"budget", result.budget},
                 {"runs", result.runs},
                 {"generations", result.generations},
                 {"tried", result.tried},
@@ -197,6 +198,16 @@ json to_json(const TuningFile& tuning, const TuningResult& result) {
     document["ablations"].push_back(
         {{"parameter", ablation.parameter}, {"validation", appraisal_json(ablation.appraisal)}});
   return document;
+}
+
+void refuse_smaller_budget(const json& document, const std::string& file, std::size_t budget) {
+  const bool notes_it = document.contains("budget");  // else what it spent is known
+  const json& noted = document.value(notes_it ? "budget" : "runs", json{});
+  if (!noted.is_number_unsigned() || noted.get<std::size_t>() <= budget) return;
+  throw InputError(fmt::format(
+      "{}: was made with a budget of {}{} runs, and --budget {} is smaller; expected at least {} to "
+      "go on from there, another --out, or --force to replace it",
+      file, notes_it ? "" : "at least ", noted.get<std::size_t>(), budget, noted.get<std::size_t>()));
 }
 
 std::string tuned_avoider(const TuningFile& tuning, const TuningResult& result, const std::string& command) {

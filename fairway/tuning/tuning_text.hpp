@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
@@ -18,6 +19,10 @@ nlohmann::json to_json(const TuningFile& tuning, const TuningResult& result);
 
 /// An avoider as scenarios, campaigns and `run --algorithm` take it, with where it comes from in comments.
 std::string tuned_avoider(const TuningFile& tuning, const TuningResult& result, const std::string& command);
+
+/// Throws InputError where `document`, a result of the same search that lies in `file`, was made with a
+/// larger budget than this one: what was found with less would take the place of what was found with more.
+void refuse_smaller_budget(const nlohmann::json& document, const std::string& file, std::size_t budget);
 
 /// tuned_avoider() as a file.
 inline constexpr FileKind tuned_file{
