@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -92,12 +93,16 @@ struct SituationRows {
 struct CommandBatch {
   py::array velocity;
   py::array mode;
+  py::array heading;
+  py::array turn_rate;
 };
 
 CommandBatch decide_rows(const Avoider& avoider, const SituationRows& rows, unsigned jobs) {
   constexpr std::size_t block = 256;
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> velocity(3 * rows.count);
   std::vector<std::uint8_t> mode(rows.count);
+  std::vector<double> heading(rows.count), turn_rate(rows.count);
   const auto work = [&](std::size_t which) {
     std::vector<Track> tracks;
     tracks.reserve(rows.neighbours);
@@ -105,12 +110,17 @@ CommandBatch decide_rows(const Avoider& avoider, const SituationRows& rows, unsi
       const Command command = Avoider{avoider}.decide(rows.situation(i, tracks));
       std::copy_n(command.velocity.data(), 3, &velocity[3 * i]);
       mode[i] = static_cast<std::uint8_t>(command.mode);
+      heading[i] = command.heading.value_or(none);
+      turn_rate[i] = command.turn_rate.value_or(none);
     }
   };
   std::atomic<bool> stop{false};
   in_parallel((rows.count + block - 1) / block, jobs, stop, work);
   const auto count = static_cast<py::ssize_t>(rows.count);
-  return {owned_array(std::move(velocity), {count, 3}), owned_array(std::move(mode), {count})};
+  return {.velocity = owned_array(std::move(velocity), {count, 3}),
+          .mode = owned_array(std::move(mode), {count}),
+          .heading = owned_array(std::move(heading), {count}),
+          .turn_rate = owned_array(std::move(turn_rate), {count})};
 }
 
 /// How many rows or neighbours an array of `dimensions` has at `axis`.
@@ -215,6 +225,11 @@ void add_decide_batch(py::module_& m, const py::object& avoider_class,
   py::class_<CommandBatch>(m, "CommandBatch", "What Avoider.decide_batch decided, by row.")
       .def_readonly("velocity", &CommandBatch::velocity, "n x 3, desired, over ground [m/s, NED]")
       .def_readonly("mode", &CommandBatch::mode, "n, as numbers: Mode(n)")
+      .def_readonly("heading", &CommandBatch::heading, "n, desired yaw [rad]; NaN where none is commanded")
+      .def_readonly(
+          "turn_rate", &CommandBatch::turn_rate,
+          "n, desired yaw rate [rad/s, positive to starboard]; NaN where none is commanded. With one, "
+          "the part of the velocity along the present heading is the surge")
       .def("__len__", [](const CommandBatch& self) { return self.mode.shape(0); });
   avoider_class.attr("decide_batch") = py::cpp_function(
       [avoider_of = std::move(avoider_of)](const py::object& self, int jobs, const py::kwargs& given) {

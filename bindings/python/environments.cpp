@@ -257,7 +257,8 @@ void bind_environments(py::module_& m) {
         released(all, [&] { all.advise(); });
         return view(self, all.shown().advice, shape_of(all, Dimensions::actions));
       },
-      "What the learners' own avoiders would do, as actions. Ask at every step of an episode or at none.");
+      "What the learners' own avoiders would do, as actions. Ask at every step of an episode or at none. "
+      "Raises InputError where one commands a heading or a turn rate that the velocity does not say.");
   c.def(
       "advised_commands",
       [](Environments& all) {

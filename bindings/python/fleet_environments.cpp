@@ -114,6 +114,9 @@ void FleetEnvironments::reset(std::span<const std::uint8_t> chosen,
 
 void FleetEnvironments::step(std::span<const double> actions) {
   const std::size_t size = learner_count() * 3;
+  for (std::size_t i = 0; i < count(); ++i) {
+    if (!at(i).is_over()) FleetEnvironment::refuse_nonsense(actions.subspan(i * size, size));
+  }
   for_each([&](std::size_t i) {
     const bool is_new = autoreset_ && at(i).is_over();
     is_new ? at(i).reset({}) : at(i).step(actions.subspan(i * size, size));

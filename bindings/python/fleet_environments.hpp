@@ -65,7 +65,8 @@ class FleetEnvironments {
   void reset(std::span<const std::uint8_t> chosen, std::span<const std::optional<std::uint64_t>> seeds);
 
   /// A step of each; `actions` are environments x learners x 3. With autoreset, an environment whose episode
-  /// is over begins the next one instead, whatever the action, at no reward.
+  /// is over begins the next one instead, whatever the action, at no reward. An action of another one that is
+  /// not finite is refused before any environment steps.
   void step(std::span<const double> actions);
   void step(std::span<const Command> commands);
   void advise();

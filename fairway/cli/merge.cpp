@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <atomic>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -47,7 +48,8 @@ void print_merged(const MergeFlags& flags, const MergeReport& report) {
                              flags.out);
 }
 
-int merge(const MergeFlags& flags, const Outputs& outputs) {
+int merge(const MergeFlags& flags, const Outputs& outputs, const Program& program) {
+  const std::atomic<bool>* const stop = program.stop;  // from here on the first signal ends in order
   // what is at --out may be among what is merged, and is merged anyway
   std::vector<std::string> others;
   std::error_code none;
@@ -57,6 +59,10 @@ int merge(const MergeFlags& flags, const Outputs& outputs) {
   outputs.judge(others);
   LocalStore merged{flags.out, outputs.force() ? Store::Foreign::replace : Store::Foreign::refuse};
   const MergeReport report = merge_into(merged.store(), flags.out, flags.stores);
+  if (*stop) {
+    std::cerr << "fairway: interrupted; nothing was written\n";
+    return interrupted;
+  }
   merged.publish();
   print_merged(flags, report);
   return ok;
@@ -76,7 +82,7 @@ void add_merge(CLI::App& app, Program& program) {
   outputs->add("--out", flags->out, store_file, "results store to write; what it holds already is kept")
       ->required();
   verb->add_flag("--json", flags->json, "print what was merged as JSON");
-  program.on(*verb, [=] { return merge(*flags, *outputs); });
+  program.on(*verb, [=, &program] { return merge(*flags, *outputs, program); });
 }
 
 }  // namespace fairway::cli

@@ -101,13 +101,14 @@ nlohmann::json search_of(const TuneFlags& flags, const TuningFile& tuning) {
   return {{"specification", add_specification(digest, flags, tuning).hex()}, {"seed", flags.seed}};
 }
 
-/// A result that is there stays, unless it is of the same search with whatever budget, or of one by a fairway
-/// that did not note whose it was.
+/// A result that is there stays, unless it is of the same search with no larger a budget, or of one by a
+/// fairway that did not note whose it was.
 void refuse_result_of_another(const TuneFlags& flags, const Task& task) {
   std::ifstream file{task.files.document};
   const nlohmann::json document = nlohmann::json::parse(file, nullptr, false);
   if (!document.is_object() || !document.contains("search")) return;
-  if (document["search"] == search_of(flags, task.tuning)) return;
+  if (document["search"] == search_of(flags, task.tuning))
+    return refuse_smaller_budget(document, task.files.document, flags.budget);
   throw InputError(
       task.files.document +
       ": is the result of another search: of another specification, scenario or --seed; expected "

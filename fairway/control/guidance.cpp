@@ -30,9 +30,12 @@ Command follow_section(const Leg& leg, const Ownship& own, double lookahead) noe
   const double length = line.norm();
   const Vec3 along = unit(line);
 
-  const double done = std::clamp((own.position - leg.from).dot(along), 0.0, length);
+  const double place = (own.position - leg.from).dot(along);
+  const double done = std::clamp(place, 0.0, length);
   const Vec3 aim = leg.from + math::fmin(done + lookahead, length) * along;
-  const double to_end = math::fmin(done, length - done);
+  const double to_end = place < 0.0      ? (own.position - leg.from).norm()
+                        : place > length ? (own.position - leg.position).norm()
+                                         : math::fmin(done, length - done);
   const double speed = leg.speed_mps * std::clamp(to_end / lookahead, 0.2, 1.0);
   return {.velocity = speed * unit(aim - own.position)};
 }

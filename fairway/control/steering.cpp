@@ -28,6 +28,15 @@ double turn_rate(const SteeringParams& params, double error) {
   return std::clamp(params.turn_gain_hz * error, -params.max_turn_rate_radps, params.max_turn_rate_radps);
 }
 
+/// Whether the velocity is not along the heading that is asked for: then it is made as far as it is along the
+/// bow.
+bool leads_elsewhere(const Command& command, double speed) {
+  constexpr double rounding = 1e-6;  // [rad]
+  if (!command.heading || speed <= 0.0) return false;
+  const double course = math::atan2(command.velocity.y(), command.velocity.x());
+  return std::abs(wrap_angle(course - *command.heading)) > rounding;
+}
+
 BodyRequest go_as_you_are(const SteeringParams& params, const Command& command, double yaw) {
   const double error = wrap_angle(command.heading.value_or(params.heading_rad) - yaw);
   const Vec2 level_b = turned(command.velocity.head<2>(), -yaw);
@@ -49,6 +58,11 @@ BodyRequest steer(const SteeringParams& params, const Command& command, double y
   const double speed = horizontal_norm(command.velocity);
   const Aim aim = aim_of(command, speed, yaw);
   BodyRequest request{.heave_mps = command.velocity.z()};
+  if (leads_elsewhere(command, speed)) {
+    request.surge_mps = unit_at(yaw).dot(command.velocity.head<2>());
+    request.yaw_rate_radps = turn_rate(params, aim.alpha);
+    return request;
+  }
 
   if (params.kind != SteeringKind::turn_then_go) {
     const bool waits = params.kind == SteeringKind::proportional;

@@ -21,6 +21,21 @@ TEST(Steering, ACommandedTurnRateIsTakenAsItIsByEveryKind) {
   }
 }
 
+TEST(Steering, AVelocityBesideTheHeadingThatIsAskedForIsMadeAsFarAsItIsAlongTheBow) {
+  for (const SteeringKind kind :
+       {SteeringKind::proportional, SteeringKind::speed_and_course, SteeringKind::turn_then_go}) {
+    SteeringParams params;
+    params.kind = kind;
+    const Command east{.velocity = {0.0, 0.5, 0.0}, .heading = 0.0};
+    EXPECT_NEAR(steer(params, east, 0.0).surge_mps, 0.0, 1e-12);
+    const Command south{.velocity = {-0.5, 0.0, 0.0}, .heading = 0.0};
+    EXPECT_NEAR(steer(params, south, 0.0).surge_mps, -0.5, 1e-12) << "astern, and not the opposite way";
+    EXPECT_EQ(steer(params, south, 0.0).yaw_rate_radps, 0.0);
+    const Command along{.velocity = {0.5, 0.0, 0.0}, .heading = 0.0};
+    EXPECT_EQ(steer(params, along, 0.0).surge_mps, 0.5);
+  }
+}
+
 TEST(Steering, HolonomicGoesAnyWayAndKeepsTheHeading) {
   const BodyRequest request = steer({.kind = SteeringKind::holonomic, .heading_rad = 0.5 * std::numbers::pi},
                                     {.velocity = {0.3, 0.4, 0.1}}, 0.5 * std::numbers::pi);

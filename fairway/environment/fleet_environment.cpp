@@ -21,10 +21,34 @@ bool takes_part(const Agent& agent) {
   return is_avoiding(agent.mission.phase()) || agent.mission.phase() == Phase::arrived;
 }
 
-double largest_speed(const VehicleSpec& spec) {
+/// A request that differs by less is the same [m/s, rad/s].
+constexpr double request_tolerance = 1e-6;
+
+double largest_speed(const Limits& limits, std::span<const Leg> mission) {
   double fastest = 0.0;
-  for (const Leg& leg : spec.mission) fastest = std::max(fastest, leg.speed_mps);
-  return limit_or(spec.limits.max_speed, fastest);
+  for (const Leg& leg : mission) fastest = std::max(fastest, leg.speed_mps);
+  return limit_or(limits.max_speed, fastest);
+}
+
+/// What an action can say of a command.
+Command action_of(const Command& command) {
+  return {.velocity = command.mode == Mode::hold ? Vec3{Vec3::Zero()} : command.velocity};
+}
+
+BodyRequest request_by(const Agent& agent, const Command& command) {
+  Pilot pilot = agent.pilot;
+  pilot.obey(command, agent.own, agent.estimated_current());
+  return pilot.request(agent.own, agent.estimated_current());
+}
+
+/// Whether the vehicle would do the same now without the command's heading and turn rate.
+bool velocity_says_all(const Agent& agent, const Command& command) {
+  if (!command.turn_rate && (!command.heading || command.mode == Mode::hold)) return true;
+  const BodyRequest whole = request_by(agent, command);
+  const BodyRequest part = request_by(agent, action_of(command));
+  const auto are_near = [](double a, double b) { return std::abs(a - b) <= request_tolerance; };
+  return are_near(whole.surge_mps, part.surge_mps) && are_near(whole.sway_mps, part.sway_mps) &&
+         are_near(whole.yaw_rate_radps, part.yaw_rate_radps);
 }
 
 int checked_count(const char* name, int given, int present, int usual, int most) {
@@ -69,7 +93,7 @@ void FleetEnvironment::find_learners() {
     place.agent = index;
     places_.push_back(place);
     Learner learner;
-    learner.max_speed = largest_speed(scenario_.vehicles[index]);
+    learner.max_speed = largest_speed(scenario_.vehicles[index].limits, scenario_.vehicles[index].mission);
     learners_.push_back(learner);
   }
 }
@@ -124,6 +148,7 @@ void FleetEnvironment::begin(std::uint64_t seed) {
     const std::size_t index = places_[row].agent;
     places_[row].command.reset();
     places_[row].wanted.setZero();
+    learner.max_speed = largest_speed(*agent(row).ship().limits, scenario_.vehicles[index].mission);
     learner.reward = 0.0;
     learner.collided = false;
     learner.phase = agent(row).mission.phase();
@@ -150,10 +175,14 @@ void FleetEnvironment::deploy() {
   }
 }
 
-void FleetEnvironment::step(std::span<const double> actions) {
+void FleetEnvironment::refuse_nonsense(std::span<const double> actions) {
   for (const double part : actions) {
     if (!std::isfinite(part)) throw std::invalid_argument("an action holds NaN or an infinity");
   }
+}
+
+void FleetEnvironment::step(std::span<const double> actions) {
+  refuse_nonsense(actions);
   for (std::size_t row = 0; row < places_.size(); ++row) {
     Vec3 wanted{actions[3 * row], actions[3 * row + 1], actions[3 * row + 2]};
     if (options_.scaled_actions)
@@ -310,9 +339,12 @@ void FleetEnvironment::advise(std::span<double> actions) {
   advise(std::span{advice_});
   for (std::size_t row = 0; row < places_.size(); ++row) {
     const Command& command = advice_[row];
-    Vec3 advised = Vec3::Zero();
-    if (command.mode != Mode::hold)
-      advised = to_axes(options_.observation.axes, agent(row).own.yaw, command.velocity);
+    if (!velocity_says_all(agent(row), command)) {
+      throw InputError("the avoider of " + options_.learners[row] + " commands a " +
+                       (command.turn_rate ? "turn rate" : "heading") +
+                       ", which no action says: take advised_commands() instead");
+    }
+    Vec3 advised = to_axes(options_.observation.axes, agent(row).own.yaw, action_of(command).velocity);
     const double full = learners_[row].max_speed;
     if (options_.scaled_actions) advised = full > 0.0 ? Vec3{advised / full} : Vec3{Vec3::Zero()};
     for (int axis = 0; axis < 3; ++axis) actions[3 * row + static_cast<std::size_t>(axis)] = advised[axis];

@@ -54,7 +54,10 @@ class FleetEnvironment {
   /// Throws std::invalid_argument for what is not finite.
   void step(std::span<const double> actions);
 
-  /// The same with commands as an avoider gives them, which may hold or have a heading: one for each learner.
+  /// Throws std::invalid_argument for actions of which step() would say that they are not finite.
+  static void refuse_nonsense(std::span<const double> actions);
+
+  /// A step with commands as an avoider gives them, which may hold or have a heading: one for each learner.
   void step(std::span<const Command> commands);
 
   /// What learner `row` sees now, into `numbers`, as long as options().observation.size().
@@ -65,7 +68,8 @@ class FleetEnvironment {
   std::optional<Situation> situation(std::size_t row) const;
 
   /// What the learners' own avoiders of the scenario would do, as actions. They remember, so ask at each step
-  /// of an episode or at none.
+  /// of an episode or at none. Throws InputError where one commands a heading or a turn rate with which its
+  /// vehicle would do other than with the velocity alone.
   void advise(std::span<double> actions);
 
   /// The same as commands.
@@ -77,7 +81,7 @@ class FleetEnvironment {
     double goal_distance{};  ///< from the end of its present leg [m]
     double separation{};     ///< least in the last step, centre to centre [m]; infinite if alone
     double clearance{};      ///< least in the last step, sphere to obstacle [m]; infinite if none
-    double max_speed{};      ///< that actions are parts of [m/s]
+    double max_speed{};      ///< that actions are parts of, in this episode [m/s]
     Phase phase{};
     bool deciding{};  ///< the next action is heeded
     bool collided{};  ///< in this episode

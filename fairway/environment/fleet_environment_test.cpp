@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "fairway/core/testing/allocations.hpp"
+#include "fairway/core/testing/refusal.hpp"
 #include "fairway/scenario/load.hpp"
 
 namespace fairway::environment {
@@ -14,10 +15,11 @@ namespace {
 class Environment {
  public:
   explicit Environment(const std::string& name, EnvironmentOptions options = {})
-      : file_{std::string(FAIRWAY_SOURCE_DIR) + "/scenarios/" + name + ".yaml"},
-        environment_{load_scenario(file_),
-                     [file = file_](std::uint64_t seed) { return load_scenario(file, {}, seed); }, catalogs_,
-                     std::move(options)} {}
+      : Environment{[file = std::string(FAIRWAY_SOURCE_DIR) + "/scenarios/" + name +
+                            ".yaml"](std::uint64_t seed) { return load_scenario(file, {}, seed); },
+                    std::move(options)} {}
+  explicit Environment(const DrawScenario& draw, EnvironmentOptions options = {})
+      : environment_{draw(1), draw, catalogs_, std::move(options)} {}
 
   FleetEnvironment* operator->() { return &environment_; }
 
@@ -28,11 +30,33 @@ class Environment {
   }
 
  private:
-  std::string file_;
   Catalogs catalogs_ = builtin_catalogs();
   FleetEnvironment environment_;
   std::vector<double> actions_;
 };
+
+/// One vehicle under way to the north, as `particulars` of a scenario's vehicle say, among `obstacles`.
+DrawScenario north_bound(const std::string& particulars, const std::string& obstacles = "[]") {
+  return [=](std::uint64_t seed) {
+    return parse_scenario(
+        "fairway: 1\nname: alone\nduration_s: 60\nvehicles: [{name: diver, model: kinematic, " + particulars +
+            ", mission: [{transit: {position_m: [100, 0, 5], speed_mps: 0.5}}]}]\n" +
+            "obstacles: " + obstacles + "\n",
+        "alone", {}, seed);
+  };
+}
+
+std::string refusal_of_advice(const std::string& method, const std::string& yaw_deg,
+                              const std::string& obstacles = "[]") {
+  Environment environment{north_bound(method +
+                                          ", limits: {max_speed_mps: 0.5, max_turn_rate_degps: 5}, start: "
+                                          "{position_m: [0, 0, 5], yaw_deg: " +
+                                          yaw_deg + "}",
+                                      obstacles)};
+  environment->reset(1);
+  std::vector<double> action(3);
+  return refusal_by([&] { environment->advise(std::span{action}); });
+}
 
 TEST(FleetEnvironment, allocates_nothing_in_a_step_after_the_first) {
   for (const char* name : {"crossing", "swap_8", "cube20_8", "static_obstacles"}) {
@@ -78,6 +102,34 @@ TEST(FleetEnvironment, follows_its_advice_to_the_end) {
   EXPECT_FALSE(environment->truncated());
   EXPECT_EQ(environment->learners().size(), 8U);
   for (const FleetEnvironment::Learner& learner : environment->learners()) EXPECT_FALSE(learner.collided);
+}
+
+TEST(FleetEnvironment, gives_no_advice_that_leaves_out_a_turn_rate_or_a_heading) {
+  EXPECT_EQ(
+      refusal_of_advice("avoider: orca2d, tracking: auto", "90"),
+      "the avoider of diver commands a turn rate, which no action says: take advised_commands() instead");
+  EXPECT_EQ(refusal_of_advice("avoider: vo, tracking: raw", "180",
+                              "[{sphere: {position_m: [8, 0, 5], radius_m: 2}}]"),
+            "the avoider of diver commands a heading, which no action says: take advised_commands() instead");
+}
+
+TEST(FleetEnvironment, gives_advice_where_the_velocity_says_the_turn_rate_too) {
+  EXPECT_EQ(refusal_of_advice("avoider: orca2d, tracking: auto", "0"), "accepted");
+}
+
+TEST(FleetEnvironment, scales_actions_by_the_speed_limit_that_is_in_force_in_the_episode) {
+  Environment environment{
+      north_bound("avoider: direct, tracking: raw, limits: {max_speed_mps: {uniform: [0.1, 0.4]}}, "
+                  "start: {position_m: [0, 0, 5]}")};
+  std::vector<double> limits;
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    environment->reset(seed);
+    limits.push_back(environment->situation(0)->limits.max_speed);
+    EXPECT_EQ(environment->learners()[0].max_speed, limits.back());
+    for (int i = 0; i < 400; ++i) environment->step(std::vector{0.5, 0.0, 0.0});
+    EXPECT_NEAR(environment->vehicles()[0].vehicle.state().v_n().x(), 0.5 * limits.back(), 1e-3);
+  }
+  EXPECT_GT(std::abs(limits[1] - limits[0]), 0.01);
 }
 
 TEST(FleetEnvironment, advises_who_may_not_go_at_all_to_do_nothing) {

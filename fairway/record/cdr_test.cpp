@@ -68,6 +68,13 @@ TEST(Cdr, RefusesAnotherEncapsulationAnEndTooEarlyAndALateOne) {
   EXPECT_THROW(late.finish(), Malformed);
 }
 
+TEST(Cdr, RefusesTextThatIsNotUtf8) {
+  Bytes out;
+  CdrWriter cdr{out};
+  cdr.text("caf\xE9");
+  EXPECT_THROW(CdrReader{out}.text(), Malformed);
+}
+
 TEST(Messages, OdometryLiesAsTheSchemaSays) {
   VehicleState state;
   state.p_n = {1.0, 2.0, 3.0};

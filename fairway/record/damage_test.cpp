@@ -2,12 +2,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <functional>
+#include <limits>
+#include <map>
 
 #include "fairway/core/error.hpp"
 #include "fairway/core/testing/refusal.hpp"
+#include "fairway/core/text.hpp"
 #include "fairway/record/cdr.hpp"
 #include "fairway/record/frame_hash.hpp"
 #include "fairway/record/layout.hpp"
@@ -82,6 +86,20 @@ Bytes without_checksums(Bytes bytes) {
   return bytes;
 }
 
+/// Whoever prints a recording, as JSON too, relies on it.
+void expect_all_text(const Recording& recording) {
+  const RecordingInfo& info = recording.info();
+  std::vector<std::string> texts{info.version, info.scenario_name, info.scenario_yaml,
+                                 info.program, info.machine,       recording.divergence()};
+  for (const RecordingInfo::Vehicle& vehicle : info.vehicles)
+    texts.insert(texts.end(), {vehicle.name, vehicle.model});
+  for (std::size_t i = 0; i < recording.size(); ++i) {
+    for (const VehicleFrame& vehicle : recording.frame(i).vehicles)
+      for (const Stroke& stroke : vehicle.strokes) texts.push_back(stroke.meaning);
+  }
+  for (const std::string& text : texts) EXPECT_FALSE(not_utf8(text)) << text;
+}
+
 TEST(DamagedRecording, WithoutChecksumsIsReadOrRefused) {
   const Bytes whole = without_checksums(sample());
   ASSERT_EQ(refusal(whole), accepted);
@@ -92,7 +110,9 @@ TEST(DamagedRecording, WithoutChecksumsIsReadOrRefused) {
     for (std::uint64_t n = rng.index(3) + 1; n > 0; --n) {
       bytes[rng.index(bytes.size())] = static_cast<std::byte>(rng.index(256));
     }
-    refused += refusal(bytes) == accepted ? 0 : 1;
+    const bool is_accepted = refusal(bytes) == accepted;
+    refused += is_accepted ? 0 : 1;
+    if (is_accepted) expect_all_text(Recording::parse(bytes, "run.mcap"));
   }
   EXPECT_GT(refused, 2000);  // the rest hit text that means nothing to the reader
 }
@@ -117,6 +137,9 @@ struct Forgery {
   std::string vehicles = R"([{"id":1,"name":"a","model":"m","topic":"/a"}])";
   std::string end_hash = "0";
   std::string frame_count = "0";
+  std::map<std::string, std::string> run;  // instead of what stands there
+  std::map<std::string, std::string> end;  // likewise
+  std::string yaml = "name: s\n";
   bool scenario = true;
   bool perception = false;  // its topics are there
   std::string perception_told = "false";
@@ -143,22 +166,27 @@ struct Forgery {
       add(sketch_schema(), "/a/sketch");
       add(flights_schema(), "/fairway/flights");
     }
-    mcap.add_metadata("fairway", {{"format", format},
-                                  {"version", "9.9"},
-                                  {"scenario", "s"},
-                                  {"seed", "1"},
-                                  {"period_s", "0.1"},
-                                  {"stride", "1"},
-                                  {"perception", perception_told},
-                                  {"sketches", sketches_told},
-                                  {"vehicles", vehicles}});
-    if (scenario) mcap.attach("scenario.yaml", "application/yaml", "name: s\n");
+    mcap.add_metadata("fairway", laid_over(run, {{"format", format},
+                                                 {"version", "9.9"},
+                                                 {"scenario", "s"},
+                                                 {"seed", "1"},
+                                                 {"period_s", "0.1"},
+                                                 {"stride", "1"},
+                                                 {"perception", perception_told},
+                                                 {"sketches", sketches_told},
+                                                 {"vehicles", vehicles}}));
+    if (scenario) mcap.attach("scenario.yaml", "application/yaml", yaml);
     messages(mcap);
-    mcap.add_metadata(
-        "fairway.end",
-        {{"frame_count", frame_count}, {"run_frame_count", frame_count}, {"run_hash", end_hash}});
+    mcap.add_metadata("fairway.end", laid_over(end, {{"frame_count", frame_count},
+                                                     {"run_frame_count", frame_count},
+                                                     {"run_hash", end_hash}}));
     mcap.finish();
     return refusal(bytes_in(path));
+  }
+
+  static McapWriter::Map laid_over(std::map<std::string, std::string> entries, const McapWriter::Map& usual) {
+    entries.insert(usual.begin(), usual.end());
+    return {entries.begin(), entries.end()};
   }
 };
 
@@ -171,8 +199,8 @@ void write(McapWriter& mcap, std::uint16_t channel, void (*encode)(Bytes&, Stamp
   mcap.write(channel, 0, message);
 }
 
-void write_frame(McapWriter& mcap, std::int64_t tick, std::uint64_t hash = 1) {
-  write(mcap, 0, encode_frame, FrameMark{.tick = Tick{tick}, .time = 0.0, .period = 0.1, .hash = hash});
+void write_frame(McapWriter& mcap, std::int64_t tick, std::uint64_t hash = 1, double time = 0.0) {
+  write(mcap, 0, encode_frame, FrameMark{.tick = Tick{tick}, .time = time, .period = 0.1, .hash = hash});
 }
 void write_odometry(McapWriter& mcap) { write(mcap, 1, encode_odometry, "a", VehicleState{}); }
 void write_status(McapWriter& mcap, std::int64_t tick) {
@@ -186,6 +214,14 @@ void write_tracks(McapWriter& mcap) { write(mcap, 4, encode_tracks, std::span<co
 // where perception is not recorded
 void write_sketch(McapWriter& mcap, std::span<const Stroke> strokes = {}) {
   write(mcap, 3, encode_sketch, strokes);
+}
+/// A stroke whose meaning is bytes, which the encoder refuses.
+void write_sketch_without_text(McapWriter& mcap) {
+  const std::vector<Stroke> strokes{{.meaning = "me@ning"}};
+  Bytes message;
+  encode_sketch(message, Stamp{0}, strokes);
+  std::ranges::replace(message, std::byte{'@'}, std::byte{0xFF});
+  mcap.write(3, 0, message);
 }
 void write_flights(McapWriter& mcap) { write(mcap, 4, encode_flights, std::span<const MessageFlight>{}); }
 
@@ -213,6 +249,66 @@ TEST(ForgedRecording, IsRefusedForWhatIsWrongInIt) {
               HasSubstr("topic /b/odometry is missing"));
   EXPECT_THAT((Forgery{.frame_count = "1"}.refusal_of()), HasSubstr("frames are missing"));
   EXPECT_THAT((Forgery{.scenario = false}.refusal_of()), HasSubstr("the scenario is missing"));
+}
+
+TEST(ForgedRecording, IsRefusedForTextThatIsNotUtf8) {
+  const auto no_text = HasSubstr("run.mcap: damaged recording: a text is not UTF-8");
+  for (const char* key : {"version", "scenario", "vehicles", "program", "machine", "unheard_of"})
+    EXPECT_THAT((Forgery{.run = {{key, "caf\xE9"}}}.refusal_of()), no_text) << key;
+  EXPECT_THAT((Forgery{.end = {{"diverged", "\xFF"}}}.refusal_of()), no_text);
+  EXPECT_THAT((Forgery{.yaml = "name: \xFF\n"}.refusal_of()),
+              HasSubstr("run.mcap (scenario):1:7: holds a byte that is not UTF-8"));
+  EXPECT_EQ((Forgery{.run = {{"scenario", "Søløve"}}}.refusal_of()), accepted);
+}
+
+TEST(ForgedRecording, IsRefusedForNumbersThatNoRunHas) {
+  const auto with = [](const char* key, const char* value) {
+    return Forgery{.run = {{key, value}}}.refusal_of();
+  };
+  for (const char* period : {"nan", "inf", "0", "-1"})
+    EXPECT_THAT(with("period_s", period),
+                HasSubstr("period_s is '" + std::string(period) + "'; expected a positive number"));
+  for (const char* seed : {"nan", "-1", "1.5", ""})
+    EXPECT_THAT(with("seed", seed), HasSubstr("seed is '" + std::string(seed) + "'; expected a number"));
+  for (const char* stride : {"0", "-1"})
+    EXPECT_THAT(with("stride", stride),
+                HasSubstr("stride is " + std::string(stride) + "; expected 1 or more"));
+  EXPECT_THAT((Forgery{.end = {{"run_frame_count", "9"}}}.refusal_of()),
+              HasSubstr("of 9 frames it has 0; expected one in 1"));
+}
+
+TEST(ForgedRecording, IsRefusedForWhatItsScenarioTellsOtherwise) {
+  EXPECT_EQ((Forgery{.yaml = "seed: 1\nstep_s: 0.1\n"}.refusal_of()), accepted);
+  EXPECT_THAT((Forgery{.yaml = "seed: 2\n"}.refusal_of()),
+              HasSubstr("seed is 1, and its scenario has seed: 2"));
+  EXPECT_THAT((Forgery{.yaml = "seed: one\n"}.refusal_of()), HasSubstr("its scenario has seed: one"));
+  EXPECT_THAT((Forgery{.yaml = "step_s: 0.2\n"}.refusal_of()),
+              HasSubstr("period_s is 0.1, and its scenario has step_s: 0.2"));
+}
+
+TEST(ForgedRecording, IsRefusedForARunThatBrokeAndWasStopped) {
+  EXPECT_EQ((Forgery{.end = {{"stopped", "true"}}}.refusal_of()), accepted);
+  EXPECT_EQ((Forgery{.end = {{"diverged", "diverged: a at 1 s: why"}}}.refusal_of()), accepted);
+  EXPECT_THAT((Forgery{.end = {{"diverged", "diverged: a at 1 s: why"}, {"stopped", "true"}}}.refusal_of()),
+              HasSubstr("its run broke and was stopped"));
+}
+
+TEST(ForgedRecording, IsRefusedInOneLine) {
+  EXPECT_EQ((Forgery{.run = {{"seed", "1\n2\x1B[31m"}}}.refusal_of()),
+            "run.mcap: damaged recording: seed is '1?2?[31m'; expected a number");
+}
+
+TEST(ForgedRecording, IsRefusedForTimesThatDoNotAscend) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  for (const double time : {-1.0, infinite, -infinite, std::numeric_limits<double>::quiet_NaN()})
+    EXPECT_THAT((Forgery{.messages = [&](McapWriter& m) { write_frame(m, 4, 1, time); }}.refusal_of()),
+                HasSubstr("the frame at tick 4 is at " + number_text(time) +
+                          " s; expected times that ascend from 0"));
+  const auto falling = [](McapWriter& m) {
+    for (const int tick : {4, 5})
+      write_frame(m, tick, 1, 5.0 - tick), write_odometry(m), write_status(m, tick);
+  };
+  EXPECT_THAT((Forgery{.messages = falling}.refusal_of()), HasSubstr("the frame at tick 5 is at 0 s"));
 }
 
 TEST(ForgedRecording, IsRefusedForFramesThatAreNotWhole) {
@@ -270,6 +366,8 @@ TEST(ForgedRecording, IsRefusedForSketchesThatAreNotWhole) {
               HasSubstr("what a vehicle perceives or draws before the first frame"));
   EXPECT_THAT(with([&](McapWriter& m) { write_whole_frame(m), write_sketch(m, unknown); }),
               HasSubstr("a kind of stroke is 7; expected 0 to 6"));
+  EXPECT_THAT(with([](McapWriter& m) { write_whole_frame(m), write_sketch_without_text(m); }),
+              HasSubstr("a text is not UTF-8"));
   EXPECT_EQ(with([](McapWriter& m) { write_whole_frame(m), write_sketch(m), write_flights(m); }), accepted);
   EXPECT_THAT((Forgery{.sketches_told = "true"}.refusal_of()), HasSubstr("topic /a/sketch is missing"));
   EXPECT_EQ((Forgery{.sketches = true}.refusal_of()), accepted);

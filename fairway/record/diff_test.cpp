@@ -153,6 +153,24 @@ TEST(HashChecker, RemembersTheFirstMismatch) {
   EXPECT_THAT(checker.describe(), HasSubstr("was recorded, now 7"));
 }
 
+TEST(HashChecker, SeesAnotherTimeAndAnotherPeriod) {
+  const SampleRun run{2, 4};
+  const Recording recording = recorded(run, 2);
+  const auto verdict_on = [&](double later, double period) {
+    HashChecker checker{recording};
+    for (std::size_t i = 0; i < run.size(); ++i) {
+      Frame frame = run.frame(i);
+      frame.time += later;
+      frame.period = period;
+      checker.write(frame);
+    }
+    return checker.describe();
+  };
+  EXPECT_THAT(verdict_on(0.0, 0.1), ::testing::StartsWith("the same to the bit: 2 of 2"));
+  EXPECT_THAT(verdict_on(1.0, 0.1), HasSubstr("differs from tick 0 (1 s): time_s: 0 was recorded, now 1"));
+  EXPECT_THAT(verdict_on(0.0, 0.5), HasSubstr("period_s: 0.2 was recorded, now 1"));
+}
+
 TEST(HashChecker, SeesARunOfAnotherLengthAndFramesBetweenTheRecordedOnes) {
   const SampleRun run{2, 10};
   const Recording recording = recorded(run, 4);

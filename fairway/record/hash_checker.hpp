@@ -21,7 +21,7 @@ class HashChecker : public FrameSink {
     Tick tick{};
     double time{};             ///< [s]
     std::uint64_t expected{};  ///< frame_hash() in the recording
-    std::uint64_t actual{};    ///< the same if it is perception, a sketch or a word that differs
+    std::uint64_t actual{};    ///< the same if it is a time, perception, a sketch or a word that differs
     std::string what;          ///< "otter_1 x_m: 1 was recorded, now 1.0000000000000002"
   };
 

@@ -12,6 +12,8 @@
 #include <fstream>
 #include <future>
 #include <iterator>
+#include <memory>
+#include <vector>
 
 #include "fairway/core/error.hpp"
 #include "fairway/core/testing/refusal.hpp"
@@ -78,6 +80,28 @@ TEST_F(OutputFileTest, AKilledProcessLeavesTheFormerFile) {
   ::waitpid(pid, &status, 0);
   EXPECT_TRUE(WIFSIGNALED(status));
   EXPECT_EQ(bytes_of(path_), "old");
+}
+
+TEST_F(OutputFileTest, RemovePartsRemovesWhatIsNotInItsPlaceYet) {
+  write_file(path_, "old");
+  std::vector<std::unique_ptr<OutputFile>> begun;
+  for (int i = 0; i < 3; ++i) begun.push_back(std::make_unique<OutputFile>(path_));
+  const std::string abandoned = begun.front()->part();
+  begun.erase(begun.begin());
+  std::ofstream{abandoned} << "of somebody else";
+  remove_parts();
+  for (const auto& file : begun) EXPECT_FALSE(fs::exists(file->part()));
+  EXPECT_EQ(bytes_of(path_), "old");
+  EXPECT_EQ(bytes_of(abandoned), "of somebody else");
+}
+
+TEST_F(OutputFileTest, MoreThanAreListedAreWrittenAllTheSame) {
+  std::vector<std::unique_ptr<OutputFile>> begun;
+  for (int i = 0; i < 100; ++i)
+    begun.push_back(std::make_unique<OutputFile>(folder_.file(std::to_string(i))));
+  for (const auto& file : begun) file->commit();
+  remove_parts();
+  EXPECT_EQ(files_in(folder_.file(".")), 100U);
 }
 
 TEST_F(OutputFileTest, TwoOfOneNameDoNotMix) {

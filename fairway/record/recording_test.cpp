@@ -6,12 +6,14 @@
 
 #include <bit>
 #include <cfloat>
+#include <cmath>
 #include <filesystem>
 #include <iterator>
 
 #include "fairway/core/error.hpp"
 #include "fairway/core/testing/allocations.hpp"
 #include "fairway/core/testing/refusal.hpp"
+#include "fairway/core/text.hpp"
 #include "fairway/record/frame_hash.hpp"
 #include "fairway/record/mcap_reader.hpp"
 #include "fairway/record/quantities.hpp"
@@ -171,6 +173,26 @@ TEST(RecordingWriter, RefusesWhatItCannotWrite) {
   EXPECT_THROW(writer.write(run.frame(1)), InputError);
   writer.close();
   EXPECT_THROW(writer.write(run.frame(2)), InputError);
+}
+
+TEST(RecordingWriter, RefusesWhatNobodyCouldRead) {
+  const TemporaryFolder folder;
+  const auto refusal = [&](const RecordingInfo& info) {
+    return refusal_by([&] { RecordingWriter{folder.file("run.mcap"), info}; });
+  };
+  RecordingInfo info = SampleRun{}.info;
+  for (const double period : {0.0, -1.0, std::nan("")}) {
+    info.period = period;
+    EXPECT_EQ(refusal(info), "period_s: is " + number_text(period) + "; expected a positive number");
+  }
+  info.period = 0.1;
+  info.scenario_name = "caf\xE9";
+  EXPECT_EQ(refusal(info), "scenario: is not UTF-8; expected text in that encoding");
+
+  testing::SketchingRun run;
+  run.stroke(0, 1, 0).meaning = "\xFF";
+  EXPECT_THAT(refusal_by([&] { run.record(folder.file("run.mcap")); }),
+              HasSubstr("a stroke whose meaning is not UTF-8 cannot be recorded"));
 }
 
 TEST(RecordingWriter, DoesNotAllocateOnceItsBuffersHaveGrown) {

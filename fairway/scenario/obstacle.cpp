@@ -37,6 +37,10 @@ void check_polygon(const Value& value, const ObstacleSpec& polygon) {
   }
   const double area = signed_area(vertices);
   if (area == 0.0) value.refuse("the vertices_m lie on one line; a polygon needs an area");
+  if (const auto edges = crossing_edges(vertices))
+    value.refuse(fmt::format(
+        "the edges from vertices_m[{}] and [{}] cross or touch; a polygon goes round one area, once",
+        edges->first, edges->second));
   if (area < 0.0) {
     value.refuse(
         "the vertices_m run clockwise; write them counter-clockwise with n as x and e as y, that is in "

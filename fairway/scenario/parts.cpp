@@ -67,6 +67,21 @@ Block<Exam> exam_block() {
               "Default {}.")};
 }
 
+/// A collision is looked for among those who are detected.
+Form<Exam> exam_form() {
+  Form<Exam> form = block_form(exam_block());
+  form.read = [read = form.read](const Value& value) {
+    const Exam exam = read(value);
+    if (exam.crit_dist_m < exam.safety_distance_m)
+      value.refuse(
+          fmt::format("crit_dist_m is {:g} and safety_distance_m {:g}: who is not detected does not "
+                      "collide; expected the first to be no less",
+                      exam.crit_dist_m, exam.safety_distance_m));
+    return exam;
+  };
+  return form;
+}
+
 /// The version of this format. It stands in the file and not in the Scenario.
 Key<Scenario> format_version() {
   return {.name = "fairway",
@@ -208,7 +223,7 @@ const Block<Scenario>& scenario_block() {
           "The run ends here at the latest. Default {}."),
       key("seed", &Scenario::seed, seed(), "Of everything that is drawn. Default {}."),
       key("water", &Scenario::water, water(), "The water."),
-      key("exam", &Scenario::exam, block_form(exam_block()), "How encounters are counted."),
+      key("exam", &Scenario::exam, exam_form(), "How encounters are counted."),
       key("perception", &Scenario::perception, perception(),
           "What a vehicle makes of what is round it: perfect, or sonar. Default: perfect."),
       key("exchange", &Scenario::exchange, choice_unless("perfect", "kind"),

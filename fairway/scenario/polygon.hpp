@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <span>
+#include <utility>
 
 #include "fairway/core/vec.hpp"
 
@@ -18,5 +21,9 @@ inline double signed_area(std::span<const Vec3> vertices) {
   }
   return 0.5 * doubled;
 }
+
+/// The first two edges that cross or touch beside their common ends, by the vertices that they begin at; none
+/// if the vertices go round one area, once. O(n log n) where few edges share an interval of n.
+std::optional<std::pair<std::size_t, std::size_t>> crossing_edges(std::span<const Vec3> vertices);
 
 }  // namespace fairway

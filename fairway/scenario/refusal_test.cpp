@@ -208,6 +208,12 @@ TEST(RefusalTest, VehiclesMustBeAbleToStart) {
               HasSubstr("lies inside obstacles[0]"));
 }
 
+TEST(RefusalTest, WhoCollidesIsDetected) {
+  EXPECT_THAT(
+      refusal(with("exam: {crit_dist_m: 1}")),
+      HasSubstr("exam: crit_dist_m is 1 and safety_distance_m 3: who is not detected does not collide"));
+}
+
 TEST(RefusalTest, ObstaclesMustBeSolid) {
   EXPECT_THAT(refusal(with("obstacles: [{polygon: {vertices_m: [[90, 0], [90, 10], [80, 0]]}}]")),
               testing::Not(HasSubstr("clockwise")));
@@ -217,6 +223,13 @@ TEST(RefusalTest, ObstaclesMustBeSolid) {
               HasSubstr("needs 3 to 10000 vertices_m, got 2"));
   EXPECT_THAT(refusal(with("obstacles: [{polygon: {vertices_m: [[0, 90], [0, 80], [0, 70]]}}]")),
               HasSubstr("lie on one line"));
+  EXPECT_THAT(
+      refusal(with("obstacles: [{polygon: {vertices_m: [[60, 0], [43.8, 11.8], [69.1, -19], [69.1, 19], "
+                   "[43.8, -11.8]]}}]")),
+      HasSubstr("cross or touch; a polygon goes round one area, once"));
+  EXPECT_THAT(
+      refusal(with("obstacles: [{polygon: {vertices_m: [[60, 0], [70, 0], [70, 10], [70, 5], [60, 5]]}}]")),
+      HasSubstr("from vertices_m[1] and [3] cross or touch"));
   EXPECT_THAT(refusal(with("obstacles: [{polygon: {vertices_m: [[9, 0], [9, 0], [0, 7]]}}]")),
               HasSubstr("vertices_m[0] and [1] are the same place"));
   EXPECT_THAT(refusal(with("obstacles: [{segment: {from_m: [9, 0, 0], to_m: [9, 0, 0]}}]")),

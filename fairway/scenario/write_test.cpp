@@ -150,7 +150,8 @@ Scenario random_scenario(std::uint64_t seed) {
   made.water.current_n = Vec3{awkward(rng, -1, 1), awkward(rng, -1, 1), 0.0};
   made.coincident_start = true;
   made.stop_when_done = rng.index(2) == 0;
-  made.exam = {awkward(rng, 0, 9), awkward(rng, 0, 9), rng.uniform(1, 20), rng.uniform(1, 90)};
+  const double safety = awkward(rng, 0, 9);
+  made.exam = {safety + awkward(rng, 0, 9), safety, rng.uniform(1, 20), rng.uniform(1, 90)};
   made.perception.kind = choice(rng, false);
   if (rng.index(2) == 0) made.perception.range_m = rng.uniform(1, 1e3);
   for (std::uint64_t i = rng.index(4); i > 0; --i) made.obstacles.push_back(obstacle(rng));

@@ -82,7 +82,7 @@ water: {waves: [{amplitude_m: 0.1, period_s: 4, phase_deg: 90}, {amplitude_m: 1,
 vehicles: [{model: m, avoider: a, start: {position_m: [0, 0, 0]}}]
 )",
     R"(--set vehicles[*].avoider.time_horizon_s=5
---set exam.crit_dist_m={uniform: [1, 2]}
+--set exam.crit_dist_m={uniform: [4, 5]}
 fairway: 1
 name: "two"
 vehicles:

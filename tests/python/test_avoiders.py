@@ -155,6 +155,27 @@ def test_a_batch_decides_as_one_by_one_on_any_number_of_threads():
         assert int(one.mode) == alone.mode[i]
 
 
+@pytest.mark.parametrize("name", ["avoa_improved", "vo", "teb", "orca2d"])
+def test_a_batch_has_the_headings_and_turn_rates_of_one_by_one_and_nan_where_there_is_none(name):
+    goals = np.array([[-30.0, 1, 0], [30, 0, 0], [0, 30, 0]])
+    shared = dict(period=0.2, limits=fw.Limits(max_speed=0.5, max_turn_rate=0.1))
+    batch = fw.Avoider(name).decide_batch(
+        position=np.zeros((3, 3)), velocity=np.zeros((3, 3)), goal=goals, track_position=np.full((3, 1, 3), [-6, 0, 0]), **shared
+    )
+    for i, goal in enumerate(goals):
+        one = fw.Avoider(name).decide(
+            fw.Situation(
+                own=fw.Ownship(position=[0, 0, 0]), goal=fw.Goal(goal, 0.5), tracks=[fw.Track(id=1, position=[-6, 0, 0])],
+                **shared,
+            )  # fmt: skip
+        )
+        for said, column in ((one.heading, batch.heading), (one.turn_rate, batch.turn_rate)):
+            assert column.shape == (3,)
+            assert np.isnan(column[i]) if said is None else column[i] == said, i
+    says = [not np.isnan(column).all() for column in (batch.heading, batch.turn_rate)]
+    assert says == {"vo": [True, False], "orca2d": [False, False]}.get(name, [False, True])
+
+
 def test_a_number_stands_for_every_row_of_numbers():
     batch = random_batch(20, 4)
     one = fw.Avoider("orca3d").decide_batch(**{**batch, "yaw": 0.5, "radius": 2, "track_radius": 1.5})

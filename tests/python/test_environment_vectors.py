@@ -62,6 +62,25 @@ def test_a_vector_has_batched_spaces_and_resets_by_mask():
     env.close()
 
 
+def test_an_action_that_makes_no_sense_steps_no_environment():
+    told, other = (FleetVectorEnv(CROSSING, 3, "north_bound", threads=1) for _ in range(2))
+    told.reset(seed=1), other.reset(seed=1)
+    actions = np.zeros((3, 3))
+    wrong = actions.copy()
+    wrong[1, 0] = np.nan
+    with pytest.raises(ValueError, match="NaN"):
+        told.step(wrong)
+    same(told.step(actions), other.step(actions))
+
+
+def test_the_action_that_begins_an_episode_may_be_anything():
+    env = FleetVectorEnv(CROSSING, 2, "north_bound", overrides={"duration_s": 0.1})
+    env.reset(seed=1)
+    while not env.step(np.zeros((2, 3)))[3].all():
+        pass
+    assert env.step(np.full((2, 3), np.nan))[4]["time_s"].tolist() == [0.0, 0.0]
+
+
 def test_copies_may_be_kept_and_views_are_overwritten():
     kept = FleetVectorEnv(CROSSING, 2)
     view = FleetVectorEnv(CROSSING, 2, copy=False)

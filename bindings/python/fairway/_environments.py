@@ -29,7 +29,7 @@ OPTIONS = """
     axes:
         "ned", or "heading": ahead, to starboard, down. Of observations and actions alike.
     actions:
-        "scaled": parts of the vehicle's greatest speed, clipped to [-1, 1]; "mps": [m/s].
+        "scaled": parts of the vehicle's greatest speed in the episode, clipped to [-1, 1]; "mps": [m/s].
     reward:
         Weights that differ from the usual ones, by name:
         progress (1): for each metre nearer to the end of the leg; arrival (10): once; collision (-50): each time

@@ -105,7 +105,8 @@ class FleetEnv(Env):  # type: ignore[misc]
 
     def advice(self) -> Array:
         """What the learners' own avoiders of the scenario would do, as an action: a teacher to imitate. They
-        remember, so ask at each step of an episode or at none."""
+        remember, so ask at each step of an episode or at none. Raises InputError where one commands a heading or a
+        turn rate, with which its vehicle would do other than with the velocity alone: advised_commands() says it."""
         advice: Array = self.core.advise()[0].reshape(self._shape)
         return advice.copy()
 

@@ -93,7 +93,8 @@ class FleetVectorEnv(VectorEnv):  # type: ignore[misc]
         return self._shown(self._observations), self._infos()
 
     def step(self, actions: Any) -> tuple[Array, Array, Array, Array, dict[str, Any]]:
-        """One decision of every learner. Raises ValueError for what is not finite or of another shape."""
+        """One decision of every learner. Raises ValueError for what is not finite or of another shape, and no
+        environment has stepped then."""
         if np.shape(actions) != self._shape:
             raise _core.InputError(f"step: expected actions of shape {self._shape}, got {np.shape(actions)}")
         self.core.step(actions)
@@ -107,7 +108,8 @@ class FleetVectorEnv(VectorEnv):  # type: ignore[misc]
 
     def advice(self) -> Array:
         """What the learners' own avoiders of the scenario would do, as actions: teachers to imitate. They remember,
-        so ask at each step or at none."""
+        so ask at each step or at none. Raises InputError as FleetEnv.advice() does, whose advised_commands() has no
+        such limits."""
         return self.core.advise().reshape(self._shape).copy()
 
     def render(self) -> None:

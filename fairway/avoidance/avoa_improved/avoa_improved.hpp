@@ -112,6 +112,7 @@ struct AvoaImproved {
     avoa_improved::Chart chart;
     std::optional<Vec2> committed;  ///< the direction of the way round taken last, unit [NED]
     avoa_improved::Drift drift;
+    double time{};  ///< of the last decision [s]
   };
 
   Params params;

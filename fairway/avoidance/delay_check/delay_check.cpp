@@ -59,7 +59,8 @@ bool DelayCheck::begin(const Situation& s, Memory& memory) const noexcept {
       {.radius = s.own.radius, .committed = Trajectory::standing(place, s.time)}, datum(), s.time);
   memory.began = s.time;
   memory.turn = pledge::member_of(s, params.speed_ratio).turn;
-  return memory.begun = (memory.own.committed.to - place).norm() < 0.05;
+  const bool is_told_whole = memory.own.radius > s.own.radius - 1e-6;
+  return memory.begun = is_told_whole && (memory.own.committed.to - place).norm() < 0.05;
 }
 
 void DelayCheck::hear(const Situation& s, Memory& memory) const noexcept {
@@ -180,7 +181,7 @@ Command DelayCheck::decide(const Situation& s, Memory& memory, Context& context)
   if (s.link == nullptr) return refused("delay_check hears nobody: it needs an exchange");
   const bool was_away = memory.begun && s.time - memory.time > s.period + longest_away;
   if (was_away) memory = {};
-  if (!memory.begun && !begin(s, memory)) return refused("it is too far from the datum for its words");
+  if (!memory.begun && !begin(s, memory)) return refused("it is too far from the datum, or too large, for its words");
   memory.time = s.time;
   hear(s, memory);
   check(s, memory);

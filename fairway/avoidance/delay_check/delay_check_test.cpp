@@ -44,6 +44,14 @@ TEST(DelayCheck, AWordComesOutAsItWentInUpToItsSteps) {
   }
 }
 
+TEST(DelayCheck, NobodyIsToldSmallerThanItIs) {
+  for (const double radius : {0.12, 1.0, 1.12, 1.37, 1.5, 15.7}) {
+    const Word told = as_told({.radius = radius, .committed = {}}, Vec2::Zero(), 0.0);
+    EXPECT_GE(told.radius, radius - 1e-6);
+    EXPECT_LT(told.radius, radius + 0.25);
+  }
+}
+
 TEST(DelayCheck, WhatHasEndedIsToldAsStandingHoweverLongAgo) {
   const Word said{.radius = 1.0, .committed = {{0, 0, 5}, {10, 0, 5}, 100.0, 130.0}};
   const Word told = as_told(said, Vec2::Zero(), 5000.0);

@@ -44,7 +44,7 @@ Speech encode(const Word& word, const Vec2& datum, double now) noexcept {
   Speech speech;
   BitWriter bits{pledge::body_of(speech)};
   bits.put(version, 2);
-  bits.put(word.radius, radius);
+  bits.put(radius.at_least(word.radius), radius);
   bits.put(word.next ? 1U : 0U, 1);
   pledge::put_place(bits, committed.from, datum);
   put(bits, committed, datum);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fairway/avoidance/pledge/bits.hpp"
+#include "fairway/avoidance/pledge/reference.hpp"
 
 namespace fairway::pledge {
 namespace {

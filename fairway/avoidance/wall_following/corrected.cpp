@@ -107,6 +107,15 @@ void carry_along(Round& round, double fastest, double period) {
   if (round.following) round.hit_distance += fastest * period;
 }
 
+/// Another goal may lie so far away that nobody who follows is ever nearer to it than to the one before where
+/// following began. So that distance grows with the way between both.
+void turn_to(Round& round, const Vec2& goal) {
+  constexpr double another = 2.0;  // a goal that moves farther from one decision to the next is another [m]
+  const double moved = (goal - round.goal).norm();
+  if (round.following && moved > another) round.hit_distance += moved;
+  round.goal = goal;
+}
+
 /// Following begins where the wanted velocity is blocked, and ends where it no longer is, nearer to the goal
 /// than it began.
 void begin_or_end(Round& round, const HalfPlane* in_the_way, const Vec2& preferred, double to_goal) {
@@ -116,7 +125,8 @@ void begin_or_end(Round& round, const HalfPlane* in_the_way, const Vec2& preferr
   round = {.following = true,
            .turn = turn,
            .along = turn * clockwise(in_the_way->normal),
-           .hit_distance = to_goal};
+           .hit_distance = to_goal,
+           .goal = round.goal};
 }
 
 /// The directions that half-planes allow at a speed, as arcs. Angles of turning are positive.
@@ -213,6 +223,7 @@ Command decide_corrected(const WallFollowing::Params& params, const Situation& s
   const HalfPlanes half_planes{params, s, preferred};
   const HalfPlane* const in_the_way = blocking(half_planes.view(), wanted);
   if (half_planes.view().empty()) round = {};
+  turn_to(round, s.goal.position.head<2>());
   carry_along(round, half_planes.fastest(), s.period);
   begin_or_end(round, in_the_way, wanted, horizontal_norm(s.goal.position - s.own.position));
   const std::string_view left_out = half_planes.left_out() ? words_of_left_out : "";

@@ -124,6 +124,7 @@ struct WallFollowing {
     double turn = 1.0;          ///< 1: away from the wall is to starboard, -1: to port
     Vec2 along = Vec2::Zero();  ///< the way taken last, unit [NED]
     double hit_distance = 0.0;  ///< to the goal, where following began [m]
+    Vec2 goal = Vec2::Zero();   ///< as of the last decision [m, NE]
   };
 
   struct Memory {

@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "fairway/cli/decide/json_line.hpp"
+#include "fairway/core/math.hpp"
 #include "fairway/scenario/block.hpp"
 #include "fairway/scenario/polygon.hpp"
 
@@ -18,15 +19,16 @@ namespace {
 using yaml::Value;
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
-constexpr yaml::Bounds any{-unlimited, unlimited};
-constexpr yaml::Bounds not_negative{0.0, unlimited};
+constexpr double farthest = 1e30;  // whatever the unit, no vehicle is beyond it
+constexpr yaml::Bounds any{-farthest, farthest};
+constexpr yaml::Bounds not_negative{0.0, farthest};
 
 Mat3 read_covariance(const Value& value) {
   if (!value.tree().is_list() || value.tree().items.size() != 3)
     value.expected("three rows of three numbers");
   Mat3 covariance;
   for (int row = 0; row < 3; ++row)
-    covariance.row(row) = value.entry(static_cast<std::size_t>(row)).vector(any);
+    covariance.row(row) = value.entry(static_cast<std::size_t>(row)).vector({-unlimited, unlimited});
   if (covariance != covariance.transpose()) value.refuse("expected a symmetric matrix");
 
   // what is singular may come out below zero by rounding
@@ -40,7 +42,7 @@ Mat3 read_covariance(const Value& value) {
 template <class T>
 void read_member(const Value& value, double least, T& member) {
   if constexpr (std::same_as<T, double>) {
-    member = value.number({least, unlimited});
+    member = value.number({math::fmax(least, -farthest), farthest});
   } else if constexpr (std::same_as<T, bool>) {
     member = value.flag();
   } else if constexpr (std::same_as<T, std::int32_t>) {

@@ -104,11 +104,11 @@ TEST(SituationJsonTest, ARefusalNamesLineAndPath) {
   EXPECT_EQ(refusal("[5,2,3]", "[5,2]"),
             "line 17: tracks[0].position: expected three numbers [n, e, d], got a list of 2");
   EXPECT_EQ(refusal("[5,2,3]", "[5,2,\"3\"]"),
-            "line 17: tracks[0].position[2]: expected a number in [-inf, inf], got the text \"3\"");
+            "line 17: tracks[0].position[2]: expected a number in [-1e+30, 1e+30], got the text \"3\"");
   EXPECT_EQ(refusal("[4,0,0]", "null"),
             "line 17: obstacles[2].vertices[1]: expected three numbers [n, e, d], got null");
   EXPECT_EQ(refusal("\"yaw\":0.25", "\"yaw\":\"north\""),
-            "line 17: own.yaw: expected a number in [-inf, inf], got the text \"north\"");
+            "line 17: own.yaw: expected a number in [-1e+30, 1e+30], got the text \"north\"");
   EXPECT_EQ(refusal("\"own\"", "\"won\""), "line 17: won: unknown key; did you mean own?");
   EXPECT_EQ(refusal("max_turn_rate", "max_turn_rat"),
             "line 17: limits.max_turn_rat: unknown key; did you mean max_turn_rate?");
@@ -121,7 +121,7 @@ TEST(SituationJsonTest, ARefusalNamesLineAndPath) {
   EXPECT_EQ(refusal("\"id\":9", "\"id\":1.5"),
             "line 17: tracks[0].id: expected a whole number in [0, 4294967295], got 1.5");
   EXPECT_EQ(refusal("\"radius\":2", "\"radius\":-2"),
-            "line 17: tracks[1].radius: expected a number in [0, inf], got -2");
+            "line 17: tracks[1].radius: expected a number in [0, 1e+30], got -2");
   EXPECT_EQ(refusal("\"full\":true", "\"full\":[1]"),
             "line 17: params.full[0]: expected a mapping of parameters, got 1");
   EXPECT_EQ(refusal("\"sphere\"", "\"ball\""),
@@ -134,7 +134,7 @@ TEST(SituationJsonTest, ARefusalNamesLineAndPath) {
   EXPECT_EQ(refusal("\"cruise_speed\"", "\"speed\":1,\"cruise_speed\""),
             "line 17: goal: cruise_speed and speed are the same; keep one");
   EXPECT_EQ(refusal("\"yaw\":0.25", "\"yaw\":{\"uniform\":[0,1]}"),
-            "line 17: own.yaw: expected a number in [-inf, inf], got a mapping with the key uniform");
+            "line 17: own.yaw: expected a number in [-1e+30, 1e+30], got a mapping with the key uniform");
   EXPECT_EQ(
       refusal("\"time_horizon_s\":5", "\"time_horizon_s\":{\"normal\":[5,1]}"),
       "line 17: params.time_horizon_s: expected a number in [-1e+100, 1e+100], got a mapping with the key "

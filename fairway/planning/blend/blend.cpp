@@ -128,9 +128,10 @@ void adopt(std::shared_ptr<const Plan> plan, const Situation& s, Memory& memory)
   memory.wall = {};
 }
 
-/// Whether there is no plan to the goal.
-bool lacks_plan(const Situation& s, const Memory& memory) {
-  return !memory.plan || memory.plan->task.goal != seen_from_above(s.goal.position);
+/// Whether there is no plan to the goal. One by waypoints leads to the last of these, wherever the goal is.
+bool lacks_plan(const Params& params, const Situation& s, const Memory& memory) {
+  return !memory.plan ||
+         (params.waypoints.empty() && memory.plan->task.goal != seen_from_above(s.goal.position));
 }
 
 /// Of a vehicle that must turn: takes note of what was not charted, and now and then of the chart.
@@ -153,7 +154,7 @@ bool is_idle(const Situation& s, const Memory& memory) {
 /// Of a vehicle that must turn: plans where there is no plan to the goal or one of no use, now and then.
 void renew(const Params& params, const Situation& s, Memory& memory, Context& context) {
   if (memory.plan && s.time < memory.planned_s + between_plans_s) return;
-  const bool lacks = lacks_plan(s, memory);
+  const bool lacks = lacks_plan(params, s, memory);
   if (!lacks && !(params.replan && is_idle(s, memory))) return;
   memory.planned_s = s.time;
   std::shared_ptr<const Plan> other = planned(params, s, memory.finds, context);
@@ -316,7 +317,7 @@ Command Blend::decide(const Situation& s, Memory& memory, Context& context) cons
       take_note(params, s, memory);
       renew(params, s, memory, context);
     } else {
-      if (lacks_plan(s, memory)) adopt(planned(params, s, memory.finds, context), s, memory);
+      if (lacks_plan(params, s, memory)) adopt(planned(params, s, memory.finds, context), s, memory);
       learn(params, s, memory, context);
     }
     const double elapsed = memory.last_time ? s.time - *memory.last_time : 0.0;
