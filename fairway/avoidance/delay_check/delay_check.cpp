@@ -181,7 +181,8 @@ Command DelayCheck::decide(const Situation& s, Memory& memory, Context& context)
   if (s.link == nullptr) return refused("delay_check hears nobody: it needs an exchange");
   const bool was_away = memory.begun && s.time - memory.time > s.period + longest_away;
   if (was_away) memory = {};
-  if (!memory.begun && !begin(s, memory)) return refused("it is too far from the datum, or too large, for its words");
+  if (!memory.begun && !begin(s, memory))
+    return refused("it is too far from the datum, or too large, for its words");
   memory.time = s.time;
   hear(s, memory);
   check(s, memory);
