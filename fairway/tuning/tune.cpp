@@ -42,11 +42,17 @@ std::vector<double> values_of(std::span<const Outcome> outcomes, double Outcome:
 }
 
 /// The mean over blocks of which something is known.
-MeanEstimate mean_of_blocks(const std::vector<double>& values, std::size_t scenarios) {
+MeanEstimate mean_of_blocks(const std::vector<double>& values, std::size_t scenarios,
+                            double confidence = 0.95) {
   std::vector<double> known = block_means(values, scenarios);
   std::erase_if(known, [](double value) { return !std::isfinite(value); });
-  return estimate_mean(known);
+  return estimate_mean(known, confidence);
 }
+
+constexpr double one_of_three = 0.05 / 3.0;  // Bonferroni's, of the questions of shown_by()
+
+/// Which way a mean is off zero for sure.
+int sign_of(const MeanEstimate& mean) { return mean.low > 0.0 ? 1 : mean.high < 0.0 ? -1 : 0; }
 
 Appraisal appraised(std::span<const Outcome> outcomes, std::span<const Outcome> reference,
                     std::size_t scenarios) {
@@ -68,7 +74,9 @@ Appraisal appraised(std::span<const Outcome> outcomes, std::span<const Outcome> 
           .safer = paired_rate_difference(safe),
           .safer_p = mcnemar_test(safe).p,
           .arrived_difference = mean_of_blocks(more_arrived, scenarios),
-          .time_difference = mean_of_blocks(longer, scenarios)};
+          .time_difference = mean_of_blocks(longer, scenarios),
+          .arrived_sign = sign_of(mean_of_blocks(more_arrived, scenarios, 1.0 - one_of_three)),
+          .time_sign = sign_of(mean_of_blocks(longer, scenarios, 1.0 - one_of_three))};
 }
 
 /// The difference of two independent means, by the normal approximation.
@@ -247,13 +255,11 @@ class Search {
 }  // namespace
 
 Shown shown_by(const Appraisal& appraisal) {
-  constexpr double significance = 0.05;
-  if (appraisal.safer_p < significance)
+  if (appraisal.safer_p < one_of_three)
     return appraisal.safer.difference > 0.0 ? Shown::safer : Shown::less_safe;
-  if (appraisal.arrived_difference.low > 0.0) return Shown::more_arrive;
-  if (appraisal.arrived_difference.high < 0.0) return Shown::fewer_arrive;
-  if (appraisal.time_difference.high < 0.0) return Shown::quicker;
-  if (appraisal.time_difference.low > 0.0) return Shown::slower;
+  if (appraisal.arrived_sign != 0)
+    return appraisal.arrived_sign > 0 ? Shown::more_arrive : Shown::fewer_arrive;
+  if (appraisal.time_sign != 0) return appraisal.time_sign < 0 ? Shown::quicker : Shown::slower;
   return Shown::nothing;
 }
 

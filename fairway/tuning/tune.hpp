@@ -24,10 +24,13 @@ struct Appraisal {
   double safer_p{1.0};              ///< exact McNemar
   MeanEstimate arrived_difference;  ///< share of vehicles less that of the method as written; by blocks
   MeanEstimate time_difference;     ///< relative to the method as written: -0.2 is a fifth less; by blocks
+  int arrived_sign{};               ///< of that difference where it is shown as one of three at 95 %, else 0
+  int time_sign{};                  ///< likewise
 };
 
-/// What is shown of a setting beside the method as written, at 95 %: the first of safety, arrival and time in
-/// which there is a difference. Who is safer may be slower.
+/// What is shown of a setting beside the method as written, at 95 % for the three questions together (each at
+/// a third of 5 %): the first of safety, arrival and time in which there is a difference. Who is safer may be
+/// slower.
 enum class Shown { nothing, safer, less_safe, more_arrive, fewer_arrive, quicker, slower };
 Shown shown_by(const Appraisal& appraisal);
 
