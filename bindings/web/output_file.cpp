@@ -20,6 +20,7 @@ std::string taken_file() { return std::exchange(committed, {}); }
 }  // namespace web
 
 class OutputFile::Buffer : public std::stringbuf {};
+class OutputFile::ListedPart {};
 
 OutputFile::OutputFile(std::string path)
     : path_{std::move(path)}, target_{path_}, part_{path_}, buffer_{std::make_unique<Buffer>()} {
