@@ -14,7 +14,6 @@
 #include <utility>
 
 #include "fairway/core/text.hpp"
-#include "fairway/experiment/campaign_cells.hpp"
 #include "fairway/experiment/digest.hpp"
 #include "fairway/experiment/labels.hpp"
 #include "fairway/experiment/version.hpp"
@@ -36,6 +35,13 @@ std::vector<CampaignScenario> load_scenarios(const CampaignFile& written, const 
     scenarios.emplace_back(path.string(), std::move(*text));
   }
   return scenarios;
+}
+
+std::vector<std::string> cases_of(const Campaign& campaign) {
+  std::vector<std::string> names;
+  for (const CampaignScenario& scenario : campaign.scenarios)
+    names.push_back(std::filesystem::path(scenario.file).stem().string());
+  return names;
 }
 
 void refuse_too_many(const CampaignFile& written, const std::string& file) {
@@ -252,11 +258,14 @@ Campaign expanded(const CampaignFile& written, const std::string& file, const Ch
                     .cells_of = {},
                     .quantities = written.quantities,
                     .digest = {}};
-  campaign.cells = expanded_cells(written, campaign);
+  campaign.cells = expanded_cells(written, cases_of(campaign));
   campaign.digest = digest_of(campaign, written);
   list_runs(campaign, jobs);
   resolve_runs(campaign, check, jobs, own, watch);
-  if (!written.grid.empty() || !written.zip.empty()) refuse_cells_alike(campaign);
+  const auto run_of = [&](std::size_t cell) {
+    return canonical_text(fairway::scenario_of(campaign, cell, campaign.first_seed));
+  };
+  if (!written.grid.empty() || !written.zip.empty()) refuse_cells_alike(file, campaign.cells, run_of);
   return campaign;
 }
 

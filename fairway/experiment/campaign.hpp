@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "fairway/experiment/campaign_cells.hpp"
 #include "fairway/experiment/campaign_file.hpp"
 #include "fairway/experiment/executor.hpp"
 #include "fairway/experiment/run.hpp"
@@ -24,15 +25,6 @@ struct CampaignScenario {
   std::string file;
   std::string text;  ///< as it was when the campaign was loaded: all runs are of this one version
   ScenarioDocument document;
-};
-
-/// One combination of scenario, algorithm and settings; run once for each seed.
-struct CampaignCell {
-  Labels labels;           ///< case, method, then each path that is varied
-  std::size_t scenario{};  ///< index into Campaign::scenarios
-  std::string algorithm;   ///< YAML of the avoider, or empty: as in the scenario
-  Overrides overrides;     ///< all of them: the algorithm, what is laid over every scenario, what is varied
-  WrittenPlace place{};    ///< of the algorithm
 };
 
 /// Everything that is to be run, or a shard of it.

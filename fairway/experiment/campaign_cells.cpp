@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/experiment/campaign_cells.hpp"
 
-#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
@@ -40,7 +39,7 @@ std::string differing(const CampaignCell& cell, const CampaignCell& other) {
 
 }  // namespace
 
-std::vector<CampaignCell> expanded_cells(const CampaignFile& written, const Campaign& campaign) {
+std::vector<CampaignCell> expanded_cells(const CampaignFile& written, std::span<const std::string> cases) {
   std::vector<std::optional<CampaignAlgorithm>> algorithms(written.algorithms.begin(),
                                                            written.algorithms.end());
   if (algorithms.empty()) algorithms.emplace_back();
@@ -48,12 +47,11 @@ std::vector<CampaignCell> expanded_cells(const CampaignFile& written, const Camp
   const std::vector<Overrides> grid = combinations(written.grid);
 
   std::vector<CampaignCell> cells;
-  for (std::size_t s = 0; s < campaign.scenarios.size(); ++s) {
-    const std::string name = std::filesystem::path(campaign.scenarios[s].file).stem().string();
+  for (std::size_t s = 0; s < cases.size(); ++s) {
     for (const auto& algorithm : algorithms) {
       for (const Overrides& row : rows) {
         for (const Overrides& settings : grid) {
-          CampaignCell cell{.labels = {{"case", name}}, .scenario = s, .algorithm = {}, .overrides = {}};
+          CampaignCell cell{.labels = {{"case", cases[s]}}, .scenario = s, .algorithm = {}, .overrides = {}};
           cell.labels.emplace_back("method", algorithm ? algorithm->label : "as_written");
           if (algorithm) {
             cell.algorithm = algorithm->avoider;
@@ -72,16 +70,17 @@ std::vector<CampaignCell> expanded_cells(const CampaignFile& written, const Camp
   return cells;
 }
 
-void refuse_cells_alike(const Campaign& campaign) {
+void refuse_cells_alike(const std::string& file, std::span<const CampaignCell> cells,
+                        const std::function<std::string(std::size_t)>& run_of) {
   std::map<std::string, const CampaignCell*> first;  // of each scenario, method and run
-  for (std::size_t i = 0; i < campaign.cells.size(); ++i) {
-    const CampaignCell& cell = campaign.cells[i];
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const CampaignCell& cell = cells[i];
     const Labels place{cell.labels.begin(), cell.labels.begin() + 2};
-    const std::string run = canonical_text(scenario_of(campaign, i, campaign.first_seed));
-    const auto [found, is_new] = first.try_emplace(Digest{}.add(labels_text(place)).add(run).hex(), &cell);
+    const std::string key = Digest{}.add(labels_text(place)).add(run_of(i)).hex();
+    const auto [found, is_new] = first.try_emplace(key, &cell);
     if (is_new) continue;
     const CampaignCell& other = *found->second;
-    throw InputError(campaign.file + ": in " + labels_text(place) + ": " + differing(other, cell) + " and " +
+    throw InputError(file + ": in " + labels_text(place) + ": " + differing(other, cell) + " and " +
                      differing(cell, other) +
                      " are the same run; what is varied is set again elsewhere, or by every vehicle");
   }
