@@ -136,6 +136,13 @@ struct Situation {
   Attendance attendance{};
   bool is_led{false};  ///< the goal's velocity, or where it has none the straight way, leads past what stands
 
+  /// Whether the method, which was asked last at that time [s], has not been asked for so long that the
+  /// vehicle has done something else meanwhile.
+  bool comes_after_pause(double last) const {
+    constexpr double longest = 1.0;  // beyond a period [s]
+    return time - last > period + longest;
+  }
+
   /// The velocity that ignores everyone: as the mission wants it, or straight to the goal, slowing
   /// down to stop on it; never above the speed limit. [m/s, NED]
   Vec3 preferred_velocity() const {

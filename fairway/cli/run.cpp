@@ -40,7 +40,7 @@ void print_interrupted(const RunOptions& options, double time) {
 void refuse_two_algorithms(const RunOptions& options, const Overrides& overrides) {
   for (const auto& [path, value] : overrides) {
     if (options.algorithm.empty()) return;
-    if (path.ends_with(".avoider") || path.ends_with(".avoider.algorithm"))
+    if (names_avoider(path))
       throw InputError("--set " + path + ": --algorithm sets it, too; expected one of the two");
     if (path.starts_with("defaults.avoider."))
       throw InputError("--set " + path +

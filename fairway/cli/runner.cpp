@@ -16,6 +16,7 @@
 #include "fairway/core/math.hpp"
 #include "fairway/core/names.hpp"
 #include "fairway/core/text.hpp"
+#include "fairway/experiment/compare.hpp"
 #include "fairway/experiment/measure_run.hpp"
 #include "fairway/experiment/recording_info.hpp"
 #include "fairway/record/recording_writer.hpp"
@@ -68,30 +69,17 @@ void tell_occasion(const Scenario& scenario, const Measure& measure, Judgement& 
   if (!std::isnan(occasion.time)) judgement.time = occasion.time;
 }
 
-/// The quantity that tells whether the time in question came to its end; none for what is no such time.
-std::string_view complete_at_1(const Expectation& expected) {
-  const std::vector<QuantityInfo> quantities = all_quantities();
-  const auto known = std::ranges::find(quantities, expected.metric, &QuantityInfo::name);
-  return known != quantities.end() ? known->complete_at_1 : std::string_view{};
-}
-
-const Measure* measure_of(const std::vector<Measure>& measures, std::string_view quantity) {
-  const auto found = std::ranges::find(measures, quantity, &Measure::quantity);
-  return found != measures.end() ? &*found : nullptr;
-}
-
 /// Whether the end of the run cut off a time that is to be no longer than so much: how long it would have
 /// been nobody knows.
 bool is_cut_off(const Expectation& expected, const std::vector<Measure>& measures) {
-  const Measure* complete = measure_of(measures, complete_at_1(expected));
-  return std::isfinite(expected.max) && complete != nullptr && complete->value < 1.0;
+  return std::isfinite(expected.max) && cut_off(measures, expected.metric);
 }
 
 /// Names the first that did not arrive.
 void tell_cut_off(const Scenario& scenario, const std::vector<Measure>& measures, Judgement& judgement) {
-  const Measure& complete = *measure_of(measures, complete_at_1(judgement.expectation));
   judgement.worst = std::numeric_limits<double>::infinity();
-  judgement.vehicle = vehicle_name(scenario, complete.occasion.vehicle);
+  const auto arrived = std::ranges::find(measures, "arrived_ratio", &Measure::quantity);
+  if (arrived != measures.end()) judgement.vehicle = vehicle_name(scenario, arrived->occasion.vehicle);
 }
 
 /// " (robot1, with robot2, at 31.5 s)"; empty if nothing of it is known.

@@ -53,7 +53,7 @@ std::vector<const Study*> found_studies(const std::vector<std::string>& names) {
 /// A study runs methods of its own under their names.
 void refuse_methods(const Overrides& overrides) {
   for (const auto& [path, value] : overrides)
-    if (path.ends_with(".avoider") || path.ends_with(".avoider.algorithm"))
+    if (names_avoider(path))
       throw InputError("--set " + path + ": the study sets it; expected a path of something else");
 }
 

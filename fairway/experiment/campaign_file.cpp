@@ -183,8 +183,7 @@ CampaignFile parse_campaign_file(std::string_view text, const std::string& file)
     if (map.tree().is_list()) map = map.entry(0);
     for (std::size_t i = 0; i < map.tree().keys.size(); ++i) {
       const std::string& path = map.tree().keys[i];
-      const bool avoider = path.ends_with(".avoider") || path.ends_with(".avoider.algorithm") ||
-                           path.starts_with("defaults.avoider.");
+      const bool avoider = names_avoider(path) || path.starts_with("defaults.avoider.");
       if (avoider && !campaign.algorithms.empty())
         map.refuse_key(i, "is set by the key algorithms; what they leave open is vehicles[*].avoider.KEY");
       if (map.path() == "set") continue;

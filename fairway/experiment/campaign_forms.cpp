@@ -91,9 +91,8 @@ Form<Overrides> settings(std::string_view others, AvoiderParameters parameters) 
         Overrides settings;
         for (std::size_t i = 0; i < value.tree().keys.size(); ++i) {
           const std::string& path = value.tree().keys[i];
-          const bool avoids =
-              path.ends_with(".avoider") || path.ends_with(".avoider.algorithm") ||
-              (parameters == AvoiderParameters::refused && path.find(".avoider.") != std::string::npos);
+          const bool avoids = names_avoider(path) || (parameters == AvoiderParameters::refused &&
+                                                      path.find(".avoider.") != std::string::npos);
           if (path == "seed" || avoids) value.refuse_key(i, "is set by " + others);
           settings.emplace_back(path, one_line(value.tree().items[i]));
         }

@@ -4,6 +4,11 @@
 #include <algorithm>
 
 namespace fairway {
+namespace {
+
+bool has_ended(Phase phase) { return phase == Phase::arrived || phase == Phase::stuck; }
+
+}  // namespace
 
 const std::vector<QuantityInfo>& EncounterMetric::quantities() {
   static const std::vector<QuantityInfo> all{
@@ -61,10 +66,8 @@ bool EncounterMetric::update_contacts(const Frame& frame, std::size_t index, std
 double EncounterMetric::reach(const Frame& frame, std::size_t index) const {
   const Count& count = counts_[index];
   const Phase phase = frame.vehicles[index].phase;
-  const bool sets_out = !count.started && phase == Phase::under_way;
-  const bool is_on_its_way =
-      count.started && !count.finished && phase != Phase::arrived && phase != Phase::stuck;
-  return sets_out || is_on_its_way ? rules_.crit_dist_m : -1.0;
+  const bool is_on_its_way = count.started ? !count.finished : is_avoiding(phase);
+  return is_on_its_way && !has_ended(phase) ? rules_.crit_dist_m : -1.0;
 }
 
 void EncounterMetric::see(const Frame& frame, std::span<const Neighbour> near, std::size_t index,
@@ -77,7 +80,7 @@ void EncounterMetric::see(const Frame& frame, std::span<const Neighbour> near, s
   count.distance += (own.state.p_n - count.last_position).norm();
   count.last_position = own.state.p_n;
 
-  if (own.phase != Phase::arrived && own.phase != Phase::stuck) {  // it may pause on its way
+  if (!has_ended(own.phase)) {  // it may pause on its way
     count.navigation_time += frame.period;
     if (update_contacts(frame, index, near, detected_[hand])) count.avoidance_time += frame.period;
     return;

@@ -21,6 +21,11 @@ struct Tree;
 /// once as "vehicles[*]…".
 using Overrides = std::vector<std::pair<std::string, std::string>>;
 
+/// Whether a path says who avoids, as `vehicles[*].avoider`, and not only a parameter of it.
+inline bool names_avoider(std::string_view path) {
+  return path.ends_with(".avoider") || path.ends_with(".avoider.algorithm");
+}
+
 /// Reads a scenario file. Distributions ({uniform: [lo, hi]}, {normal: [mean, deviation]}) become
 /// numbers drawn from `seed`, each from a stream named by its path, so that adding one shifts no
 /// other. `seed` overrides the file's. Throws InputError with file, line, column, path, what was

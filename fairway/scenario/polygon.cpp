@@ -29,6 +29,11 @@ bool meet(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
          (at_a == 0 && lies_between(c, d, a)) || (at_b == 0 && lies_between(c, d, b));
 }
 
+/// Whether the way from a to b goes back along itself to c.
+bool runs_back(const Vec3& a, const Vec3& b, const Vec3& c) {
+  return side_of(a, b, c) == 0 && (a - b).head<2>().dot((c - b).head<2>()) > 0.0;
+}
+
 }  // namespace
 
 std::optional<std::pair<std::size_t, std::size_t>> crossing_edges(std::span<const Vec3> vertices) {
@@ -40,22 +45,18 @@ std::optional<std::pair<std::size_t, std::size_t>> crossing_edges(std::span<cons
   };
   std::vector<Edge> edges;
   for (std::size_t i = 0; i < n; ++i) {
-    const auto [west, east] = std::minmax(vertices[i].x(), vertices[next(i)].x());
-    edges.push_back({i, west, east});
+    const double here = vertices[i].x(), there = vertices[next(i)].x();
+    edges.push_back({i, math::fmin(here, there), math::fmax(here, there)});
   }
   std::ranges::sort(edges, {}, &Edge::west);
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = i + 1; j < n && edges[j].west <= edges[i].east; ++j) {
-      const auto [a, b] = std::minmax(edges[i].from, edges[j].from);
-      const bool are_neighbours = next(a) == b || next(b) == a;
-      if (are_neighbours) {  // they share an end; beyond it they meet where one runs back along the other
-        const std::size_t shared = next(a) == b ? b : a;
-        const std::size_t before = shared == b ? a : b, after = next(shared);
-        const Vec3 back = vertices[before] - vertices[shared], on = vertices[after] - vertices[shared];
-        if (side_of(vertices[before], vertices[shared], vertices[after]) != 0 ||
-            back.head<2>().dot(on.head<2>()) <= 0.0)
-          continue;
-        return std::pair{a, b};
+      const std::size_t a = std::min(edges[i].from, edges[j].from);
+      const std::size_t b = std::max(edges[i].from, edges[j].from);
+      if (next(a) == b || next(b) == a) {  // they share an end
+        const std::size_t shared = next(a) == b ? b : a, before = shared == b ? a : b;
+        if (runs_back(vertices[before], vertices[shared], vertices[next(shared)])) return std::pair{a, b};
+        continue;
       }
       if (meet(vertices[a], vertices[next(a)], vertices[b], vertices[next(b)])) return std::pair{a, b};
     }

@@ -228,8 +228,7 @@ Command decision(const Params& params, const Situation& s, AvoaImproved::Memory&
 namespace fairway {
 
 Command AvoaImproved::decide(const Situation& s, Memory& memory, Context& context) const noexcept {
-  constexpr double longest_away = 1.0;  // who was not asked for longer did something else meanwhile [s]
-  if (s.time - memory.time > s.period + longest_away) memory.drift = {};
+  if (s.comes_after_pause(memory.time)) memory.drift = {};
   memory.time = s.time;
   Params now = params;
   now.turn_aware = params.turn_aware && !avoa_improved::goes_any_way(s);

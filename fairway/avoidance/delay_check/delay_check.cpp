@@ -23,7 +23,6 @@ constexpr double last_decisions = 1.5;  // before a turn in which it plans
 constexpr double rounded = 0.1;         // of what is told, for a pair [m]
 constexpr double most_late = 2.0;       // who looks at its clock so long after has missed a commitment [s]
 constexpr double least_gain = 0.5;      // of a leg, towards the goal [m]
-constexpr double longest_away = 1.0;    // who was not asked for longer begins anew [s]
 constexpr double surely = 0.8;          // a leg ends so much within the arrival [m]
 constexpr double longest_told = 0.5 * pledge::clock_period - 5.0;  // times farther off are read as past [s]
 constexpr double bend = 0.5;  // more than this it turns on the spot only [rad]
@@ -179,8 +178,7 @@ void DelayCheck::stand(const Situation& s, Memory& memory) noexcept {
 Command DelayCheck::decide(const Situation& s, Memory& memory, Context& context) const noexcept {
   const auto refused = [](std::string_view why) { return Command{.mode = Mode::infeasible, .note = why}; };
   if (s.link == nullptr) return refused("delay_check hears nobody: it needs an exchange");
-  const bool was_away = memory.begun && s.time - memory.time > s.period + longest_away;
-  if (was_away) memory = {};
+  if (memory.begun && s.comes_after_pause(memory.time)) memory = {};
   if (!memory.begun && !begin(s, memory))
     return refused("it is too far from the datum, or too large, for its words");
   memory.time = s.time;
