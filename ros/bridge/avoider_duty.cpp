@@ -179,9 +179,8 @@ std::string AvoiderDuty::follow_section(const Triple& start, const Triple& end, 
   return take_up({"section", {start, end}, 0.0, speed});
 }
 
-bool AvoiderDuty::is_told_again(std::optional<Task>& last, const Task& task) {
+bool AvoiderDuty::is_told_again(const std::optional<Task>& last, const Task& task) const {
   const bool again = last && last->places == task.places && last->stamp == task.stamp;
-  last = task;
   if (again)
     outlet_.warn(
         std::string{"a "} + task.word +
@@ -191,12 +190,14 @@ bool AvoiderDuty::is_told_again(std::optional<Task>& last, const Task& task) {
 }
 
 void AvoiderDuty::hear_goal(const Triple& place, const std::string& frame_id, double stamp) {
-  if (!is_told_again(last_goal_, {"goal", {place}, stamp, 0.0})) go_to(place, frame_id, stamp);
+  const Task task{"goal", {place}, stamp, 0.0};
+  if (!is_told_again(last_goal_, task) && go_to(place, frame_id, stamp).empty()) last_goal_ = task;
 }
 
 void AvoiderDuty::hear_path(const std::vector<Triple>& places, const std::vector<std::string>& frame_ids,
                             double stamp) {
-  if (!is_told_again(last_path_, {"path", places, stamp, 0.0})) follow(places, frame_ids, stamp);
+  const Task task{"path", places, stamp, 0.0};
+  if (!is_told_again(last_path_, task) && follow(places, frame_ids, stamp).empty()) last_path_ = task;
 }
 
 void AvoiderDuty::keep_position() {

@@ -59,7 +59,7 @@ class AvoiderDuty {
   /// At once, along the line from `start` to `end` [m, NED].
   std::string follow_section(const Triple& start, const Triple& end, double speed);
   // The same by a topic, where a latched message comes again with every new connection: one that is the last
-  // of its topic once more, stamp and all, is passed over with a warning.
+  // of its topic that was taken once more, stamp and all, is passed over with a warning.
   void hear_goal(const Triple& place, const std::string& frame_id, double stamp);
   void hear_path(const std::vector<Triple>& places, const std::vector<std::string>& frame_ids, double stamp);
   void keep_position();
@@ -85,7 +85,7 @@ class AvoiderDuty {
   };
   std::string accept(const Task& task, const std::string& frame_id);
   std::string take_up(Task task);
-  bool is_told_again(std::optional<Task>& last, const Task& task);
+  bool is_told_again(const std::optional<Task>& last, const Task& task) const;
   void drop_task();
   std::string refused(const Task& task, const std::string& why) const;
   void hear_told();

@@ -12,6 +12,7 @@ namespace fairway::bridge {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 AvoiderNodeSettings alone() {
   return avoider_node_settings({{"algorithm", "orca3d"}, {"max_speed_mps", "0.5"}, {"team", "other"}}, "own");
@@ -147,6 +148,13 @@ TEST(AvoiderDuty, ALatchedOrderThatComesAgainIsNoNewOne) {
   duty.keep_position();
   EXPECT_EQ(duty.go_to({50, 0, 5}, "", 0.0), "");
   EXPECT_TRUE(duty.host().goal()) << "a service is never asked by itself";
+}
+
+TEST(AvoiderDuty, AnOrderThatWasRefusedMayComeAgain) {
+  WiredAvoider pilot{alone()};
+  pilot.duty.hear_own(at(10.0, 0), "world", 10.0);
+  for (int i = 0; i < 2; ++i) pilot.duty.hear_goal({50, 0, 5}, "map", 9.9);
+  EXPECT_THAT(pilot.warnings, Not(HasSubstr("passed over")));
 }
 
 TEST(AvoiderDuty, WhenItLetsGoBecauseOfItsDataTheLastCommandIsToStandStill) {
