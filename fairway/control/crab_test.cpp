@@ -38,6 +38,18 @@ TEST(Crab, MakesTheCommandedVelocityOverGroundInAnyCurrent) {
   }
 }
 
+TEST(Crab, AcrossACurrentATurnRateIsCarriedOutAtTheSpeedOverGroundThatIsMeantForTheBow) {
+  Command command{.velocity = {1.5, 0, 0}};
+  command.turn_rate = 0.02;
+  const Vec3 abeam{0, 0.7, 0};
+  EXPECT_EQ(steer_through_water(crab, command, 0.0, abeam).surge_mps, 1.5);
+  EXPECT_EQ(steer_through_water(crab, command, pi, abeam).surge_mps, 0.9);  // its least
+
+  Command aside{.velocity = {1.5, 0, 0}};
+  aside.heading = 0.8;
+  EXPECT_NEAR(steer_through_water(crab, aside, 0.8, Vec3::Zero()).surge_mps, 1.5 * std::cos(0.8), 1e-12);
+}
+
 TEST(Crab, NeverAsksForLessThanItsLeastSpeed) {
   EXPECT_EQ(steer_through_water(crab, {.velocity = {0.3, 0, 0}}, 0.0, Vec3::Zero()).surge_mps, 0.9);
   const BodyRequest stop = steer_through_water(crab, {.mode = Mode::infeasible}, 0.7, Vec3::Zero());

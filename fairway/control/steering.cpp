@@ -84,7 +84,10 @@ BodyRequest steer_through_water(const SteeringParams& params, const Command& com
   const double speed = horizontal_norm(wanted);
   const double course = speed > 0.0 ? math::atan2(wanted.y(), wanted.x()) : yaw;
   const double error = wrap_angle(command.heading.value_or(course) - yaw);
-  return {.surge_mps = math::fmax(wanted.norm(), params.min_speed_mps),
+  const bool turns_by_itself =
+      command.turn_rate || leads_elsewhere(command, horizontal_norm(command.velocity));
+  const double ahead = turns_by_itself ? math::fmax(0.0, unit_at(yaw).dot(wanted.head<2>())) : speed;
+  return {.surge_mps = math::fmax(math::hypot(ahead, wanted.z()), params.min_speed_mps),
           .heave_mps = wanted.z(),
           .yaw_rate_radps = command.turn_rate.value_or(turn_rate(params, error)),
           .through_water = true};

@@ -66,7 +66,8 @@ BodyRequest steer(const SteeringParams& params, const Command& command, double y
 /// Likewise by `crab`, for a vehicle that cannot stop, in a current [m/s, NED] that it knows. The request is
 /// one through the water: it heads for the commanded velocity less the current, at its speed (surge, of which
 /// heave is the vertical part) but never below `min_speed_mps`. Without a course, as when it is to stop in
-/// still water, it keeps its heading. A commanded heading or turn rate is taken as it is.
+/// still water, it keeps its heading. A commanded heading or turn rate is taken as it is; with a turn rate,
+/// or a heading beside the commanded velocity, the part of that speed along the bow is made.
 BodyRequest steer_through_water(const SteeringParams& params, const Command& command, double yaw,
                                 const Vec3& current_n) noexcept;
 

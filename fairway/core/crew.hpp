@@ -10,12 +10,19 @@
 
 namespace fairway {
 
-/// Threads that go through the parts of a piece of work together: whoever is free takes the next part, and
-/// nobody waits for one who is not there. What comes out must not depend on who did which.
+/// What one hand of a crew alone writes to, apart from what others write to: two that write to the same line
+/// of a cache take it from each other each time.
+template <class T>
+struct alignas(128) OfOneHand : T {};
+
+/// Threads that go through the parts of a piece of work together. Each hand has a share of them, the same
+/// one in each piece of as many parts, so that what it worked on is in its own cache still; whoever is done
+/// with its own takes from the next hand's share, so that nobody waits for one who is not there. What comes
+/// out must not depend on who did which.
 class Crew {
  public:
   /// `hands` at least 1, the one who calls among them; fewer where the system gives no more threads.
-  explicit Crew(std::size_t hands = 1) {
+  explicit Crew(std::size_t hands = 1) : shares_(hands) {
     if (hands < 2) return;
     threads_.reserve(hands - 1);
     try {
@@ -43,22 +50,31 @@ class Crew {
       return;
     }
     // nobody takes a part while it is being said what to do
-    const std::uint64_t piece = (next_.load() | lowest_bits) + 1;
-    next_ = piece | lowest_bits;
+    const std::uint64_t piece = (shares_[0].next.load() | lowest_bits) + 1;
+    for (Share& share : shares_) share.next = piece | lowest_bits;
     work_ = [](const void* of, std::size_t part, std::size_t hand) {
       (*static_cast<const Work*>(of))(part, hand);
     };
     of_ = &work;
     parts_ = parts;
     done_ = 0;
-    next_ = piece;
+    for (std::size_t share = 0; share < shares_.size(); ++share)
+      shares_[share].next = piece | first_of(share, parts);
     call();
     take_parts(0);
-    for (std::size_t done = done_; done != parts; done = done_) done_.wait(done);
+    const auto is_done = [&] { return done_ == parts; };
+    if (!look_out_for(is_done))
+      for (std::size_t done = done_; done != parts; done = done_) done_.wait(done);
   }
 
  private:
   static constexpr std::uint64_t lowest_bits = 0xFFFF'FFFFU;
+
+  struct Share {
+    std::atomic<std::uint64_t> next{0};  // which piece of work it is, and in the lowest bits which part of it
+  };
+
+  std::size_t first_of(std::size_t share, std::size_t parts) const { return parts * share / shares_.size(); }
 
   void call() {
     ++calls_;
@@ -70,20 +86,34 @@ class Crew {
       const std::uint32_t heard = calls_;
       if (dismissed_) return;
       take_parts(hand);
-      calls_.wait(heard);
+      if (!look_out_for([&] { return calls_ != heard; })) calls_.wait(heard);
     }
   }
 
-  /// Whoever succeeds in counting on from a part has it: the piece of work cannot have ended meanwhile.
+  /// Whether it comes soon: to be woken up takes longer than most of what is waited for.
+  template <class Event>
+  static bool look_out_for(const Event& event) {
+    constexpr int glances = 30000;
+    for (int glance = 0; glance < glances; ++glance)
+      if (event()) return true;
+    return false;
+  }
+
   void take_parts(std::size_t hand) {
+    for (std::size_t k = 0; k < shares_.size(); ++k) take_parts_of((hand + k) % shares_.size(), hand);
+  }
+
+  /// Whoever succeeds in counting on from a part has it: the piece of work cannot have ended meanwhile.
+  void take_parts_of(std::size_t share, std::size_t hand) {
+    std::atomic<std::uint64_t>& next_part = shares_[share].next;
     while (true) {
-      std::uint64_t next = next_;
+      std::uint64_t next = next_part;
       Call* const work = work_;
       const void* of = of_;
       const std::size_t parts = parts_;
       const std::size_t part = next & lowest_bits;
-      if (part >= parts) return;
-      if (!next_.compare_exchange_strong(next, next + 1)) continue;
+      if (part >= first_of(share + 1, parts)) return;
+      if (!next_part.compare_exchange_strong(next, next + 1)) continue;
       work(of, part, hand);
       if (++done_ == parts) done_.notify_one();
     }
@@ -91,11 +121,11 @@ class Crew {
 
   using Call = void(const void* of, std::size_t part, std::size_t hand);
 
+  std::vector<OfOneHand<Share>> shares_;  // one for each hand that was asked for
   std::atomic<Call*> work_{};
   std::atomic<const void*> of_{};
   std::atomic<std::size_t> parts_{0};
-  std::atomic<std::uint64_t> next_{0};  // which piece of work it is, and in the lowest bits which part of it
-  std::atomic<std::size_t> done_{0};    // parts
+  std::atomic<std::size_t> done_{0};  // parts
   std::atomic<std::uint32_t> calls_{0};
   std::atomic<bool> dismissed_{false};
   std::vector<std::thread> threads_;  // last, so that it starts when all else is there

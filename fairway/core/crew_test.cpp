@@ -28,6 +28,34 @@ TEST(Crew, GoesThroughEveryPartOnce) {
   }
 }
 
+/// But one who still looks for something to do as a new piece of work begins may take from another's.
+TEST(Crew, GivesEachHandMostlyTheSameShare) {
+  Crew crew{3};
+  if (crew.hands() < 3) GTEST_SKIP() << "the system gives no threads";
+  std::atomic<int> own{0};
+  for (int turn = 0; turn < 200; ++turn) {
+    std::atomic<int> at_work{0};
+    crew.go_through(3, [&](std::size_t part, std::size_t hand) {
+      own += part == hand ? 1 : 0;
+      ++at_work;
+      while (at_work < 3) std::this_thread::yield();  // nobody has time for another's
+    });
+  }
+  EXPECT_GT(own, 400) << "of 600";
+}
+
+TEST(Crew, LeavesNothingUndoneOfOneWhoIsKeptBusy) {
+  Crew crew{2};
+  if (crew.hands() < 2) GTEST_SKIP() << "the system gives no threads";
+  std::atomic<int> done{0};
+  crew.go_through(100, [&](std::size_t part, std::size_t /*hand*/) {
+    if (part == 0)
+      while (done < 99) std::this_thread::yield();
+    ++done;
+  });
+  EXPECT_EQ(done, 100);
+}
+
 /// While it lives the system makes no thread: each would have a stack larger than all memory there can be.
 struct NoMoreThreads {
   NoMoreThreads() {

@@ -39,6 +39,9 @@ struct EnumNames<Phase> {
 /// True while a vehicle avoids others.
 constexpr bool is_avoiding(Phase phase) { return phase == Phase::under_way || phase == Phase::stuck; }
 
+/// True of a vehicle that avoids others, or has been led to its end.
+constexpr bool has_set_out(Phase phase) { return is_avoiding(phase) || phase == Phase::arrived; }
+
 /// One leg of a mission, as plain data. After the last leg a vehicle holds its position.
 struct Leg {
   LegKind kind{};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "fairway/core/cell_index.hpp"
+#include "fairway/core/crew.hpp"
 #include "fairway/core/math.hpp"
 #include "fairway/core/vec.hpp"
 
@@ -37,9 +39,10 @@ class Vicinity {
   explicit Vicinity(const Lists& lists = {}) : lists_{lists} {}
 
   /// Takes the points `point_of(i)` [m], i from 0 to `count` - 1, in place of those before; one that is not
-  /// finite is nowhere. Allocates only where there are more of them than ever before. O(count).
+  /// finite is nowhere. A `crew` shares the work, and calls `point_of` from all its threads. Allocates only
+  /// where there are more points than ever before. O(count).
   template <class PointOf>
-  void update(std::size_t count, const PointOf& point_of) {
+  void update(std::size_t count, const PointOf& point_of, Crew* crew = nullptr) {
     const bool is_new = count != now_.size();
     now_.resize(count);
     if (is_new) room_ = 0;
@@ -47,20 +50,23 @@ class Vicinity {
       for (std::size_t i = 0; i < count; ++i) now_[i] = point_of(i);
       return;
     }
-    const double enough = 0.25 * margin_ * margin_;
-    double way2 = is_new || then_.empty() ? std::numeric_limits<double>::infinity() : 0.0;
+    const bool was_sorted = !is_new && !then_.empty();
     then_.resize(count);
-    for (std::size_t i = 0; i < count; ++i) {
+    sheets_.resize(std::max(sheets_.size(), crew != nullptr ? crew->hands() : 1));
+    for (Sheet& sheet : sheets_) sheet.way2 = was_sorted ? 0.0 : std::numeric_limits<double>::infinity();
+    const double enough = 0.25 * margin_ * margin_;
+    for_each(crew, [&](std::size_t i, Sheet& sheet) {
       now_[i] = point_of(i);
       const double d2 = (now_[i] - then_[i]).squaredNorm();
       if (d2 <= enough) {
-        way2 = math::fmax(way2, d2);
+        sheet.way2 = math::fmax(sheet.way2, d2);
       } else if (is_finite(now_[i])) {  // too far, or it was nowhere
-        way2 = std::numeric_limits<double>::infinity();
+        sheet.way2 = std::numeric_limits<double>::infinity();
       }
-    }
+    });
+    double way2 = std::ranges::max_element(sheets_, {}, &Sheet::way2)->way2;
     if (!(way2 <= enough)) {
-      sort();
+      sort(crew);
       way2 = 0.0;
     }
     moved_ = longer(std::sqrt(way2));
@@ -93,7 +99,7 @@ class Vicinity {
     }
     const double reach2 = reach * reach;
     const double then_within = longer(reach + moved_ + gone(index, place));
-    for (std::uint32_t k = begins_[index]; k < begins_[index + 1]; ++k) {
+    for (std::uint32_t k = spans_[index].begin; k < spans_[index].end; ++k) {
       const Listed& other = listed_[k];
       if (other.distance > then_within) return;
       const double distance2 = (now_[other.index] - place).squaredNorm();
@@ -109,7 +115,7 @@ class Vicinity {
   /// Everyone within this distance of `place` [m] is on the list of point `index`; negative where no list
   /// serves.
   double sure_reach(std::size_t index, const Vec3& place) const {
-    if (begins_.empty() || now_.size() <= handful) return -1.0;
+    if (!has_lists_ || now_.size() <= handful) return -1.0;
     const double reach = list_reach_ - moved_ - gone(index, place);
     return reach >= 0.0 ? reach : -1.0;
   }
@@ -136,11 +142,24 @@ class Vicinity {
  private:
   static constexpr std::size_t handful = 24;     // so few are compared faster than lists are kept
   static constexpr double most_on_lists = 32.0;  // on average
+  static constexpr std::size_t most_on_one = 1024;
 
   /// Whoever was near when all were last sorted.
   struct Listed {
     float distance;  ///< then, or a little less [m]
     std::uint32_t index;
+  };
+
+  /// Of `listed_`.
+  struct Span {
+    std::uint32_t begin;
+    std::uint32_t end;
+  };
+
+  /// What one hand has to work with.
+  struct Sheet {
+    double way2{};  ///< the farthest that anyone has gone whom it has looked at [m2]
+    std::vector<Listed> listed;
   };
 
   /// From where it was when all were last sorted [m].
@@ -157,8 +176,20 @@ class Vicinity {
     return lists_.usual_count * grown * grown * grown;
   }
 
-  void sort() {
-    then_ = now_;
+  /// Calls `work(i, sheet)` for each point, with the sheet of the hand that does it.
+  template <class Work>
+  void for_each(Crew* crew, const Work& work) {
+    constexpr std::size_t size = 64;
+    const std::size_t parts = (now_.size() + size - 1) / size;
+    const auto go_through = [&](std::size_t part, std::size_t hand) {
+      for (std::size_t i = part * size; i < std::min(now_.size(), (part + 1) * size); ++i)
+        work(i, sheets_[hand]);
+    };
+    if (crew != nullptr) return crew->go_through(parts, go_through);
+    for (std::size_t part = 0; part < parts; ++part) go_through(part, 0);
+  }
+
+  void sort(Crew* crew) {
     index_.rebuild(now_.size(), lists_.least > 0.0 ? lists_.least : lists_.most,
                    [&](std::size_t i) { return now_[i]; });
     if (usual_reach_ == 0.0) {
@@ -167,11 +198,12 @@ class Vicinity {
     }
     moved_ = 0.0;
     bool enough = false;
-    while (!enough) enough = list_enough();
-    if (room_ == 0 && !listed_.empty()) {
+    while (!enough) enough = list_enough(crew);
+    if (room_ == 0) {
       room_ = std::min(of_all(most_on_lists),
-                       std::max(of_all(1.25 * usual_on_a_list()), listed_.size() + listed_.size() / 4));
-      listed_.reserve(room_);
+                       std::max(of_all(1.25 * usual_on_a_list()), listed_count_ + listed_count_ / 4));
+      listed_.resize(room_);
+      listed_.shrink_to_fit();
     }
   }
 
@@ -181,14 +213,14 @@ class Vicinity {
 
   /// Lists that reach as far as is usual, which from then on is as far as as many as are meant to be on them
   /// are. False where they were much too short for that.
-  bool list_enough() {
+  bool list_enough(Crew* crew) {
     constexpr double much = 1.4;
     const double farthest = std::max(lists_.least, std::min(lists_.most, 2.0 * index_.extent()));
     const double reach = std::clamp(usual_reach_, lists_.least, farthest);
     margin_ = lists_.margin_ratio * reach;
     list_reach_ = reach + margin_;
-    list();
-    const double found = math::fmax(1.0, static_cast<double>(listed_.size()));
+    list(crew);
+    const double found = math::fmax(1.0, static_cast<double>(listed_count_));
     const double wanted = usual_on_a_list() * static_cast<double>(now_.size());
     const double longer_by = std::clamp(cube_root(wanted / found), 1.0 / much, much);
     usual_reach_ = longer_by * reach;
@@ -196,34 +228,48 @@ class Vicinity {
   }
 
   /// Everyone's list, or none at all where there would be too much on them.
-  void list() {
-    const std::size_t most = room_ > 0 ? room_ : of_all(most_on_lists);
-    begins_.resize(now_.size() + 1);
-    listed_.clear();
-    for (std::size_t i = 0; i < now_.size(); ++i) {
-      begins_[i] = static_cast<std::uint32_t>(listed_.size());
-      index_.visit(then_[i], longer(list_reach_), [&](std::size_t j, double distance2) {
-        if (j == i || listed_.size() == most) return;
-        const double a_little_less = (1.0 - 1e-6) * std::sqrt(distance2);
-        listed_.push_back({static_cast<float>(a_little_less), static_cast<std::uint32_t>(j)});
-      });
-      if (listed_.size() == most) return begins_.clear();
-      std::ranges::sort(listed_.begin() + begins_[i], listed_.end(), {}, &Listed::distance);
-    }
-    begins_.back() = static_cast<std::uint32_t>(listed_.size());
+  void list(Crew* crew) {
+    if (room_ == 0) listed_.resize(of_all(most_on_lists));
+    spans_.resize(now_.size());
+    for (Sheet& sheet : sheets_) sheet.listed.reserve(std::min(now_.size(), most_on_one));
+    listed_count_ = 0;
+    for_each(crew, [&](std::size_t i, Sheet& sheet) { list(i, sheet.listed); });
+    has_lists_ = listed_count_ <= listed_.size();
+    listed_count_ = std::min(listed_count_, listed_.size());
+  }
+
+  /// Makes the list of point `i` on a sheet, nearest first, and copies it to where there is room.
+  void list(std::size_t i, std::vector<Listed>& sheet) {
+    then_[i] = now_[i];
+    sheet.clear();
+    std::size_t count = 0;
+    index_.visit(then_[i], longer(list_reach_), [&](std::size_t j, double distance2) {
+      if (j == i || ++count > most_on_one) return;
+      const double a_little_less = (1.0 - 1e-6) * std::sqrt(distance2);
+      sheet.push_back({static_cast<float>(a_little_less), static_cast<std::uint32_t>(j)});
+    });
+    if (count > most_on_one) count = listed_.size() + 1;
+    const std::size_t begin = std::atomic_ref{listed_count_}.fetch_add(count);
+    if (begin + count > listed_.size()) return;
+    std::ranges::sort(sheet, {}, &Listed::distance);
+    std::ranges::copy(sheet, listed_.begin() + static_cast<std::ptrdiff_t>(begin));
+    spans_[i] = {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(begin + count)};
   }
 
   Lists lists_;
   CellIndex index_;         // of where they were when they were last sorted
   std::vector<Vec3> then_;  // likewise
   std::vector<Vec3> now_;
-  double moved_{};                     // since then, nobody farther [m]
-  double margin_{};                    // [m]
-  double list_reach_{};                // with it [m]
-  double usual_reach_{};               // of the lists to come, without it [m]; 0 before the first
-  std::size_t room_{};                 // of all lists, for more than are on the first ones; 0 before these
-  std::vector<Listed> listed_;         // all lists, one after the other
-  std::vector<std::uint32_t> begins_;  // of each, and the end; empty where there are none
+  double moved_{};                        // since then, nobody farther [m]
+  double margin_{};                       // [m]
+  double list_reach_{};                   // with it [m]
+  double usual_reach_{};                  // of the lists to come, without it [m]; 0 before the first
+  std::size_t room_{};                    // of all lists, for more than are on the first ones; 0 before these
+  std::vector<Listed> listed_;            // all lists, in the order in which they were made
+  std::size_t listed_count_{};            // of what there is room for in `listed_`
+  std::vector<Span> spans_;               // of each point's list there
+  bool has_lists_{};                      // they hold; there may be too much for them
+  std::vector<OfOneHand<Sheet>> sheets_;  // one for each hand
 };
 
 }  // namespace fairway

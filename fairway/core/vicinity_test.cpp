@@ -24,9 +24,10 @@ struct Wanderers {
   std::vector<Vec3> points;
   Vicinity vicinity;
   Rng rng;
+  Crew crew;
 
-  Wanderers(std::size_t count, double size, const Vicinity::Lists& lists)
-      : points(count), vicinity{lists}, rng{count} {
+  Wanderers(std::size_t count, double size, const Vicinity::Lists& lists, std::size_t hands = 1)
+      : points(count), vicinity{lists}, rng{count}, crew{hands} {
     for (Vec3& point : points) point = anywhere(size, rng);
     for (std::size_t i = 0; i + 1 < count; i += 9) points[i + 1] = points[i];
   }
@@ -37,7 +38,8 @@ struct Wanderers {
       Vec3& one = points[rng.index(points.size())];
       if (rng.index(50) == 0) one = is_finite(one) ? Vec3::Constant(std::nan("")) : Vec3::Zero();
     }
-    vicinity.update(points.size(), [&](std::size_t i) { return points[i]; });
+    vicinity.update(
+        points.size(), [&](std::size_t i) { return points[i]; }, &crew);
   }
 
   std::vector<std::size_t> compared(const Vec3& place, double reach, std::size_t but) const {
@@ -85,6 +87,20 @@ TEST(Vicinity, FindsWhatAComparisonWithEveryPointFindsAsTheyMove) {
           }
         }
       }
+    }
+  }
+}
+
+TEST(Vicinity, FindsTheSameWhoeverSortsThem) {
+  for (const double stride : {0.05, 5.0}) {
+    Wanderers alone{300, 40.0, {.least = 6.0}}, shared{300, 40.0, {.least = 6.0}, 3};
+    for (int step = 0; step < 40; ++step) {
+      alone.wander(stride);
+      shared.wander(stride);
+      hold_to_comparison(shared, 17, shared.points[17], 12.0);
+      for (std::size_t i = 0; i < 300; ++i)
+        ASSERT_EQ(alone.vicinity.sure_reach(i, alone.points[i]),
+                  shared.vicinity.sure_reach(i, shared.points[i]));
     }
   }
 }

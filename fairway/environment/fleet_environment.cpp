@@ -17,10 +17,6 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// What an avoider has already shortened to the speed limit is not shortened again by a rounding error.
 constexpr double speed_tolerance = 1.0 + 1e-12;
 
-bool takes_part(const Agent& agent) {
-  return is_avoiding(agent.mission.phase()) || agent.mission.phase() == Phase::arrived;
-}
-
 /// A request that differs by less is the same [m/s, rad/s].
 constexpr double request_tolerance = 1e-6;
 
@@ -244,7 +240,7 @@ double FleetEnvironment::separation_of(std::size_t index) const {
   const Vec3& own = agents[index].vehicle.state().p_n;
   double nearest2 = infinity;
   for (std::size_t i = 0; i < agents.size(); ++i) {
-    if (i == index || !takes_part(agents[i])) continue;
+    if (i == index) continue;
     nearest2 = math::fmin(nearest2, (agents[i].vehicle.state().p_n - own).squaredNorm());
   }
   return std::sqrt(nearest2);
@@ -286,7 +282,7 @@ void FleetEnvironment::judge(std::size_t row) {
     if (has_arrived) learner.reward += weights.arrival;
     learner.collided = learner.collided || has_collided;
   }
-  place.touching = is_touching;
+  place.touching = is_touching && has_set_out(learner.phase);
   learner.separation = math::fmin(learner.separation, separation);
   learner.clearance = math::fmin(learner.clearance, clearance);
   learner.phase = agent(row).mission.phase();

@@ -146,6 +146,24 @@ TEST(FleetEnvironment, advises_who_may_not_go_at_all_to_do_nothing) {
   EXPECT_EQ(actions[0], 0.0);
 }
 
+TEST(FleetEnvironment, says_that_a_mover_has_come_upon_one_who_keeps_its_position) {
+  Environment environment{[](std::uint64_t seed) {
+    return parse_scenario(
+        "fairway: 1\nname: moored\nduration_s: 60\nvehicles:\n"
+        "  - {model: kinematic, avoider: direct, start: {position_m: [0, 0, 5]}, mission: "
+        "[{transit: {position_m: [20, 0, 5], speed_mps: 0.5}}]}\n"
+        "  - {model: kinematic, avoider: direct, start: {position_m: [10, 1, 5]}, mission: "
+        "[{keep_position: {duration_s: 60}}]}\n",
+        "moored", {}, seed);
+  }};
+  environment->reset(1);
+  while (!environment->is_over()) environment.step_to_goals();
+  EXPECT_TRUE(environment->terminated());
+  EXPECT_TRUE(environment->learners()[0].collided);
+  EXPECT_LE(environment->learners()[0].separation, 3.0);
+  EXPECT_FALSE(environment->learners()[1].collided) << "it does not go";
+}
+
 TEST(FleetEnvironment, refuses_a_scenario_in_which_its_learner_is_never_under_way) {
   const auto draw = [](std::uint64_t seed) {
     return parse_scenario(

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "fairway/core/crew.hpp"
 #include "fairway/metrics/metric.hpp"
 #include "fairway/metrics/neighbours.hpp"
 
@@ -71,8 +72,8 @@ class EncounterMetric final : public Metric {
   EncounterRules rules_;
   Neighbours neighbours_;
   std::vector<Count> counts_;
-  std::vector<std::vector<OpenEncounter>> detected_;  // by the vehicle in each hand
-  std::vector<Neighbour> near_;                       // memory to work in
+  std::vector<OfOneHand<std::vector<OpenEncounter>>> detected_;  // by the vehicle in each hand
+  std::vector<Neighbour> near_;                                  // memory to work in
 };
 
 }  // namespace fairway

@@ -9,24 +9,19 @@
 #include "fairway/core/math.hpp"
 
 namespace fairway {
-namespace {
-
-bool has_set_out(const VehicleFrame& vehicle) {
-  return is_avoiding(vehicle.phase) || vehicle.phase == Phase::arrived;
-}
-
-}  // namespace
 
 const std::vector<QuantityInfo>& FleetMetric::quantities() {
   static const std::vector<QuantityInfo> all{
       {"pair_collision_count", false,
-       "times that the centres of two vehicles that have set out came within the safety distance"},
-      {"min_separation_m", false, "least distance between the centres of any two vehicles that have set out"},
+       "times that the centres of two vehicles, one of which at least has set out, came within the safety "
+       "distance"},
+      {"min_separation_m", false,
+       "least distance between the centres of any two vehicles, one of which at least has set out"},
       {"makespan_s", false,
        "from the first tick under way to the last arrival; the end of the run if not all arrive",
        "arrived_ratio"},
       {"arrived_ratio", false, "share of the vehicles that arrived"},
-      {"nearest_m", true, "least distance to any other vehicle that has set out"},
+      {"nearest_m", true, "least distance to any other vehicle, from when it sets out"},
       {"obstacle_clearance_m", true,
        "least distance from the centre to the surface of an obstacle; negative inside one"},
       {"footprint_clearance_m", true,
@@ -60,7 +55,7 @@ void FleetMetric::begin(const Frame& frame, std::size_t hands) {
   }
   while (hands_.size() < hands) hands_.emplace_back().touch.reserve(usual_pairs);
   for (std::size_t i = 0; taking_part_ < n && i < n; ++i) {
-    if (own_[i].takes_part || !has_set_out(frame.vehicles[i])) continue;
+    if (own_[i].takes_part || !has_set_out(frame.vehicles[i].phase)) continue;
     own_[i].takes_part = true;
     ++taking_part_;
   }
@@ -76,9 +71,7 @@ double FleetMetric::reach(const Neighbours& near, std::size_t index) const {
   if (!own_[index].takes_part) return -1.0;
   constexpr double little = 1.0 + 1e-12;
   const double nearest2 = own_[index].nearest2;
-  const auto counts = [&](std::size_t j) { return own_[j].takes_part; };
-  const double nearest =
-      std::isinf(nearest2) ? near.reach_of_one(index, counts) : little * std::sqrt(nearest2);
+  const double nearest = std::isinf(nearest2) ? near.reach_of_one(index) : little * std::sqrt(nearest2);
   return math::fmax(nearest, safety_distance_);
 }
 
@@ -168,13 +161,14 @@ void FleetMetric::see_others(const Frame& frame, std::span<const Neighbour> near
   std::size_t who = frame.vehicles.size();
   for (const auto& [j, distance2] : near) {
     const bool nearer = distance2 < nearest2 || (distance2 == nearest2 && j < who && nearest2 < own.nearest2);
-    const bool touches = j > index && distance2 <= safety_distance_ * safety_distance_;
-    if (!(nearer || touches) || !own_[j].takes_part) continue;
     if (nearer) {
       nearest2 = distance2;
       who = j;
     }
-    if (touches) touch.push_back({static_cast<std::uint32_t>(index), j});
+    if (!(distance2 <= safety_distance_ * safety_distance_)) continue;
+    const auto self = static_cast<std::uint32_t>(index);
+    const bool is_told_by_the_other = j < index && own_[j].takes_part;
+    if (!is_told_by_the_other) touch.push_back({std::min(self, j), std::max(self, j)});
   }
   if (!(nearest2 < own.nearest2)) return;
   own.nearest2 = nearest2;

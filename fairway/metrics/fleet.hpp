@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "fairway/core/crew.hpp"
 #include "fairway/core/limits.hpp"
 #include "fairway/core/obstacle_index.hpp"
 #include "fairway/core/shapes.hpp"
@@ -26,9 +27,9 @@ struct Surroundings {
 };
 
 /// What raja2024 does not measure: pair events, separation, makespan, arrivals, energy, holding, what
-/// was commanded in vain. Counted from the first tick in which anyone is under way. Of other vehicles those
-/// count that have set out: that are under way, or have been, or have arrived. Who is still deploying or
-/// waiting for its first leg under way is left out.
+/// was commanded in vain. Each vehicle counts from when it has set out: from its first tick under way, or
+/// from when it has arrived; then everybody whom it meets counts, those who still wait or deploy as well. Two
+/// who have both not set out do not.
 class FleetMetric final : public Metric {
  public:
   static const std::vector<QuantityInfo>& quantities();
@@ -108,9 +109,9 @@ class FleetMetric final : public Metric {
   Occasion first_pair_event_;
   std::vector<Own> own_;
   Neighbours neighbours_;
-  std::vector<Pair> touching_;   ///< as of the last frame, ascending
-  std::vector<Hand> hands_;      ///< of this one
-  std::vector<Neighbour> near_;  ///< memory to work in
+  std::vector<Pair> touching_;          ///< as of the last frame, ascending
+  std::vector<OfOneHand<Hand>> hands_;  ///< of this one
+  std::vector<Neighbour> near_;         ///< memory to work in
 };
 
 }  // namespace fairway

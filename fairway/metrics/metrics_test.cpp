@@ -157,6 +157,30 @@ TEST(FleetMetric, EnergyIsPowerOverTimeUnderWay) {
   EXPECT_NEAR(s.value("energy_j", 0), 20.0, 1e-12);
 }
 
+TEST(FleetMetric, WhomAMoverMeetsCountsBeforeItHasSetOutItself) {
+  for (const bool mover_is_first : {true, false}) {
+    const auto pair = [&](Script& s, double x, Phase mover, Phase other) {
+      s.pair(x, mover_is_first ? mover : other, mover_is_first ? other : mover);
+    };
+    const int mover = mover_is_first ? 0 : 1;
+    for (const Phase other : {Phase::waiting, Phase::deploying}) {
+      Script s;
+      pair(s, 1, other, other);  // nobody has set out
+      pair(s, 5, Phase::under_way, other);
+      pair(s, 2, Phase::under_way, other);
+      pair(s, 2.5, Phase::under_way, Phase::under_way);  // the same collision
+      pair(s, 4, Phase::under_way, Phase::under_way);
+      EXPECT_EQ(s.value("pair_collision_count"), 1);
+      EXPECT_EQ(s.value("min_separation_m"), 2);
+      EXPECT_EQ(s.measure("min_separation_m").occasion.time, 2);
+      EXPECT_EQ(s.value("nearest_m", mover), 2);
+      EXPECT_EQ(s.value("nearest_m", 1 - mover), 2.5);
+      EXPECT_EQ(s.measure("pair_collision_count").occasion.vehicle, 0);
+      EXPECT_EQ(s.measure("pair_collision_count").occasion.other, 1);
+    }
+  }
+}
+
 TEST(FleetMetric, WhoeverIsThereFromTheBeginningCounts) {
   const Script s = Script{}.pair(2, Phase::arrived, Phase::arrived).pair(2, Phase::arrived, Phase::arrived);
   EXPECT_EQ(s.value("pair_collision_count"), 1);

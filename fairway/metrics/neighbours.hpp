@@ -29,9 +29,10 @@ class Neighbours {
   /// `reach` is how far the metrics usually look [m].
   explicit Neighbours(double reach) : vicinity_{{.least = reach, .usual_count = 5.0, .margin_ratio = 0.2}} {}
 
-  /// Takes the next frame, of the same vehicles.
-  const Neighbours& of(const Frame& frame) {
-    vicinity_.update(frame.vehicles.size(), [&](std::size_t i) { return frame.vehicles[i].state.p_n; });
+  /// Takes the next frame, of the same vehicles; a `crew` shares the work.
+  const Neighbours& of(const Frame& frame, Crew* crew = nullptr) {
+    const auto place_of = [&](std::size_t i) { return frame.vehicles[i].state.p_n; };
+    vicinity_.update(frame.vehicles.size(), place_of, crew);
     return *this;
   }
 
@@ -52,10 +53,9 @@ class Neighbours {
     vicinity_.visit_others(index, vicinity_.place(index), reach, visit);
   }
 
-  /// A distance within which `wanted(other)` is true of another vehicle; infinite if it is true of none.
-  template <class Wanted>
-  double reach_of_one(std::size_t index, const Wanted& wanted) const {
-    return vicinity_.reach_of(1, index, vicinity_.place(index), wanted);
+  /// A distance within which there is another vehicle; infinite if there is none.
+  double reach_of_one(std::size_t index) const {
+    return vicinity_.reach_of(1, index, vicinity_.place(index), [](std::size_t) { return true; });
   }
 
  private:

@@ -23,19 +23,17 @@ class EveryPair {
         collided(n) {}
 
   void see(const std::vector<VehicleFrame>& vehicles) {
-    for (std::size_t i = 0; i < n; ++i)
-      set_out[i] = set_out[i] || is_avoiding(vehicles[i].phase) || vehicles[i].phase == Phase::arrived;
+    for (std::size_t i = 0; i < n; ++i) set_out[i] = set_out[i] || has_set_out(vehicles[i].phase);
     for (std::size_t i = 0; i < n; ++i) {
       for (std::size_t j = 0; j < n; ++j) {
         if (i == j) continue;
         const double distance = (vehicles[i].state.p_n - vehicles[j].state.p_n).norm();
         see_encounter(vehicles[i].phase, i, j, distance);
-        if (!set_out[i] || !set_out[j]) continue;
-        if (distance < nearest[i]) {
+        if (set_out[i] && distance < nearest[i]) {
           nearest[i] = distance;
           nearest_with[i] = static_cast<int>(j);
         }
-        if (i > j) continue;
+        if (i > j || !(set_out[i] || set_out[j])) continue;
         if (distance <= 3.0 && !touching[i * n + j]) ++pair_events;
         touching[i * n + j] = distance <= 3.0;
       }
@@ -89,6 +87,7 @@ void hold_to_every_pair(std::size_t count, double drift, double stumble) {
   for (std::int64_t tick = 0; tick < 300; ++tick) {
     for (std::size_t i = 0; i < count; ++i) vehicles[i].state.p_n += velocities[i] + any(stumble);
     vehicles[0].phase = tick % 20 < 5 ? Phase::deploying : Phase::under_way;  // sets out later, and pauses
+    vehicles[1].phase = tick < 150 ? Phase::waiting : Phase::under_way;
     metrics.write({Tick{tick}, static_cast<double>(tick), 1.0, vehicles});
     every.see(vehicles);
   }

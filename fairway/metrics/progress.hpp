@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "fairway/avoidance/progress.hpp"
+#include "fairway/core/crew.hpp"
 #include "fairway/metrics/fleet.hpp"
 #include "fairway/metrics/neighbours.hpp"
 
@@ -59,7 +60,7 @@ class ProgressMetric final : public Metric {
   double largest_radius_{};  // of a vehicle [m]
   Neighbours neighbours_;
   std::vector<Own> own_;
-  std::vector<std::vector<std::uint32_t>>
+  std::vector<OfOneHand<std::vector<std::uint32_t>>>
       late_;                           // of this frame, found by each hand: whom it matters who is near
   std::vector<Bystander> bystanders_;  // of whoever is judged
 };

@@ -14,7 +14,7 @@ void RunMetrics::write(const Frame& frame) {
   smoothness_.begin(frame);
 
   // all that is asked of one vehicle at a time, so that its frame is looked at once
-  const Neighbours& all = neighbours_.of(frame);
+  const Neighbours& all = neighbours_.of(frame, crew_ ? &*crew_ : nullptr);
   constexpr std::size_t size = 64;
   const std::size_t count = vehicles_ = frame.vehicles.size();
   while (near_.size() < hands) near_.emplace_back().reserve(Neighbours::usual_room(count));

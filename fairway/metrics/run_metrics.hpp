@@ -50,7 +50,7 @@ class RunMetrics final : public FrameSink {
 
   std::size_t vehicles_{0};
   Neighbours neighbours_;
-  std::vector<std::vector<Neighbour>> near_;  // of the vehicle that each hand is at
+  std::vector<OfOneHand<std::vector<Neighbour>>> near_;  // of the vehicle that each hand is at
   EncounterMetric encounters_;
   ProgressMetric progress_;
   FleetMetric fleet_;

@@ -16,6 +16,9 @@ namespace {
 
 constexpr double endless = std::numeric_limits<double>::infinity();
 
+/// Vehicles that one hand goes through at a time.
+constexpr std::size_t part_size = 32;
+
 /// Of one vehicle, where they are kept, and how many are near: whoever has more takes memory for them.
 constexpr std::size_t usual_tracks = 32;
 constexpr std::size_t usual_near = 128;
@@ -193,13 +196,12 @@ void Simulation::make_room(bool keeping) {
 /// so that parts may be gone through in any order, and at the same time.
 template <class... Works>
 void Simulation::in_parts(Works... /*in this order*/) {
-  constexpr std::size_t size = 32;
   constexpr std::size_t many = 1500;  // so few stay in a cache; of 1000 it gains nothing, of 2000 a little
   constexpr std::size_t ahead = 4;    // are fetched, while the first stage is at another
   constexpr std::size_t soon = 2;     // and what they point to
   const auto go_through = [&](std::size_t part, std::size_t number) {
     Hand& hand = hands_[number];
-    const std::size_t first = part * size, end = std::min(first + size, agents_.size());
+    const std::size_t first = part * part_size, end = std::min(first + part_size, agents_.size());
     if (timing_stages_) hand.stages.begin();
     std::size_t fetched = agents_.size() > many ? first : end, beyond = fetched;
     const auto go =
@@ -215,7 +217,7 @@ void Simulation::in_parts(Works... /*in this order*/) {
         };
     (go(Works{}), ...);
   };
-  const std::size_t parts = (agents_.size() + size - 1) / size;
+  const std::size_t parts = (agents_.size() + part_size - 1) / part_size;
   const bool one_at_a_time = !crew_ || observer_ != nullptr;
   if (one_at_a_time) {
     for (std::size_t part = 0; part < parts; ++part) go_through(part, 0);
@@ -223,9 +225,10 @@ void Simulation::in_parts(Works... /*in this order*/) {
     crew_->go_through(parts, go_through);
   }
 
-  // each hand goes from part to part upwards, so that the first of all is the first of one of them
+  // each hand keeps that of the first part in which it found one, so that the first of all is one of them
   for (Hand& hand : hands_) {
-    if (hand.divergence && (!divergence_ || hand.divergence->vehicle / size < divergence_->vehicle / size))
+    if (hand.divergence &&
+        (!divergence_ || hand.divergence->vehicle / part_size < divergence_->vehicle / part_size))
       divergence_ = hand.divergence;
     hand.divergence.reset();
   }
@@ -265,7 +268,8 @@ void Simulation::act(std::span<FrameSink* const> sinks) {
 }
 
 void Simulation::notice(std::size_t index, std::string_view impossible, Tick when, Hand& hand) {
-  if (impossible.empty() || hand.divergence) return;
+  if (impossible.empty()) return;
+  if (hand.divergence && hand.divergence->vehicle / part_size <= index / part_size) return;
   hand.divergence = {.vehicle = index, .tick = when, .time = seconds(when, period_), .why = impossible};
 }
 
@@ -325,10 +329,11 @@ void Simulation::deliver() {
 void Simulation::sort_places() {
   const Vec3 nowhere = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
   const bool told_at_once = exchange_.carries_at_once();
-  found_at_.update(agents_.size(), [&](std::size_t i) -> Vec3 {
+  const auto place_of = [&](std::size_t i) -> Vec3 {
     if (!everyone_tells() && movers_[i].silent) return places_[i];
     return told_at_once && mailbox_[i].tells_place() ? mailbox_[i].position : nowhere;
-  });
+  };
+  found_at_.update(agents_.size(), place_of, crew_ ? &*crew_ : nullptr);
 }
 
 Scene Simulation::scene_of(std::size_t index) const {

@@ -231,7 +231,7 @@ class Simulation {
   std::vector<Vec3> places_;   // of the vehicles, unless everyone tells
   Vicinity found_at_;          // the vehicles, where perception finds them
   std::vector<Sight> kept_;    // by vehicle, of its last decision; empty where nobody wants them
-  std::vector<Hand> hands_;
+  std::vector<OfOneHand<Hand>> hands_;
   Boxed<Crew> crew_;  // nothing: one hand alone
   std::vector<VehicleFrame> frame_;
   std::vector<Drawing> drawings_;       // by vehicle, of its last decision; empty before anyone looks
