@@ -120,22 +120,19 @@ class Vicinity {
     return reach >= 0.0 ? reach : -1.0;
   }
 
-  /// A distance within which `wanted(i)` is true of at least `count` others than point `index`, not much
-  /// larger than it has to be; infinite if it is true of fewer.
-  template <class Wanted = bool (*)(std::size_t)>
-  double reach_of(
-      std::size_t count, std::size_t index, const Vec3& place,
-      const Wanted& wanted = [](std::size_t) { return true; }) const {
+  /// A distance within which there are at least `count` others than point `index`, not much larger than it
+  /// has to be; infinite if there are fewer.
+  double reach_of(std::size_t count, std::size_t index, const Vec3& place) const {
     const auto found_within = [&](double reach) {
       std::size_t found = 0;
-      visit_others(index, place, reach, [&](std::size_t i, double) { found += wanted(i) ? 1 : 0; });
+      visit_others(index, place, reach, [&](std::size_t, double) { ++found; });
       return found;
     };
     const double sure = sure_reach(index, place);
     if (sure > 0.0 && found_within(sure) >= count) return sure;
     if (now_.size() <= handful) return std::numeric_limits<double>::infinity();
-    const double reach = index_.reach_of(
-        count, place, [&](std::size_t i) { return i != index && is_finite(now_[i]) && wanted(i); });
+    const double reach =
+        index_.reach_of(count, place, [&](std::size_t i) { return i != index && is_finite(now_[i]); });
     return longer(reach + moved_);
   }
 

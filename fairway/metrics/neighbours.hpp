@@ -55,7 +55,7 @@ class Neighbours {
 
   /// A distance within which there is another vehicle; infinite if there is none.
   double reach_of_one(std::size_t index) const {
-    return vicinity_.reach_of(1, index, vicinity_.place(index), [](std::size_t) { return true; });
+    return vicinity_.reach_of(1, index, vicinity_.place(index));
   }
 
  private:
