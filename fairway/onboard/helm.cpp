@@ -230,7 +230,7 @@ Ownship Helm::own_at(const Fix& fix) const noexcept {
 }
 
 bool Helm::is_outrun() const noexcept {
-  return ahead_from_ && ahead_to_ - *ahead_from_ > setup_.policy.own_stale_s;
+  return ahead_from_ && ahead_by_ - *ahead_from_ > setup_.policy.own_stale_s;
 }
 
 /// By a clock that stands, runs back, or says no time, nothing grows old.

@@ -107,7 +107,7 @@ struct HelmReport {
 /// and so allocates). A wall clock that is set back makes it forget likewise, but for its own goal: it holds
 /// until own navigation has been good for `recovery_s` by the new time, and goes on. By a clock that runs
 /// back, or says no time, nothing grows old: after ten such updates the vehicle holds, and likewise once own
-/// fixes have gone on for `own_stale_s` while the clock stands. A value: a copy is a snapshot. Otherwise
+/// fixes have gained `own_stale_s` on a clock that stands. A value: a copy is a snapshot. Otherwise
 /// nothing throws, allocates or locks after construction, unless the method does.
 class Helm {
  public:
@@ -257,8 +257,8 @@ class Helm {
   HelmOrder order_;
   int standing_{};                    ///< updates by a time that was past, or none
   bool set_back_{};                   ///< a wall clock was, and no own fix has been accepted since
-  std::optional<double> ahead_from_;  ///< the first of own fixes that have been `ahead` since one was not [s]
-  double ahead_to_{};                 ///< the last of them [s]
+  std::optional<double> ahead_from_;  ///< by how much the first of own fixes that are `ahead` was [s]
+  double ahead_by_{};                 ///< by how much the last of them was [s]
   Task task_{Task::none};
   Health health_{Health::good};
   bool arrived_{};

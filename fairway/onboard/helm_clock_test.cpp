@@ -66,6 +66,16 @@ TEST(Helm, AClockThatStandsWhileOwnNavigationGoesOnEndsInAHold) {
   EXPECT_EQ(helm.order().state, HelmState::under_way) << "and it goes on when that does";
 }
 
+TEST(Helm, NavigationThatIsAheadOfAClockThatGoesOnIsStale) {
+  Helm helm = under_way(10.0);
+  for (int i = 1; i <= 15; ++i) {
+    helm.own_fix(on_course(20.0 + h * i), 10.0 + h * i);
+    helm.update(10.0 + h * i);
+  }
+  EXPECT_EQ(helm.order().state, HelmState::holding);
+  EXPECT_EQ(helm.order().reason, "own navigation is stale");
+}
+
 TEST(Helm, AWallClockThatIsSetBackLeavesItsGoal) {
   auto with = setup();
   with.wall_clock = true;

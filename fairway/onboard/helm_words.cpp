@@ -36,8 +36,8 @@ FixVerdict Helm::own_fix(const Fix& fix, double now) noexcept {
 void Helm::see_lead(const Fix& fix, FixVerdict verdict) noexcept {
   if (verdict == FixVerdict::accepted) ahead_from_.reset();
   if (verdict != FixVerdict::ahead) return;
-  if (!ahead_from_) ahead_from_ = fix.time;
-  ahead_to_ = fix.time;
+  ahead_by_ = fix.time - now_;
+  if (!ahead_from_) ahead_from_ = ahead_by_;
 }
 
 void Helm::see_current(const Fix& fix) noexcept {
