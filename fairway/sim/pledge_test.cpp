@@ -154,5 +154,15 @@ TEST(PledgeRuns, WhoLeavesItsWaySaysSoAndWhoKeepsToItSaysNothingThatIsOver) {
   EXPECT_EQ(late.note(1), "is off its promised way, holds and says so");
 }
 
+TEST(PledgeRuns, WhoStopsOnItsWaySaysSoBeforeItIsOffByTwoTubes) {
+  Scenario scenario =
+      agreeing(vehicle("[0, 0, 8]", "[40, 0, 8]") + ", " +
+               vehicle("[0, 30, 8]", "[40, 30, 8]", ", failure: {kind: stops, under_way_s: 30}"));
+  scenario.duration_s = 39;
+  const Watched run{scenario};
+  EXPECT_EQ(run.note(1), "is off its promised way, holds and says so");
+  EXPECT_EQ(run.note(0), "");
+}
+
 }  // namespace
 }  // namespace fairway

@@ -117,7 +117,9 @@ Command Pledge::decide(const Situation& given, Memory& memory, Context& context)
   const bool alone = memory.agreement.rounds().groups().count() == 1;
   std::array<Obstacle, pledge::most_vehicles> room;
   const pledge::Chart chart = alone ? s.obstacles : memory.agreement.chart(s.obstacles, room);
+  memory.obedience.look(s);
   Command command = decided(s, chart, memory, context);
+  memory.obedience.ask(s, command);
   memory.datum.look(memory.agreement, s.link->ranges, rests(s, memory), unsure);
   if (!unheard.empty()) command.note = unheard;
   if (!memory.misfit.empty()) command.note = memory.misfit;
@@ -306,7 +308,7 @@ void Pledge::watch(const Situation& s, const pledge::Chart& chart, Memory& memor
   }
   memory.gives_way = memory.is_beside = false;
   const double off = (way->at(s.time) - s.own.position).norm();
-  if (off > 2.0 * params.tube_m) {
+  if (off > (memory.obedience.is_lacking() ? 1.0 : 2.0) * params.tube_m) {
     lose(s, memory);
   } else if (agreement.meets_lost(*way, s.time, s.time + soon) ||
              agreement.meets_held(*way, s.time, s.time + soon) ||

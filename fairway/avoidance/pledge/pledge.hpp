@@ -4,6 +4,7 @@
 #include "fairway/avoidance/algorithm.hpp"
 #include "fairway/avoidance/pledge/agreement.hpp"
 #include "fairway/avoidance/pledge/datum.hpp"
+#include "fairway/avoidance/pledge/obedience.hpp"
 
 namespace fairway {
 
@@ -83,6 +84,7 @@ struct Pledge {
         heard{};  ///< when each said what was taken last [s]
     pledge::Agreement agreement{};
     pledge::DatumWatch datum{};
+    pledge::Obedience obedience{};
   };
 
   Params params;
