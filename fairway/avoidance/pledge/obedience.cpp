@@ -18,13 +18,15 @@ double ahead_of(const Situation& s, const Vec3& velocity) noexcept {
   return (velocity - s.current).head<2>().dot(unit_at(s.own.yaw));
 }
 
-/// Towards what is asked as quickly as it can [1/s2].
-double followed(double from, double asked, double lag, double up, double down, double period) noexcept {
-  const double change = (asked - from) * math::fmin(1.0, period / math::fmax(lag, period));
-  return from + std::clamp(change, -period * down, period * up);
-}
-
 }  // namespace
+
+void Obedience::Axis::see(double does, double least, double greatest, double lag, double up, double down,
+                          double period) noexcept {
+  const double change =
+      (std::clamp(asked, least, greatest) - expected) * math::fmin(1.0, period / math::fmax(lag, period));
+  expected += std::clamp(change, -period * down, period * up);
+  lacks += math::fmin(1.0, period / to_and_fro) * (expected - does - lacks);
+}
 
 void Obedience::look(const Situation& s) noexcept {
   if (s.envelope == nullptr) return;
@@ -35,16 +37,12 @@ void Obedience::look(const Situation& s) noexcept {
     turn_ = {turn, turn, 0.0};
     has_begun_ = true;
   }
+  surge_.see(surge, -can.astern, can.ahead, can.surge_lag,
+             math::fmin(can.acceleration, s.limits.max_acceleration), can.deceleration, s.period);
+  // at whatever speed
   const double most = math::fmin(*std::ranges::min_element(can.turn_rates), s.limits.max_turn_rate);
-  const double quickest = can.turn_acceleration;
-  surge_.expected =
-      followed(surge_.expected, std::clamp(surge_.asked, -can.astern, can.ahead), can.surge_lag,
-               math::fmin(can.acceleration, s.limits.max_acceleration), can.deceleration, s.period);
-  turn_.expected = followed(turn_.expected, std::clamp(turn_.asked, -most, most),
-                            can.turn_lag + can.turn_tail, quickest, quickest, s.period);
-  const double share = math::fmin(1.0, s.period / to_and_fro);
-  surge_.lacks += share * (surge_.expected - surge - surge_.lacks);
-  turn_.lacks += share * (turn_.expected - turn - turn_.lacks);
+  turn_.see(turn, -most, most, can.turn_lag + can.turn_tail, can.turn_acceleration, can.turn_acceleration,
+            s.period);
   is_lacking_ = surge_.lacks > slow_share * math::fmin(s.goal.cruise_speed, can.ahead) ||
                 std::fabs(turn_.lacks) > turn_share * most;
 }

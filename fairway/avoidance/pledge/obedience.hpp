@@ -19,10 +19,14 @@ class Obedience {
   bool is_lacking() const { return is_lacking_; }
 
  private:
+  /// Of one axis what is asked, what is to be expected by now, and what is lacking of that without the waves.
   struct Axis {
-    double asked{};
-    double expected{};  ///< by now
-    double lacks{};     ///< of that, without the waves
+    double asked{}, expected{}, lacks{};
+
+    /// It does `does`, can do no more than between the least and the greatest, comes to what is asked with a
+    /// lag [s], and changes by no more than `up` and `down` in a second.
+    void see(double does, double least, double greatest, double lag, double up, double down,
+             double period) noexcept;
   };
 
   bool has_begun_{false}, is_lacking_{false};

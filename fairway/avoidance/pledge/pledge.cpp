@@ -286,10 +286,11 @@ void Pledge::aim(const Situation& s, const pledge::Chart& chart, Memory& memory)
   if ((told - member.destination).norm() > same_place) agreement.hold(member, aside);
 }
 
-/// Who is off its tube by as much again is lost; before that it is best to come back. Who is held and leaves
-/// its tube tells another anchor, unless it is about to depart. Who would come near somebody who is lost, or
-/// is held beside its promised way, or near something that it did not know to stand there, stops where it is
-/// and is held there; who is in the way of others goes out of it, and tells where it is by then.
+/// Who is off its tube by as much again is lost, and by its tube if its hull does not obey; before that it is
+/// best to come back. Who is held and leaves its tube tells another anchor, unless it is about to depart. Who
+/// would come near somebody who is lost, or is held beside its promised way, or near something that it did
+/// not know to stand there, stops where it is and is held there; who is in the way of others goes out of it,
+/// and tells where it is by then.
 void Pledge::watch(const Situation& s, const pledge::Chart& chart, Memory& memory) const noexcept {
   Agreement& agreement = memory.agreement;
   if (agreement.status() == pledge::Status::lost) return recover(s, memory);
