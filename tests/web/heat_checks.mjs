@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A small table of colours, pointed at and clicked, and tables that must be refused.
+import { closes } from './runs_checks.mjs';
 
 const cell = (value, mark, runs) => ({ value, low: value - 0.1, high: value + 0.1, text: '1.20', mark, note: 'a note', runs: [runs], values: [-1, 3], values_label: 'clearance [m]' });
 const heat = {
@@ -57,7 +58,7 @@ export async function look_at_heats(page, expect) {
   const link = page.locator('dialog a', { hasText: 'cubes: clearance' });
   const shown = await link.getAttribute('href');
   await link.click();
-  expect(await page.locator('dialog').count() === 0 && await page.locator(`${shown} .title`).innerText() === 'cubes: clearance', `the link leads to ${shown}`);
+  expect(await closes(page) && await page.locator(`${shown} .title`).innerText() === 'cubes: clearance', `the link leads to ${shown}`);
   const scale = await figure.locator('.plot svg').evaluate((svg) => ({
     ends: [...svg.querySelectorAll('text')].map((text) => text.textContent).filter((text) => text.endsWith('%')),
     colours: [...svg.querySelectorAll('.heat-scale')].map((part) => getComputedStyle(part).fill),
