@@ -9,6 +9,7 @@ namespace {
 
 constexpr double silent_for_good = 8.0;   // turns after which, of who has gone, the way is assumed
 constexpr double turning_away = 0.1;      // likewise, for each second since [m/s]
+constexpr double longest_unsure = 30.0;   // up to so long since [s]
 constexpr double longest_drift = 120.0;   // for which it is foretold [s]
 constexpr double no_way = 1.0;            // from its destination a member has nowhere to go [m]
 constexpr double idle_turns = 4.0;        // after so many without use a group lets the next one move
@@ -74,12 +75,19 @@ Reference Agreement::whereabouts(std::size_t i) const noexcept {
   if (statuses_[i] == Status::moving)
     return departed_[i] && plan_.participants[i] ? reference_of(members_[i], plan_, plan_.codes[i])
                                                  : gone_[i].way;
+  const bool may_have_departed = departed_by_.epoch && departed_by_.participants[i] &&
+                                 statuses_[i] == Status::held && last_heard_[i] < departed_by_.start();
+  if (may_have_departed) return reference_of(members_[i], departed_by_, departed_by_.codes[i]);
   return Reference{members_[i].anchor};
 }
 
 /// Of somebody who is where it says.
 double Agreement::clear_of(std::size_t i) const noexcept {
   return members_[self_].radius + members_[i].radius + terms_.tubes.radius + terms_.tubes.told;
+}
+
+double Agreement::evades_by(std::size_t i, double now) const noexcept {
+  return clear_of(i) + (is_lost(i) ? turning_away * std::min(now - last_heard_[i], longest_unsure) : 0.0);
 }
 
 bool Agreement::meets_lost(const Reference& own, double now, double time) const noexcept {
@@ -108,9 +116,9 @@ bool Agreement::meets_held(const Reference& own, double now, double time) const 
 
 bool Agreement::meets_moving(const Reference& own, double now, double time) const noexcept {
   for (std::size_t i = 0; i < count_; ++i) {
-    if (i == self_ || statuses_[i] != Status::moving) continue;
+    if (i == self_ || is_lost(i)) continue;
     const Reference way = whereabouts(i);
-    if (!way.empty() && least_distance(own, way, now, time) < clear_of(i)) return true;
+    if (way.knots().size() > 1 && least_distance(own, way, now, time) < clear_of(i)) return true;
   }
   return false;
 }
@@ -232,6 +240,7 @@ void Agreement::depart(double now, double turn_period, const Chart& chart) noexc
     return;
   }
   way_ = way;
+  departed_by_ = plan_;
   started_ = plan_.start();
   scene.place(self_, way_);
   for (std::size_t i = 0; i < most_members; ++i) gates_[i] = scene.gate(self_, i);

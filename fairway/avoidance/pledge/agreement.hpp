@@ -82,12 +82,16 @@ class Agreement {
   /// does who only keeps to plans.
   bool meets_held(const Reference& own, double now, double time) const noexcept;
 
-  /// Whether somebody comes too near to own ship by `time` who goes as it has promised.
+  /// Whether somebody comes too near to own ship by `time` who goes as it has promised, or may do so.
   bool meets_moving(const Reference& own, double now, double time) const noexcept;
 
-  /// Where a member is at what time, as far as is known here; without knots if it is not.
+  /// Where a member is at what time, as far as is known here; without knots if it is not. Who departs by the
+  /// plan by which own ship did, and has not been heard since, is on its way.
   Reference whereabouts(std::size_t i) const noexcept;
   bool is_lost(std::size_t i) const { return statuses_[i] == Status::lost; }
+  /// How far from there own ship goes out of its way [m]: of who is lost the farther, the longer ago it told
+  /// where it is, up to half a minute.
+  double evades_by(std::size_t i, double now) const noexcept;
 
   /// What to say in a turn at `now`.
   Speech say(double now, double turn_period) const noexcept;
@@ -204,6 +208,7 @@ class Agreement {
 
   // own way
   Reference way_{};
+  Plan departed_by_{};                        ///< the plan by which it departed last
   double started_{};                          ///< when the plan began by which it goes [s]
   std::array<double, most_members> gates_{};  ///< by whom it has to know departed [s]
   Members left_{};                            ///< who is known to have left the anchor that a gate is about

@@ -265,6 +265,38 @@ TEST(Agreement, WhereALostMemberDriftsIsForetold) {
   EXPECT_TRUE(member.meets_lost(own, fleet.time, fleet.time + 40.0));
 }
 
+TEST(Agreement, WhoHasNotBeenHeardSinceItMayHaveDepartedIsReckonedWithOnItsWay) {
+  Fleet fleet{three_in_a_plane(), 3.0};
+  const auto until_2_moves = [&](std::size_t from, std::size_t to) {
+    return to != 0 || from != 2 || fleet.members[2].status() != Status::moving;
+  };
+  while (fleet.moving() < 3 && fleet.time < 200.0) fleet.go_on(until_2_moves);
+  ASSERT_EQ(fleet.moving(), 3);
+  for (int i = 0; i < 40; ++i) fleet.go_on([](std::size_t, std::size_t to) { return to != 0; });
+  const Agreement& member = fleet.members[0];
+  EXPECT_LT((member.whereabouts(2).at(fleet.time) - fleet.places[2]).norm(), 0.1);
+  const Reference ahead{fleet.members[2].way()->at(fleet.time + 5.0)};
+  EXPECT_TRUE(member.meets_moving(ahead, fleet.time, fleet.time + 10.0));
+  // until it tells that it has stopped
+  Member stopped = fleet.members[2].own();
+  stopped.anchor = fleet.places[2];
+  fleet.members[2].hold(stopped);
+  for (int i = 0; i < 40; ++i) fleet.go_on(always);
+  EXPECT_LT((member.whereabouts(2).at(fleet.time) - stopped.anchor).norm(), 0.1);
+}
+
+TEST(Agreement, OfWhoIsLostIsKeptTheFartherTheLongerAgoItToldWhereItIs) {
+  Fleet fleet = two_and_one_between();
+  const double told = fleet.members[0].evades_by(2, fleet.time);
+  fleet.members[2].lose(fleet.places[2], Vec3::Zero());
+  for (int i = 0; i < 20; ++i) fleet.go_on(always);
+  ASSERT_TRUE(fleet.members[0].is_lost(2));
+  const double soon = fleet.members[0].evades_by(2, fleet.time);
+  EXPECT_GT(soon, told);
+  EXPECT_NEAR(fleet.members[0].evades_by(2, fleet.time + 10.0), soon + 1.0, 1e-9);
+  EXPECT_LT(fleet.members[0].evades_by(2, fleet.time + 1000.0), soon + 3.1) << "it is not kept off for ever";
+}
+
 TEST(Agreement, AClockThatJumpsOverAStartHoldsItsMember) {
   Fleet fleet{three_in_a_plane(), 3.0};
   while (!fleet.members[0].plan().epoch) fleet.go_on(always);

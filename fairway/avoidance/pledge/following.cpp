@@ -41,18 +41,6 @@ double course_of(const Situation& s, const Vec3& over_ground) noexcept {
   return math::atan2(w.y(), w.x());
 }
 
-/// What of a velocity the vehicle may and can go, the vertical part of it first.
-Vec3 within_limits(const Situation& s, const Vec3& v) noexcept {
-  const double up = s.envelope != nullptr ? s.envelope->up : s.limits.max_speed;
-  const double down = s.envelope != nullptr ? s.envelope->down : s.limits.max_speed;
-  const double vertical =
-      std::clamp(v.z(), -std::min(up, s.limits.max_speed), std::min(down, s.limits.max_speed));
-  const double beside = std::sqrt(s.limits.max_speed * s.limits.max_speed - vertical * vertical);
-  const double level = horizontal_norm(v);
-  const Vec2 horizontal = (level > beside ? beside / level : 1.0) * v.head<2>();
-  return {horizontal.x(), horizontal.y(), vertical};
-}
-
 /// What it goes in one direction alone, of which it plans for a share.
 double alone(const Situation& s, double Envelope::*direction, double share) noexcept {
   const double all = share * std::min(s.goal.cruise_speed, s.limits.max_speed);
@@ -111,6 +99,17 @@ Command nudged(const Situation& s, const Vec3& off, const Vec3& back, std::strin
 }  // namespace
 
 bool is_in_current(const Situation& s) noexcept { return horizontal_norm(s.current) > 0.02; }
+
+Vec3 within_limits(const Situation& s, const Vec3& v) noexcept {
+  const double up = s.envelope != nullptr ? s.envelope->up : s.limits.max_speed;
+  const double down = s.envelope != nullptr ? s.envelope->down : s.limits.max_speed;
+  const double vertical =
+      std::clamp(v.z(), -std::min(up, s.limits.max_speed), std::min(down, s.limits.max_speed));
+  const double beside = std::sqrt(s.limits.max_speed * s.limits.max_speed - vertical * vertical);
+  const double level = horizontal_norm(v);
+  const Vec2 horizontal = (level > beside ? beside / level : 1.0) * v.head<2>();
+  return {horizontal.x(), horizontal.y(), vertical};
+}
 
 Member member_of(const Situation& s, double speed_ratio) noexcept {
   const double all = speed_ratio * std::min(s.goal.cruise_speed, s.limits.max_speed);

@@ -29,6 +29,9 @@ Vec3 resting_place(const Situation& s) noexcept;
 
 bool is_in_current(const Situation& s) noexcept;
 
+/// What of a velocity over ground the vehicle may and can go, the vertical part of it first [m/s, NED].
+Vec3 within_limits(const Situation& s, const Vec3& v) noexcept;
+
 /// The course on which the reference will go next [rad], once it is time to turn to it. In a current that is
 /// no sooner than it has to be, since nobody who has turned aside stays where it is. `turn` is how long it
 /// takes to turn round [s].

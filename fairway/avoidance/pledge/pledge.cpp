@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "fairway/avoidance/orca3d/orca3d.hpp"
+#include "fairway/avoidance/pledge/evasion.hpp"
 #include "fairway/avoidance/pledge/following.hpp"
 #include "fairway/avoidance/pledge/making_room.hpp"
 #include "fairway/avoidance/pledge/reading.hpp"
@@ -21,6 +21,7 @@ using pledge::resting_place;
 
 constexpr double soon = 8.0;           // within it nobody who is lost may come near a promised way [s]
 constexpr double threatened = 12.0;    // likewise a member that is held [s]
+constexpr double cleared = 30.0;       // nor, once that is out of its way [s]
 constexpr int most_losses = 1;         // after which a member that is lost again is so for good
 constexpr double aside_within = 0.5;   // of a place to which a member goes aside it comes [m]
 constexpr int patient_rounds = 2;      // without a plan, before a member goes aside
@@ -52,50 +53,29 @@ std::string_view hemmed_in(const Situation& s, const Member& member, double bert
   return {};
 }
 
-/// Out of the way: by ORCA among all whose whereabouts are known, none of whom is counted on to know own
-/// ship's.
-Command evaded(const Situation& s, const Agreement& agreement, const Vec3& stay, Context& context) noexcept {
-  std::array<Track, pledge::most_members + pledge::most_vehicles> tracks;
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < pledge::most_members; ++i) {
+/// Out of the way of all whose whereabouts are known, none of whom is counted on to know own ship's.
+Command evaded(const Situation& s, const Agreement& agreement, const Vec3& stay) noexcept {
+  pledge::Evasion evasion{s, agreement.own().turn};
+  const double beside = s.own.radius + agreement.terms().tubes.radius + agreement.terms().tubes.told;
+  for (std::size_t i = 0; i < agreement.count(); ++i) {
     const Reference way = i == agreement.self() ? Reference{} : agreement.whereabouts(i);
-    if (way.empty()) continue;
-    tracks[count++] = {.id = TrackId{static_cast<std::uint32_t>(i)},
-                       .position = way.at(s.time),
-                       .velocity = way.velocity(s.time),
-                       .radius = agreement.member(i).radius + agreement.terms().tubes.radius,
-                       .reacts = false};
+    if (!way.empty()) evasion.avoid(way, agreement.evades_by(i, s.time));
   }
-  for (std::size_t i = 0; i < pledge::most_vehicles; ++i) {
-    const pledge::Bystander& other = agreement.others().bystanders()[i];
-    if (other.known)
-      tracks[count++] = {.id = TrackId{static_cast<std::uint32_t>(pledge::most_members + i)},
-                         .position = other.place,
-                         .radius = other.radius,
-                         .reacts = false};
-  }
+  for (const pledge::Bystander& other : agreement.others().bystanders())
+    if (other.known) evasion.avoid(Reference{other.place}, beside + other.radius);
   for (const pledge::Passing& other : agreement.others().passing())
-    tracks[count++] = {.id = TrackId{static_cast<std::uint32_t>(pledge::most_members + other.vehicle)},
-                       .position = other.way.at(s.time),
-                       .velocity = other.way.velocity(s.time),
-                       .radius = other.radius,
-                       .reacts = false};
-  const auto distance = [&](const Track& track) { return (track.position - s.own.position).squaredNorm(); };
-  std::ranges::sort(std::span{tracks}.first(count), {}, distance);
-  Situation shown = s;
-  shown.goal = {.position = stay, .cruise_speed = s.goal.cruise_speed};
-  shown.tracks = std::span{tracks}.first(count);
-  NoMemory none;
-  const Command way_out = Orca3d{{.time_horizon_s = threatened}}.decide(shown, none, context);
-  return driven(s, way_out.velocity, {}, s.attendance == Attendance::under_way ? Mode::avoid : Mode::hold,
-                "goes out of the way of a member that is lost, or cannot know of it");
+    evasion.avoid(other.way, beside + other.radius);
+  const char* const why = "goes out of the way of a member that is lost, or cannot know of it";
+  const std::optional<Vec3> velocity = evasion.best();
+  if (!velocity) return held(s, stay, why);
+  return driven(s, *velocity, {}, s.attendance == Attendance::under_way ? Mode::avoid : Mode::hold, why);
 }
 
 /// Of somebody who is lost, or, where it has stopped beside a plan, of who goes by that and may not have
 /// heard of it.
-bool is_in_the_way(const Situation& s, const Agreement& agreement, bool is_beside) noexcept {
+bool is_in_the_way(const Situation& s, const Agreement& agreement, bool is_beside, bool gives_way) noexcept {
   const Reference here{resting_place(s)};
-  const double until = s.time + threatened;
+  const double until = s.time + (gives_way ? cleared : threatened);
   return agreement.meets_lost(here, s.time, until) ||
          (is_beside && agreement.meets_moving(here, s.time, until));
 }
@@ -142,19 +122,19 @@ Command Pledge::decided(const Situation& s, const pledge::Chart& chart, Memory& 
   take_part(s, chart, memory);
   watch(s, chart, memory);
   const Reference* way = memory.agreement.way();
-  if (way == nullptr) return stayed(s, memory, context);
+  if (way == nullptr) return stayed(s, memory);
   if (context.sketch != nullptr) pledge::draw(*way, s.time, params.tube_m, *context.sketch);
   return pledge::followed(s, *way, memory.agreement.own().turn,
                           {.gain = params.gain_hz, .tube = params.tube_m, .stops = memory.agreement.stops()});
 }
 
 /// Where it is held, or out of the way of who is lost.
-Command Pledge::stayed(const Situation& s, const Memory& memory, Context& context) const noexcept {
+Command Pledge::stayed(const Situation& s, const Memory& memory) const noexcept {
   const Agreement& agreement = memory.agreement;
   const bool is_lost = agreement.status() == pledge::Status::lost;
   const Member& own = agreement.own();
   const Vec3 stay = is_lost ? memory.stay : own.anchor;
-  if (memory.gives_way) return evaded(s, agreement, stay, context);
+  if (memory.gives_way) return evaded(s, agreement, stay);
   const bool waits = agreement.status() == pledge::Status::held;
   const std::string_view hemmed = waits ? hemmed_in(s, own, pledge::berth(own, tubes())) : std::string_view{};
   return held(s, stay, hemmed.empty() ? agreement.reason(s.time) : hemmed,
@@ -296,7 +276,7 @@ void Pledge::watch(const Situation& s, const pledge::Chart& chart, Memory& memor
   if (agreement.status() == pledge::Status::lost) return recover(s, memory);
   const Reference* way = agreement.way();
   if (way == nullptr) {
-    memory.gives_way = is_in_the_way(s, agreement, memory.is_beside);
+    memory.gives_way = is_in_the_way(s, agreement, memory.is_beside, memory.gives_way);
     const double off = (agreement.own().anchor - s.own.position).norm();
     if (memory.gives_way && off > 0.5 * params.tube_m) {
       stay_at(s, s.own.position, agreement);
@@ -315,7 +295,7 @@ void Pledge::watch(const Situation& s, const pledge::Chart& chart, Memory& memor
              agreement.meets_held(*way, s.time, s.time + soon) ||
              !pledge::keeps_off(*way, chart, s.own.radius + params.tube_m, s.time, s.time + soon)) {
     memory.is_beside = true;
-    memory.gives_way = is_in_the_way(s, agreement, false);
+    memory.gives_way = is_in_the_way(s, agreement, false, false);
     stay_at(s, resting_place(s), agreement);
   }
 }

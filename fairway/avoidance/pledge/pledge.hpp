@@ -98,7 +98,7 @@ struct Pledge {
   Command decided(const Situation& s, const pledge::Chart& chart, Memory& memory,
                   Context& context) const noexcept;
   Command refused(const Situation& s, std::string_view why, Memory& memory) const noexcept;
-  Command stayed(const Situation& s, const Memory& memory, Context& context) const noexcept;
+  Command stayed(const Situation& s, const Memory& memory) const noexcept;
   std::string_view begin(const Situation& s, Memory& memory) const noexcept;
   std::string_view hear(const Situation& s, Memory& memory) const noexcept;
   void take_part(const Situation& s, const pledge::Chart& chart, Memory& memory) const noexcept;

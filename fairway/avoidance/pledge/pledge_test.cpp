@@ -14,11 +14,11 @@ namespace {
 
 using pledge::Reference;
 
-/// What member 1 says: it is lost at (20, 0, 5) and does not move.
-Speech said_at(double time) {
+/// What member 1 says: it is lost at (20, 0, 5) and drifts so.
+Speech said_at(double time, const Vec3& drift = Vec3::Zero()) {
   pledge::Agreement other{1, {.count = 2, .tubes = {.radius = 1.0, .told = 0.1}}};
   other.hold({.anchor = {20.0, 0.0, 5.0}, .destination = {-20.0, 0.0, 5.0}, .radius = 1.5, .speed = 0.4});
-  other.lose({20.0, 0.0, 5.0}, Vec3::Zero());
+  other.lose({20.0, 0.0, 5.0}, drift);
   return other.say(time, 3.2);
 }
 Heard from_who_is_lost() { return {.from = VehicleId{1}, .sent = 0.0, .speech = said_at(0.0)}; }
@@ -63,6 +63,23 @@ TEST(Pledge, AWordThatWasHeardOnceDoesNotBecomeNewsWhenItsClockHasGoneRound) {
       ASSERT_TRUE(member.fears(time)) << time;
     }
   }
+}
+
+TEST(Pledge, WhoGoesOutOfTheWayDoesSoUntilNobodyWillComeNearForHalfAMinute) {
+  Alone member;
+  member.heard[0].speech = said_at(0.0, {-0.3, 0.0, 0.0});
+  double time = 0.0;
+  while (!member.memory.gives_way && time < 60.0) member.decide(time += 0.1);
+  EXPECT_GT(time, 20.0);
+  EXPECT_LT(time, 40.0);
+  member.position.x() -= 1.5;  // somebody comes near there in more than 12 s
+  Alone calm = member;
+  calm.memory.gives_way = false;
+  calm.link.heard = calm.heard;
+  member.decide(time + 0.1);
+  calm.decide(time + 0.1);
+  EXPECT_TRUE(member.memory.gives_way);
+  EXPECT_FALSE(calm.memory.gives_way);
 }
 
 // Whose thrusters are dead passes through rest on its way from its own speed to that of the current.
