@@ -8,6 +8,7 @@
 #include "fairway/avoidance/catalog.hpp"
 #include "fairway/avoidance/orca2d/orca2d.hpp"
 #include "fairway/avoidance/orca3d/orca3d.hpp"
+#include "fairway/avoidance/pledge/evasion.hpp"
 #include "fairway/avoidance/testing/boat.hpp"
 #include "fairway/avoidance/testing/encounters.hpp"
 
@@ -51,6 +52,21 @@ void orca3d(benchmark::State& bench, Scene scene) {
   run(bench, scene, [&](const Situation& s) { return orca.decide(s, memory, context); });
 }
 
+/// What a member of `pledge` does that lies in the way of neighbours who go straight on.
+void evasion(benchmark::State& bench, Scene scene) {
+  run(bench, scene, [](const Situation& s) {
+    constexpr double turn = 5.0, foreseen = 30.0, tube = 1.0;  // [s], [s], [m]
+    pledge::Evasion evasion{s, turn};
+    for (const Track& other : s.tracks) {
+      pledge::Reference way;
+      way.add({s.time, other.position});
+      way.add({s.time + foreseen, other.position + foreseen * other.velocity});
+      evasion.avoid(way, s.own.radius + other.radius + tube);
+    }
+    return Command{.velocity = evasion.best().value_or(Vec3::Zero())};
+  });
+}
+
 /// Through the public interface: input checked, limits kept.
 void avoider(benchmark::State& bench, const char* name, Scene scene) {
   Avoider avoider = builtin_avoiders().make(name);
@@ -77,6 +93,7 @@ void in_a_current(benchmark::State& bench, const char* name, Scene scene) {
   on_a_boat_in(bench, name, scene, {0.1, 0.05, 0.0});
 }
 
+BENCHMARK_CAPTURE(evasion, congested, encounters::congested)->Arg(7)->Arg(31);
 BENCHMARK_CAPTURE(orca3d, crowd, encounters::crowd)->Arg(7);
 BENCHMARK_CAPTURE(orca3d, congested, encounters::congested)->Arg(7);
 BENCHMARK_CAPTURE(avoider, orca3d_crowd, "orca3d", encounters::crowd)->Arg(7)->Arg(20)->Arg(100)->Arg(500);

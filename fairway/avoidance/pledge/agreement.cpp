@@ -9,7 +9,7 @@ namespace {
 
 constexpr double silent_for_good = 8.0;   // turns after which, of who has gone, the way is assumed
 constexpr double turning_away = 0.1;      // likewise, for each second since [m/s]
-constexpr double longest_unsure = 30.0;   // up to so long since [s]
+constexpr double longest_unsure = 30.0;   // up to so long since, for who goes out of the way [s]
 constexpr double longest_drift = 120.0;   // for which it is foretold [s]
 constexpr double no_way = 1.0;            // from its destination a member has nowhere to go [m]
 constexpr double idle_turns = 4.0;        // after so many without use a group lets the next one move
@@ -83,7 +83,7 @@ Reference Agreement::whereabouts(std::size_t i) const noexcept {
 
 /// Of somebody who is where it says.
 double Agreement::clear_of(std::size_t i) const noexcept {
-  return members_[self_].radius + members_[i].radius + terms_.tubes.radius + terms_.tubes.told;
+  return least_beside(members_[self_], members_[i], terms_.tubes);
 }
 
 double Agreement::evades_by(std::size_t i, double now) const noexcept {
@@ -105,10 +105,11 @@ bool Agreement::meets_held(const Reference& own, double now, double time) const 
   const double until = std::min(time, next_gate());
   for (std::size_t i = 0; i < count_; ++i) {
     const bool is_there =
-        i != self_ && statuses_[i] == Status::held && (!left_[i] || last_heard_[i] > started_);
+        i != self_ && statuses_[i] == Status::held && (!left_[i] || last_heard_[i] > departed_by_.start());
     if (!is_there) continue;
     const Knot anchor{now, members_[i].anchor};
-    const double least = std::min(clear_of(i), (own.at(started_) - anchor.position).norm() - start_slack);
+    const double least =
+        std::min(clear_of(i), (own.at(departed_by_.start()) - anchor.position).norm() - start_slack);
     if (least_distance(own, {&anchor, 1}, now, until, least) < least) return true;
   }
   return false;
@@ -241,7 +242,6 @@ void Agreement::depart(double now, double turn_period, const Chart& chart) noexc
   }
   way_ = way;
   departed_by_ = plan_;
-  started_ = plan_.start();
   scene.place(self_, way_);
   for (std::size_t i = 0; i < most_members; ++i) gates_[i] = scene.gate(self_, i);
   left_ = departed_;

@@ -208,8 +208,7 @@ class Agreement {
 
   // own way
   Reference way_{};
-  Plan departed_by_{};                        ///< the plan by which it departed last
-  double started_{};                          ///< when the plan began by which it goes [s]
+  Plan departed_by_{};                        ///< the plan by which it goes, or went last
   std::array<double, most_members> gates_{};  ///< by whom it has to know departed [s]
   Members left_{};                            ///< who is known to have left the anchor that a gate is about
 

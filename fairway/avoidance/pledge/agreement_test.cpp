@@ -285,7 +285,7 @@ TEST(Agreement, WhoHasNotBeenHeardSinceItMayHaveDepartedIsReckonedWithOnItsWay) 
   EXPECT_LT((member.whereabouts(2).at(fleet.time) - stopped.anchor).norm(), 0.1);
 }
 
-TEST(Agreement, OfWhoIsLostIsKeptTheFartherTheLongerAgoItToldWhereItIs) {
+TEST(Agreement, KeepsTheFartherOffWhoIsLostTheLongerAgoThatToldWhereItIs) {
   Fleet fleet = two_and_one_between();
   const double told = fleet.members[0].evades_by(2, fleet.time);
   fleet.members[2].lose(fleet.places[2], Vec3::Zero());

@@ -12,7 +12,6 @@
 namespace fairway::pledge {
 namespace {
 
-constexpr double running_on = 2.0;      // in which a hull loses most of its way [s]
 constexpr double heaving = 1.0;         // before it climbs or dives [s]
 constexpr double sooner = 10.0;         // what is so far ahead weighs half as much as what is now [s]
 constexpr double stopped_share = 0.25;  // by which it counts where others may have stopped
@@ -32,8 +31,7 @@ double lacking(double apart, double distance_squared) noexcept {
 
 Evasion::Evasion(const Situation& s, double turn) noexcept : s_{s}, turn_{turn} {
   for (std::size_t i = 0; i < seconds; ++i)
-    adrift_[i] =
-        s.own.position + running_on * (1.0 - math::exp(-seconds_ahead(i) / running_on)) * s.own.velocity;
+    adrift_[i] = s.own.position + stopping * (1.0 - math::exp(-seconds_ahead(i) / stopping)) * s.own.velocity;
 }
 
 void Evasion::avoid(const Reference& way, double apart) noexcept {
@@ -103,7 +101,7 @@ std::optional<Vec3> Evasion::best() const noexcept {
     for (std::size_t k = 0; k < course_count; ++k) {
       const double off = wrap_angle(2.0 * std::numbers::pi * static_cast<double>(k) / course_count);
       const Vec2 through = speed * unit_at(s_.own.yaw + off);
-      const double begins = math::fmax(running_on, turn_ * std::fabs(off) / std::numbers::pi);
+      const double begins = math::fmax(stopping, turn_ * std::fabs(off) / std::numbers::pi);
       consider({through.x() + s_.current.x(), through.y() + s_.current.y(), steep}, begins);
     }
   }

@@ -29,7 +29,7 @@ class Evasion {
 
  private:
   static constexpr std::size_t seconds = 30;  ///< that are foreseen
-  static constexpr std::size_t most_others = most_members + 2 * most_vehicles;
+  static constexpr std::size_t most_others = most_members + most_vehicles;
 
   using Path = std::array<Vec3, seconds>;  ///< each second from one ahead on [m, NED]
   struct Other {

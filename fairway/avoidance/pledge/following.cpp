@@ -15,7 +15,6 @@ namespace {
 constexpr double look_ahead = 2.0;       // of the reference's velocity, for the vehicle's lag and slip [s]
 constexpr double steepest_share = 0.85;  // of a member's speed is at most for climbing and diving
 constexpr double same_level = 0.5;       // within it a destination needs no climb to speak of [m]
-constexpr double stopping = 2.0;         // from a member's speed, with its lag [s]
 constexpr double return_gain = 0.3;      // to its anchor [1/s]
 constexpr double still = 0.075;  // who would go slower than this through the water does not turn [m/s]
 constexpr double halting =

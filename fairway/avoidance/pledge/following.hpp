@@ -27,6 +27,8 @@ double beyond_tube(const Ownship& own, double tube) noexcept;
 /// Where it lies once it has stopped, not above the surface [m, NED].
 Vec3 resting_place(const Situation& s) noexcept;
 
+inline constexpr double stopping = 2.0;  ///< from a member's speed, with its lag [s]
+
 bool is_in_current(const Situation& s) noexcept;
 
 /// What of a velocity over ground the vehicle may and can go, the vertical part of it first [m/s, NED].

@@ -65,7 +65,7 @@ Command evaded(const Situation& s, const Agreement& agreement, const Vec3& stay)
     if (other.known) evasion.avoid(Reference{other.place}, beside + other.radius);
   for (const pledge::Passing& other : agreement.others().passing())
     evasion.avoid(other.way, beside + other.radius);
-  const char* const why = "goes out of the way of a member that is lost, or cannot know of it";
+  constexpr std::string_view why = "goes out of the way of a member that is lost, or cannot know of it";
   const std::optional<Vec3> velocity = evasion.best();
   if (!velocity) return held(s, stay, why);
   return driven(s, *velocity, {}, s.attendance == Attendance::under_way ? Mode::avoid : Mode::hold, why);
@@ -73,11 +73,11 @@ Command evaded(const Situation& s, const Agreement& agreement, const Vec3& stay)
 
 /// Of somebody who is lost, or, where it has stopped beside a plan, of who goes by that and may not have
 /// heard of it.
-bool is_in_the_way(const Situation& s, const Agreement& agreement, bool is_beside, bool gives_way) noexcept {
+bool is_in_the_way(const Situation& s, const Pledge::Memory& memory) noexcept {
   const Reference here{resting_place(s)};
-  const double until = s.time + (gives_way ? cleared : threatened);
-  return agreement.meets_lost(here, s.time, until) ||
-         (is_beside && agreement.meets_moving(here, s.time, until));
+  const double until = s.time + (memory.gives_way ? cleared : threatened);
+  return memory.agreement.meets_lost(here, s.time, until) ||
+         (memory.is_beside && memory.agreement.meets_moving(here, s.time, until));
 }
 
 }  // namespace
@@ -276,7 +276,7 @@ void Pledge::watch(const Situation& s, const pledge::Chart& chart, Memory& memor
   if (agreement.status() == pledge::Status::lost) return recover(s, memory);
   const Reference* way = agreement.way();
   if (way == nullptr) {
-    memory.gives_way = is_in_the_way(s, agreement, memory.is_beside, memory.gives_way);
+    memory.gives_way = is_in_the_way(s, memory);
     const double off = (agreement.own().anchor - s.own.position).norm();
     if (memory.gives_way && off > 0.5 * params.tube_m) {
       stay_at(s, s.own.position, agreement);
@@ -294,8 +294,8 @@ void Pledge::watch(const Situation& s, const pledge::Chart& chart, Memory& memor
   } else if (agreement.meets_lost(*way, s.time, s.time + soon) ||
              agreement.meets_held(*way, s.time, s.time + soon) ||
              !pledge::keeps_off(*way, chart, s.own.radius + params.tube_m, s.time, s.time + soon)) {
+    memory.gives_way = is_in_the_way(s, memory);
     memory.is_beside = true;
-    memory.gives_way = is_in_the_way(s, agreement, false, false);
     stay_at(s, resting_place(s), agreement);
   }
 }
