@@ -57,7 +57,7 @@ export async function look_at_live(browser, sample) {
   const html = browser.render(JSON.stringify({ ...sample, film: null, explanation: null }))
     .replace("default-src 'none';", "default-src 'none'; connect-src 'self';");
   const { server, run, address } = await serve(html, sample);
-  const options = { ...desk, scheme: 'light', harmless: /GPU stall|GL Driver Message|ERR_CONNECTION_REFUSED/ };
+  const options = { ...desk, scheme: 'light', harmless: /GPU stall|GL Driver Message|ERR_CONNECTION_(REFUSED|RESET)/ };
   await browser.open(address, 'a live run', options, async (page, expect) => {
     const view = new ViewPage(page);
     const until = (what, wanted) => page.waitForFunction(what, wanted, { timeout: 20000 }).then(() => true, () => false);
