@@ -50,8 +50,8 @@ class Crew {
       return;
     }
     // nobody takes a part while it is being said what to do
-    const std::uint64_t piece = (shares_[0].next.load() | lowest_bits) + 1;
-    for (Share& share : shares_) share.next = piece | lowest_bits;
+    const std::uint64_t before = shares_[0].next | lowest_bits;
+    for (Share& share : shares_) share.next = before;
     work_ = [](const void* of, std::size_t part, std::size_t hand) {
       (*static_cast<const Work*>(of))(part, hand);
     };
@@ -59,7 +59,7 @@ class Crew {
     parts_ = parts;
     done_ = 0;
     for (std::size_t share = 0; share < shares_.size(); ++share)
-      shares_[share].next = piece | first_of(share, parts);
+      shares_[share].next = (before + 1) | first_of(share, parts);
     call();
     take_parts(0);
     const auto is_done = [&] { return done_ == parts; };
@@ -69,6 +69,7 @@ class Crew {
 
  private:
   static constexpr std::uint64_t lowest_bits = 0xFFFF'FFFFU;
+  static constexpr std::uint64_t any_piece = 0;
 
   struct Share {
     std::atomic<std::uint64_t> next{0};  // which piece of work it is, and in the lowest bits which part of it
@@ -99,20 +100,27 @@ class Crew {
     return false;
   }
 
+  /// Whoever is still at the others' shares as a new piece of work begins leaves them: its call is there, and
+  /// leads to the hand's own share first.
   void take_parts(std::size_t hand) {
-    for (std::size_t k = 0; k < shares_.size(); ++k) take_parts_of((hand + k) % shares_.size(), hand);
+    std::uint64_t piece = any_piece;
+    for (std::size_t k = 0; k < shares_.size(); ++k)
+      piece = take_parts_of((hand + k) % shares_.size(), hand, piece);
   }
 
-  /// Whoever succeeds in counting on from a part has it: the piece of work cannot have ended meanwhile.
-  void take_parts_of(std::size_t share, std::size_t hand) {
+  /// Which piece of work it was, all bits of the part set. Whoever succeeds in counting on from a part has
+  /// it: the piece cannot have ended meanwhile.
+  std::uint64_t take_parts_of(std::size_t share, std::size_t hand, std::uint64_t piece) {
     std::atomic<std::uint64_t>& next_part = shares_[share].next;
     while (true) {
       std::uint64_t next = next_part;
+      const std::uint64_t seen = next | lowest_bits;
+      if (piece != any_piece && seen != piece) return piece;
       Call* const work = work_;
       const void* of = of_;
       const std::size_t parts = parts_;
       const std::size_t part = next & lowest_bits;
-      if (part >= first_of(share + 1, parts)) return;
+      if (part >= first_of(share + 1, parts)) return seen;
       if (!next_part.compare_exchange_strong(next, next + 1)) continue;
       work(of, part, hand);
       if (++done_ == parts) done_.notify_one();
