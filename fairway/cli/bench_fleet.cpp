@@ -88,7 +88,6 @@ FleetCost cost_of(std::size_t count, const Catalogs& catalogs, double budget_s, 
     RunMetrics metrics = metrics_for(scenario, catalogs.vehicles);
     const std::array<FrameSink*, 1> sinks{&metrics};
     simulation.share_out(threads);
-    metrics.share_out(threads);
     for (int i = 0; i < warm_up; ++i) simulation.step(sinks);
     cost.bytes = (heap_in_use() - before) / n;
 

@@ -129,7 +129,6 @@ RunOutcome run_scenario(const Scenario& scenario, const RecordingChoice& recordi
   simulation.time_decisions();
   simulation.show_thoughts(recording.sketches);
   RunMetrics metrics = metrics_for(scenario, program.catalogs.vehicles);
-  metrics.share_out(threads);
   std::vector<FrameSink*> sinks{&metrics};
   std::unique_ptr<RecordingWriter> writer;
   if (!recording.file.empty()) {

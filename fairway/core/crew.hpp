@@ -51,15 +51,16 @@ class Crew {
     }
     // nobody takes a part while it is being said what to do
     const std::uint64_t before = shares_[0].next | lowest_bits;
-    for (Share& share : shares_) share.next = before;
-    work_ = [](const void* of, std::size_t part, std::size_t hand) {
+    for (Share& share : shares_) tell(share.next, before);
+    Call* const call_work = [](const void* of, std::size_t part, std::size_t hand) {
       (*static_cast<const Work*>(of))(part, hand);
     };
-    of_ = &work;
-    parts_ = parts;
-    done_ = 0;
+    tell(work_, call_work);
+    tell(of_, static_cast<const void*>(&work));
+    tell(parts_, parts);
+    tell(done_, std::size_t{0});
     for (std::size_t share = 0; share < shares_.size(); ++share)
-      shares_[share].next = (before + 1) | first_of(share, parts);
+      tell(shares_[share].next, (before + 1) | first_of(share, parts));
     call();
     take_parts(0);
     const auto is_done = [&] { return done_ == parts; };
@@ -71,11 +72,19 @@ class Crew {
   static constexpr std::uint64_t lowest_bits = 0xFFFF'FFFFU;
   static constexpr std::uint64_t any_piece = 0;
 
+  using Call = void(const void* of, std::size_t part, std::size_t hand);
+
   struct Share {
     std::atomic<std::uint64_t> next{0};  // which piece of work it is, and in the lowest bits which part of it
   };
 
   std::size_t first_of(std::size_t share, std::size_t parts) const { return parts * share / shares_.size(); }
+
+  /// Whoever reads it sees all that was told before.
+  template <class T>
+  static void tell(std::atomic<T>& what, T value) {
+    what.store(value, std::memory_order_release);
+  }
 
   void call() {
     ++calls_;
@@ -127,14 +136,13 @@ class Crew {
     }
   }
 
-  using Call = void(const void* of, std::size_t part, std::size_t hand);
-
+  // apart from each other, since somebody looks at the last two while the others are written
   std::vector<OfOneHand<Share>> shares_;  // one for each hand that was asked for
   std::atomic<Call*> work_{};
   std::atomic<const void*> of_{};
   std::atomic<std::size_t> parts_{0};
-  std::atomic<std::size_t> done_{0};  // parts
-  std::atomic<std::uint32_t> calls_{0};
+  alignas(128) std::atomic<std::size_t> done_{0};  // parts
+  alignas(128) std::atomic<std::uint32_t> calls_{0};
   std::atomic<bool> dismissed_{false};
   std::vector<std::thread> threads_;  // last, so that it starts when all else is there
 };

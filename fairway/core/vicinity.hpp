@@ -176,7 +176,7 @@ class Vicinity {
   /// Calls `work(i, sheet)` for each point, with the sheet of the hand that does it.
   template <class Work>
   void for_each(Crew* crew, const Work& work) {
-    constexpr std::size_t size = 64;
+    constexpr std::size_t size = 32;
     const std::size_t parts = (now_.size() + size - 1) / size;
     const auto go_through = [&](std::size_t part, std::size_t hand) {
       for (std::size_t i = part * size; i < std::min(now_.size(), (part + 1) * size); ++i)

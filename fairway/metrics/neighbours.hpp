@@ -29,10 +29,10 @@ class Neighbours {
   /// `reach` is how far the metrics usually look [m].
   explicit Neighbours(double reach) : vicinity_{{.least = reach, .usual_count = 5.0, .margin_ratio = 0.2}} {}
 
-  /// Takes the next frame, of the same vehicles; a `crew` shares the work.
-  const Neighbours& of(const Frame& frame, Crew* crew = nullptr) {
+  /// Takes the next frame, of the same vehicles; its crew shares the work.
+  const Neighbours& of(const Frame& frame) {
     const auto place_of = [&](std::size_t i) { return frame.vehicles[i].state.p_n; };
-    vicinity_.update(frame.vehicles.size(), place_of, crew);
+    vicinity_.update(frame.vehicles.size(), place_of, frame.crew);
     return *this;
   }
 

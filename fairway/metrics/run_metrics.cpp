@@ -6,7 +6,7 @@
 namespace fairway {
 
 void RunMetrics::write(const Frame& frame) {
-  const std::size_t hands = crew_ ? crew_->hands() : 1;
+  const std::size_t hands = frame.crew != nullptr ? frame.crew->hands() : 1;
   encounters_.begin(frame, hands);
   progress_.begin(frame, hands);
   fleet_.begin(frame, hands);
@@ -14,8 +14,8 @@ void RunMetrics::write(const Frame& frame) {
   smoothness_.begin(frame);
 
   // all that is asked of one vehicle at a time, so that its frame is looked at once
-  const Neighbours& all = neighbours_.of(frame, crew_ ? &*crew_ : nullptr);
-  constexpr std::size_t size = 64;
+  const Neighbours& all = neighbours_.of(frame);
+  constexpr std::size_t size = 32;
   const std::size_t count = vehicles_ = frame.vehicles.size();
   while (near_.size() < hands) near_.emplace_back().reserve(Neighbours::usual_room(count));
   const auto see = [&](std::size_t part, std::size_t hand) {
@@ -30,8 +30,8 @@ void RunMetrics::write(const Frame& frame) {
     }
   };
   const std::size_t parts = (count + size - 1) / size;
-  if (crew_) {
-    crew_->go_through(parts, see);
+  if (frame.crew != nullptr) {
+    frame.crew->go_through(parts, see);
   } else {
     for (std::size_t part = 0; part < parts; ++part) see(part, 0);
   }

@@ -5,7 +5,6 @@
 #include <memory>
 #include <vector>
 
-#include "fairway/core/boxed.hpp"
 #include "fairway/core/crew.hpp"
 #include "fairway/core/math.hpp"
 #include "fairway/metrics/effort.hpp"
@@ -24,12 +23,7 @@ class RunMetrics final : public FrameSink {
   explicit RunMetrics(EncounterRules rules, Surroundings surroundings = {}, double progress_window = 30.0)
       : RunMetrics{rules, std::make_shared<const Surroundings>(std::move(surroundings)), progress_window} {}
 
-  /// From now on so many threads see a frame together, some vehicles each. The numbers are the same.
-  void share_out(std::size_t threads) {
-    crew_ = {};
-    if (threads > 1) crew_.emplace(threads);
-  }
-
+  /// By the frame's crew, if it has one, some vehicles each. The numbers are the same.
   void write(const Frame& frame) override;
 
   bool wants_tracks() const override { return false; }
@@ -56,7 +50,6 @@ class RunMetrics final : public FrameSink {
   FleetMetric fleet_;
   EffortMetric effort_;
   SmoothnessMetric smoothness_;
-  Boxed<Crew> crew_;  // nothing: one thread alone
 };
 
 /// Every quantity that RunMetrics reports.

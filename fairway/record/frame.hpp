@@ -15,6 +15,8 @@
 
 namespace fairway {
 
+class Crew;
+
 /// One vehicle in one frame: the truth, and what was asked of it.
 struct VehicleFrame {
   VehicleId id{};
@@ -40,6 +42,7 @@ struct Frame {
   std::span<const MessageFlight> flights;  ///< messages under way; empty unless someone is looking
   std::span<const SpokenWord> words;       ///< said at this instant, in the order of the vehicles, and of a
                                            ///< recording also since the frame before
+  Crew* crew{nullptr};                     ///< that waits meanwhile, for who looks at it; null: nobody
 };
 
 /// Takes the frames of a run, in order. May throw on I/O errors; the run then ends.

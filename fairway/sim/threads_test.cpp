@@ -64,7 +64,6 @@ TEST(Threads, AnyNumberOfThemGivesTheSameBits) {
         simulation.share_out(threads);
         Hash hash{with_tracks};
         RunMetrics metrics{{6.0, 3.0}};
-        metrics.share_out(threads);
         const std::array<FrameSink*, 2> sinks{&hash, &metrics};
         simulation.run(sinks);
         hashes.push_back(hash.value);
@@ -144,7 +143,6 @@ long allocations_in(int steps, const Scenario& scenario, std::size_t threads, in
   Simulation simulation{scenario, builtin_catalogs()};
   simulation.share_out(threads);
   RunMetrics metrics = metrics_of(scenario);
-  metrics.share_out(threads);
   const std::array<FrameSink*, 1> metrics_alone{&metrics};
   const std::span<FrameSink* const> sinks{metrics_alone.data(), measured ? 1U : 0U};
   for (int i = 0; i < first_steps; ++i) simulation.step(sinks);
@@ -200,7 +198,6 @@ TEST(Threads, AmongManyObstaclesWhoIsShownAllOfThemDecidesTheSame) {
       simulation.share_out(threads);
       Hash hash{threads == 2};
       RunMetrics metrics = metrics_of(scenario);
-      metrics.share_out(threads);
       const std::array<FrameSink*, 2> sinks{&hash, &metrics};
       simulation.run(sinks);
       if (!hash.with_tracks) hashes.push_back(hash.value);
