@@ -83,6 +83,15 @@ std::string amiss_in_range(const VehicleSpec& spec, const PerceptionSpec& percep
                      perception.range_m, touching);
 }
 
+/// A leg slower than the vehicle can go, as a clause about its method; empty where there is none.
+std::string amiss_in_speeds(const VehicleSpec& spec, const Limits& limits) {
+  const auto is_too_slow = [&](const Leg& leg) { return leg.speed_mps < limits.min_speed; };
+  const auto leg = std::ranges::find_if(spec.mission, is_too_slow);
+  if (leg == spec.mission.end()) return {};
+  return fmt::format("is to go {:.2g} m/s, and {} goes {:.2g} at least", leg->speed_mps, spec.model->name,
+                     limits.min_speed);
+}
+
 /// That a method of velocities leaves no room for the inertia of a vehicle that goes sideways, as a clause
 /// about it; empty where something is around it, or nothing is met, or the scenario says what is to be in
 /// force.
@@ -125,6 +134,8 @@ std::vector<std::string> amiss(const VehicleSpec& spec, const Limits& limits, co
     clauses.push_back(std::move(clause));
   if (any(&AlgorithmInfo::needs_stopping) && limits.min_speed > 0.0)
     clauses.push_back("has to stop now and then, and " + spec.model->name + " cannot: it circles");
+  if (std::string clause = amiss_in_speeds(spec, limits); !clause.empty())
+    clauses.push_back(std::move(clause));
   if (!foresees && (is_blind != is_alone || speaks)) {
     if (is_blind && ground.has_obstacles) clauses.emplace_back("ignores obstacles, and there are some");
     if (is_alone && has_others) clauses.emplace_back("ignores whatever moves, and there are others");

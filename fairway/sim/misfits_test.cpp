@@ -113,8 +113,9 @@ TEST(Misfits, AreTheseForEachMethodOnEachVehicle) {
     EXPECT_THAT(told("minerva_transport", method), IsEmpty()) << method;
   EXPECT_THAT(
       told("remus100", "avoa+stop_and_wait"),
-      ElementsAre("robot0: avoa+stop_and_wait has to stop now and then, and remus100 cannot: it circles"));
-  EXPECT_EQ(told("remus100", "blend").size(), 2u);
+      ElementsAre("robot0: avoa+stop_and_wait has to stop now and then, and remus100 cannot: it circles",
+                  "robot0: avoa+stop_and_wait is to go 0.5 m/s, and remus100 goes 0.96 at least"));
+  EXPECT_EQ(told("remus100", "blend").size(), 3u);
 }
 
 TEST(Misfits, TellOfGroundThatAMethodDoesNotSee) {
