@@ -118,14 +118,18 @@ bool is_better(const ExamOutcome& a, const ExamOutcome& b) {
   return a.time_s * grain < b.time_s;
 }
 
-/// Runs of two cells under the same seed.
+/// Calls `visit(i, j)` for run i of one cell and run j of another that are under the same seed.
+template <class Visit>
+void for_each_pair(const ExamCell& a, const ExamCell& b, const Visit& visit) {
+  for (std::size_t i = 0, j = 0; i < a.runs.size(); ++i) {
+    while (j < b.runs.size() && b.runs[j]->seed < a.runs[i]->seed) ++j;
+    if (j < b.runs.size() && b.runs[j]->seed == a.runs[i]->seed) visit(i, j);
+  }
+}
+
 std::vector<std::pair<const ExamRun*, const ExamRun*>> pairs_of(const ExamCell& a, const ExamCell& b) {
   std::vector<std::pair<const ExamRun*, const ExamRun*>> pairs;
-  auto other = b.runs.begin();
-  for (const ExamRun* run : a.runs) {
-    while (other != b.runs.end() && (*other)->seed < run->seed) ++other;
-    if (other != b.runs.end() && (*other)->seed == run->seed) pairs.emplace_back(run, *other);
-  }
+  for_each_pair(a, b, [&](std::size_t i, std::size_t j) { pairs.emplace_back(a.runs[i], b.runs[j]); });
   return pairs;
 }
 
@@ -294,8 +298,9 @@ std::vector<Awareness> awareness_of(const ExamTable& table) {
     sum.both += more.both, sum.first += more.first, sum.second += more.second, sum.neither += more.neither;
     const std::vector<double> now = cell.ratios(&ExamOutcome::time_s);
     const std::vector<double> before = usual->ratios(&ExamOutcome::time_s);
-    if (now.size() != before.size()) continue;
-    for (std::size_t i = 0; i < now.size(); ++i) changes[at->second].push_back(now[i] / before[i] - 1.0);
+    for_each_pair(cell, *usual, [&](std::size_t i, std::size_t j) {
+      changes[at->second].push_back(now[i] / before[j] - 1.0);
+    });
   }
   std::vector<double> p;
   for (const PairedAnswers& each : answers) p.push_back(mcnemar_test(each).p);

@@ -206,6 +206,20 @@ TEST(ExamFindings, AConditionCostsWhatTheSameSeedsShow) {
           ->starts_with("careful under told: 75 in 100 runs fewer without a collision than under known"));
 }
 
+TEST(ExamFindings, AConditionsTimeIsOfTheSeedsThatBothHave) {
+  std::vector<ExamRun> runs = sample();
+  add(runs, "direct", "told", [](std::uint64_t) { return outcome(false, 50.0); });
+  add(runs, "careful", "told",
+      [](std::uint64_t seed) { return outcome(true, 1.1 * (60.0 + 0.1 * static_cast<double>(seed))); });
+  std::erase_if(runs, [](const ExamRun& run) {
+    return run.method == "careful" && run.seed == (run.condition == "told" ? 1U : seeds);
+  });
+  const ExamTable table = exam_table(runs, order);
+  ASSERT_EQ(table.awareness.size(), 1U);
+  EXPECT_EQ(table.awareness[0].time_ratio.count, seeds - 2);
+  EXPECT_NEAR(table.awareness[0].time_ratio.high, 0.1, 1e-12);
+}
+
 TEST(ExamTexts, TheTableIsCsvAndLatexWithoutWhatIsNotKnown) {
   const std::vector<ExamRun> runs = sample();
   const ExamTable table = exam_table(runs, order);
