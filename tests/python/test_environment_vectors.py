@@ -7,7 +7,7 @@ import pytest
 import fairway
 from fairway.gym import FleetEnv, FleetVectorEnv
 
-from episodes import CROSSING, actions_of, same
+from episodes import CROSSING, SWAP, actions_of, same
 
 
 @pytest.mark.parametrize("learner", [None, "north_bound"])
@@ -96,3 +96,15 @@ def test_a_seed_that_is_none_is_refused(seed):
     env = FleetVectorEnv(CROSSING, 3)
     with pytest.raises(fairway.InputError, match=r"seed: expected a whole number in \[0, 18446744073709551615\]"):
         env.reset(seed=seed)
+
+
+def test_with_the_commands_of_their_own_avoiders_many_are_the_ordinary_runs_to_the_bit():
+    runs = [fairway.run(fairway.Scenario.load(SWAP, seed=seed)) for seed in (3, 4)]
+    env = FleetVectorEnv(SWAP, 2, end_on_collision=False)
+    env.reset(seed=3)
+    over = np.zeros(2, bool)
+    while not over.all():
+        _, _, terminated, truncated, infos = env.step_commands(env.advised_commands())
+        for i in np.flatnonzero((terminated | truncated) & ~over):
+            assert infos["measures"]["energy_j"][i].tolist() == [vehicle["energy_j"] for vehicle in runs[i].vehicles]
+        over |= terminated | truncated

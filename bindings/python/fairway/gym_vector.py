@@ -98,19 +98,22 @@ class FleetVectorEnv(VectorEnv):  # type: ignore[misc]
         if np.shape(actions) != self._shape:
             raise _core.InputError(f"step: expected actions of shape {self._shape}, got {np.shape(actions)}")
         self.core.step(actions)
-        rewards, terminated, truncated = self._results
-        infos = self._infos()
-        ended = terminated | truncated
-        if ended.any():
-            infos["measures"], infos["_measures"] = self._measures(ended), ended
-        return (self._shown(self._observations), self._shown(rewards), self._shown(terminated),
-                self._shown(truncated), infos)
+        return self._result()
+
+    def step_commands(self, commands: Sequence[_core.Command]) -> tuple[Array, Array, Array, Array, dict[str, Any]]:
+        """The same with a `fairway.Command` for each learner, those of one environment after those of another."""
+        self.core.step_commands(list(commands))
+        return self._result()
 
     def advice(self) -> Array:
         """What the learners' own avoiders of the scenario would do, as actions: teachers to imitate. They remember,
-        so ask at each step or at none. Raises InputError as FleetEnv.advice() does, whose advised_commands() has no
-        such limits."""
+        so ask at each step or at none. Raises InputError where one commands a heading or a turn rate, with which its
+        vehicle would do other than with the velocity alone: advised_commands() says it."""
         return self.core.advise().reshape(self._shape).copy()
+
+    def advised_commands(self) -> list[_core.Command]:
+        """The same as commands for step_commands(), which makes just the runs that the avoiders would make."""
+        return self.core.advised_commands()
 
     def render(self) -> None:
         """Nothing: render a FleetEnv."""
@@ -121,6 +124,15 @@ class FleetVectorEnv(VectorEnv):  # type: ignore[misc]
 
     def _shown(self, array: Array) -> Array:
         return array.copy() if self.copy else array
+
+    def _result(self) -> tuple[Array, Array, Array, Array, dict[str, Any]]:
+        rewards, terminated, truncated = self._results
+        infos = self._infos()
+        ended = terminated | truncated
+        if ended.any():
+            infos["measures"], infos["_measures"] = self._measures(ended), ended
+        return (self._shown(self._observations), self._shown(rewards), self._shown(terminated),
+                self._shown(truncated), infos)
 
     def _infos(self) -> dict[str, Any]:
         infos: dict[str, Any] = {}
