@@ -34,7 +34,7 @@ class Crew {
   Crew(const Crew& other) : Crew{other.hands()} {}
   Crew& operator=(const Crew&) = delete;
   ~Crew() {
-    dismissed_ = true;
+    calls_.dismissed = true;
     call();
     for (std::thread& thread : threads_) thread.join();
   }
@@ -58,14 +58,14 @@ class Crew {
     tell(work_, call_work);
     tell(of_, static_cast<const void*>(&work));
     tell(parts_, parts);
-    tell(done_, std::size_t{0});
+    tell(done_.parts, std::size_t{0});
     for (std::size_t share = 0; share < shares_.size(); ++share)
       tell(shares_[share].next, (before + 1) | first_of(share, parts));
     call();
     take_parts(0);
-    const auto is_done = [&] { return done_ == parts; };
+    const auto is_done = [&] { return done_.parts == parts; };
     if (!look_out_for(is_done))
-      for (std::size_t done = done_; done != parts; done = done_) done_.wait(done);
+      for (std::size_t done = done_.parts; done != parts; done = done_.parts) done_.parts.wait(done);
   }
 
  private:
@@ -78,6 +78,15 @@ class Crew {
     std::atomic<std::uint64_t> next{0};  // which piece of work it is, and in the lowest bits which part of it
   };
 
+  // in lines of a cache of their own, since somebody looks at them while others write
+  struct alignas(128) Done {
+    std::atomic<std::size_t> parts{0};
+  };
+  struct alignas(128) Calls {
+    std::atomic<std::uint32_t> count{0};
+    std::atomic<bool> dismissed{false};
+  };
+
   std::size_t first_of(std::size_t share, std::size_t parts) const { return parts * share / shares_.size(); }
 
   /// Whoever reads it sees all that was told before.
@@ -87,16 +96,16 @@ class Crew {
   }
 
   void call() {
-    ++calls_;
-    calls_.notify_all();
+    ++calls_.count;
+    calls_.count.notify_all();
   }
 
   void serve(std::size_t hand) {
     while (true) {
-      const std::uint32_t heard = calls_;
-      if (dismissed_) return;
+      const std::uint32_t heard = calls_.count;
+      if (calls_.dismissed) return;
       take_parts(hand);
-      if (!look_out_for([&] { return calls_ != heard; })) calls_.wait(heard);
+      if (!look_out_for([&] { return calls_.count != heard; })) calls_.count.wait(heard);
     }
   }
 
@@ -132,19 +141,17 @@ class Crew {
       if (part >= first_of(share + 1, parts)) return seen;
       if (!next_part.compare_exchange_strong(next, next + 1)) continue;
       work(of, part, hand);
-      if (++done_ == parts) done_.notify_one();
+      if (++done_.parts == parts) done_.parts.notify_one();
     }
   }
 
-  // apart from each other, since somebody looks at the last two while the others are written
   std::vector<OfOneHand<Share>> shares_;  // one for each hand that was asked for
+  std::vector<std::thread> threads_;
   std::atomic<Call*> work_{};
   std::atomic<const void*> of_{};
   std::atomic<std::size_t> parts_{0};
-  alignas(128) std::atomic<std::size_t> done_{0};  // parts
-  alignas(128) std::atomic<std::uint32_t> calls_{0};
-  std::atomic<bool> dismissed_{false};
-  std::vector<std::thread> threads_;  // last, so that it starts when all else is there
+  Done done_;
+  Calls calls_;
 };
 
 }  // namespace fairway
