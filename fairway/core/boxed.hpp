@@ -28,6 +28,7 @@ class Boxed {
   }
 
   explicit operator bool() const { return value_ != nullptr; }
+  T* get() { return value_.get(); }  ///< null for nothing
   T* operator->() { return value_.get(); }
   const T* operator->() const { return value_.get(); }
   T& operator*() { return *value_; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -10,10 +11,13 @@
 
 namespace fairway {
 
-/// What one hand of a crew alone writes to, apart from what others write to: two that write to the same line
-/// of a cache take it from each other each time.
+/// What lies so far apart is in lines of a cache of its own: two that write to the same line take it from
+/// each other each time [bytes].
+inline constexpr std::size_t own_line = 128;
+
+/// What one hand of a crew alone writes to, apart from what others write to.
 template <class T>
-struct alignas(128) OfOneHand : T {};
+struct alignas(own_line) OfOneHand : T {};
 
 /// Threads that go through the parts of a piece of work together. Each hand has a share of them, the same
 /// one in each piece of as many parts, so that what it worked on is in its own cache still; whoever is done
@@ -78,11 +82,11 @@ class Crew {
     std::atomic<std::uint64_t> next{0};  // which piece of work it is, and in the lowest bits which part of it
   };
 
-  // in lines of a cache of their own, since somebody looks at them while others write
-  struct alignas(128) Done {
+  // somebody looks at these all the time
+  struct alignas(own_line) Done {
     std::atomic<std::size_t> parts{0};
   };
-  struct alignas(128) Calls {
+  struct alignas(own_line) Calls {
     std::atomic<std::uint32_t> count{0};
     std::atomic<bool> dismissed{false};
   };
@@ -153,5 +157,25 @@ class Crew {
   Done done_;
   Calls calls_;
 };
+
+/// The same by whoever calls, as hand 0, where there is no crew.
+template <class Work>
+void go_through(Crew* crew, std::size_t parts, const Work& work) {
+  if (crew != nullptr) return crew->go_through(parts, work);
+  for (std::size_t part = 0; part < parts; ++part) work(part, std::size_t{0});
+}
+
+/// So many vehicles are one part: enough that to share parts out costs little, and few enough that a fleet of
+/// some dozen has several.
+inline constexpr std::size_t part_size = 32;
+constexpr std::size_t parts_of(std::size_t count) { return (count + part_size - 1) / part_size; }
+
+/// Calls `work(i, hand)` once for each i from 0 to `count` - 1, those of a part by one hand.
+template <class Work>
+void for_each(Crew* crew, std::size_t count, const Work& work) {
+  go_through(crew, parts_of(count), [&](std::size_t part, std::size_t hand) {
+    for (std::size_t i = part * part_size; i < std::min(count, (part + 1) * part_size); ++i) work(i, hand);
+  });
+}
 
 }  // namespace fairway

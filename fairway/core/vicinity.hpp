@@ -55,7 +55,8 @@ class Vicinity {
     sheets_.resize(std::max(sheets_.size(), crew != nullptr ? crew->hands() : 1));
     for (Sheet& sheet : sheets_) sheet.way2 = was_sorted ? 0.0 : std::numeric_limits<double>::infinity();
     const double enough = 0.25 * margin_ * margin_;
-    for_each(crew, [&](std::size_t i, Sheet& sheet) {
+    for_each(crew, count, [&](std::size_t i, std::size_t hand) {
+      Sheet& sheet = sheets_[hand];
       now_[i] = point_of(i);
       const double d2 = (now_[i] - then_[i]).squaredNorm();
       if (d2 <= enough) {
@@ -173,19 +174,6 @@ class Vicinity {
     return lists_.usual_count * grown * grown * grown;
   }
 
-  /// Calls `work(i, sheet)` for each point, with the sheet of the hand that does it.
-  template <class Work>
-  void for_each(Crew* crew, const Work& work) {
-    constexpr std::size_t size = 32;
-    const std::size_t parts = (now_.size() + size - 1) / size;
-    const auto go_through = [&](std::size_t part, std::size_t hand) {
-      for (std::size_t i = part * size; i < std::min(now_.size(), (part + 1) * size); ++i)
-        work(i, sheets_[hand]);
-    };
-    if (crew != nullptr) return crew->go_through(parts, go_through);
-    for (std::size_t part = 0; part < parts; ++part) go_through(part, 0);
-  }
-
   void sort(Crew* crew) {
     index_.rebuild(now_.size(), lists_.least > 0.0 ? lists_.least : lists_.most,
                    [&](std::size_t i) { return now_[i]; });
@@ -230,7 +218,7 @@ class Vicinity {
     spans_.resize(now_.size());
     for (Sheet& sheet : sheets_) sheet.listed.reserve(std::min(now_.size(), most_on_one));
     listed_count_ = 0;
-    for_each(crew, [&](std::size_t i, Sheet& sheet) { list(i, sheet.listed); });
+    for_each(crew, now_.size(), [&](std::size_t i, std::size_t hand) { list(i, sheets_[hand].listed); });
     has_lists_ = listed_count_ <= listed_.size();
     listed_count_ = std::min(listed_count_, listed_.size());
   }

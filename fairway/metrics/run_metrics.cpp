@@ -15,26 +15,17 @@ void RunMetrics::write(const Frame& frame) {
 
   // all that is asked of one vehicle at a time, so that its frame is looked at once
   const Neighbours& all = neighbours_.of(frame);
-  constexpr std::size_t size = 32;
-  const std::size_t count = vehicles_ = frame.vehicles.size();
-  while (near_.size() < hands) near_.emplace_back().reserve(Neighbours::usual_room(count));
-  const auto see = [&](std::size_t part, std::size_t hand) {
-    for (std::size_t i = part * size; i < std::min(count, (part + 1) * size); ++i) {
-      std::vector<Neighbour>& near = near_[hand];
-      all.find(i, math::fmax(fleet_.reach(all, i), encounters_.reach(frame, i)), near);
-      fleet_.see(frame, near, i, hand);
-      progress_.see(frame, i, hand);
-      encounters_.see(frame, near, i, hand);
-      effort_.see(frame, i);
-      smoothness_.see(frame, i);
-    }
-  };
-  const std::size_t parts = (count + size - 1) / size;
-  if (frame.crew != nullptr) {
-    frame.crew->go_through(parts, see);
-  } else {
-    for (std::size_t part = 0; part < parts; ++part) see(part, 0);
-  }
+  vehicles_ = frame.vehicles.size();
+  while (near_.size() < hands) near_.emplace_back().reserve(Neighbours::usual_room(vehicles_));
+  for_each(frame.crew, vehicles_, [&](std::size_t i, std::size_t hand) {
+    std::vector<Neighbour>& near = near_[hand];
+    all.find(i, math::fmax(fleet_.reach(all, i), encounters_.reach(frame, i)), near);
+    fleet_.see(frame, near, i, hand);
+    progress_.see(frame, i, hand);
+    encounters_.see(frame, near, i, hand);
+    effort_.see(frame, i);
+    smoothness_.see(frame, i);
+  });
   fleet_.finish(frame);
   progress_.finish(frame, all);
 }

@@ -42,7 +42,7 @@ struct Frame {
   std::span<const MessageFlight> flights;  ///< messages under way; empty unless someone is looking
   std::span<const SpokenWord> words;       ///< said at this instant, in the order of the vehicles, and of a
                                            ///< recording also since the frame before
-  Crew* crew{nullptr};                     ///< that waits meanwhile, for who looks at it; null: nobody
+  Crew* crew{nullptr};                     ///< threads that whoever looks at it may use meanwhile; null: none
 };
 
 /// Takes the frames of a run, in order. May throw on I/O errors; the run then ends.

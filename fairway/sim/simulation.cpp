@@ -16,9 +16,6 @@ namespace {
 
 constexpr double endless = std::numeric_limits<double>::infinity();
 
-/// Vehicles that one hand goes through at a time.
-constexpr std::size_t part_size = 32;
-
 /// Of one vehicle, where they are kept, and how many are near: whoever has more takes memory for them.
 constexpr std::size_t usual_tracks = 32;
 constexpr std::size_t usual_near = 128;
@@ -199,7 +196,7 @@ void Simulation::in_parts(Works... /*in this order*/) {
   constexpr std::size_t many = 1500;  // so few stay in a cache; of 1000 it gains nothing, of 2000 a little
   constexpr std::size_t ahead = 4;    // are fetched, while the first stage is at another
   constexpr std::size_t soon = 2;     // and what they point to
-  const auto go_through = [&](std::size_t part, std::size_t number) {
+  const auto go_through_stages = [&](std::size_t part, std::size_t number) {
     Hand& hand = hands_[number];
     const std::size_t first = part * part_size, end = std::min(first + part_size, agents_.size());
     if (timing_stages_) hand.stages.begin();
@@ -217,13 +214,8 @@ void Simulation::in_parts(Works... /*in this order*/) {
         };
     (go(Works{}), ...);
   };
-  const std::size_t parts = (agents_.size() + part_size - 1) / part_size;
-  const bool one_at_a_time = !crew_ || observer_ != nullptr;
-  if (one_at_a_time) {
-    for (std::size_t part = 0; part < parts; ++part) go_through(part, 0);
-  } else {
-    crew_->go_through(parts, go_through);
-  }
+  const bool one_at_a_time = observer_ != nullptr;
+  go_through(one_at_a_time ? nullptr : crew_.get(), parts_of(agents_.size()), go_through_stages);
 
   // each hand keeps that of the first part in which it found one, so that the first of all is one of them
   for (Hand& hand : hands_) {
@@ -333,7 +325,7 @@ void Simulation::sort_places() {
     if (!everyone_tells() && movers_[i].silent) return places_[i];
     return told_at_once && mailbox_[i].tells_place() ? mailbox_[i].position : nowhere;
   };
-  found_at_.update(agents_.size(), place_of, crew_ ? &*crew_ : nullptr);
+  found_at_.update(agents_.size(), place_of, crew_.get());
 }
 
 Scene Simulation::scene_of(std::size_t index) const {

@@ -56,7 +56,7 @@ void Simulation::show(std::span<FrameSink* const> sinks) {
   flights_.clear();
   if (showing_) exchange_.add_under_way(flights_);
   collect_words();
-  const Frame frame{tick_, time(), period_, frame_, flights_, words_, crew_ ? &*crew_ : nullptr};
+  const Frame frame{tick_, time(), period_, frame_, flights_, words_, crew_.get()};
   if (timing_stages_) hands_[0].stages.begin();
   for (FrameSink* sink : sinks) sink->write(frame);
   if (timing_stages_) hands_[0].stages.finish(Stage::record);

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "fairway/core/angles.hpp"
 #include "fairway/core/math.hpp"
@@ -99,9 +98,9 @@ std::optional<Vec3> Evasion::best() const noexcept {
   for (const double steep : {-speed, 0.0, speed}) {
     if (steep != 0.0) consider({0.0, 0.0, steep}, 0.0);
     for (std::size_t k = 0; k < course_count; ++k) {
-      const double off = wrap_angle(2.0 * std::numbers::pi * static_cast<double>(k) / course_count);
+      const double off = wrap_angle(2.0 * pi * static_cast<double>(k) / course_count);
       const Vec2 through = speed * unit_at(s_.own.yaw + off);
-      const double begins = math::fmax(stopping, turn_ * std::fabs(off) / std::numbers::pi);
+      const double begins = math::fmax(stopping, turn_ * std::fabs(off) / pi);
       consider({through.x() + s_.current.x(), through.y() + s_.current.y(), steep}, begins);
     }
   }
