@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fairway/metrics/run_metrics.hpp"
 
-#include <algorithm>
-
 namespace fairway {
 
 void RunMetrics::write(const Frame& frame) {
