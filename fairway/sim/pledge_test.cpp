@@ -154,11 +154,28 @@ TEST(PledgeRuns, WhoLeavesItsWaySaysSoAndWhoKeepsToItSaysNothingThatIsOver) {
   EXPECT_EQ(late.note(1), "is off its promised way, holds and says so");
 }
 
-TEST(PledgeRuns, WhoStopsOnItsWaySaysSoBeforeItIsOffByTwoTubes) {
+TEST(PledgeRuns, WhoLiesAgainstACurrentHasTurnedToItsWayWhenThePlanStarts) {
+  Scenario scenario = agreeing(vehicle("[0, 0, 8], yaw_deg: 180", "[40, 0, 8]") + ", " +
+                                   vehicle("[0, 30, 8], yaw_deg: 180", "[0, 60, 8]"),
+                               ", water: {current_mps: [0.2, 0, 0]}");
+  scenario.exchange = {.name = "acoustic", .params = {{"bit_rate_bps", 100.0}}, .path = "exchange"};
+  Simulation simulation{scenario, builtin_catalogs()};
+  const auto off_course = [&](std::size_t i, double course) {
+    return std::fabs(wrap_angle(yaw_of(simulation.agents()[i].vehicle.state().q_nb) - course));
+  };
+  while (simulation.time() < 1.0 || !simulation.agents()[0].note.empty()) {
+    simulation.step({});
+    ASSERT_LT(simulation.time(), 200.0);
+  }
+  EXPECT_LT(off_course(0, 0.0), 0.8);
+  EXPECT_LT(off_course(1, 0.5 * pi), 0.8) << "it steers somewhat against the current";
+}
+
+TEST(PledgeRuns, WhoStopsOnItsWaySaysSoBeforeItIsOffItsTube) {
   Scenario scenario =
       agreeing(vehicle("[0, 0, 8]", "[40, 0, 8]") + ", " +
                vehicle("[0, 30, 8]", "[40, 30, 8]", ", failure: {kind: stops, under_way_s: 30}"));
-  scenario.duration_s = 39;
+  scenario.duration_s = 35.5;
   const Watched run{scenario};
   EXPECT_EQ(run.note(1), "is off its promised way, holds and says so");
   EXPECT_EQ(run.note(0), "");

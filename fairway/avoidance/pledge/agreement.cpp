@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fairway/core/math.hpp"
+
 namespace fairway::pledge {
 namespace {
 
@@ -18,11 +20,6 @@ constexpr int most_plans = 8;             // in a round, of which some came to n
 constexpr double start_slack = 0.002;     // of rounding, where somebody begins too near [m]
 constexpr double most_late = 2.0;         // who looks at its clock so long after a start has missed it [s]
 
-/// Turns before a plan's start after which nobody acknowledges it any more: one in which to say so, and half
-/// of what more there is, for others to pass it on. Who acknowledges at the last moment divides the group
-/// into who hears of it and who does not.
-double latest(double patience) { return 1.02 + 0.5 * patience; }
-
 }  // namespace
 
 Agreement::Agreement(std::size_t vehicle, const Terms& terms) noexcept
@@ -36,6 +33,7 @@ void Agreement::hold(const Member& member, bool aside) noexcept {
   const std::uint8_t version =
       known_[self_] ? static_cast<std::uint8_t>((members_[self_].version + 1) % 16) : 0;
   members_[self_] = as_told(member, terms_.datum);
+  members_[self_].turns_before = others_.rounds.groups().count() == 1;
   members_[self_].version = version;
   known_.set(self_);
   aside_ = aside;
@@ -128,7 +126,7 @@ void Agreement::go_on(double now, double period, const Link& link, double patien
                       const Headway& headway) noexcept {
   assume(now, link.turn_period);
   stop_at_gate(now);
-  acknowledge(now, latest(patience) * link.turn_period, chart);
+  acknowledge(now, settled_before(patience, link.turn_period), chart);
   depart(now, link.turn_period, chart);
   if (std::isinf(entered_) && others_.rounds.groups().count() > 1) entered_ = now;  // the first round
   // on board decisions may come more rarely than they are meant to
@@ -136,6 +134,13 @@ void Agreement::go_on(double now, double period, const Link& link, double patien
   looked_ = now;
   const bool is_rare = since > 1.2 * period && since < link.turn_period;
   propose(now, is_rare ? since : period, link, patience, chart, headway);
+}
+
+/// So long before a plan's start nobody acknowledges it any more [s]: a turn in which to say so, or what own
+/// ship needs to have turned to its way when that goes, and half of what more there is, for others to pass it
+/// on. Who acknowledges at the last moment divides the group into who hears of it and who does not.
+double Agreement::settled_before(double patience, double turn_period) const noexcept {
+  return math::fmax(a_turn * turn_period, turns_ahead_by(own())) + 0.5 * patience * turn_period;
 }
 
 /// Who has departed by a way without gates and is silent for good has arrived at its end for all that anybody

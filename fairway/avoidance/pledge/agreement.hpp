@@ -128,6 +128,8 @@ class Agreement {
     bool may_stop{false};  ///< at a gate
   };
 
+  static constexpr double a_turn = 1.02;  ///< with what is rounded [turns]
+
   static constexpr std::array<double, most_members> not_yet() {
     std::array<double, most_members> times{};
     times.fill(-std::numeric_limits<double>::infinity());
@@ -144,9 +146,12 @@ class Agreement {
   bool accepts_own(const Clearance& scene, const Reference& way, const Chart& chart) const noexcept;
   void propose(double now, double period, const Link& link, double patience, const Chart& chart,
                const Headway& headway) noexcept;
+  bool is_known() const noexcept;
   bool may_propose(double now, double turn_period) const noexcept;
   void begin_search(double now, const Link& link, double patience, const Chart& chart,
                     const Headway& headway) noexcept;
+  double settled_before(double patience, double turn_period) const noexcept;
+  double slowest_turn() const noexcept;
   Epoch soonest_plan(const Link& link, double patience) const noexcept;
   Epoch start_beside_others(const Link& link, double patience, const Chart& chart) const noexcept;
   std::optional<Epoch> start_of_found(const Link& link, double patience, const Chart& chart) const noexcept;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fairway/avoidance/pledge/agreement.hpp"
+#include "fairway/core/math.hpp"
 
 namespace fairway::pledge {
 namespace {
@@ -17,10 +18,10 @@ constexpr double last_decisions = 1.5;     // before a turn in which a proposal 
 constexpr double silent_turns = 3.0;       // after so many the next member may propose
 constexpr double most_patience = 9.0;      // turns from a plan's word to its start
 
-/// Turns from a plan's word until everybody has heard everybody's acknowledgement, where nothing is lost. Who
-/// speaks right after that word may have chosen its own before it had come in, and then acknowledges a turn
-/// later; its word takes as long as a slot.
-double least_patience(std::size_t count) { return 1.02 + 2.0 / static_cast<double>(count); }
+/// Turns beyond one from a plan's word until everybody has heard everybody's acknowledgement, where nothing
+/// is lost. Who speaks right after that word may have chosen its own before it had come in, and then
+/// acknowledges a turn later; its word takes as long as a slot.
+double two_slots(std::size_t count) { return 2.0 / static_cast<double>(count); }
 
 int codes_in_one_decision(const Chart& chart) {
   if (chart.has_others()) return crowded_codes_at_once;
@@ -29,6 +30,11 @@ int codes_in_one_decision(const Chart& chart) {
 
 }  // namespace
 
+/// Whether anybody has own state, without which nobody can acknowledge a plan.
+bool Agreement::is_known() const noexcept {
+  return std::ranges::any_of(heard_by_, [&](const Members& heard) { return heard[self_]; });
+}
+
 /// Of the first plan of a round, whoever's turn comes first; of later ones the smallest of the held that is
 /// not silent.
 bool Agreement::may_propose(double now, double turn_period) const noexcept {
@@ -36,17 +42,27 @@ bool Agreement::may_propose(double now, double turn_period) const noexcept {
   if (status_ != Status::held || is_settling || known_ != everyone() || is_news(now, turn_period) ||
       !others_.may_depart())
     return false;
-  if (!newest_epoch_ || start_of(newest_epoch_) < entered_) return true;
+  if (!newest_epoch_) return is_known();
+  if (start_of(newest_epoch_) < entered_) return true;
   const Members waiting = held();
   for (std::size_t i = 0; i < self_; ++i)
     if (waiting[i] && now - last_heard_[i] < silent_turns * turn_period) return false;
   return true;
 }
 
-/// The soonest at which a plan may start that is told in the next turn.
+/// How long before a plan's start somebody begins to turn to its way at the latest [s].
+double Agreement::slowest_turn() const noexcept {
+  double slowest = 0.0;
+  for (std::size_t i = 0; i < count_; ++i) slowest = math::fmax(slowest, turns_ahead_by(members_[i]));
+  return slowest;
+}
+
+/// The soonest at which a plan may start that is told in the next turn: so late that all can acknowledge it
+/// before they have to turn to their ways.
 Epoch Agreement::soonest_plan(const Link& link, double patience) const noexcept {
-  const double turns = std::min(least_patience(terms_.count) + patience + attempts_, most_patience);
-  const double start = std::ceil((link.next_turn + turns * link.turn_period) / 0.1);
+  const double turns = std::min(a_turn + two_slots(terms_.count) + patience + attempts_, most_patience);
+  const double turning = math::fmax(slowest_turn() - a_turn * link.turn_period, 0.0);
+  const double start = std::ceil((link.next_turn + turns * link.turn_period + turning) / 0.1);
   const std::int64_t after_all = newest_epoch_ ? newest_epoch_.tenths + 1 : Epoch::none;
   return {std::max(static_cast<std::int64_t>(start), after_all), static_cast<std::uint8_t>(self_)};
 }

@@ -33,6 +33,7 @@ Hearing Agreement::hear(const Speech& speech, double sent, double now) noexcept 
   if (const auto* state = std::get_if<StateWord>(&*word)) {
     if (is_alarm(from, *state)) alarmed_[from] = now;
     members_[from] = state->member;
+    members_[from].turns_before = groups.count() == 1;
     if (header.status == Status::lost) members_[from].radius += wandering;
     if (!known_[from]) known_since_[from] = now;
     known_.set(from);

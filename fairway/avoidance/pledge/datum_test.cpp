@@ -96,8 +96,8 @@ TEST(DatumWatch, FindsWhoTellsItsPlaceFromAnotherDatum) {
   std::vector<Vec3> off = none_off(all.size());
   off[3] = {5.0, 0.0, 0.0};
   Measuring fleet{all, off, 0.2};
-  while (fleet.fleet.time < 30.0) fleet.go_on();
-  EXPECT_TRUE(fleet.watches[0].doubted().test(3)) << "three quarters of the error are along the way";
+  while (!fleet.watches[0].doubted().test(3) && fleet.fleet.time < 40.0) fleet.go_on();
+  EXPECT_TRUE(fleet.watches[0].doubted().test(3)) << "much of the error is along the way";
   fleet.cross();
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (i == 3) continue;

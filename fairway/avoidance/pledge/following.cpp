@@ -147,21 +147,25 @@ Vec3 resting_place(const Situation& s) noexcept {
   return place;
 }
 
+std::optional<double> course_at(const Situation& s, const Reference& way, double time) noexcept {
+  const Vec3 v = way.velocity(time);
+  return horizontal_norm(v) > halting ? std::optional{course_of(s, v)} : std::nullopt;
+}
+
 std::optional<double> next_course(const Situation& s, const Reference& way, double turn) noexcept {
   for (int ahead = 0; ahead <= longest_wait; ++ahead) {
-    const Vec3 v = way.velocity(s.time + ahead);
-    if (horizontal_norm(v) <= halting) continue;
-    const double course = course_of(s, v);
-    const double takes = turn * (0.3 + 0.7 * std::fabs(wrap_angle(course - s.own.yaw)) / std::numbers::pi);
-    return is_in_current(s) && ahead > takes ? std::nullopt : std::optional{course};
+    const std::optional<double> course = course_at(s, way, s.time + ahead);
+    if (!course) continue;
+    const double takes = turn * (0.3 + 0.7 * std::fabs(wrap_angle(*course - s.own.yaw)) / std::numbers::pi);
+    return is_in_current(s) && ahead > takes ? std::nullopt : course;
   }
   return {};
 }
 
 Command driven(const Situation& s, const Vec3& wanted, std::optional<double> course, Mode mode,
-               std::string_view note) noexcept {
+               std::string_view note, double astern) noexcept {
   const Vec2 ahead = unit_at(s.own.yaw), current = s.current.head<2>();
-  const double through = math::fmax((wanted.head<2>() - current).dot(ahead), 0.0);
+  const double through = math::fmax((wanted.head<2>() - current).dot(ahead), -astern);
   const Vec2 made = (through + current.dot(ahead)) * ahead;
   if (!course && horizontal_norm(wanted - s.current) > still) course = course_of(s, wanted);
   const double turn_rate =
@@ -173,9 +177,10 @@ Command held(const Situation& s, const Vec3& anchor, std::string_view why,
              std::optional<double> course) noexcept {
   const Vec3 off = anchor - s.own.position;
   const Vec3 back = clamp_norm(return_gain * off, 0.3);
-  const bool can_back = s.envelope != nullptr && s.envelope->astern > least_astern;
+  const double astern = s.envelope != nullptr ? s.envelope->astern : 0.0;
+  const bool can_back = astern > least_astern;
   const bool turns = course || is_in_current(s) || !can_back || horizontal_norm(off) > aside_for_good;
-  return turns ? driven(s, back, course, Mode::hold, why) : nudged(s, off, back, why);
+  return turns ? driven(s, back, course, Mode::hold, why, course ? astern : 0.0) : nudged(s, off, back, why);
 }
 
 Command followed(const Situation& s, const Reference& way, double turn, const Following& following) noexcept {

@@ -34,6 +34,9 @@ bool is_in_current(const Situation& s) noexcept;
 /// What of a velocity over ground the vehicle may and can go, the vertical part of it first [m/s, NED].
 Vec3 within_limits(const Situation& s, const Vec3& v) noexcept;
 
+/// The course on which the reference goes at a time [rad], if it goes along then.
+std::optional<double> course_at(const Situation& s, const Reference& way, double time) noexcept;
+
 /// The course on which the reference will go next [rad], once it is time to turn to it. In a current that is
 /// no sooner than it has to be, since nobody who has turned aside stays where it is. `turn` is how long it
 /// takes to turn round [s].
@@ -41,13 +44,14 @@ std::optional<double> next_course(const Situation& s, const Reference& way, doub
 
 /// Goes `wanted` over ground [m/s, NED] by surge, heave and turn rate of its own, whatever the steering of
 /// its scenario: ahead through the water, on the course that makes good what the current sets it aside.
-/// `course` [rad] goes before that; who neither has one nor is to go through the water keeps its heading.
+/// `course` [rad] goes before that; who neither has one nor is to go through the water keeps its heading. It
+/// goes astern no faster than `astern` [m/s].
 Command driven(const Situation& s, const Vec3& wanted, std::optional<double> course, Mode mode,
-               std::string_view note) noexcept;
+               std::string_view note, double astern = 0.0) noexcept;
 
 /// Back to the anchor: who only stops where it is drifts sideways for long. A little way it goes back ahead
 /// or astern, if it can, else ahead. In a current it lies with its bow against it. On `course`, if there is
-/// one.
+/// one, and astern, if need be, so that it stays where it is though the current comes from behind.
 Command held(const Situation& s, const Vec3& anchor, std::string_view why,
              std::optional<double> course = {}) noexcept;
 

@@ -6,7 +6,9 @@
 namespace fairway::pledge {
 namespace {
 
-constexpr double stride = 0.1;  // between two times that are tried, at least [s]
+constexpr double stride = 0.1;      // between two times that are tried, at least [s]
+constexpr double noticed = 0.02;    // a current that is less is none [m/s]
+constexpr double in_current = 2.0;  // times as much headway is wanted
 
 /// The fastest that anybody goes who goes by it, in water that moves so [m/s].
 double fastest(const Reference& reference, const Vec3& drift) noexcept {
@@ -20,6 +22,10 @@ double fastest(const Reference& reference, const Vec3& drift) noexcept {
 }
 
 }  // namespace
+
+Headway headway_in(const Vec3& current, double still) noexcept {
+  return {current.norm() > noticed ? in_current * still : still, current};
+}
 
 double headway_of(const Reference& a, const Reference& b, double apart, const Headway& wanted) noexcept {
   if (a.knots().size() < 2) return wanted.aim;  // who is held is not under way

@@ -14,6 +14,10 @@ struct Headway {
   Vec3 drift = Vec3::Zero();  ///< of who has stopped: the current [m/s]
 };
 
+/// What is asked in a current [m/s], where `still` is in still water [s]: twice as much, since who has
+/// stopped is carried across ways that were clear of where it did.
+Headway headway_in(const Vec3& current, double still) noexcept;
+
 /// For how long whoever goes by `a` may have lain where it stopped, anywhere on its way, and drifted since,
 /// when `b` comes within `apart` [m] of it for the first time; at most the aim [s]. To 0.1 s. O(knots) for
 /// each of a few times.

@@ -35,6 +35,13 @@ TEST(Headway, CountsWithTheWaterThatSetsTheStoppedOneOff) {
   EXPECT_NEAR(headway_of(one, other, 4.0, {.aim = 30.0, .drift = {0, 0.1, 0}}), 10.0, 0.1);
 }
 
+TEST(Headway, InACurrentTwiceAsMuchIsWanted) {
+  EXPECT_EQ(headway_in(Vec3::Zero(), 20.0).aim, 20.0);
+  EXPECT_EQ(headway_in({0.1, 0, 0}, 20.0).aim, 40.0);
+  EXPECT_EQ(headway_in({0.1, 0, 0}, 0.0).aim, 0.0) << "who wants none wants none";
+  EXPECT_EQ(headway_in({0, 0.1, 0}, 20.0).drift, Vec3(0, 0.1, 0));
+}
+
 TEST(Headway, IsTowardsThoseAloneWhoAreNamed) {
   // the third follows the first by 6 m at 0.5 m/s, where 4 m are needed; the second is far from both
   const Member member{.radius = 1.5};

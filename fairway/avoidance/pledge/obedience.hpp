@@ -5,9 +5,9 @@
 
 namespace fairway::pledge {
 
-/// Whether own hull does what it is told, ahead and in its turn: what it does, beside what its envelope lets
-/// it do of what it is asked. A dead thruster or a stuck helm shows so while it is hardly off its way. What
-/// waves do, to and fro, is left out. A value; nothing allocates. O(1).
+/// Whether own hull does what it is told, ahead, up and down, and in its turn: what it does, beside what its
+/// envelope lets it do of what it is asked. A dead thruster or a stuck helm shows so while it is hardly off
+/// its way. What waves do, to and fro, is left out. A value; nothing allocates. O(1).
 class Obedience {
  public:
   /// What the hull does now. To be called at every decision, before `ask`.
@@ -30,7 +30,7 @@ class Obedience {
   };
 
   bool has_begun_{false}, is_lacking_{false};
-  Axis surge_{}, turn_{};  // [m/s], through the water; [rad/s]
+  Axis surge_{}, heave_{}, turn_{};  // [m/s], through the water; [rad/s]
 };
 
 }  // namespace fairway::pledge

@@ -15,6 +15,8 @@ namespace {
 constexpr double cruise = 0.5, asked_turn = 0.3,
                  wave = 2.0 * std::numbers::pi / 4.0;  // [m/s], [rad/s], [rad/s]
 const Envelope able{.ahead = 1.0,
+                    .up = 0.3,
+                    .down = 0.3,
                     .acceleration = 0.1,
                     .deceleration = 0.1,
                     .surge_lag = 2.0,
@@ -22,15 +24,16 @@ const Envelope able{.ahead = 1.0,
                     .turn_lag = 1.0,
                     .turn_rates = {0.5, 0.5, 0.5, 0.5}};
 
-/// What a hull does at a time [s]: the speed ahead through the water [m/s] and the turn rate [rad/s].
+/// What a hull does at a time [s]: the speeds ahead through the water and down [m/s], and the turn rate
+/// [rad/s].
 struct Motion {
-  double surge{}, turn{};
+  double surge{}, turn{}, heave{};
 };
 
-/// When a hull is found not to obey that moves so in the first minute, asked to go at a speed and to turn
-/// [s]; after the minute if it is not.
+/// When a hull is found not to obey that moves so in the first minute, asked to go at a speed, to turn and to
+/// dive [s]; after the minute if it is not.
 double lacking_after(const std::function<Motion(double)>& motion, double speed, double turn,
-                     const Envelope* envelope = &able) {
+                     const Envelope* envelope = &able, double dive = 0.0) {
   Obedience obedience;
   Situation s;
   s.period = 0.05;
@@ -39,11 +42,11 @@ double lacking_after(const std::function<Motion(double)>& motion, double speed, 
   s.envelope = envelope;
   for (s.time = 0.0; s.time < 60.0; s.time += s.period) {
     const Motion does = motion(s.time);
-    s.own.velocity = s.current + Vec3{does.surge, 0.0, 0.0};
+    s.own.velocity = s.current + Vec3{does.surge, 0.0, does.heave};
     s.own.yaw_rate = does.turn;
     obedience.look(s);
     if (obedience.is_lacking()) break;
-    obedience.ask(s, {.velocity = s.current + Vec3{speed, 0.0, 0.0}, .turn_rate = turn});
+    obedience.ask(s, {.velocity = s.current + Vec3{speed, 0.0, dive}, .turn_rate = turn});
   }
   return s.time;
 }
@@ -63,6 +66,17 @@ TEST(Obedience, ADeadThrusterIsFoundOutWhileTheHullRunsOn) {
   EXPECT_GE(lacking_after(runs_on, 0.0, 0.0), 60.0) << "who is asked to stop does";
 }
 
+TEST(Obedience, WhoNoLongerDivesIsFoundOutThoughItGoesAheadAsItShould) {
+  const auto levels_out = [](double t) { return Motion{cruise, 0.0, 0.3 * std::exp(-t / 2.0)}; };
+  EXPECT_LT(lacking_after(levels_out, cruise, 0.0, &able, 0.3), 4.0);
+  const auto dives = [](double t) { return Motion{cruise, 0.0, 0.3 * (1.0 - std::exp(-t / 2.0))}; };
+  EXPECT_GE(lacking_after(dives, cruise, 0.0, &able, 0.3), 60.0);
+  Envelope floats = able;
+  floats.up = floats.down = 0.0;
+  const auto rides_a_swell = [](double t) { return Motion{cruise, 0.0, 0.4 * std::sin(0.5 * t)}; };
+  EXPECT_GE(lacking_after(rides_a_swell, cruise, 0.0, &floats), 60.0) << "it cannot be told to heave";
+}
+
 TEST(Obedience, AStuckHelmIsFoundOutOnceItShouldTurn) {
   const auto straight_on = [](double) { return Motion{cruise, 0.0}; };
   EXPECT_LT(lacking_after(straight_on, cruise, asked_turn), 4.0);
@@ -73,7 +87,7 @@ TEST(Obedience, AStuckHelmIsFoundOutOnceItShouldTurn) {
 
 TEST(Obedience, WavesAreLeftOut) {
   const auto to_and_fro = [](double t) {
-    return Motion{cruise + 0.25 * std::sin(wave * t), 0.2 * std::cos(wave * t)};
+    return Motion{cruise + 0.25 * std::sin(wave * t), 0.2 * std::cos(wave * t), 0.25 * std::sin(wave * t)};
   };
   EXPECT_GE(lacking_after(to_and_fro, cruise, 0.0), 60.0);
 }

@@ -32,13 +32,16 @@ constexpr double resting = 12.0;       // at rest for so long, who was lost is h
 constexpr double shortest_turn = 4.0;  // however often words come: to hear, decide and be heard [decisions]
 constexpr double same_place = 0.2;     // as near to each other two destinations are one [m]
 
-/// The course on which a member that is held will depart, once it is time to turn to it: who departs while it
-/// turns the other way is late. Not in a current, in which nobody who has turned aside stays where it is.
+/// The course on which a member that is held will go, once it is time to turn to it.
 std::optional<double> first_course(const Situation& s, const Agreement& agreement) noexcept {
-  const double turn = agreement.own().turn;
-  if (pledge::is_in_current(s) || agreement.plan().start() - s.time > turn + settling) return {};
+  const Member& own = agreement.own();
+  const double soon_enough = s.time + own.turn + settling;
+  if (agreement.plan().start() > soon_enough) return {};
   const Reference way = agreement.promised(s.time);
-  return way.empty() ? std::nullopt : pledge::next_course(s, way, turn);
+  if (way.empty() || way.knots().front().time > soon_enough) return {};
+  const double goes = way.knots().front().time + pledge::turns_for(own) + s.period;
+  const std::optional<double> course = pledge::course_at(s, way, goes);
+  return course ? course : pledge::next_course(s, way, own.turn);
 }
 
 /// What of own anchor or destination lies too near to what stands; empty if nothing does.
@@ -199,7 +202,7 @@ void Pledge::take_part(const Situation& s, const pledge::Chart& chart, Memory& m
     aim(s, chart, memory);
     Link link = *s.link;
     link.turn_period = memory.turn_period;
-    agreement.go_on(s.time, s.period, link, patience, chart, {params.headway_s, s.current});
+    agreement.go_on(s.time, s.period, link, patience, chart, pledge::headway_in(s.current, params.headway_s));
   }
   agreement.take_turns(s.time, s.period, memory.turn_period, is_free && !memory.waits, rests(s, memory));
 }
@@ -266,11 +269,11 @@ void Pledge::aim(const Situation& s, const pledge::Chart& chart, Memory& memory)
   if ((told - member.destination).norm() > same_place) agreement.hold(member, aside);
 }
 
-/// Who is off its tube by as much again is lost, and by its tube if its hull does not obey; before that it is
-/// best to come back. Who is held and leaves its tube tells another anchor, unless it is about to depart. Who
-/// would come near somebody who is lost, or is held beside its promised way, or near something that it did
-/// not know to stand there, stops where it is and is held there; who is in the way of others goes out of it,
-/// and tells where it is by then.
+/// Who is off its tube by as much again is lost, and by half of its tube if its hull does not obey; before
+/// that it is best to come back. Who is held and leaves its tube tells another anchor, unless it is about to
+/// depart. Who would come near somebody who is lost, or is held beside its promised way, or near something
+/// that it did not know to stand there, stops where it is and is held there; who is in the way of others goes
+/// out of it, and tells where it is by then.
 void Pledge::watch(const Situation& s, const pledge::Chart& chart, Memory& memory) const noexcept {
   Agreement& agreement = memory.agreement;
   if (agreement.status() == pledge::Status::lost) return recover(s, memory);
@@ -289,7 +292,7 @@ void Pledge::watch(const Situation& s, const pledge::Chart& chart, Memory& memor
   }
   memory.gives_way = memory.is_beside = false;
   const double off = (way->at(s.time) - s.own.position).norm();
-  if (off > (memory.obedience.is_lacking() ? 1.0 : 2.0) * params.tube_m) {
+  if (off > (memory.obedience.is_lacking() ? 0.5 : 2.0) * params.tube_m) {
     lose(s, memory);
   } else if (agreement.meets_lost(*way, s.time, s.time + soon) ||
              agreement.meets_held(*way, s.time, s.time + soon) ||

@@ -73,6 +73,10 @@ struct Milestone {
   double depth{};  ///< [m]
 };
 
+double leaves_at(const Member& member, const Plan& plan, const Code& code) {
+  return plan.start() + delay_of(member, code) + (member.turns_before ? set_off : 0.0);
+}
+
 /// Evenly from one milestone to the next.
 class Milestones {
  public:
@@ -109,7 +113,7 @@ Milestones milestones_of(const Member& member, const Code& code, double leaves, 
     return std::sqrt(math::fmax(1.0 - rate * rate / (member.speed * member.speed), 0.0));
   };
   const double is_down = leaves + (level - from) / member.descent;
-  const double turned = leaves + member.turn, goes = on_the_spot ? math::fmax(turned, is_down) : turned;
+  const double turned = leaves + turns_for(member), goes = on_the_spot ? math::fmax(turned, is_down) : turned;
   const double climbs_for = (level - to) / member.climb;
   const double along_diving =
       std::min(share_left(member.descent) * math::fmax(is_down - goes, 0.0), duration);
@@ -118,7 +122,7 @@ Milestones milestones_of(const Member& member, const Code& code, double leaves, 
 
   Milestones way;
   way.add({leaves, 0.0, from});
-  if (goes < is_down) way.add({goes, 0.0, from + member.descent * member.turn});
+  if (goes < is_down) way.add({goes, 0.0, from + member.descent * turns_for(member)});
   way.add({is_down, along_diving, level});
   if (goes >= is_down) way.add({goes, 0.0, level});
   way.add({rises, along_diving + along_level, level});
@@ -127,7 +131,7 @@ Milestones milestones_of(const Member& member, const Code& code, double leaves, 
 }
 
 Reference below_others(const Member& member, const Plan& plan, const Code& code, const Passage& passage) {
-  const double leaves = plan.start() + delay_of(member, code);
+  const double leaves = leaves_at(member, plan, code);
   const Milestones way = milestones_of(member, code, leaves, passage.duration());
   std::array<double, Reference::most_knots> times{};
   std::size_t count = 0;
@@ -227,10 +231,10 @@ Reference reference_of(const Member& member, const Plan& plan, const Code& code)
 Reference reference_of(const Member& member, const Plan& plan, const Code& code,
                        const Passage& passage) noexcept {
   if (is_below(member, code)) return below_others(member, plan, code, passage);
-  const double leaves = plan.start() + delay_of(member, code), goes = leaves + member.turn;
+  const double leaves = leaves_at(member, plan, code), goes = leaves + turns_for(member);
   const double down = member.destination.z() - member.anchor.z();
   const double rate = math::fmax(down > 0.0 ? member.descent : member.climb, 0.01);
-  const double along = member.turn + passage.duration(), vertical = std::fabs(down) / rate;
+  const double along = turns_for(member) + passage.duration(), vertical = std::fabs(down) / rate;
   const double dives = leaves + math::fmax(along - vertical, 0.0) * code.dive / 3.0;
 
   std::array<double, Reference::most_knots> times{leaves, dives, dives + vertical};
@@ -258,6 +262,12 @@ bool is_below(const Member& member, const Code& code) noexcept { return code.div
 bool is_on_the_spot(const Member& member, const Code& code) noexcept {
   return is_below(member, code) && code.delay % 2 == 1;
 }
+
+double turns_ahead_by(const Member& member) noexcept {
+  return member.turns_before ? math::fmax(member.turn - set_off, 0.0) : 0.0;
+}
+
+double turns_for(const Member& member) noexcept { return member.turns_before ? 0.0 : member.turn; }
 
 double delay_of(const Member& member, const Code& code) noexcept {
   return delay_step * (code.delay - (is_on_the_spot(member, code) ? 1 : 0));

@@ -16,6 +16,7 @@ inline constexpr std::array<double, 8> ring_radius{0.0, 3.6, 4.2, 5.0, 6.0, 7.0,
 inline constexpr std::array<double, 4> ring_scale{1.0, 1.5, 2.5, 4.0};    ///< of all rings of a plan
 inline constexpr double never = std::numeric_limits<double>::infinity();  ///< as a time [s]
 inline constexpr double delay_step = 3.0;                                 ///< [s]
+inline constexpr double set_off = 1.0;       ///< from a plan's start until who has turned before leaves [s]
 inline constexpr int most_levels = 3;        ///< below a member's own way, if that is level
 inline constexpr double level_within = 1.0;  ///< a way is level whose ends differ by less in depth [m]
 /// Who tells that it dives no faster stays on its way; a step of what is told [m/s].
@@ -81,9 +82,9 @@ class Passage {
   std::size_t count_{0};
 };
 
-/// The way of one member by a plan: it waits for its delay, turns, and goes by the tangents of its ring,
-/// while it climbs or dives, each at its constant rate; where its way is level, so many levels below that. It
-/// ends as far from the destination as the member arrives for certain. O(1).
+/// The way of one member by a plan: it waits for its delay, turns if it has not done so before, and goes by
+/// the tangents of its ring, while it climbs or dives, each at its constant rate; where its way is level, so
+/// many levels below that. It ends as far from the destination as the member arrives for certain. O(1).
 Reference reference_of(const Member& member, const Plan& plan, const Code& code) noexcept;
 /// The same, where its passage by that ring is known.
 Reference reference_of(const Member& member, const Plan& plan, const Code& code,
@@ -95,7 +96,11 @@ bool has_levels(const Member& member) noexcept;
 bool is_below(const Member& member, const Code& code) noexcept;
 /// Whether it does so by diving where it is held and climbing where it ends, and not while it goes along.
 bool is_on_the_spot(const Member& member, const Code& code) noexcept;
-/// How long it waits from the plan's start on [s].
+/// How long it turns where it is held, before it goes along [s].
+double turns_for(const Member& member) noexcept;
+/// How long before a plan's start it begins to turn to its way at the latest [s].
+double turns_ahead_by(const Member& member) noexcept;
+/// How long it waits from the plan's start on, by its code [s].
 double delay_of(const Member& member, const Code& code) noexcept;
 /// From a member's way to its next level below it [m].
 double level_step(const Member& member) noexcept;

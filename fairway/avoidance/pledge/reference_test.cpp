@@ -52,6 +52,25 @@ TEST(Reference, BeginsAtTheAnchorEndsNearTheDestinationAndKeepsItsSpeeds) {
   }
 }
 
+TEST(Reference, WhoHasTurnedBeforeGoesAlongAndUpOrDownAtOnce) {
+  Rng rng = Rng{6}.stream("reference");
+  for (int i = 0; i < 100; ++i) {
+    Member member = drawn_member(rng);
+    member.destination = member.anchor + Vec3{12.0, 3.0, 6.0};
+    const Plan plan = drawn_plan(rng);
+    const Code straight{.ring = 0, .delay = 1, .dive = 0};
+    const double turning = reference_of(member, plan, straight).end();
+    member.turns_before = true;
+    const Reference way = reference_of(member, plan, straight);
+    const double leaves = plan.start() + delay_of(member, straight) + set_off;
+    EXPECT_EQ(way.at(leaves), member.anchor);
+    const Vec3 gone = way.at(leaves + 0.5) - member.anchor;
+    EXPECT_GT(horizontal_norm(gone), 0.0);
+    EXPECT_GT(gone.z(), 0.0);
+    EXPECT_LT(way.end(), turning + set_off + 1e-9) << "it loses no more than it waits";
+  }
+}
+
 // Levels are for those whose way is level; the sum of both speeds is within what they go.
 TEST(Reference, GoesBelowTheOthersAndUpAgainWithinItsSpeed) {
   Rng rng = Rng{4}.stream("reference");

@@ -9,7 +9,7 @@
 namespace fairway::pledge {
 namespace {
 
-constexpr std::uint32_t version = 1;  // modulo 4
+constexpr std::uint32_t version = 2;  // modulo 4
 constexpr std::uint32_t says_state = 0, says_plan = 1;
 constexpr int vehicle_bits = 5;
 static_assert(most_vehicles == 1U << static_cast<unsigned>(vehicle_bits));

@@ -29,7 +29,8 @@ struct Member {
   double speed{};                   ///< horizontal, along its way [m/s]
   double climb{};                   ///< upwards [m/s]
   double descent{};                 ///< downwards [m/s]
-  double turn{};                    ///< before it gets under way [s]
+  double turn{};                    ///< in which it turns round [s]
+  bool turns_before{false};         ///< to its way, before a plan starts; not told, but known of all
   std::uint8_t version{};           ///< of all this, counted from 0 and modulo 16
 
   friend bool operator==(const Member&, const Member&) = default;
