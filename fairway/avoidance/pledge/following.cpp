@@ -97,7 +97,7 @@ Command nudged(const Situation& s, const Vec3& off, const Vec3& back, std::strin
 
 }  // namespace
 
-bool is_in_current(const Situation& s) noexcept { return horizontal_norm(s.current) > 0.02; }
+bool is_in_current(const Situation& s) noexcept { return horizontal_norm(s.current) > noticed_current; }
 
 Vec3 within_limits(const Situation& s, const Vec3& v) noexcept {
   const double up = s.envelope != nullptr ? s.envelope->up : s.limits.max_speed;

@@ -29,6 +29,8 @@ Vec3 resting_place(const Situation& s) noexcept;
 
 inline constexpr double stopping = 2.0;  ///< from a member's speed, with its lag [s]
 
+inline constexpr double noticed_current = 0.02;  ///< one that is less is none [m/s]
+
 bool is_in_current(const Situation& s) noexcept;
 
 /// What of a velocity over ground the vehicle may and can go, the vertical part of it first [m/s, NED].

@@ -3,11 +3,12 @@
 
 #include <algorithm>
 
+#include "fairway/avoidance/pledge/following.hpp"
+
 namespace fairway::pledge {
 namespace {
 
 constexpr double stride = 0.1;      // between two times that are tried, at least [s]
-constexpr double noticed = 0.02;    // a current that is less is none [m/s]
 constexpr double in_current = 2.0;  // times as much headway is wanted
 
 /// The fastest that anybody goes who goes by it, in water that moves so [m/s].
@@ -24,7 +25,7 @@ double fastest(const Reference& reference, const Vec3& drift) noexcept {
 }  // namespace
 
 Headway headway_in(const Vec3& current, double still) noexcept {
-  return {current.norm() > noticed ? in_current * still : still, current};
+  return {current.norm() > noticed_current ? in_current * still : still, current};
 }
 
 double headway_of(const Reference& a, const Reference& b, double apart, const Headway& wanted) noexcept {

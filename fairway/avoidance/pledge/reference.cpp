@@ -73,6 +73,7 @@ struct Milestone {
   double depth{};  ///< [m]
 };
 
+/// When it begins to go, to dive or to turn by a plan [s].
 double leaves_at(const Member& member, const Plan& plan, const Code& code) {
   return plan.start() + delay_of(member, code) + (member.turns_before ? set_off : 0.0);
 }
